@@ -1,0 +1,134 @@
+//! What a method needs to know of a system.
+//!
+//! A system is second order: u″ = a(t, u, u′, modes), with n coordinates u and
+//! the state y = [u, u′] (2n numbers). `modes` are its discrete state: which
+//! pairs are engaged, which piece of a law is in force. While they do not
+//! change the right-hand side is smooth, also a little beyond the places where
+//! they should have changed; a *watch* says where that is.
+
+/// Discrete state: one small integer per component (a pair, a track).
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Modes(pub Vec<i64>);
+
+/// A smooth function of time that a watch looks at:
+/// `offset + displacement·s + speed·ṡ` of signal s.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Guard {
+    /// Which signal.
+    pub signal: usize,
+    /// Constant term.
+    pub offset: f64,
+    /// Factor of the signal's value.
+    pub displacement: f64,
+    /// Factor of the signal's rate.
+    pub speed: f64,
+}
+
+/// A switch to be looked for: the moment when w = min(guards) changes to the
+/// sign asked for. Time intervals are half-open: a switch at the start of an
+/// interval has been dealt with, one at its end belongs to it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Watch {
+    /// The two guards; the second may repeat the first.
+    pub guards: [Guard; 2],
+    /// True: the switch comes when w becomes positive (both guards positive);
+    /// false: when w becomes negative (either guard negative).
+    pub rising: bool,
+    /// Component of [`Modes`] that changes.
+    pub component: usize,
+    /// Its new value.
+    pub target: i64,
+}
+
+/// The mechanism itself cannot go on; not a failure of the method.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PhysicalStop {
+    /// Short name as in a scene's `expect`: `dead_position`, …
+    pub name: &'static str,
+    /// The object concerned.
+    pub object: String,
+    /// What happened, for the user.
+    pub message: String,
+}
+
+/// A switching second-order system.
+pub trait Dynamics: Sync {
+    /// Working memory of one evaluation; one per thread.
+    type Scratch: Send;
+
+    /// New working memory.
+    fn scratch(&self) -> Self::Scratch;
+
+    /// Number n of coordinates; the state has 2n entries.
+    fn coordinates(&self) -> usize;
+
+    /// Number of signals: the n coordinates first, then whatever else the
+    /// watches look at.
+    fn signals(&self) -> usize;
+
+    /// dy/dt = [u′, u″]. Must not allocate.
+    fn derivatives(
+        &self,
+        time: f64,
+        y: &[f64],
+        modes: &Modes,
+        scratch: &mut Self::Scratch,
+        dy: &mut [f64],
+    );
+
+    /// Directional derivative of `derivatives` along `direction` at fixed time:
+    /// the Jacobian times a vector.
+    fn tangent(
+        &self,
+        time: f64,
+        y: &[f64],
+        modes: &Modes,
+        direction: &[f64],
+        scratch: &mut Self::Scratch,
+        out: &mut [f64],
+    );
+
+    /// The signals beyond the coordinates, each as (s, ṡ, s̈), at a state whose
+    /// derivative `dy` is known; `out[0]` is signal n.
+    fn extra_signals(
+        &self,
+        time: f64,
+        y: &[f64],
+        dy: &[f64],
+        modes: &Modes,
+        scratch: &mut Self::Scratch,
+        out: &mut [[f64; 3]],
+    );
+
+    /// Scale of each of the 2n state entries: the error wanted is
+    /// tolerance × scale (all > 0 and finite).
+    fn scales(&self) -> &[f64];
+
+    /// Name of a state entry, for messages: "rocker, mass 2: speed".
+    fn state_name(&self, index: usize) -> String;
+
+    /// All watches for the present modes; clears `out` first.
+    fn watches(&self, modes: &Modes, out: &mut Vec<Watch>);
+
+    /// Changes the modes for a switch located at (`time`, `y`).
+    ///
+    /// # Errors
+    /// The mechanism cannot go on.
+    fn switch(
+        &self,
+        time: f64,
+        y: &[f64],
+        watch: &Watch,
+        modes: &mut Modes,
+    ) -> Result<(), PhysicalStop>;
+
+    /// The first time after `time` at which a formula changes with time; +∞: never.
+    fn next_break(&self, time: f64, modes: &Modes) -> f64;
+
+    /// Changes the modes for a break at `time`, just reached.
+    fn pass_break(&self, time: f64, modes: &mut Modes);
+
+    /// True for components whose changes are switches of a pair, which are
+    /// counted and reported; false for changes of a formula (tracks).
+    fn is_pair(&self, component: usize) -> bool;
+}

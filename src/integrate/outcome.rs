@@ -1,0 +1,175 @@
+//! Settings of a run, its end, and who listens to it.
+
+use super::{Modes, PhysicalStop, Watch};
+use crate::polynomial::Step;
+use serde::Serialize;
+use std::fmt;
+use std::sync::atomic::AtomicBool;
+use std::time::Duration;
+
+/// Methods of integration.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Method {
+    /// Classical Runge–Kutta of order 4 with fixed step (ode_solvers).
+    Rk4,
+    /// Dormand–Prince 5(4) (ode_solvers).
+    Dopri5,
+    /// Dormand–Prince 8(5,3) (ode_solvers).
+    Dop853,
+    /// Backward differentiation formulas of variable order (diffsol).
+    Bdf,
+    /// TR-BDF2, L-stable, order 2 (diffsol).
+    TrBdf2,
+    /// ESDIRK 3(4), L-stable (diffsol).
+    Esdirk34,
+}
+
+impl Method {
+    /// All methods, in the order they are presented.
+    pub const ALL: [Self; 6] = [
+        Self::Rk4,
+        Self::Dopri5,
+        Self::Dop853,
+        Self::Bdf,
+        Self::TrBdf2,
+        Self::Esdirk34,
+    ];
+
+    /// Name in scenes and results.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Rk4 => "rk4",
+            Self::Dopri5 => "dopri5",
+            Self::Dop853 => "dop853",
+            Self::Bdf => "bdf",
+            Self::TrBdf2 => "tr_bdf2",
+            Self::Esdirk34 => "esdirk34",
+        }
+    }
+}
+
+impl fmt::Display for Method {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+/// What to integrate with, and how closely.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Settings {
+    /// The method.
+    pub method: Method,
+    /// Error wanted, relative to the scales of the state.
+    pub tolerance: f64,
+    /// Fixed step of `rk4` (s); greatest step of the others when given.
+    pub step: Option<f64>,
+}
+
+/// Bounds on a run.
+#[derive(Clone, Debug)]
+pub struct Limits<'a> {
+    /// Most switches of pairs.
+    pub switches: u64,
+    /// Most steps.
+    pub steps: u64,
+    /// Longest wall-clock time.
+    pub wall_clock: Option<Duration>,
+    /// Set from outside (Ctrl-C) to end the run.
+    pub interrupt: Option<&'a AtomicBool>,
+}
+
+/// Counts of a run.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Statistics {
+    /// Accepted steps.
+    pub steps: u64,
+    /// Rejected steps.
+    pub rejected: u64,
+    /// Evaluations of the right-hand side (a Jacobian column counts as one).
+    pub evaluations: u64,
+    /// Switches of pairs.
+    pub switches: u64,
+}
+
+/// Why a run ended.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Stop {
+    /// The end time was reached.
+    Complete,
+    /// The mechanism cannot go on.
+    Physical(PhysicalStop),
+    /// A state entry was no longer a finite number.
+    NotFinite {
+        /// Name of the entry.
+        what: String,
+    },
+    /// The step that the tolerance needs is below what the clock resolves.
+    StepFloor {
+        /// The step (s).
+        step: f64,
+    },
+    /// More switches than allowed.
+    TooManySwitches {
+        /// The bound.
+        bound: u64,
+    },
+    /// More steps than allowed.
+    TooManySteps {
+        /// The bound.
+        bound: u64,
+    },
+    /// The wall-clock limit was reached.
+    WallClock {
+        /// The limit.
+        limit: Duration,
+    },
+    /// Interrupted from outside.
+    Interrupted,
+    /// The method gave up for a reason of its own.
+    Method {
+        /// The method.
+        method: Method,
+        /// Its reason.
+        reason: String,
+    },
+}
+
+/// How a run ended.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Outcome {
+    /// Time reached (s).
+    pub time: f64,
+    /// Why it ended.
+    pub stop: Stop,
+    /// Counts.
+    pub statistics: Statistics,
+}
+
+/// A switch that took place.
+#[derive(Clone, Debug)]
+pub struct SwitchEvent<'a> {
+    /// When (s).
+    pub time: f64,
+    /// State then (continuous through the switch).
+    pub y: &'a [f64],
+    /// What was watched; `None` for a break in time.
+    pub watch: Option<&'a Watch>,
+    /// Modes before.
+    pub before: &'a Modes,
+    /// Modes after.
+    pub after: &'a Modes,
+}
+
+/// Listens to a run; cannot change it.
+pub trait Sink {
+    /// The state at the start, modes settled.
+    fn start(&mut self, time: f64, y: &[f64], modes: &Modes);
+
+    /// An accepted step, cut off where a switch was found; modes are those in
+    /// force over the step.
+    fn step(&mut self, step: &Step<'_>, modes: &Modes);
+
+    /// A switch of a pair, or a change of formula, after the step that led to it.
+    fn switch(&mut self, event: &SwitchEvent<'_>);
+}

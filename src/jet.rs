@@ -1,0 +1,51 @@
+//! A function of one variable at a point: its value and first three derivatives.
+
+use crate::number::Number;
+
+/// Value and first three derivatives of a function of one variable at a point.
+///
+/// For a position function U(φ): `value` = U, `first` = U′, `second` = U″,
+/// `third` = U‴ (the geometric transfer functions). For a motion over time:
+/// displacement, speed, acceleration, jerk.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Jet {
+    /// The value.
+    pub value: f64,
+    /// The first derivative.
+    pub first: f64,
+    /// The second derivative.
+    pub second: f64,
+    /// The third derivative.
+    pub third: f64,
+}
+
+impl Jet {
+    /// The function's value, first and second derivative as numbers that carry
+    /// the derivative of the argument `x` on.
+    #[inline(always)]
+    pub fn lift<N: Number>(self, x: N) -> [N; 3] {
+        [
+            x.compose(self.value, self.first),
+            x.compose(self.first, self.second),
+            x.compose(self.second, self.third),
+        ]
+    }
+
+    /// The same function times a constant.
+    #[must_use]
+    pub fn scaled(self, factor: f64) -> Self {
+        Self {
+            value: self.value * factor,
+            first: self.first * factor,
+            second: self.second * factor,
+            third: self.third * factor,
+        }
+    }
+
+    /// True when all four numbers are finite.
+    pub fn is_finite(&self) -> bool {
+        [self.value, self.first, self.second, self.third]
+            .iter()
+            .all(|number| number.is_finite())
+    }
+}

@@ -1,0 +1,21 @@
+//! `dam`: dynamic analysis of machine mechanisms.
+
+pub mod analysis;
+pub mod breaks;
+pub mod diagnostics;
+pub mod fault;
+pub mod graph;
+pub mod integrate;
+pub mod jet;
+pub mod lower;
+pub mod model;
+pub mod motion;
+pub mod number;
+pub mod object;
+pub mod polynomial;
+pub mod position;
+pub mod record;
+pub mod report;
+pub mod scene;
+pub mod system;
+pub mod units;

@@ -1,0 +1,301 @@
+//! The dynamic model: plain data between the scene's objects and the system that is integrated.
+//!
+//! Objects lower to this; the system is built from this; neither knows the
+//! other. Nodes stand in an order in which every driver comes before what it
+//! drives. SI units; for sliding coordinates read m for rad, kg for kg·m²,
+//! N for N·m, N/m for N·m/rad.
+//!
+//! **Coordinates.** The state holds, for every mass of a chain, its deviation
+//! from the law u = φ − U(φ_driver) and u̇, not φ itself: link deformations are
+//! then differences of small numbers, tolerances act on what the engineer asks
+//! for, and an angle that grows with every turn costs no digits. A motor's
+//! rotor keeps its absolute angle.
+
+use crate::breaks::Breaks;
+use crate::motion::DriveMotion;
+use crate::position::Position;
+use serde::Serialize;
+
+/// Index of a node in [`Model::nodes`].
+pub type NodeIndex = usize;
+
+/// A complete dynamic model.
+#[derive(Clone, Debug, Default)]
+pub struct Model {
+    /// Drivers before driven.
+    pub nodes: Vec<Node>,
+    /// Elastic-dissipative links.
+    pub links: Vec<Link>,
+    /// Loads on nodes.
+    pub loads: Vec<Load>,
+    /// Piecewise axes: which piece of a law, table or window is in force is a
+    /// discrete state that changes at located events.
+    pub tracks: Vec<Track>,
+    /// The scene's objects, in the order of their ids.
+    pub objects: Vec<ObjectPart>,
+    /// State at t = 0.
+    pub start: Start,
+}
+
+/// Turning or sliding.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Coordinate {
+    /// Displacement is an angle (rad).
+    #[default]
+    Turning,
+    /// Displacement is a length (m).
+    Sliding,
+}
+
+/// A point of the mechanism with one displacement φ.
+#[derive(Clone, Debug)]
+pub struct Node {
+    /// Constant inertia J ≥ 0 at this node; > 0 for free ones.
+    pub inertia: f64,
+    /// What determines its motion.
+    pub motion: NodeMotion,
+}
+
+/// What determines a node's motion.
+#[derive(Clone, Debug)]
+pub enum NodeMotion {
+    /// φ(t) given. `track` (over time) selects the piece of the motion.
+    Prescribed {
+        /// The motion.
+        motion: DriveMotion,
+        /// Piece selector, when the motion has breaks.
+        track: Option<usize>,
+    },
+    /// A motor's rotor: φ and φ̇ are state.
+    Rotor,
+    /// A mass of a chain: u = φ − U(φ_driver) and u̇ are state. All masses of a
+    /// chain share the same `law`.
+    Mass {
+        /// The law whose motion the mass follows.
+        law: Law,
+    },
+    /// A rigid object: φ = U(φ_driver), no state of its own.
+    Rigid {
+        /// The constraint.
+        law: Law,
+    },
+}
+
+/// U(φ_driver), the motion the driver asks for.
+#[derive(Clone, Debug)]
+pub struct Law {
+    /// The driving node.
+    pub driver: NodeIndex,
+    /// U.
+    pub position: Position,
+    /// Factor on U (lever ratio or arm).
+    pub lever: f64,
+    /// Piece selector over the driver's displacement, when U has breaks.
+    pub track: Option<usize>,
+}
+
+/// An elastic-dissipative link.
+#[derive(Clone, Debug)]
+pub struct Link {
+    /// The mass the link pulls back to its law: force −F.
+    pub mass: NodeIndex,
+    /// What the other end is attached to.
+    pub base: LinkBase,
+    /// c > 0.
+    pub stiffness: f64,
+    /// b ≥ 0.
+    pub damping: f64,
+}
+
+/// The other end of a link.
+#[derive(Clone, Debug)]
+pub enum LinkBase {
+    /// Link 1: the law U(φ_driver) of the mass itself; deformation x = u₁; the
+    /// driver's node receives F·U′. The driving pair sits here.
+    Law {
+        /// The kinematic pair.
+        pair: Pair,
+    },
+    /// Links 2 … n: the preceding mass of the same chain; bilateral.
+    Mass(NodeIndex),
+}
+
+/// The kinematic pair of link 1.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pair {
+    /// How the pair is kept together.
+    pub closure: Closure,
+    /// Gap η ≥ 0 (form closure).
+    pub gap: f64,
+    /// +1: force closure lifts off towards x > 0; −1: towards x < 0.
+    pub opens: f64,
+    /// Law of the contact force.
+    pub law: DampingLaw,
+}
+
+/// How a kinematic pair is kept together.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Closure {
+    /// Always engaged.
+    #[default]
+    Bilateral,
+    /// Held shut by a closing force; the link never pulls.
+    Force,
+    /// Two flanks with a gap between them.
+    Form,
+}
+
+/// Law of the contact force over penetration p and its rate.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum DampingLaw {
+    /// N = c·p + b·ṗ, cut off at zero.
+    #[default]
+    KelvinVoigt,
+    /// N = c·p·max(0, 1 + κ·ṗ).
+    HuntCrossley {
+        /// κ (seconds per unit of p); `None`: b₁/(c₁·p*), p* the static penetration.
+        kappa: Option<f64>,
+    },
+}
+
+/// A load on a node. Positive forces act towards positive displacement.
+#[derive(Clone, Debug)]
+pub struct Load {
+    /// Where it acts.
+    pub node: NodeIndex,
+    /// `object.loads.name`, for messages and equations.
+    pub name: String,
+    /// Its law.
+    pub law: LoadLaw,
+}
+
+/// Force law of a load.
+#[derive(Clone, Debug)]
+pub enum LoadLaw {
+    /// W.
+    Constant(f64),
+    /// Piecewise-linear in time or in a driver's displacement; the track
+    /// selects the piece. Piece i is `value[i] + slope[i]·(x − start[i])`.
+    Pieces {
+        /// Which piece.
+        track: usize,
+        /// One entry a piece of the track's breaks.
+        pieces: Vec<LinearPiece>,
+    },
+    /// −preload − rate·φ.
+    Spring {
+        /// Rate.
+        rate: f64,
+        /// Force at φ = 0, towards negative displacement.
+        preload: f64,
+    },
+    /// −b·φ̇.
+    Viscous(f64),
+    /// −force·tanh(φ̇/width).
+    Friction {
+        /// Sliding friction.
+        force: f64,
+        /// Regularisation width (speed).
+        width: f64,
+    },
+    /// T₀·(1 − ω/ω₀).
+    LinearMotor {
+        /// T₀.
+        stall_torque: f64,
+        /// ω₀.
+        no_load_speed: f64,
+    },
+    /// Kloss: 2·T_b/(s/s_b + s_b/s), written without poles as 2·T_b·s·s_b/(s² + s_b²).
+    Kloss {
+        /// T_b.
+        breakdown_torque: f64,
+        /// s_b.
+        breakdown_slip: f64,
+        /// ω_s.
+        synchronous_speed: f64,
+    },
+    /// Torque over speed, linear between the points, constant outside.
+    SpeedTable(Vec<(f64, f64)>),
+}
+
+/// A straight piece of a table.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct LinearPiece {
+    /// Argument (of the first period) at which the force is `value`.
+    pub start: f64,
+    /// Force there.
+    pub value: f64,
+    /// Change of force per unit of the argument.
+    pub slope: f64,
+}
+
+/// An axis with break points; its current segment is discrete state.
+#[derive(Clone, Debug)]
+pub struct Track {
+    /// What runs along the axis.
+    pub source: TrackSource,
+    /// The break points.
+    pub breaks: Breaks,
+    /// True when leaving segment `home` ends the run: the position function
+    /// cannot be assembled beyond it (a dead position).
+    pub stops: bool,
+    /// The object concerned, index into [`Model::objects`].
+    pub object: usize,
+}
+
+/// What runs along a track.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TrackSource {
+    /// Time.
+    Time,
+    /// A node's displacement.
+    Node(NodeIndex),
+}
+
+/// What became of one of the scene's objects.
+#[derive(Clone, Debug)]
+pub struct ObjectPart {
+    /// Id in the scene.
+    pub id: String,
+    /// Kind in the scene.
+    pub kind: &'static str,
+    /// Turning or sliding.
+    pub coordinate: Coordinate,
+    /// Its nodes, first mass first; one for a drive or a rigid object.
+    pub nodes: Vec<NodeIndex>,
+    /// Index of the driving object in [`Model::objects`]; `None` for a drive.
+    pub driver: Option<usize>,
+    /// Its links, link 1 first; empty for a drive or a rigid object.
+    pub links: Vec<usize>,
+    /// The pair of a rigid object (an elastic object's is in its link 1).
+    pub rigid_pair: Option<Pair>,
+}
+
+/// State at t = 0.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub enum Start {
+    /// The quiet start: static equilibrium with the inertia loads of the law,
+    /// and the speeds of that deflection.
+    #[default]
+    Kinetostatic,
+    /// Static equilibrium of the whole graph; masses move with their laws.
+    Static,
+    /// Exactly on the law, links unloaded.
+    OnLaw,
+    /// Explicit absolute displacements and speeds of every mass, per object
+    /// (index into [`Model::objects`]); objects left out start on their law.
+    Explicit(Vec<ExplicitStart>),
+}
+
+/// Explicit start of one object.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ExplicitStart {
+    /// Index into [`Model::objects`].
+    pub object: usize,
+    /// Absolute displacement of each mass.
+    pub displacement: Vec<f64>,
+    /// Absolute speed of each mass.
+    pub speed: Vec<f64>,
+}

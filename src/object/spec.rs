@@ -1,0 +1,236 @@
+//! What a scene says of each object, in plain numbers and SI units.
+//!
+//! The kinds' files read these from the scene; `lower` turns them into the
+//! model. Angles in radians; for sliding objects read m for rad, kg for kg·m²,
+//! N for N·m.
+
+use crate::model::{Closure, Coordinate, DampingLaw};
+use crate::position::PositionSpec;
+
+/// A drive: the source of motion.
+#[derive(Clone, Debug, PartialEq)]
+pub enum DriveSpec {
+    /// Motion prescribed over time.
+    Prescribed(DriveMotionSpec),
+    /// A motor: its angle is a coordinate of the system.
+    Motor(MotorSpec),
+}
+
+/// Prescribed motion of a drive.
+#[derive(Clone, Debug, PartialEq)]
+pub enum DriveMotionSpec {
+    /// `{ "speed": ω, "angle" = 0 }`: φ = angle + ω·t.
+    Constant {
+        /// ω (rad/s).
+        speed: f64,
+        /// φ(0) (rad).
+        angle: f64,
+    },
+    /// `{ "run_up": { "speed", "time", "angle" = 0 } }`: the speed rises from
+    /// rest to `speed` in `time` by ω(τ) = speed·(3τ² − 2τ³), then stays.
+    RunUp {
+        /// Final speed (rad/s).
+        speed: f64,
+        /// Duration of the run-up (s), > 0.
+        time: f64,
+        /// φ(0) (rad).
+        angle: f64,
+    },
+    /// `{ "table": [[t, φ], …] }`: a smooth spline through at least three points.
+    Table {
+        /// (t, φ), t strictly ascending.
+        points: Vec<(f64, f64)>,
+    },
+}
+
+/// A motor: rotor inertia and torque characteristic.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MotorSpec {
+    /// Rotor inertia (kg·m²), > 0.
+    pub inertia: f64,
+    /// Angle at t = 0 (rad).
+    pub angle: f64,
+    /// Speed at t = 0 (rad/s).
+    pub speed: f64,
+    /// Driving torque as a function of speed.
+    pub torque: TorqueSpec,
+    /// Further loads on the rotor.
+    pub loads: Vec<LoadSpec>,
+}
+
+/// Torque characteristic of a motor.
+#[derive(Clone, Debug, PartialEq)]
+pub enum TorqueSpec {
+    /// `{ "constant": T }`.
+    Constant(f64),
+    /// `{ "linear": { "stall_torque", "no_load_speed" } }`: T₀·(1 − ω/ω₀).
+    Linear {
+        /// T₀ (N·m).
+        stall_torque: f64,
+        /// ω₀ (rad/s).
+        no_load_speed: f64,
+    },
+    /// `{ "kloss": { "breakdown_torque", "breakdown_slip", "synchronous_speed" } }`:
+    /// T = 2·T_b / (s/s_b + s_b/s), s = 1 − ω/ω_s.
+    Kloss {
+        /// T_b (N·m).
+        breakdown_torque: f64,
+        /// s_b, 0 < s_b ≤ 1.
+        breakdown_slip: f64,
+        /// ω_s (rad/s).
+        synchronous_speed: f64,
+    },
+    /// `{ "table": [[ω, T], …] }`: linear between the points, constant outside.
+    Table(Vec<(f64, f64)>),
+}
+
+/// Any driven object: masses, links, pair, loads.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ChainSpec {
+    /// Turning or sliding.
+    pub coordinate: Coordinate,
+    /// What the driver asks for.
+    pub position: PositionSpec,
+    /// Factor on U: a lever ratio, or a lever arm in metres where the motion
+    /// changes from turning to sliding. 1 when absent.
+    pub lever: f64,
+    /// Inertia, stiffness, damping and number of masses.
+    pub body: BodySpec,
+    /// The driving pair of link 1.
+    pub pair: PairSpec,
+    /// Loads in the order of their names.
+    pub loads: Vec<LoadSpec>,
+}
+
+/// Inertia, stiffness and damping of a chain.
+#[derive(Clone, Debug, PartialEq)]
+pub enum BodySpec {
+    /// `masses: 0`.
+    Rigid {
+        /// J (kg·m² or kg), ≥ 0.
+        inertia: f64,
+    },
+    /// From few data: J, c, ψ (or b) and n.
+    Uniform {
+        /// Total inertia J.
+        inertia: f64,
+        /// Stiffness c seen at the last mass.
+        stiffness: f64,
+        /// Specific damping capacity ψ.
+        damping_capacity: f64,
+        /// n ≥ 1.
+        masses: usize,
+        /// How J is split.
+        split: InertiaSplit,
+    },
+    /// Explicit lists, all of the same length n ≥ 1.
+    Lists {
+        /// J_m.
+        inertias: Vec<f64>,
+        /// c_m.
+        stiffnesses: Vec<f64>,
+        /// b_m.
+        dampings: Vec<f64>,
+    },
+}
+
+/// How a chain's total inertia is split over its masses.
+#[derive(Clone, Debug, PartialEq)]
+pub enum InertiaSplit {
+    /// `"cubes"`: J_m = J·(m³ − (m−1)³)/n³, a uniform lever.
+    Cubes,
+    /// `"equal"`: J/n.
+    Equal,
+    /// Shares, summing to 1.
+    Shares(Vec<f64>),
+}
+
+/// The kinematic pair of link 1 (or of a rigid object).
+#[derive(Clone, Debug, PartialEq)]
+pub struct PairSpec {
+    /// How the pair is kept together.
+    pub closure: Closure,
+    /// Gap η ≥ 0 of a form-closed pair.
+    pub gap: f64,
+    /// +1: a force-closed pair lifts off towards x > 0; −1: turned round.
+    pub opens: f64,
+    /// Law of the contact.
+    pub law: DampingLaw,
+}
+
+/// A named load.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LoadSpec {
+    /// Its name in the scene.
+    pub name: String,
+    /// Which masses it acts on.
+    pub mass: MassChoice,
+    /// Its law.
+    pub law: LoadLawSpec,
+}
+
+/// Which masses of an object a load acts on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MassChoice {
+    /// The last mass (default).
+    Last,
+    /// The first mass.
+    First,
+    /// Mass m, counted from 1.
+    Number(usize),
+    /// Every mass.
+    All,
+}
+
+/// A load's law. Positive forces act in the direction of positive displacement.
+#[derive(Clone, Debug, PartialEq)]
+pub enum LoadLawSpec {
+    /// `{ "constant": W }`.
+    Constant(f64),
+    /// `{ "time_table": [[t, W], …] }`: linear between the points, constant outside.
+    TimeTable(Vec<(f64, f64)>),
+    /// `{ "position_table": { "points": [[φ, W], …], "period": P or absent } }` over the
+    /// driver's displacement: linear between the points; constant outside
+    /// without a period.
+    PositionTable {
+        /// (φ, W), φ strictly ascending; with a period within one of it.
+        points: Vec<(f64, f64)>,
+        /// Repeats after this much of φ.
+        period: Option<f64>,
+    },
+    /// `{ "window": { "from", "to", "force", "period" = 360 deg for a turning driver } }`:
+    /// `force` while the driver is between the two positions, else 0.
+    Window {
+        /// Start of the window (driver's displacement).
+        from: f64,
+        /// End of the window, > from.
+        to: f64,
+        /// W inside.
+        force: f64,
+        /// Repeats after this much of φ; `None`: once.
+        period: Option<f64>,
+    },
+    /// `{ "spring": { "rate", "preload" = 0 } }`: W = −preload − rate·φ of the mass.
+    Spring {
+        /// Rate, ≥ 0.
+        rate: f64,
+        /// Force at φ = 0, positive towards negative displacement.
+        preload: f64,
+    },
+    /// `{ "viscous": b }`: W = −b·φ̇.
+    Viscous(f64),
+    /// `{ "weight": { "inclination" } }` (sliders): W = −m·g·sin(inclination),
+    /// the inclination of the positive direction above the horizontal.
+    Weight {
+        /// Angle above the horizontal (rad).
+        inclination: f64,
+    },
+    /// `{ "friction": { "force", "width" } }`: Coulomb friction regularised as
+    /// W = −force·tanh(φ̇/width).
+    Friction {
+        /// Sliding friction force, ≥ 0.
+        force: f64,
+        /// Regularisation width: speed at which tanh 1 = 76 % is reached, > 0.
+        width: f64,
+    },
+}

@@ -1,0 +1,86 @@
+//! Polynomials over a step: the continuous output of every method.
+//!
+//! Bernstein form on [0, 1]: coefficients bound the values, so that a sign
+//! without change proves that there is no root.
+
+/// Continuous output over one accepted step: for every signal a polynomial in
+/// s = (t − start)/length, all of the same degree, in Bernstein form.
+#[derive(Clone, Copy, Debug)]
+pub struct Step<'a> {
+    /// Time at s = 0 (s).
+    pub start: f64,
+    /// Time span of s from 0 to 1 (s), > 0.
+    pub length: f64,
+    /// The step is valid for 0 ≤ s ≤ `end`; below 1 when cut off at a switch.
+    pub end: f64,
+    /// Number of coordinates n; signals 0 … n−1 are the coordinates.
+    pub coordinates: usize,
+    /// Degree of the polynomials.
+    pub degree: usize,
+    /// Bernstein coefficients, `degree + 1` for each signal.
+    pub coefficients: &'a [f64],
+}
+
+impl<'a> Step<'a> {
+    /// Bernstein coefficients of a signal.
+    pub fn signal(&self, index: usize) -> &'a [f64] {
+        let width = self.degree + 1;
+        &self.coefficients[index * width..(index + 1) * width]
+    }
+
+    /// Time at s.
+    pub fn time(&self, s: f64) -> f64 {
+        self.start + s * self.length
+    }
+
+    /// Time at the (possibly cut) end.
+    pub fn end_time(&self) -> f64 {
+        self.time(self.end)
+    }
+
+    /// The state y = [u, u′] at s.
+    pub fn state(&self, s: f64, y: &mut [f64]) {
+        for index in 0..self.coordinates {
+            let (value, slope) = evaluate(self.signal(index), s);
+            y[index] = value;
+            y[self.coordinates + index] = slope / self.length;
+        }
+    }
+}
+
+/// Value and derivative at s of a polynomial in Bernstein form (de Casteljau
+/// on a copy of at most [`MAX_DEGREE`] + 1 coefficients).
+pub fn evaluate(coefficients: &[f64], s: f64) -> (f64, f64) {
+    let degree = coefficients.len() - 1;
+    if degree == 0 {
+        return (coefficients[0], 0.0);
+    }
+    let mut work = [0.0; MAX_DEGREE + 1];
+    work[..=degree].copy_from_slice(coefficients);
+    for level in 1..degree {
+        for i in 0..=degree - level {
+            work[i] += s * (work[i + 1] - work[i]);
+        }
+    }
+    let slope = work[1] - work[0];
+    (work[0] + s * slope, degree as f64 * slope)
+}
+
+/// Highest degree of a continuous output.
+pub const MAX_DEGREE: usize = 15;
+
+#[cfg(test)]
+mod tests {
+    use super::evaluate;
+
+    #[test]
+    fn a_cubic_in_bernstein_form_has_its_value_and_slope() {
+        // s³ − s has Bernstein coefficients 0, −1/3, −2/3, 0.
+        let coefficients = [0.0, -1.0 / 3.0, -2.0 / 3.0, 0.0];
+        for s in [0.0, 0.3, 1.0, 1.2f64] {
+            let (value, slope) = evaluate(&coefficients, s);
+            approx::assert_abs_diff_eq!(value, s.powi(3) - s, epsilon = 1e-15);
+            approx::assert_abs_diff_eq!(slope, 3.0 * s * s - 1.0, epsilon = 1e-14);
+        }
+    }
+}

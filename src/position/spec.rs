@@ -1,0 +1,110 @@
+//! Position functions as a scene states them: plain numbers in SI units.
+
+/// A position function as described in a scene.
+#[derive(Clone, Debug, PartialEq)]
+pub enum PositionSpec {
+    /// `{ "ratio": 0.5 }` or `{ "ratio": { "ratio": 0.5, "offset": "10 deg" } }`.
+    Ratio {
+        /// U′.
+        ratio: f64,
+        /// U(0).
+        offset: f64,
+    },
+    /// `{ "sine": { "amplitude", "harmonic" = 1, "phase" = 0, "offset" = 0 } }`.
+    Sine {
+        /// Half the stroke.
+        amplitude: f64,
+        /// Oscillations per radian·2π of the driver.
+        harmonic: f64,
+        /// Phase (rad).
+        phase: f64,
+        /// Middle of the stroke.
+        offset: f64,
+    },
+    /// `{ "polynomial": { "coefficients": [a0, a1, …] } }`: U = Σ a_k φ^k.
+    Polynomial {
+        /// Coefficients in SI, lowest power first; at least one.
+        coefficients: Vec<f64>,
+    },
+    /// `{ "table": { "points": [[φ, U], …], "periodic": bool } }`: a spline
+    /// through the points, at least three, φ ascending.
+    Table {
+        /// (φ, U), φ strictly ascending.
+        points: Vec<(f64, f64)>,
+        /// True: the last point closes the period (U equal to the first).
+        periodic: bool,
+        /// Slopes U′ at both ends of a clamped table (default 0, 0).
+        end_slopes: (f64, f64),
+    },
+    /// `{ "slider_crank": { "crank", "rod", "offset" = 0, "branch" = "+", "phase" = 0 } }`:
+    /// U = r cos θ ± √(l² − (r sin θ − e)²), θ = φ + phase; the slide's
+    /// distance from the crank's axis along the guide (m).
+    SliderCrank {
+        /// Crank radius r (m).
+        crank: f64,
+        /// Connecting rod length l (m).
+        rod: f64,
+        /// Offset e of the guide from the crank's axis (m).
+        offset: f64,
+        /// +1 or −1: sign of the root.
+        branch: f64,
+        /// Added to the driver's displacement (rad).
+        phase: f64,
+    },
+    /// `{ "four_bar": { "crank", "coupler", "rocker", "frame", "branch" = "+", "phase" = 0 } }`:
+    /// the rocker's angle, both angles measured from the line of the two fixed
+    /// pivots, from the crank's pivot towards the rocker's (rad).
+    FourBar {
+        /// Driving crank length (m).
+        crank: f64,
+        /// Coupler length (m).
+        coupler: f64,
+        /// Rocker length (m).
+        rocker: f64,
+        /// Distance of the fixed pivots (m).
+        frame: f64,
+        /// +1 (open) or −1 (crossed).
+        branch: f64,
+        /// Added to the driver's displacement (rad).
+        phase: f64,
+    },
+    /// `{ "cam": { "rise", "dwell", "return", "rest", "lift", "law", "phase" } }`.
+    Cam(CamSpec),
+}
+
+/// A cam with one rise and one return per turn.
+///
+/// θ = φ + phase runs: rise from 0 to `lift` over `rise`, dwell at the top over
+/// `dwell`, return over `return_angle`, rest at 0 for what is left of the turn.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CamSpec {
+    /// Full stroke (rad or m).
+    pub lift: f64,
+    /// Angle of the rise (rad), > 0.
+    pub rise: f64,
+    /// Angle of the upper dwell (rad), ≥ 0.
+    pub dwell: f64,
+    /// Angle of the return (rad), > 0.
+    pub return_angle: f64,
+    /// Law of the rise.
+    pub rise_law: LawName,
+    /// Law of the return, run backwards.
+    pub return_law: LawName,
+    /// Added to the driver's displacement (rad).
+    pub phase: f64,
+}
+
+/// A named dimensionless law of motion θ(τ), 0 ≤ τ ≤ 1.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LawName {
+    /// `harmonic`: (1 − cos πτ)/2; acceleration jumps at both ends.
+    Harmonic,
+    /// `cycloidal`: τ − sin(2πτ)/2π.
+    Cycloidal,
+    /// `3-4-5`: 10τ³ − 15τ⁴ + 6τ⁵.
+    Polynomial345,
+    /// `4-5-6-7`: 35τ⁴ − 84τ⁵ + 70τ⁶ − 20τ⁷.
+    Polynomial4567,
+    /// `modified_trapezoid`: sine, constant, sine, … acceleration in eighths.
+    ModifiedTrapezoid,
+}

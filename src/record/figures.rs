@@ -1,0 +1,128 @@
+//! The figures of a run: the document that `dam run --json` prints.
+
+use serde::Serialize;
+use std::collections::BTreeMap;
+
+/// The whole document.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Figures {
+    /// Version of the document: 1.
+    pub dam: u32,
+    /// Name of the scene.
+    pub scene: String,
+    /// Hash of the canonical scene.
+    pub hash: String,
+    /// Units of each object's figures.
+    pub units: BTreeMap<String, Units>,
+    /// Figures of each object.
+    pub objects: BTreeMap<String, ObjectFigures>,
+    /// How the run went.
+    pub run: RunSummary,
+    /// What the user should know.
+    pub warnings: Vec<String>,
+}
+
+/// Units of an object's figures.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct Units {
+    /// `rad` or `m`.
+    pub displacement: &'static str,
+    /// `N m` or `N`.
+    pub force: &'static str,
+}
+
+/// Figures of one object; peaks are the greatest absolute values at its last
+/// mass, extremes between samples and both sides of a switch included.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct ObjectFigures {
+    /// Greatest δ.
+    pub delta_max: f64,
+    /// Least δ.
+    pub delta_min: f64,
+    /// Mean of |δ| over the run.
+    pub sigma: f64,
+    /// Greatest |φ̇|.
+    pub peak_speed: f64,
+    /// Greatest |φ̈|.
+    pub peak_acceleration: f64,
+    /// Greatest |F| of link 1.
+    pub peak_reaction: f64,
+    /// State at the end.
+    #[serde(rename = "final")]
+    pub end: FinalState,
+    /// The driving pair; null for a bilateral one.
+    pub pair: Option<PairFigures>,
+}
+
+/// State of the last mass at the end of the run.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct FinalState {
+    /// φ.
+    pub displacement: f64,
+    /// φ̇.
+    pub speed: f64,
+}
+
+/// Figures of a driving pair.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct PairFigures {
+    /// Engaged → open, t > 0.
+    pub separations: u64,
+    /// Open → engaged, t > 0.
+    pub closures: u64,
+    /// Total time open (s).
+    pub separated_time: f64,
+    /// Longest time open (s).
+    pub longest_separation: f64,
+    /// Greatest clearance.
+    pub max_lift: f64,
+    /// Greatest speed of approach at a closure; 0 if none.
+    pub max_approach_speed: f64,
+    /// Greatest contact force.
+    pub max_contact_force: f64,
+    /// Rigid force-closed pair: least contact force the motion needs (negative:
+    /// it would lift off); null for elastic objects.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub margin: Option<f64>,
+    /// Times of all switches (s).
+    pub switch_times: Vec<f64>,
+    /// No separation within the window; null without a window.
+    pub in_working_order: Option<bool>,
+}
+
+/// How the run went.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct RunSummary {
+    /// Method used.
+    pub method: String,
+    /// Why this method.
+    pub why: String,
+    /// Tolerance.
+    pub tolerance: f64,
+    /// Time reached (s).
+    pub time: f64,
+    /// True when the end time was reached.
+    pub complete: bool,
+    /// Why it stopped, when not complete: `dead_position`, `not_finite`, …
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub stopped: Option<String>,
+    /// The same in words.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub stopped_because: Option<String>,
+    /// Accepted steps.
+    pub steps: u64,
+    /// Rejected steps.
+    pub rejected: u64,
+    /// Evaluations of the right-hand side.
+    pub evaluations: u64,
+    /// Switches of pairs.
+    pub switches: u64,
+    /// Energy audit: |work of drives and loads − change of energy −
+    /// dissipated| / max(work in, greatest kinetic energy).
+    pub energy_error: f64,
+    /// Window of steady figures `[from, to]` (s), or null.
+    pub window: Option<[f64; 2]>,
+    /// Why there is no window, when null.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub window_missing: Option<String>,
+}

@@ -1,0 +1,97 @@
+//! Scenes: what the engineer wrote, typed, in SI units, every value still knowing its place in the text.
+
+use crate::object::Object;
+use std::collections::BTreeMap;
+
+/// A scene, read and checked.
+#[derive(Debug)]
+pub struct Scene {
+    /// Its name.
+    pub name: String,
+    /// The objects by id.
+    pub objects: BTreeMap<String, SceneObject>,
+    /// How it is to be run.
+    pub run: RunSpec,
+    /// What is expected of it.
+    pub expect: Vec<Expectation>,
+    /// SHA-256 (hex) of the canonical scene: defaults filled in, SI, keys sorted.
+    pub hash: String,
+}
+
+/// An object of a scene.
+#[derive(Debug)]
+pub struct SceneObject {
+    /// Id of the driving object; `None` for a drive.
+    pub input: Option<String>,
+    /// The object itself.
+    pub object: Box<dyn Object>,
+}
+
+/// The `run` block.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RunSpec {
+    /// Simulated time (s), > 0.
+    pub duration: f64,
+    /// State at t = 0.
+    pub start: StartSpec,
+    /// `auto` or the name of a method.
+    pub method: String,
+    /// Error wanted in δ relative to its scale; default 1e-6.
+    pub tolerance: f64,
+    /// Fixed or greatest step (s).
+    pub step: Option<f64>,
+    /// Number of equal sample intervals; default 1000.
+    pub samples: usize,
+    /// True: two rows (before, after) at each switch.
+    pub switch_rows: bool,
+    /// Window of steady figures (s, s); `None`: chosen.
+    pub window: Option<(f64, f64)>,
+    /// Most switches before the run is given up; default 1 000 000.
+    pub max_switches: u64,
+}
+
+/// The `start` property.
+#[derive(Clone, Debug, PartialEq)]
+pub enum StartSpec {
+    /// `"kinetostatic"` (default).
+    Kinetostatic,
+    /// `"static"`.
+    Static,
+    /// `"on_law"`.
+    OnLaw,
+    /// `{ "rocker": { "displacement": […], "speed": […] } }`.
+    Explicit(BTreeMap<String, (Vec<f64>, Vec<f64>)>),
+}
+
+/// One entry of `expect`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Expectation {
+    /// What is expected.
+    pub what: Expected,
+    /// Where the figure comes from.
+    pub source: Option<String>,
+}
+
+/// What is expected of a run.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Expected {
+    /// A figure, by its address (`rocker.delta_max`, `rocker.pair.separations`,
+    /// `rocker.final.speed`, `run.switches`), within an absolute bound.
+    Figure {
+        /// Address.
+        figure: String,
+        /// Expected value (booleans as 0 and 1).
+        value: f64,
+        /// Absolute bound.
+        within: f64,
+    },
+    /// The run stops at a time for a named reason.
+    Stops {
+        /// `dead_position`, …
+        reason: String,
+        /// When (s).
+        time: f64,
+        /// Absolute bound (s).
+        within: f64,
+    },
+}
