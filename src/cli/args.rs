@@ -1,0 +1,141 @@
+//! The command line's arguments.
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use std::path::PathBuf;
+
+/// Dynamic analysis of machine mechanisms: from a scene of elastic and rigid
+/// objects to its motion, figures and pictures.
+#[derive(Debug, Parser)]
+#[command(name = "dam", version, about, max_term_width = 100)]
+pub(crate) struct Cli {
+    /// What to do.
+    #[command(subcommand)]
+    pub(crate) command: Command,
+}
+
+/// The commands.
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    /// Run a scene: its motion and its figures
+    Run(RunArgs),
+    /// Check a scene without running it
+    Check(CheckArgs),
+    /// Print the JSON Schema of scenes, for editors
+    Schema,
+    /// Show the scene's object graph, its dynamic model and its equations
+    Show(ShowArgs),
+    /// Run a scene for several values of a parameter and compare the figures
+    Compare(CompareArgs),
+}
+
+/// What every command on a scene takes.
+#[derive(Debug, Args)]
+pub(crate) struct SceneArgs {
+    /// The scene: a JSON file
+    pub(crate) scene: PathBuf,
+    /// Set a property before anything else: rocker.masses=10
+    #[arg(long = "set", value_name = "PATH=VALUE")]
+    pub(crate) set: Vec<String>,
+    /// Print one JSON document on standard output and nothing else there
+    #[arg(long)]
+    pub(crate) json: bool,
+    /// Say nothing on standard error but errors
+    #[arg(long, short)]
+    pub(crate) quiet: bool,
+}
+
+/// Where results go.
+#[derive(Debug, Args)]
+pub(crate) struct OutArgs {
+    /// Folder for the result files; made if it does not exist
+    #[arg(long, value_name = "DIR")]
+    pub(crate) out: Option<PathBuf>,
+    /// Replace files in the folder even if they are not this scene's results
+    #[arg(long, requires = "out")]
+    pub(crate) force: bool,
+}
+
+/// Arguments of `dam run`.
+#[derive(Debug, Args)]
+pub(crate) struct RunArgs {
+    #[command(flatten)]
+    pub(crate) scene: SceneArgs,
+    #[command(flatten)]
+    pub(crate) out: OutArgs,
+    /// Also run with loads changed by one part in 10¹⁰ and show how far each figure moves
+    #[arg(long)]
+    pub(crate) spread: bool,
+    /// End the run after this much wall-clock time, keeping what was computed (seconds)
+    #[arg(long, value_name = "SECONDS", value_parser = positive_seconds)]
+    pub(crate) time_limit: Option<f64>,
+}
+
+/// Arguments of `dam check`.
+#[derive(Debug, Args)]
+pub(crate) struct CheckArgs {
+    #[command(flatten)]
+    pub(crate) scene: SceneArgs,
+}
+
+/// Arguments of `dam show`.
+#[derive(Debug, Args)]
+pub(crate) struct ShowArgs {
+    #[command(flatten)]
+    pub(crate) scene: SceneArgs,
+    /// What to show
+    #[arg(long, value_enum, default_value_t = View::All)]
+    pub(crate) view: View,
+    /// In which form; the object graph also as DOT or SVG, the equations also as LaTeX
+    #[arg(long, value_enum, default_value_t = Form::Text)]
+    pub(crate) form: Form,
+}
+
+/// The three models of a scene.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum View {
+    /// All three
+    All,
+    /// The graph of objects
+    Graph,
+    /// Masses, links, loads and natural frequencies
+    Model,
+    /// The equations of motion
+    Equations,
+}
+
+/// Forms of output of `dam show`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Form {
+    /// Plain text
+    Text,
+    /// Graphviz (graph)
+    Dot,
+    /// A drawing (graph)
+    Svg,
+    /// LaTeX (equations)
+    Latex,
+}
+
+/// Arguments of `dam compare`.
+#[derive(Debug, Args)]
+pub(crate) struct CompareArgs {
+    #[command(flatten)]
+    pub(crate) scene: SceneArgs,
+    /// The parameter and its values: rocker.masses=1,2,10
+    #[arg(long, value_name = "PATH=LIST")]
+    pub(crate) over: String,
+    #[command(flatten)]
+    pub(crate) out: OutArgs,
+    /// End each run after this much wall-clock time (seconds)
+    #[arg(long, value_name = "SECONDS", value_parser = positive_seconds)]
+    pub(crate) time_limit: Option<f64>,
+}
+
+fn positive_seconds(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        // Duration::from_secs_f64 panics beyond about 1.8e19 s.
+        Ok(seconds) if seconds > 0.0 && seconds < 1e15 => Ok(seconds),
+        Ok(_) => Err("must be above 0 and below 1e15 seconds".to_owned()),
+        Err(error) => Err(error.to_string()),
+    }
+}

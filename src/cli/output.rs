@@ -1,0 +1,223 @@
+//! The folder of result files.
+//!
+//! Files are written beside their place and moved into it, so that a reader
+//! never meets half a file. `provenance.json` lists what dam wrote with its
+//! hash: such files of the same scene are replaced freely, anything else only
+//! with `--force`.
+
+use serde::{Deserialize, Serialize};
+use sha2::{Digest, Sha256};
+use std::collections::BTreeMap;
+use std::fs;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+const PROVENANCE: &str = "provenance.json";
+
+/// A folder that has been checked before the run and receives the results after it.
+#[derive(Debug)]
+pub(crate) struct OutputFolder {
+    folder: PathBuf,
+    scene: String,
+}
+
+/// What dam wrote into a folder.
+#[derive(Debug, Default, Deserialize, Serialize)]
+struct Provenance {
+    dam: String,
+    scene: String,
+    hash: String,
+    command: String,
+    files: BTreeMap<String, String>,
+}
+
+/// One result file.
+#[derive(Debug)]
+pub(crate) struct ResultFile {
+    /// Name within the folder.
+    pub(crate) name: String,
+    /// Its content.
+    pub(crate) content: Vec<u8>,
+}
+
+impl ResultFile {
+    /// A result file.
+    pub(crate) fn new(name: impl Into<String>, content: impl Into<Vec<u8>>) -> Self {
+        Self {
+            name: name.into(),
+            content: content.into(),
+        }
+    }
+}
+
+impl OutputFolder {
+    /// Makes the folder and makes sure, before the run, that `names` can be
+    /// written there without losing anybody's work.
+    pub(crate) fn prepare(
+        folder: &Path,
+        scene: &str,
+        names: &[&str],
+        force: bool,
+    ) -> Result<Self, String> {
+        let shown = folder.display();
+        fs::create_dir_all(folder)
+            .map_err(|error| format!("cannot make the output folder `{shown}`: {error}"))?;
+        try_writing(folder).map_err(|error| format!("cannot write into `{shown}`: {error}"))?;
+        if !force {
+            let known = read_provenance(folder);
+            let foreign: Vec<&str> = names
+                .iter()
+                .copied()
+                .chain([PROVENANCE])
+                .filter(|name| !may_replace(folder, name, known.as_ref(), scene))
+                .collect();
+            if !foreign.is_empty() {
+                return Err(format!(
+                    "`{shown}` already holds {} that dam did not write for the scene “{scene}” \
+                     or that changed since; choose another folder, or replace with --force",
+                    list(&foreign)
+                ));
+            }
+        }
+        Ok(Self {
+            folder: folder.to_owned(),
+            scene: scene.to_owned(),
+        })
+    }
+
+    /// Writes all files, then the provenance.
+    pub(crate) fn write(
+        &self,
+        command: &str,
+        hash: &str,
+        files: &[ResultFile],
+    ) -> Result<(), String> {
+        let mut provenance = Provenance {
+            dam: env!("CARGO_PKG_VERSION").to_owned(),
+            scene: self.scene.clone(),
+            hash: hash.to_owned(),
+            command: command.to_owned(),
+            files: BTreeMap::new(),
+        };
+        for file in files {
+            self.replace(&file.name, &file.content)?;
+            provenance
+                .files
+                .insert(file.name.clone(), digest(&file.content));
+        }
+        let mut text = serde_json::to_string_pretty(&provenance).map_err(|e| e.to_string())?;
+        text.push('\n');
+        self.replace(PROVENANCE, text.as_bytes())
+    }
+
+    /// Where a file lies, for messages.
+    pub(crate) fn path(&self, name: &str) -> PathBuf {
+        self.folder.join(name)
+    }
+
+    fn replace(&self, name: &str, content: &[u8]) -> Result<(), String> {
+        let target = self.path(name);
+        let beside = self
+            .folder
+            .join(format!(".{name}.{}.part", std::process::id()));
+        let written = fs::File::create(&beside)
+            .and_then(|mut file| file.write_all(content).and_then(|()| file.sync_all()))
+            .and_then(|()| fs::rename(&beside, &target));
+        written.map_err(|error| {
+            // Best effort: the error that matters is the one being reported.
+            let _ = fs::remove_file(&beside);
+            format!("cannot write `{}`: {error}", target.display())
+        })
+    }
+}
+
+fn try_writing(folder: &Path) -> io::Result<()> {
+    let probe = folder.join(format!(".dam.{}.probe", std::process::id()));
+    fs::File::create(&probe)?;
+    fs::remove_file(&probe)
+}
+
+fn read_provenance(folder: &Path) -> Option<Provenance> {
+    let text = fs::read_to_string(folder.join(PROVENANCE)).ok()?;
+    serde_json::from_str(&text).ok()
+}
+
+fn may_replace(folder: &Path, name: &str, known: Option<&Provenance>, scene: &str) -> bool {
+    let path = folder.join(name);
+    if fs::symlink_metadata(&path).is_err() {
+        return true;
+    }
+    let Some(known) = known.filter(|provenance| provenance.scene == scene) else {
+        return false;
+    };
+    if name == PROVENANCE {
+        return true;
+    }
+    let Some(expected) = known.files.get(name) else {
+        return false;
+    };
+    fs::read(&path).is_ok_and(|content| &digest(&content) == expected)
+}
+
+fn digest(content: &[u8]) -> String {
+    use std::fmt::Write as _;
+    Sha256::digest(content)
+        .iter()
+        .fold(String::new(), |mut text, byte| {
+            let _ = write!(text, "{byte:02x}");
+            text
+        })
+}
+
+fn list(names: &[&str]) -> String {
+    names
+        .iter()
+        .map(|name| format!("`{name}`"))
+        .collect::<Vec<_>>()
+        .join(", ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{OutputFolder, ResultFile};
+    use std::fs;
+
+    fn write(folder: &std::path::Path, scene: &str, force: bool) -> Result<(), String> {
+        OutputFolder::prepare(folder, scene, &["summary.json"], force)?.write(
+            "run",
+            "0",
+            &[ResultFile::new("summary.json", scene)],
+        )
+    }
+
+    #[test]
+    fn replaces_its_own_results_and_nothing_else() {
+        let folder = tempfile::tempdir().unwrap();
+        let place = folder.path().join("a/b");
+        write(&place, "one", false).unwrap();
+        write(&place, "one", false).unwrap();
+        let message = write(&place, "two", false).unwrap_err();
+        assert!(message.contains("summary.json") && message.contains("--force"));
+        assert_eq!(
+            fs::read_to_string(place.join("summary.json")).unwrap(),
+            "one"
+        );
+        fs::write(place.join("summary.json"), "edited by hand").unwrap();
+        assert!(write(&place, "one", false).is_err());
+        write(&place, "two", true).unwrap();
+        assert_eq!(
+            fs::read_to_string(place.join("summary.json")).unwrap(),
+            "two"
+        );
+        let left: Vec<_> = fs::read_dir(&place).unwrap().collect();
+        assert_eq!(left.len(), 2, "no part files stay behind");
+    }
+
+    #[test]
+    fn a_file_in_the_way_is_refused_before_the_run() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("results");
+        fs::write(&file, "x").unwrap();
+        assert!(write(&file, "one", true).unwrap_err().contains("results"));
+    }
+}

@@ -1,0 +1,87 @@
+//! A progress bar for runs longer than a second, on a terminal only.
+
+use dam::integrate::{Modes, Sink, SwitchEvent};
+use dam::polynomial::Step;
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use std::io::IsTerminal;
+use std::time::{Duration, Instant};
+
+/// Runs shorter than this show no bar.
+const PATIENCE: Duration = Duration::from_secs(1);
+/// Steps between two looks at the clock.
+const STRIDE: u32 = 256;
+
+/// Listens to a run and draws how far it is.
+#[derive(Debug)]
+pub(crate) struct Progress {
+    bar: Option<ProgressBar>,
+    label: String,
+    duration: f64,
+    begun: Instant,
+    until_look: u32,
+    switches: u64,
+}
+
+impl Progress {
+    /// A bar for a run of `duration` seconds; silent when `quiet` or when
+    /// standard error is no terminal.
+    pub(crate) fn new(label: &str, duration: f64, quiet: bool) -> Self {
+        let visible = !quiet && std::io::stderr().is_terminal();
+        Self {
+            bar: visible.then(ProgressBar::hidden),
+            label: label.to_owned(),
+            duration,
+            begun: Instant::now(),
+            until_look: STRIDE,
+            switches: 0,
+        }
+    }
+
+    fn look(&mut self, time: f64) {
+        let Some(bar) = &self.bar else { return };
+        if self.begun.elapsed() < PATIENCE {
+            return;
+        }
+        if bar.is_hidden() {
+            bar.set_draw_target(ProgressDrawTarget::stderr());
+            bar.set_length(1000);
+            bar.set_style(style());
+            bar.set_prefix(self.label.clone());
+            bar.reset_eta();
+        }
+        bar.set_position((1000.0 * time / self.duration) as u64);
+        bar.set_message(format!(
+            "{time:.4} of {} s, {} switches",
+            self.duration, self.switches
+        ));
+    }
+
+    /// Takes the bar away.
+    pub(crate) fn finish(&self) {
+        if let Some(bar) = &self.bar {
+            bar.finish_and_clear();
+        }
+    }
+}
+
+fn style() -> ProgressStyle {
+    ProgressStyle::with_template("{prefix} {bar:30} {msg}, {eta} left")
+        .unwrap_or_else(|_| ProgressStyle::default_bar())
+}
+
+impl Sink for Progress {
+    fn start(&mut self, _time: f64, _y: &[f64], _modes: &Modes) {}
+
+    fn step(&mut self, step: &Step<'_>, _modes: &Modes) {
+        self.until_look -= 1;
+        if self.until_look == 0 {
+            self.until_look = STRIDE;
+            self.look(step.end_time());
+        }
+    }
+
+    fn switch(&mut self, event: &SwitchEvent<'_>) {
+        // A break of a law is no switch of a pair; the bar need not be exact.
+        self.switches += u64::from(event.watch.is_some());
+    }
+}

@@ -1,0 +1,148 @@
+//! Every command shown in a document runs.
+//!
+//! Lines of `sh` blocks that call `dam` (or `cargo run --release --`) are run
+//! in an empty folder that sees `scenarios` and `objects`. A comment
+//! `# exit status N` on the line states an expected status other than 0.
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+const DOCUMENTS: [&str; 4] = [
+    "README.md",
+    "ARCHITECTURE.md",
+    "scenarios/README.md",
+    "objects/README.md",
+];
+
+/// Commands that a test cannot run from within a test, or need not.
+const LEFT_OUT: [&str; 3] = ["cargo test", "cargo bench", "cargo install"];
+
+struct Shown {
+    document: &'static str,
+    line: usize,
+    arguments: Vec<String>,
+    status: i32,
+}
+
+fn root() -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR"))
+}
+
+fn shown_commands() -> Vec<Shown> {
+    DOCUMENTS
+        .iter()
+        .filter(|document| root().join(document).exists())
+        .flat_map(|document| commands_of(document))
+        .collect()
+}
+
+fn commands_of(document: &'static str) -> Vec<Shown> {
+    let text = std::fs::read_to_string(root().join(document)).unwrap();
+    let mut inside = false;
+    let mut found = Vec::new();
+    for (index, line) in text.lines().enumerate() {
+        if line.starts_with("```") {
+            inside = !inside && matches!(line.trim(), "```sh" | "```bash" | "```console");
+            continue;
+        }
+        let line = line.trim().trim_start_matches("$ ");
+        if !inside || line.is_empty() || line.starts_with('#') {
+            continue;
+        }
+        if LEFT_OUT.iter().any(|start| line.starts_with(start)) {
+            continue;
+        }
+        found.push(parse(document, index + 1, line));
+    }
+    found
+}
+
+fn parse(document: &'static str, line: usize, text: &str) -> Shown {
+    let (command, comment) = text.split_once(" #").unwrap_or((text, ""));
+    let status = comment
+        .trim()
+        .strip_prefix("exit status ")
+        .map_or(0, |number| number.trim().parse().unwrap());
+    let arguments = command
+        .strip_prefix("cargo run --release -- ")
+        .or_else(|| command.strip_prefix("dam "))
+        .unwrap_or_else(|| panic!("{document}:{line}: a test cannot run `{text}`"));
+    Shown {
+        document,
+        line,
+        arguments: split(arguments),
+        status,
+    }
+}
+
+/// Splits as a shell does, as far as the documents need it: quotes group.
+fn split(text: &str) -> Vec<String> {
+    let mut words = Vec::new();
+    let mut word = String::new();
+    let mut quote = None;
+    for character in text.trim().chars() {
+        match (quote, character) {
+            (Some(open), c) if c == open => quote = None,
+            (None, '"' | '\'') => quote = Some(character),
+            (None, ' ') => words.push(std::mem::take(&mut word)),
+            (_, c) => word.push(c),
+        }
+    }
+    words.push(word);
+    words.retain(|word| !word.is_empty());
+    words
+}
+
+fn link(folder: &Path, name: &str) {
+    #[cfg(unix)]
+    std::os::unix::fs::symlink(root().join(name), folder.join(name)).unwrap();
+    #[cfg(not(unix))]
+    panic!("this test needs links to {name} in {}", folder.display());
+}
+
+#[test]
+fn every_command_shown_in_a_document_runs() {
+    let folder = tempfile::tempdir().unwrap();
+    link(folder.path(), "scenarios");
+    link(folder.path(), "objects");
+    let commands = shown_commands();
+    assert!(commands.len() >= 8, "the documents show commands");
+    let mut failures = Vec::new();
+    for shown in &commands {
+        let mut arguments = shown.arguments.clone();
+        // `> file` at the end of a line: the shell's part.
+        if let Some(at) = arguments.iter().position(|word| word == ">") {
+            arguments.truncate(at);
+        }
+        let output = Command::new(env!("CARGO_BIN_EXE_dam"))
+            .args(&arguments)
+            .current_dir(folder.path())
+            .output()
+            .unwrap();
+        if output.status.code() != Some(shown.status) {
+            failures.push(format!(
+                "{}:{}: dam {}\nended with {:?} instead of {}\n{}",
+                shown.document,
+                shown.line,
+                shown.arguments.join(" "),
+                output.status.code(),
+                shown.status,
+                String::from_utf8_lossy(&output.stderr)
+            ));
+        }
+    }
+    assert!(failures.is_empty(), "{}", failures.join("\n\n"));
+}
+
+#[test]
+fn the_readme_begins_with_the_two_commands() {
+    let readme = std::fs::read_to_string(root().join("README.md")).unwrap();
+    for command in [
+        "cargo run --release -- run scenarios/rocker/two_masses.json --out out",
+        "cargo test --release",
+    ] {
+        assert!(readme.contains(command), "README shows `{command}`");
+    }
+    let ci = std::fs::read_to_string(root().join(".ci/run")).unwrap();
+    assert!(ci.contains("cargo test --release"), ".ci/run calls it");
+}
