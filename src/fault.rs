@@ -26,3 +26,76 @@ impl Fault {
         }
     }
 }
+
+/// Collects the faults of several numbers before giving up.
+#[derive(Debug, Default)]
+pub(crate) struct Faults(Vec<Fault>);
+
+impl Faults {
+    /// Adds a fault.
+    pub(crate) fn add(&mut self, path: impl Into<String>, message: impl Into<String>, hint: &str) {
+        self.0.push(Fault::new(path, message, hint));
+    }
+
+    /// Requires a finite number.
+    pub(crate) fn finite(&mut self, path: &str, value: f64) {
+        if !value.is_finite() {
+            self.add(path, format!("{value} is not a finite number"), "");
+        }
+    }
+
+    /// Requires a finite number above zero.
+    pub(crate) fn positive(&mut self, path: &str, value: f64) {
+        if !(value.is_finite() && value > 0.0) {
+            let message = format!("{value} is not a positive number");
+            self.add(path, message, "give a number above zero");
+        }
+    }
+
+    /// Requires a finite number, zero or above.
+    pub(crate) fn not_negative(&mut self, path: &str, value: f64) {
+        if !(value.is_finite() && value >= 0.0) {
+            let message = format!("{value} is negative or not a number");
+            self.add(path, message, "give zero or a positive number");
+        }
+    }
+
+    /// Requires at least `least` finite points with strictly ascending arguments.
+    pub(crate) fn points(&mut self, path: &str, points: &[(f64, f64)], least: usize) {
+        if points.len() < least {
+            let message = format!("{} points are too few", points.len());
+            self.add(path, message, &format!("give at least {least} points"));
+        }
+        for (index, &(x, y)) in points.iter().enumerate() {
+            self.finite(&format!("{path}[{index}][0]"), x);
+            self.finite(&format!("{path}[{index}][1]"), y);
+        }
+        for (index, pair) in points.windows(2).enumerate() {
+            let (before, after) = (pair[0].0, pair[1].0);
+            if after <= before {
+                let at = format!("{path}[{}]", index + 1);
+                let message = format!("{after} does not come after {before}");
+                self.add(at, message, "put the points in strictly ascending order");
+            }
+        }
+    }
+
+    /// Gives up with everything found so far.
+    pub(crate) fn check(&mut self) -> Result<(), Vec<Fault>> {
+        match std::mem::take(&mut self.0) {
+            faults if faults.is_empty() => Ok(()),
+            faults => Err(faults),
+        }
+    }
+
+    /// Adds faults found elsewhere, their paths being relative to `prefix`.
+    pub(crate) fn absorb(&mut self, prefix: &str, faults: Vec<Fault>) {
+        self.0.extend(faults.into_iter().map(|mut fault| {
+            fault.path = match fault.path.as_str() {
+                "" => prefix.to_owned(),
+                path => format!("{prefix}.{path}"),
+            };
+            fault
+        }));
+    }
+}

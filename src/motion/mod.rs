@@ -1,35 +1,225 @@
 //! Motions: dimensionless laws of motion, splines, and the prescribed motion of a drive over time.
 
+mod law;
+mod spline;
+
+pub use law::LawName;
+pub use spline::Spline;
+
 use crate::breaks::Breaks;
+use crate::fault::{Fault, Faults};
 use crate::jet::Jet;
+use crate::object::spec::DriveMotionSpec;
 
 /// Prescribed motion φ(t) of a drive.
 #[derive(Clone, Debug)]
 pub enum DriveMotion {
     /// φ = angle + speed·t.
     Constant {
-        /// Speed (rad/s), any sign, not zero.
+        /// Speed (rad/s), any sign.
         speed: f64,
         /// φ at t = 0 (rad).
         angle: f64,
     },
+    /// ω(τ) = speed·(3τ² − 2τ³), τ = t/time, from rest; constant after `time`.
+    /// Speed and acceleration are continuous, the jerk jumps at `time`.
+    RunUp {
+        /// Final speed (rad/s), any sign.
+        speed: f64,
+        /// Duration of the run-up (s), > 0.
+        time: f64,
+        /// φ at t = 0 (rad).
+        angle: f64,
+    },
+    /// A smooth spline through given points (t, φ). Its end slopes are those
+    /// of the polynomials through the four points nearest each end. Before the
+    /// first and after the last point the drive turns on with the speed it has
+    /// there: the acceleration jumps at both.
+    Table(Spline),
 }
 
 impl DriveMotion {
+    /// The motion that a scene describes.
+    ///
+    /// # Errors
+    /// Numbers that are not finite, a run-up that takes no time, a table with
+    /// fewer than three or not ascending points; paths relative to `motion`.
+    pub fn new(spec: &DriveMotionSpec) -> Result<Self, Vec<Fault>> {
+        let mut faults = Faults::default();
+        match *spec {
+            DriveMotionSpec::Constant { speed, angle } => {
+                faults.finite("speed", speed);
+                faults.finite("angle", angle);
+                faults.check()?;
+                Ok(Self::Constant { speed, angle })
+            }
+            DriveMotionSpec::RunUp { speed, time, angle } => {
+                faults.finite("run_up.speed", speed);
+                faults.positive("run_up.time", time);
+                faults.finite("run_up.angle", angle);
+                faults.check()?;
+                Ok(Self::RunUp { speed, time, angle })
+            }
+            DriveMotionSpec::Table { ref points } => {
+                faults.points("table", points, 3);
+                faults.check()?;
+                let spline = Spline::through(points);
+                if !spline.is_finite() {
+                    let message = "the curve through these points has slopes too great for numbers";
+                    faults.add("table", message, "space the points more evenly");
+                }
+                faults.check()?;
+                Ok(Self::Table(spline))
+            }
+        }
+    }
+
     /// Displacement, speed, acceleration and jerk at `time`, by the formula of `segment`.
     #[inline]
-    pub fn jet(&self, _segment: i64, time: f64) -> Jet {
+    pub fn jet(&self, segment: i64, time: f64) -> Jet {
         match self {
-            Self::Constant { speed, angle } => Jet {
-                value: angle + speed * time,
-                first: *speed,
-                ..Jet::default()
-            },
+            Self::Constant { speed, angle } => uniform(*angle, *speed, time),
+            Self::RunUp {
+                speed,
+                time: duration,
+                angle,
+            } => {
+                if segment > 0 {
+                    return uniform(angle + 0.5 * speed * duration, *speed, time - duration);
+                }
+                let tau = time / duration;
+                Jet {
+                    value: angle + speed * duration * tau * tau * tau * (1.0 - 0.5 * tau),
+                    first: speed * tau * tau * (3.0 - 2.0 * tau),
+                    second: speed / duration * 6.0 * tau * (1.0 - tau),
+                    third: speed / (duration * duration) * (6.0 - 12.0 * tau),
+                }
+            }
+            Self::Table(spline) => {
+                let (first, last) = spline.ends();
+                match segment {
+                    i64::MIN..=0 => continued(spline, first, time),
+                    1 => spline.jet(time),
+                    2.. => continued(spline, last, time),
+                }
+            }
         }
     }
 
     /// Times at which the formula changes.
     pub fn breaks(&self) -> Breaks {
-        Breaks::NONE
+        let points = match self {
+            Self::Constant { .. } => Vec::new(),
+            Self::RunUp { time, .. } => vec![*time],
+            Self::Table(spline) => {
+                let (first, last) = spline.ends();
+                vec![first, last]
+            }
+        };
+        Breaks {
+            points,
+            period: None,
+        }
+    }
+}
+
+/// Motion with constant speed.
+fn uniform(start: f64, speed: f64, elapsed: f64) -> Jet {
+    Jet {
+        value: start + speed * elapsed,
+        first: speed,
+        ..Jet::default()
+    }
+}
+
+/// A spline's straight continuation beyond one of its ends.
+fn continued(spline: &Spline, end: f64, time: f64) -> Jet {
+    let jet = spline.jet(end);
+    uniform(jet.value, jet.first, time - end)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::DriveMotion;
+    use crate::jet::Jet;
+    use crate::object::spec::DriveMotionSpec;
+
+    fn motions() -> Vec<DriveMotion> {
+        [
+            DriveMotionSpec::Constant {
+                speed: -7.0,
+                angle: 0.3,
+            },
+            DriveMotionSpec::RunUp {
+                speed: 30.0,
+                time: 0.4,
+                angle: -1.0,
+            },
+            DriveMotionSpec::Table {
+                points: vec![(0.0, 0.0), (0.2, 1.0), (0.5, 1.5), (0.6, 3.0), (1.0, 2.0)],
+            },
+        ]
+        .iter()
+        .map(|spec| DriveMotion::new(spec).unwrap())
+        .collect()
+    }
+
+    #[test]
+    fn speed_acceleration_and_jerk_agree_with_differences() {
+        let h = 1e-5;
+        for motion in motions() {
+            let breaks = motion.breaks();
+            for time in [-0.05, 0.07, 0.31, 0.39, 0.47, 0.55, 1.3] {
+                let segment = breaks.locate(time, 1.0);
+                let [left, middle, right] = [-h, 0.0, h].map(|d| motion.jet(segment, time + d));
+                let slope = |f: fn(&Jet) -> f64| (f(&right) - f(&left)) / (2.0 * h);
+                approx::assert_abs_diff_eq!(slope(|j| j.value), middle.first, epsilon = 1e-6);
+                approx::assert_abs_diff_eq!(slope(|j| j.first), middle.second, epsilon = 1e-5);
+                approx::assert_abs_diff_eq!(slope(|j| j.second), middle.third, epsilon = 1e-4);
+            }
+        }
+    }
+
+    #[test]
+    fn displacement_and_speed_are_continuous_where_the_formula_changes() {
+        for motion in motions() {
+            for (segment, &time) in motion.breaks().points.iter().enumerate() {
+                let (left, right) = (
+                    motion.jet(segment as i64, time),
+                    motion.jet(segment as i64 + 1, time),
+                );
+                approx::assert_relative_eq!(left.value, right.value, epsilon = 1e-14);
+                approx::assert_relative_eq!(left.first, right.first, epsilon = 1e-12);
+                if matches!(motion, DriveMotion::RunUp { .. }) {
+                    approx::assert_abs_diff_eq!(left.second, right.second, epsilon = 1e-12);
+                    assert!((left.third - right.third).abs() > 1.0);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_run_up_reaches_its_speed_and_half_the_angle() {
+        let motion = &motions()[1];
+        let jet = motion.jet(0, 0.4);
+        approx::assert_relative_eq!(jet.first, 30.0, max_relative = 1e-15);
+        approx::assert_relative_eq!(jet.value, -1.0 + 0.5 * 30.0 * 0.4, max_relative = 1e-15);
+        approx::assert_relative_eq!(motion.jet(1, 1.4).value, 35.0, max_relative = 1e-15);
+    }
+
+    #[test]
+    fn faults_name_the_place() {
+        let bad = DriveMotionSpec::Table {
+            points: vec![(0.0, 0.0), (0.0, f64::NAN)],
+        };
+        let faults = DriveMotion::new(&bad).unwrap_err();
+        let paths: Vec<_> = faults.iter().map(|fault| fault.path.as_str()).collect();
+        assert_eq!(paths, ["table", "table[1][1]", "table[1]"]);
+        let bad = DriveMotionSpec::RunUp {
+            speed: 1.0,
+            time: 0.0,
+            angle: f64::INFINITY,
+        };
+        assert_eq!(DriveMotion::new(&bad).unwrap_err().len(), 2);
     }
 }

@@ -1,5 +1,7 @@
 //! Position functions as a scene states them: plain numbers in SI units.
 
+use crate::motion::LawName;
+
 /// A position function as described in a scene.
 #[derive(Clone, Debug, PartialEq)]
 pub enum PositionSpec {
@@ -63,7 +65,7 @@ pub enum PositionSpec {
         rocker: f64,
         /// Distance of the fixed pivots (m).
         frame: f64,
-        /// +1 (open) or −1 (crossed).
+        /// +1: open; −1: crossed.
         branch: f64,
         /// Added to the driver's displacement (rad).
         phase: f64,
@@ -92,19 +94,4 @@ pub struct CamSpec {
     pub return_law: LawName,
     /// Added to the driver's displacement (rad).
     pub phase: f64,
-}
-
-/// A named dimensionless law of motion θ(τ), 0 ≤ τ ≤ 1.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum LawName {
-    /// `harmonic`: (1 − cos πτ)/2; acceleration jumps at both ends.
-    Harmonic,
-    /// `cycloidal`: τ − sin(2πτ)/2π.
-    Cycloidal,
-    /// `3-4-5`: 10τ³ − 15τ⁴ + 6τ⁵.
-    Polynomial345,
-    /// `4-5-6-7`: 35τ⁴ − 84τ⁵ + 70τ⁶ − 20τ⁷.
-    Polynomial4567,
-    /// `modified_trapezoid`: sine, constant, sine, … acceleration in eighths.
-    ModifiedTrapezoid,
 }

@@ -1,0 +1,179 @@
+//! Every position function against finite differences.
+
+use super::{CamSpec, LawName, Position, PositionSpec};
+use crate::jet::Jet;
+use proptest::prelude::*;
+
+fn sign(negative: bool) -> f64 {
+    if negative { -1.0 } else { 1.0 }
+}
+
+fn law() -> impl Strategy<Value = LawName> {
+    (0..LawName::ALL.len()).prop_map(|index| LawName::ALL[index])
+}
+
+/// Random descriptions of every kind.
+fn specs() -> impl Strategy<Value = PositionSpec> {
+    let length = 0.2f64..1.0;
+    prop_oneof![
+        (-3.0f64..3.0, -1.0f64..1.0)
+            .prop_map(|(ratio, offset)| PositionSpec::Ratio { ratio, offset }),
+        (0.1f64..2.0, 0.5f64..3.0, -3.0f64..3.0, -1.0f64..1.0).prop_map(
+            |(amplitude, harmonic, phase, offset)| PositionSpec::Sine {
+                amplitude,
+                harmonic,
+                phase,
+                offset,
+            }
+        ),
+        prop::collection::vec(-1.0f64..1.0, 1..7)
+            .prop_map(|coefficients| PositionSpec::Polynomial { coefficients }),
+        (
+            prop::collection::vec((0.3f64..1.0, -1.0f64..1.0), 3..9),
+            any::<bool>()
+        )
+            .prop_map(|(steps, periodic)| {
+                let mut phi = -2.0;
+                let mut points: Vec<(f64, f64)> = steps
+                    .iter()
+                    .map(|&(step, value)| {
+                        phi += step;
+                        (phi, value)
+                    })
+                    .collect();
+                if periodic {
+                    points.push((phi + 0.5, points[0].1));
+                }
+                PositionSpec::Table {
+                    points,
+                    periodic,
+                    end_slopes: (0.3, -0.4),
+                }
+            }),
+        (
+            length.clone(),
+            length.clone(),
+            -0.5f64..0.5,
+            any::<bool>(),
+            -3.0f64..3.0
+        )
+            .prop_map(
+                |(crank, rod, offset, minus, phase)| PositionSpec::SliderCrank {
+                    crank,
+                    rod,
+                    offset,
+                    branch: sign(minus),
+                    phase,
+                }
+            ),
+        (prop::array::uniform4(length), any::<bool>(), -3.0f64..3.0).prop_map(
+            |([crank, coupler, rocker, frame], minus, phase)| PositionSpec::FourBar {
+                crank,
+                coupler,
+                rocker,
+                frame,
+                branch: sign(minus),
+                phase,
+            }
+        ),
+        (
+            prop::array::uniform3(0.5f64..2.0),
+            -1.0f64..1.0,
+            law(),
+            law(),
+            -3.0f64..3.0
+        )
+            .prop_map(
+                |([rise, dwell, return_angle], lift, rise_law, return_law, phase)| {
+                    PositionSpec::Cam(CamSpec {
+                        lift,
+                        rise,
+                        dwell,
+                        return_angle,
+                        rise_law,
+                        return_law,
+                        phase,
+                    })
+                }
+            ),
+    ]
+}
+
+/// Each derivative against the five-point difference of the one before.
+fn agrees_with_differences(position: &Position, phi: f64) -> Result<(), TestCaseError> {
+    let segment = position.breaks().locate(phi, 1.0);
+    let h = 1e-4;
+    let jets = [-2.0, -1.0, 0.0, 1.0, 2.0].map(|k| position.jet(segment, phi + k * h));
+    let middle = jets[2];
+    prop_assert!(middle.is_finite());
+    let orders: [(fn(&Jet) -> f64, f64); 3] = [
+        (|jet| jet.value, middle.first),
+        (|jet| jet.first, middle.second),
+        (|jet| jet.second, middle.third),
+    ];
+    let size = middle.value.abs() + middle.first.abs() + middle.second.abs() + middle.third.abs();
+    for (order, (f, exact)) in orders.iter().enumerate() {
+        let difference =
+            (f(&jets[0]) - f(&jets[4]) + 8.0 * (f(&jets[3]) - f(&jets[1]))) / (12.0 * h);
+        prop_assert!(
+            (difference - exact).abs() <= 1e-6 * (1.0 + size),
+            "derivative {} at {phi}: {exact}, difference {difference}",
+            order + 1
+        );
+    }
+    Ok(())
+}
+
+/// Distance from the places where differences do not tell: dead positions and
+/// knots of a spline.
+fn well_placed(position: &Position, spec: &PositionSpec, phi: f64) -> bool {
+    let near_knot = |points: &[(f64, f64)]| {
+        let period = points[points.len() - 1].0 - points[0].0;
+        points.iter().any(|point| {
+            let distance = (phi - point.0) / period;
+            (distance - distance.round()).abs() * period < 1e-3 || (phi - point.0).abs() < 1e-3
+        })
+    };
+    match (spec, position.reach_from(phi)) {
+        (PositionSpec::Table { points, .. }, _) => !near_knot(points),
+        (_, Err(_)) => false,
+        (_, Ok(Some((from, to)))) => (phi - from).min(to - phi) > 0.05,
+        (_, Ok(None)) => true,
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 2000, ..ProptestConfig::default() })]
+    #[test]
+    fn derivatives_agree_with_differences(spec in specs(), phi in -10.0f64..10.0) {
+        let Ok(position) = Position::new(&spec) else { return Ok(()) };
+        let steep = position.jet(position.breaks().locate(phi, 1.0), phi).third.abs() > 1e5;
+        if well_placed(&position, &spec, phi) && !steep {
+            agrees_with_differences(&position, phi)?;
+        }
+    }
+
+    #[test]
+    fn any_numbers_are_refused_or_evaluated_without_panic(
+        numbers in prop::array::uniform6(prop::num::f64::ANY),
+        phi in prop::num::f64::ANY,
+    ) {
+        let [a, b, c, d, e, f] = numbers;
+        let branch = sign(a < 0.0);
+        for spec in [
+            PositionSpec::SliderCrank { crank: a, rod: b, offset: c, branch, phase: d },
+            PositionSpec::FourBar { crank: a, coupler: b, rocker: c, frame: d, branch, phase: e },
+            PositionSpec::Table {
+                points: vec![(a, b), (c, d), (e, f)],
+                periodic: a > c,
+                end_slopes: (0.0, d),
+            },
+            PositionSpec::Polynomial { coefficients: numbers.to_vec() },
+        ] {
+            if let Ok(position) = Position::new(&spec) {
+                let _ = position.jet(1, phi);
+                let _ = position.reach_from(phi);
+            }
+        }
+    }
+}
