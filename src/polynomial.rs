@@ -3,6 +3,10 @@
 //! Bernstein form on [0, 1]: coefficients bound the values, so that a sign
 //! without change proves that there is no root.
 
+mod roots;
+
+pub use roots::{first_both_positive, first_positive};
+
 /// Continuous output over one accepted step: for every signal a polynomial in
 /// s = (t − start)/length, all of the same degree, in Bernstein form.
 #[derive(Clone, Copy, Debug)]

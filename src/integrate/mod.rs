@@ -1,7 +1,102 @@
-//! Integration of switching systems: one contract, several methods, one way of finding switches.
+//! Integration of switching systems: one contract, several methods, one way of
+//! finding switches.
+//!
+//! A method produces accepted steps; [`integrate`] makes of each the same kind
+//! of continuous output, finds on it the earliest switch (none is skipped),
+//! cuts the step there, and begins the method anew from the located state.
 
+mod continuous;
 mod dynamics;
+mod evaluator;
+mod locate;
+mod ode_solvers_adapter;
 mod outcome;
+#[cfg(test)]
+pub(crate) mod problems;
+mod run;
+#[cfg(test)]
+mod tests;
 
 pub use dynamics::{Dynamics, Guard, Modes, PhysicalStop, Watch};
 pub use outcome::{Limits, Method, Outcome, Settings, Sink, Statistics, Stop, SwitchEvent};
+
+use evaluator::Evaluator;
+use run::Run;
+
+/// Integrates a system from (`start`, `y0`, `modes`) to `end` into a sink.
+///
+/// `modes` are those just after `start`; breaks in time at `start` itself have
+/// been passed. Ends exactly at `end`, or earlier for the reason given in the
+/// outcome; what was computed up to then has reached the sink. Nothing panics:
+/// a bad setting is a [`Stop::Method`], a state that is not a number a
+/// [`Stop::NotFinite`]. The same input gives the same calls of the sink, bit by
+/// bit, unless a wall-clock limit or an interrupt ends the run.
+#[allow(clippy::too_many_arguments)] // the parts of a run, each of another owner
+pub fn integrate<D: Dynamics>(
+    dynamics: &D,
+    start: f64,
+    end: f64,
+    y0: &[f64],
+    modes: &Modes,
+    settings: &Settings,
+    limits: &Limits<'_>,
+    sink: &mut dyn Sink,
+) -> Outcome {
+    let evaluator = Evaluator::new(dynamics, modes);
+    let mut run = Run::new(&evaluator, settings, limits, sink);
+    run.start(start, y0);
+    if let Some(reason) = refusal(start, end, settings) {
+        let method = settings.method;
+        run.end(Stop::Method { method, reason });
+    }
+    while run.stop.is_none() && run.from.time < end {
+        let next = dynamics.next_break(run.from.time, &evaluator.modes.borrow());
+        run.target = if next > run.from.time {
+            next.min(end)
+        } else {
+            end
+        };
+        let rest = run.target - run.from.time;
+        if rest <= 16.0 * f64::EPSILON * run.from.time.abs().max(run.target.abs()) {
+            run.skip_to_target();
+        } else {
+            ode_solvers_adapter::leg(&mut run);
+        }
+        if run.stop.is_none() && run.from.time == next && next < end {
+            run.pass_break();
+        }
+    }
+    let statistics = Statistics {
+        steps: run.steps,
+        rejected: run.rejected,
+        evaluations: evaluator.evaluations(),
+        switches: run.switches,
+    };
+    Outcome {
+        time: run.from.time,
+        stop: run.stop.unwrap_or(Stop::Complete),
+        statistics,
+    }
+}
+
+/// Why settings cannot be run with.
+fn refusal(start: f64, end: f64, settings: &Settings) -> Option<String> {
+    if !(start.is_finite() && end.is_finite()) {
+        return Some(format!("no run from {start} s to {end} s"));
+    }
+    if !(settings.tolerance > 0.0 && settings.tolerance < 1.0) {
+        return Some(format!(
+            "the tolerance {} is not between 0 and 1",
+            settings.tolerance
+        ));
+    }
+    match settings.step {
+        Some(step) if !(step > 0.0 && step.is_finite()) => {
+            Some(format!("the step {step} s is not greater than zero"))
+        }
+        None if settings.method == Method::Rk4 => {
+            Some("a method of fixed step needs a step".to_owned())
+        }
+        _ => None,
+    }
+}

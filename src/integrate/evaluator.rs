@@ -1,0 +1,71 @@
+//! Evaluation of a system for the foreign solvers: counts, checks, and keeps
+//! the modes and the working memory behind a shared reference.
+
+use super::{Dynamics, Modes};
+use std::cell::{Cell, RefCell};
+
+/// A system with its present modes and its working memory. Solvers call the
+/// right-hand side through a shared reference, hence the cells.
+pub(super) struct Evaluator<'a, D: Dynamics> {
+    pub(super) dynamics: &'a D,
+    pub(super) modes: RefCell<Modes>,
+    scratch: RefCell<D::Scratch>,
+    evaluations: Cell<u64>,
+    not_finite: Cell<Option<usize>>,
+}
+
+impl<'a, D: Dynamics> Evaluator<'a, D> {
+    pub(super) fn new(dynamics: &'a D, modes: &Modes) -> Self {
+        Self {
+            dynamics,
+            modes: RefCell::new(modes.clone()),
+            scratch: RefCell::new(dynamics.scratch()),
+            evaluations: Cell::new(0),
+            not_finite: Cell::new(None),
+        }
+    }
+
+    /// dy/dt; remembers the first entry that is not a finite number.
+    pub(super) fn derivatives(&self, time: f64, y: &[f64], dy: &mut [f64]) {
+        let modes = self.modes.borrow();
+        let mut scratch = self.scratch.borrow_mut();
+        self.dynamics.derivatives(time, y, &modes, &mut scratch, dy);
+        self.evaluations.set(self.evaluations.get() + 1);
+        if let Some(index) = dy.iter().position(|entry| !entry.is_finite()) {
+            self.not_finite.set(self.not_finite.get().or(Some(index)));
+        }
+    }
+
+    /// Jacobian times `direction`.
+    pub(super) fn tangent(&self, time: f64, y: &[f64], direction: &[f64], out: &mut [f64]) {
+        let modes = self.modes.borrow();
+        let mut scratch = self.scratch.borrow_mut();
+        self.dynamics
+            .tangent(time, y, &modes, direction, &mut scratch, out);
+        self.evaluations.set(self.evaluations.get() + 1);
+    }
+
+    /// All signals as (s, ṡ, s̈) at a state whose derivative is known.
+    pub(super) fn signals(&self, time: f64, y: &[f64], dy: &[f64], out: &mut [[f64; 3]]) {
+        let count = self.dynamics.coordinates();
+        for index in 0..count {
+            out[index] = [y[index], y[count + index], dy[count + index]];
+        }
+        if out.len() > count {
+            let modes = self.modes.borrow();
+            let mut scratch = self.scratch.borrow_mut();
+            self.dynamics
+                .extra_signals(time, y, dy, &modes, &mut scratch, &mut out[count..]);
+        }
+    }
+
+    /// Evaluations so far.
+    pub(super) fn evaluations(&self) -> u64 {
+        self.evaluations.get()
+    }
+
+    /// The entry that was not finite since this was last asked; forgets it.
+    pub(super) fn take_not_finite(&self) -> Option<usize> {
+        self.not_finite.take()
+    }
+}

@@ -1,0 +1,349 @@
+//! One run: what happens at every accepted step, whatever the method.
+
+use super::continuous::{End, Output};
+use super::evaluator::Evaluator;
+use super::locate::{Located, Stretch};
+use super::{Dynamics, Guard, Limits, Method, Modes, Settings, Sink, Stop, SwitchEvent, Watch};
+use std::collections::BTreeMap;
+use std::sync::atomic::Ordering;
+use std::time::Instant;
+
+/// Switches at one and the same instant after which a run is given up.
+const MOST_AT_ONCE: u32 = 64;
+
+/// What a method has to do after an accepted step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Verdict {
+    /// Go on from the step's end.
+    Continue,
+    /// Begin anew from the run's present state: something has switched.
+    Restart,
+    /// The run is over.
+    Stop,
+}
+
+/// State of a run between the steps of a method.
+pub(super) struct Run<'a, D: Dynamics> {
+    pub(super) evaluator: &'a Evaluator<'a, D>,
+    pub(super) settings: &'a Settings,
+    limits: &'a Limits<'a>,
+    sink: &'a mut dyn Sink,
+    /// Where the run stands.
+    pub(super) from: End,
+    /// End of the present leg: the run's end or the next break in time.
+    pub(super) target: f64,
+    pub(super) stop: Option<Stop>,
+    pub(super) steps: u64,
+    pub(super) rejected: u64,
+    pub(super) switches: u64,
+    to: End,
+    output: Output,
+    watches: Vec<Watch>,
+    zero_at_start: Vec<Guard>,
+    switches_at_once: u32,
+    begun: Instant,
+    last_length: Option<f64>,
+    usual_lengths: BTreeMap<Vec<i64>, f64>,
+}
+
+impl<'a, D: Dynamics> Run<'a, D> {
+    pub(super) fn new(
+        evaluator: &'a Evaluator<'a, D>,
+        settings: &'a Settings,
+        limits: &'a Limits<'a>,
+        sink: &'a mut dyn Sink,
+    ) -> Self {
+        let (coordinates, signals) = (
+            evaluator.dynamics.coordinates(),
+            evaluator.dynamics.signals(),
+        );
+        Self {
+            evaluator,
+            settings,
+            limits,
+            sink,
+            from: End::new(coordinates, signals),
+            target: 0.0,
+            stop: None,
+            steps: 0,
+            rejected: 0,
+            switches: 0,
+            to: End::new(coordinates, signals),
+            output: Output::new(coordinates, signals),
+            watches: Vec::new(),
+            zero_at_start: Vec::new(),
+            switches_at_once: 0,
+            begun: Instant::now(),
+            last_length: None,
+            usual_lengths: BTreeMap::new(),
+        }
+    }
+
+    /// Puts the run to its start.
+    pub(super) fn start(&mut self, time: f64, y: &[f64]) {
+        self.move_to(time, y);
+        let modes = self.evaluator.modes.borrow();
+        self.evaluator.dynamics.watches(&modes, &mut self.watches);
+        self.sink.start(time, y, &modes);
+    }
+
+    /// Takes an accepted step from where the run stands to (`time`, `y`), whose
+    /// derivative is `dy`: looks for switches, tells the sink, moves on.
+    pub(super) fn accept(&mut self, time: f64, y: &[f64], dy: &[f64]) -> Verdict {
+        self.to.set(self.evaluator, time, y, dy);
+        if let Some(index) = self.to.not_finite() {
+            return self.end(self.not_finite(index));
+        }
+        self.steps += 1;
+        if time < self.target {
+            self.last_length = Some(time - self.from.time);
+        }
+        self.output.quintic(&self.from, &self.to);
+        if self.settings.method == Method::Dop853 {
+            self.output.raise(self.evaluator, &self.from, &self.to);
+        }
+        let found = self.earliest().and_then(|_| {
+            // The state to restart from comes out of the polynomial: make it
+            // as good as the method's own result, and look again.
+            self.output.raise(self.evaluator, &self.from, &self.to);
+            self.earliest()
+        });
+        // Trial points beyond a switch may leave the domain; that is no failure.
+        self.evaluator.take_not_finite();
+        match found {
+            Some(found) => self.cut(found),
+            None => self.pass(),
+        }
+    }
+
+    fn earliest(&self) -> Option<Located> {
+        let stretch = Stretch {
+            step: self.output.step(1.0),
+            from: &self.from,
+            to: &self.to,
+            zero_at_start: &self.zero_at_start,
+        };
+        stretch.earliest(&self.watches)
+    }
+
+    /// The whole step without a switch.
+    fn pass(&mut self) -> Verdict {
+        let modes = self.evaluator.modes.borrow();
+        self.sink.step(&self.output.step(1.0), &modes);
+        drop(modes);
+        std::mem::swap(&mut self.from, &mut self.to);
+        self.zero_at_start.clear();
+        self.switches_at_once = 0;
+        self.check_limits()
+    }
+
+    /// The step up to a switch, and the switch.
+    fn cut(&mut self, found: Located) -> Verdict {
+        let watch = self.watches[found.watch];
+        let step = self.output.step(found.s);
+        let stretch = Stretch {
+            step,
+            from: &self.from,
+            to: &self.to,
+            zero_at_start: &self.zero_at_start,
+        };
+        let causes: Vec<Guard> = stretch.causes(&watch, found.s).collect();
+        if found.s > 0.0 {
+            self.sink.step(&step, &self.evaluator.modes.borrow());
+            self.zero_at_start.clear();
+        }
+        self.zero_at_start.extend(causes);
+        let time = if found.s == 1.0 {
+            self.to.time
+        } else {
+            step.end_time()
+        };
+        let mut y = std::mem::take(&mut self.to.y);
+        match found.s {
+            0.0 => y.copy_from_slice(&self.from.y),
+            1.0 => {}
+            s => step.state(s, &mut y),
+        }
+        self.switches_at_once = if time > self.from.time {
+            0
+        } else {
+            self.switches_at_once + 1
+        };
+        let verdict = self.switch(time, &y, &watch);
+        self.to.y = y;
+        if verdict == Verdict::Stop {
+            return verdict;
+        }
+        match self.check_limits() {
+            Verdict::Continue => Verdict::Restart,
+            stop => stop,
+        }
+    }
+
+    fn switch(&mut self, time: f64, y: &[f64], watch: &Watch) -> Verdict {
+        self.remember_length();
+        let before = self.evaluator.modes.borrow().clone();
+        let mut after = before.clone();
+        let dynamics = self.evaluator.dynamics;
+        let result = dynamics.switch(time, y, watch, &mut after);
+        if dynamics.is_pair(watch.component) && result.is_ok() {
+            self.switches += 1;
+        }
+        self.enter(time, y, before, after, Some(watch));
+        if let Err(stop) = result {
+            return self.end(Stop::Physical(stop));
+        }
+        if self.switches_at_once > MOST_AT_ONCE {
+            let reason = format!(
+                "component {} switches to and fro {MOST_AT_ONCE} times at t = {time} s without moving on",
+                watch.component
+            );
+            let method = self.settings.method;
+            return self.end(Stop::Method { method, reason });
+        }
+        Verdict::Restart
+    }
+
+    /// Passes the break in time that the run has just reached.
+    pub(super) fn pass_break(&mut self) {
+        self.remember_length();
+        let before = self.evaluator.modes.borrow().clone();
+        let mut after = before.clone();
+        let time = self.from.time;
+        self.evaluator.dynamics.pass_break(time, &mut after);
+        let y = self.from.y.clone();
+        self.enter(time, &y, before, after, None);
+    }
+
+    /// Puts new modes in force at (`time`, `y`) and tells the sink.
+    fn enter(&mut self, time: f64, y: &[f64], before: Modes, after: Modes, watch: Option<&Watch>) {
+        *self.evaluator.modes.borrow_mut() = after.clone();
+        self.evaluator.dynamics.watches(&after, &mut self.watches);
+        self.move_to(time, y);
+        self.sink.switch(&SwitchEvent {
+            time,
+            y,
+            watch,
+            before: &before,
+            after: &after,
+        });
+    }
+
+    /// Stands at (`time`, `y`), evaluating the derivative there.
+    fn move_to(&mut self, time: f64, y: &[f64]) {
+        let mut dy = std::mem::take(&mut self.to.dy);
+        self.evaluator.derivatives(time, y, &mut dy);
+        self.from.set(self.evaluator, time, y, &dy);
+        self.to.dy = dy;
+        self.evaluator.take_not_finite();
+        if let Some(index) = self.from.not_finite() {
+            self.stop = Some(self.not_finite(index));
+        }
+    }
+
+    /// Moves the clock over a rest of the leg that is below its resolution.
+    pub(super) fn skip_to_target(&mut self) {
+        let y = self.from.y.clone();
+        self.move_to(self.target, &y);
+    }
+
+    fn not_finite(&self, index: usize) -> Stop {
+        Stop::NotFinite {
+            what: self.evaluator.dynamics.state_name(index),
+        }
+    }
+
+    /// The run is over.
+    pub(super) fn end(&mut self, stop: Stop) -> Verdict {
+        self.stop = Some(stop);
+        Verdict::Stop
+    }
+
+    /// A method cannot shorten its step any further at step length `step`; if
+    /// the right-hand side gave no numbers, that is the reason.
+    pub(super) fn end_at_floor(&mut self, step: f64) -> Verdict {
+        match self.evaluator.take_not_finite() {
+            Some(index) => self.end(self.not_finite(index)),
+            None => self.end(Stop::StepFloor { step }),
+        }
+    }
+
+    fn check_limits(&mut self) -> Verdict {
+        let limits = self.limits;
+        let over = |limit| self.begun.elapsed() > limit;
+        let stop = if self.stop.is_some() {
+            return Verdict::Stop;
+        } else if limits
+            .interrupt
+            .is_some_and(|flag| flag.load(Ordering::Relaxed))
+        {
+            Stop::Interrupted
+        } else if self.switches > limits.switches {
+            let bound = limits.switches;
+            Stop::TooManySwitches { bound }
+        } else if self.steps >= limits.steps && self.from.time < self.target {
+            let bound = limits.steps;
+            Stop::TooManySteps { bound }
+        } else if let Some(limit) = limits.wall_clock.filter(|&limit| over(limit)) {
+            Stop::WallClock { limit }
+        } else {
+            return Verdict::Continue;
+        };
+        self.end(stop)
+    }
+
+    /// First step of a leg (s): the usual one in the present modes of the
+    /// pairs, if they have been in force before; otherwise estimated.
+    pub(super) fn first_length(&mut self, order: i32) -> f64 {
+        let known = self.last_length.take();
+        let known = known.or_else(|| self.usual_lengths.get(&self.pair_modes()).copied());
+        let length = known.unwrap_or_else(|| self.estimate_length(order));
+        let longest = self.settings.step.unwrap_or(f64::INFINITY);
+        length.min(longest).min(self.target - self.from.time)
+    }
+
+    fn remember_length(&mut self) {
+        if let Some(length) = self.last_length.take() {
+            self.usual_lengths.insert(self.pair_modes(), length);
+        }
+    }
+
+    fn pair_modes(&self) -> Vec<i64> {
+        let modes = self.evaluator.modes.borrow();
+        let pairs = modes.0.iter().enumerate();
+        pairs
+            .filter(|&(component, _)| self.evaluator.dynamics.is_pair(component))
+            .map(|(_, &mode)| mode)
+            .collect()
+    }
+
+    /// A first step from how fast the state and its derivative change, in
+    /// units of the scales: with Ω = max(|ẏ|, √|ÿ|), a solution like sin Ωt
+    /// keeps the tolerance for Ωh ≈ tolerance^(1/(order+1)).
+    fn estimate_length(&mut self, order: i32) -> f64 {
+        let span = self.target - self.from.time;
+        let scales = self.evaluator.dynamics.scales();
+        let unit = |index: usize| scales[index] + self.from.y[index].abs();
+        let size = |dy: &dyn Fn(usize) -> f64| {
+            let squares = (0..scales.len()).map(|i| (dy(i) / unit(i)).powi(2));
+            (squares.sum::<f64>() / scales.len() as f64).sqrt()
+        };
+        let rate = size(&|i| self.from.dy[i]);
+        let short = (1e-4 * span).min(1e-3 / rate);
+        let moved = self.from.y.iter().zip(&self.from.dy);
+        let moved: Vec<f64> = moved.map(|(y, dy)| y + short * dy).collect();
+        let mut dy = vec![0.0; moved.len()];
+        self.evaluator
+            .derivatives(self.from.time + short, &moved, &mut dy);
+        self.evaluator.take_not_finite();
+        let change = size(&|i| (dy[i] - self.from.dy[i]) / short);
+        let fastest = rate.max(change.sqrt());
+        let wanted = self.settings.tolerance.powf(1.0 / f64::from(order + 1)) / fastest;
+        // Nothing moves, or the trial point was no number: begin carefully.
+        if wanted.is_finite() {
+            wanted
+        } else {
+            1e-3 * span
+        }
+    }
+}
