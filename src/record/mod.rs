@@ -1,5 +1,6 @@
 //! What a run leaves behind: columns of samples, figures, switches, provenance.
 
+mod addresses;
 mod audit;
 mod figures;
 mod pairs;
@@ -11,6 +12,7 @@ mod tee;
 mod tracker;
 mod window;
 
+pub use addresses::AddressError;
 pub use audit::EnergyAudit;
 pub use figures::{Figures, FinalState, ObjectFigures, PairFigures, RunSummary, Units};
 pub use recorder::{Recorded, Recorder, RecorderSettings};
