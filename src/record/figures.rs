@@ -91,7 +91,7 @@ pub struct PairFigures {
 }
 
 /// How the run went.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct RunSummary {
     /// Method used.
     pub method: String,

@@ -1,8 +1,23 @@
 //! What a run leaves behind: columns of samples, figures, switches, provenance.
 
+mod addresses;
+mod audit;
 mod figures;
+mod pairs;
+mod peaks;
+mod recorder;
+mod rows;
+mod subdivision;
+mod tee;
+mod tracker;
+mod window;
 
+pub use addresses::AddressError;
+pub use audit::EnergyAudit;
 pub use figures::{Figures, FinalState, ObjectFigures, PairFigures, RunSummary, Units};
+pub use recorder::{Recorded, Recorder, RecorderSettings};
+pub use tee::Tee;
+pub use window::choose_window;
 
 /// A table over time.
 #[derive(Clone, Debug, Default, PartialEq)]

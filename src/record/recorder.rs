@@ -1,0 +1,339 @@
+//! The listener that turns a run into a record and figures.
+
+use super::audit::{EnergyAudit, Ledger};
+use super::pairs::PairTracker;
+use super::rows::Rows;
+use super::tracker::{ObjectTracker, StepView};
+use super::{Interval, ObjectFigures, PairFigures, Record, SwitchRow};
+use crate::integrate::{Modes, Sink, SwitchEvent};
+use crate::model::{LinkBase, Model, Pair};
+use crate::polynomial::Step;
+use crate::system::{ObjectState, Scratch, System};
+
+/// What to record.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RecorderSettings {
+    /// Time at which the run is to end (s); it starts at 0.
+    pub duration: f64,
+    /// Number of equal intervals between samples (one more row than that).
+    pub samples: usize,
+    /// True: two more rows (before, after) at every switch of a pair.
+    pub switch_rows: bool,
+    /// Window in which the working order of pairs is judged (s).
+    pub window: Option<[f64; 2]>,
+}
+
+/// What a recorder has gathered when the run is over.
+#[derive(Clone, Debug)]
+pub struct Recorded {
+    /// Samples, switches, separations.
+    pub record: Record,
+    /// Figures of every object, in the order of the model's objects.
+    pub figures: Vec<ObjectFigures>,
+    /// The energy balance.
+    pub audit: EnergyAudit,
+    /// Rigid force-closed pairs: object, least contact force, when (s).
+    pub margins: Vec<(usize, f64, f64)>,
+    /// True when a force or an acceleration was not a finite number at a state
+    /// that was.
+    pub not_finite: bool,
+}
+
+/// Records a run of a system. Its memory is bounded by samples and switches.
+pub struct Recorder<'s> {
+    observer: Observer<'s>,
+    settings: RecorderSettings,
+    rows: Rows,
+    objects: Vec<ObjectTracker>,
+    pairs: Vec<PairTracker>,
+    ledger: Ledger,
+    switches: Vec<SwitchRow>,
+    separations: Vec<Interval>,
+    start: f64,
+    time: f64,
+    /// States at the places of the present step.
+    states: Vec<ObjectState>,
+    /// False at the start and after every switch: the state at the start of the
+    /// next step is then not that at the end of the last one.
+    continues: bool,
+    not_finite: bool,
+}
+
+/// A system with the memory to observe it.
+struct Observer<'s> {
+    system: &'s System,
+    scratch: Scratch,
+    y: Vec<f64>,
+    states: Vec<ObjectState>,
+}
+
+impl Observer<'_> {
+    fn at(&mut self, step: &Step<'_>, s: f64, modes: &Modes) -> &[ObjectState] {
+        self.y.resize(2 * step.coordinates, 0.0);
+        step.state(s, &mut self.y);
+        self.system.observe(
+            step.time(s),
+            &self.y,
+            modes,
+            &mut self.scratch,
+            &mut self.states,
+        );
+        &self.states
+    }
+
+    fn state(&mut self, time: f64, y: &[f64], modes: &Modes) -> &[ObjectState] {
+        self.system
+            .observe(time, y, modes, &mut self.scratch, &mut self.states);
+        &self.states
+    }
+}
+
+impl<'s> Recorder<'s> {
+    /// A recorder for one run of `system` from t = 0.
+    pub fn new(system: &'s System, settings: RecorderSettings) -> Self {
+        let model = system.model();
+        let count = model.objects.len();
+        let pairs = (0..count)
+            .filter_map(|object| {
+                let component = system.pair_component(object)?;
+                let coordinate = system.first_coordinate(object)?;
+                let pair = elastic_pair(model, object)?;
+                Some(PairTracker::new(object, component, coordinate, pair))
+            })
+            .collect();
+        Self {
+            observer: Observer {
+                system,
+                scratch: Scratch::default(),
+                y: Vec::new(),
+                states: vec![ObjectState::default(); count],
+            },
+            rows: Rows::new(model, settings.samples, settings.duration),
+            objects: (0..count)
+                .map(|object| ObjectTracker::new(system, object, settings.window))
+                .collect(),
+            pairs,
+            ledger: Ledger::default(),
+            switches: Vec::new(),
+            separations: Vec::new(),
+            start: 0.0,
+            time: 0.0,
+            states: vec![ObjectState::default(); 7 * count],
+            continues: false,
+            not_finite: false,
+            settings,
+        }
+    }
+
+    /// Ends the recording: closes open intervals and works out the figures.
+    pub fn finish(mut self) -> Recorded {
+        let last: Vec<ObjectState> = self.objects.iter().map(|object| *object.last()).collect();
+        self.rows.finish(self.time, &last);
+        let duration = self.time - self.start;
+        let mut figures: Vec<ObjectFigures> = self
+            .objects
+            .iter()
+            .map(|object| object.figures(duration))
+            .collect();
+        for tracker in std::mem::take(&mut self.pairs) {
+            let object = tracker.object;
+            let id = &self.observer.system.model().objects[object].id;
+            let mut pair = tracker.finish(id, self.time, &mut self.separations);
+            pair.max_contact_force = self.objects[object].contact_force();
+            pair.in_working_order = self.window().map(|[from, to]| {
+                !self
+                    .separations
+                    .iter()
+                    .any(|open| open.object == *id && open.from < to && open.to > from)
+            });
+            figures[object].pair = Some(pair);
+        }
+        let margins = self.margins(&mut figures);
+        self.separations.sort_by(|a, b| {
+            a.from
+                .total_cmp(&b.from)
+                .then_with(|| a.object.cmp(&b.object))
+        });
+        let (times, columns) = self.rows.into_columns();
+        Recorded {
+            record: Record {
+                times,
+                columns,
+                switches: self.switches,
+                separations: self.separations,
+            },
+            figures,
+            audit: self.ledger.close(),
+            margins,
+            not_finite: self.not_finite,
+        }
+    }
+
+    /// The window, when the run got to its end.
+    fn window(&self) -> Option<[f64; 2]> {
+        self.settings
+            .window
+            .filter(|[_, to]| self.time >= to * (1.0 - 1e-12))
+    }
+
+    fn margins(&self, figures: &mut [ObjectFigures]) -> Vec<(usize, f64, f64)> {
+        let mut margins = Vec::new();
+        for (object, tracker) in self.objects.iter().enumerate() {
+            let Some([(margin, time), (in_window, _)]) = tracker.margins() else {
+                continue;
+            };
+            figures[object].pair = Some(PairFigures {
+                max_contact_force: tracker.contact_force(),
+                margin: Some(margin),
+                in_working_order: self.window().map(|_| in_window >= 0.0),
+                ..PairFigures::default()
+            });
+            margins.push((object, margin, time));
+        }
+        margins
+    }
+
+    /// States at all places, powers at the inner ones, energy at the end.
+    fn observe_step(&mut self, step: &Step<'_>, places: &[f64; 7], modes: &Modes) {
+        let count = self.objects.len();
+        let span = step.end * step.length;
+        if self.continues {
+            self.states.copy_within(6 * count.., 0);
+        }
+        for (index, &place) in places.iter().enumerate() {
+            if index > 0 || !self.continues {
+                let states = self.observer.at(step, place, modes);
+                self.states[index * count..(index + 1) * count].copy_from_slice(states);
+            }
+            let Observer {
+                system, scratch, y, ..
+            } = &mut self.observer;
+            if (1..6).contains(&index) {
+                let power = system.power(step.time(place), y, modes, scratch);
+                self.ledger.add(index, span, power);
+            }
+        }
+        let Observer {
+            system, scratch, y, ..
+        } = &mut self.observer;
+        self.ledger
+            .see(system.energy(step.end_time(), y, modes, scratch));
+        self.not_finite |= self.states.iter().any(|state| !is_finite(state));
+    }
+
+    /// The edges of the window that lie in the step count for the margins.
+    fn see_window_edges(&mut self, step: &Step<'_>, modes: &Modes) {
+        if self.objects.iter().all(|object| object.margins().is_none()) {
+            return;
+        }
+        for edge in self.settings.window.into_iter().flatten() {
+            let s = (edge - step.start) / step.length;
+            if 0.0 < s && s < step.end {
+                let states = self.observer.at(step, s, modes);
+                for (tracker, state) in self.objects.iter_mut().zip(states) {
+                    tracker.see(edge, state);
+                }
+            }
+        }
+    }
+}
+
+impl Sink for Recorder<'_> {
+    fn start(&mut self, time: f64, y: &[f64], modes: &Modes) {
+        (self.start, self.time) = (time, time);
+        let states = self.observer.state(time, y, modes);
+        for (tracker, state) in self.objects.iter_mut().zip(states) {
+            tracker.see(time, state);
+        }
+        self.not_finite |= states.iter().any(|state| !is_finite(state));
+        self.rows.sample_at(time, states);
+        for pair in &mut self.pairs {
+            pair.start(time, modes.0[pair.component]);
+        }
+        let Observer {
+            system, scratch, ..
+        } = &mut self.observer;
+        self.ledger.open(system.energy(time, y, modes, scratch));
+    }
+
+    fn step(&mut self, step: &Step<'_>, modes: &Modes) {
+        if step.end <= 0.0 {
+            return;
+        }
+        while let Some(time) = self.rows.due(step.end_time()) {
+            let s = ((time - step.start) / step.length).clamp(0.0, step.end);
+            let states = self.observer.at(step, s, modes);
+            self.rows.sample_at(time, states);
+        }
+        let places = StepView::places(step.end);
+        self.see_window_edges(step, modes);
+        self.observe_step(step, &places, modes);
+        let view = StepView {
+            step,
+            places,
+            states: &self.states,
+            objects: self.objects.len(),
+        };
+        for (object, tracker) in self.objects.iter_mut().enumerate() {
+            let observer = &mut self.observer;
+            tracker.step(&view, &mut |s| observer.at(step, s, modes)[object]);
+        }
+        for pair in &mut self.pairs {
+            let mode = modes.0[pair.component];
+            pair.step(mode, step.signal(pair.coordinate()), step.end);
+        }
+        self.time = step.end_time();
+        self.continues = true;
+    }
+
+    fn switch(&mut self, event: &SwitchEvent<'_>) {
+        self.continues = false;
+        let changed = |pair: &&mut PairTracker| {
+            event.before.0[pair.component] != event.after.0[pair.component]
+        };
+        let mut any = false;
+        for pair in self.pairs.iter_mut().filter(changed) {
+            any = true;
+            let component = pair.component;
+            let state = self.observer.state(event.time, event.y, event.before)[pair.object];
+            pair.switch(
+                (
+                    &self.observer.system.model().objects[pair.object].id,
+                    event.time,
+                ),
+                (event.before.0[component], event.after.0[component]),
+                &state,
+                &mut self.switches,
+                &mut self.separations,
+            );
+        }
+        if any && self.settings.switch_rows {
+            for modes in [event.before, event.after] {
+                let states = self.observer.state(event.time, event.y, modes);
+                self.rows.push(event.time, states);
+            }
+        }
+    }
+}
+
+/// The pair in link 1 of an elastic object.
+fn elastic_pair(model: &Model, object: usize) -> Option<Pair> {
+    let link = *model.objects[object].links.first()?;
+    match model.links[link].base {
+        LinkBase::Law { pair } => Some(pair),
+        LinkBase::Mass(_) => None,
+    }
+}
+
+fn is_finite(state: &ObjectState) -> bool {
+    [
+        state.displacement,
+        state.speed,
+        state.acceleration,
+        state.delta,
+        state.reaction,
+        state.contact_force,
+    ]
+    .iter()
+    .all(|value| value.is_finite())
+}

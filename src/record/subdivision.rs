@@ -1,0 +1,230 @@
+//! Extremes and integrals of a polynomial in Bernstein form, by halving.
+//!
+//! The coefficients enclose the polynomial: its maximum is never above the
+//! greatest of them, and where all have one sign the polynomial has it too.
+//! Halving the interval tightens this enclosure quadratically, so that a few
+//! dozen halvings around the place in question give the result to rounding,
+//! and nothing is overlooked on the way.
+
+use crate::polynomial::MAX_DEGREE;
+
+/// Halvings after which a piece is taken as it is: the enclosure is then as
+/// tight as the square of 2⁻²⁷, below rounding.
+const DEEPEST: u32 = 27;
+
+/// A polynomial on a piece of its interval.
+#[derive(Clone, Copy)]
+struct Piece {
+    coefficients: [f64; MAX_DEGREE + 1],
+    degree: usize,
+    depth: u32,
+}
+
+impl Piece {
+    fn new(coefficients: &[f64], factor: f64) -> Self {
+        let mut own = [0.0; MAX_DEGREE + 1];
+        for (target, source) in own.iter_mut().zip(coefficients) {
+            *target = factor * source;
+        }
+        Self {
+            coefficients: own,
+            degree: coefficients.len() - 1,
+            depth: 0,
+        }
+    }
+
+    fn values(&self) -> &[f64] {
+        &self.coefficients[..=self.degree]
+    }
+
+    fn greatest(&self) -> f64 {
+        self.values().iter().copied().fold(f64::MIN, f64::max)
+    }
+
+    fn magnitude(&self) -> f64 {
+        self.values().iter().fold(0.0, |most, c| c.abs().max(most))
+    }
+
+    fn mean(&self) -> f64 {
+        self.values().iter().sum::<f64>() / (self.degree + 1) as f64
+    }
+
+    fn has_one_sign(&self) -> bool {
+        self.values().iter().all(|&c| c >= 0.0) || self.values().iter().all(|&c| c <= 0.0)
+    }
+
+    /// The parts left and right of s (de Casteljau).
+    fn split(&self, s: f64) -> (Self, Self) {
+        let (mut left, mut right) = (*self, *self);
+        left.depth += 1;
+        right.depth += 1;
+        let n = self.degree;
+        for level in 1..=n {
+            for i in 0..=n - level {
+                let next = right.coefficients[i + 1];
+                right.coefficients[i] += s * (next - right.coefficients[i]);
+            }
+            left.coefficients[level] = right.coefficients[0];
+        }
+        (left, right)
+    }
+
+    /// The part over [0, `end`].
+    fn cut(self, end: f64) -> Self {
+        if end >= 1.0 {
+            return self;
+        }
+        let (left, _) = self.split(end);
+        Self { depth: 0, ..left }
+    }
+}
+
+/// Greatest value on [0, `end`], or `floor` if that is greater: what cannot
+/// beat `floor` costs one look at the coefficients.
+pub(crate) fn maximum(coefficients: &[f64], end: f64, floor: f64) -> f64 {
+    extreme(coefficients, 1.0, end, floor)
+}
+
+/// Least value on [0, `end`], or `ceiling` if that is less.
+pub(crate) fn minimum(coefficients: &[f64], end: f64, ceiling: f64) -> f64 {
+    -extreme(coefficients, -1.0, end, -ceiling)
+}
+
+fn extreme(coefficients: &[f64], factor: f64, end: f64, floor: f64) -> f64 {
+    let whole = Piece::new(coefficients, factor);
+    if whole.greatest() <= floor {
+        return floor;
+    }
+    let whole = whole.cut(end);
+    let rounding = 4.0 * f64::EPSILON * whole.magnitude();
+    let mut best = floor;
+    let mut pieces = vec![whole];
+    while let Some(piece) = pieces.pop() {
+        let ends = piece.coefficients[0].max(piece.coefficients[piece.degree]);
+        best = best.max(ends);
+        if piece.greatest() > best + rounding && piece.depth < DEEPEST {
+            let (left, right) = piece.split(0.5);
+            // The better half first: it raises `best` and spares the other.
+            if left.greatest() > right.greatest() {
+                pieces.extend([right, left]);
+            } else {
+                pieces.extend([left, right]);
+            }
+        }
+    }
+    best
+}
+
+/// ∫|p| ds over [0, `end`], every zero crossing enclosed to rounding.
+pub(crate) fn integral_of_magnitude(coefficients: &[f64], end: f64) -> f64 {
+    let whole = Piece::new(coefficients, 1.0).cut(end);
+    if whole.has_one_sign() {
+        return whole.mean().abs() * end;
+    }
+    let mut sum = 0.0;
+    let mut pieces = vec![whole];
+    while let Some(piece) = pieces.pop() {
+        if piece.has_one_sign() || piece.depth >= DEEPEST {
+            sum += piece.mean().abs() * 0.5f64.powi(piece.depth as i32);
+        } else {
+            let (left, right) = piece.split(0.5);
+            pieces.extend([right, left]);
+        }
+    }
+    sum * end
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{integral_of_magnitude, maximum, minimum};
+    use approx::assert_abs_diff_eq;
+
+    /// Bernstein coefficients of Σ a_k s^k on [0, 1].
+    fn bernstein(powers: &[f64]) -> Vec<f64> {
+        let n = powers.len() - 1;
+        let choose =
+            |n: usize, k: usize| (0..k).fold(1.0, |c, i| c * (n - i) as f64 / (i + 1) as f64);
+        (0..=n)
+            .map(|i| {
+                (0..=i)
+                    .map(|k| powers[k] * choose(i, k) / choose(n, k))
+                    .sum()
+            })
+            .collect()
+    }
+
+    #[test]
+    fn an_interior_extreme_is_found_to_rounding() {
+        // s³ − s: minimum −2/(3√3) at 1/√3, maximum 0 at both ends.
+        let p = bernstein(&[0.0, -1.0, 0.0, 1.0]);
+        let least = -2.0 / (3.0 * 3f64.sqrt());
+        assert_abs_diff_eq!(minimum(&p, 1.0, f64::MAX), least, epsilon = 1e-15);
+        assert_eq!(maximum(&p, 1.0, f64::MIN), 0.0);
+    }
+
+    #[test]
+    fn a_cut_step_ends_where_it_is_cut() {
+        let p = bernstein(&[0.0, -1.0, 0.0, 1.0]);
+        assert_abs_diff_eq!(
+            minimum(&p, 0.25, f64::MAX),
+            0.25f64.powi(3) - 0.25,
+            epsilon = 1e-16
+        );
+        let area = 0.25f64.powi(2) / 2.0 - 0.25f64.powi(4) / 4.0;
+        assert_abs_diff_eq!(integral_of_magnitude(&p, 0.25), area, epsilon = 1e-16);
+    }
+
+    #[test]
+    fn what_cannot_beat_the_best_so_far_leaves_it() {
+        let p = bernstein(&[0.0, -1.0, 0.0, 1.0]);
+        assert_eq!(maximum(&p, 1.0, 0.5), 0.5);
+        assert_eq!(minimum(&p, 1.0, -0.5), -0.5);
+    }
+
+    #[test]
+    fn two_narrow_peaks_in_one_step_are_told_apart() {
+        // −(s − 0.3)²·(s − 0.7)² + 0.01·s: the peak near 0.7 is the higher one.
+        let quartic = [
+            -0.0441,
+            2.0 * 0.21 * 1.0 + 0.01,
+            -(1.0 + 2.0 * 0.21),
+            2.0,
+            -1.0,
+        ];
+        let p = bernstein(&quartic);
+        let value = |s: f64| quartic.iter().rev().fold(0.0, |sum, a| sum * s + a);
+        let scan = (0..=2_000_000)
+            .map(|i| value(f64::from(i) / 2e6))
+            .fold(f64::MIN, f64::max);
+        assert_abs_diff_eq!(maximum(&p, 1.0, f64::MIN), scan, epsilon = 1e-13);
+    }
+
+    #[test]
+    fn the_mean_magnitude_sees_every_crossing() {
+        // (s − 0.1)(s − 0.5)(s − 0.8): pieces integrated by hand.
+        let a = [-0.04, 0.53, -1.4, 1.0];
+        let primitive = |s: f64| {
+            a[0] * s + a[1] * s * s / 2.0 + a[2] * s.powi(3) / 3.0 + a[3] * s.powi(4) / 4.0
+        };
+        let knots = [0.0, 0.1, 0.5, 0.8, 1.0];
+        let exact: f64 = knots
+            .windows(2)
+            .map(|w| (primitive(w[1]) - primitive(w[0])).abs())
+            .sum();
+        assert_abs_diff_eq!(
+            integral_of_magnitude(&bernstein(&a), 1.0),
+            exact,
+            epsilon = 1e-16
+        );
+        assert_eq!(integral_of_magnitude(&[0.0; 6], 1.0), 0.0);
+    }
+
+    #[test]
+    fn a_constant_costs_no_subdivision_and_a_double_zero_ends() {
+        assert_eq!(maximum(&[2.0; 8], 1.0, f64::MIN), 2.0);
+        // (s − 0.5)²: touches zero without crossing.
+        let p = bernstein(&[0.25, -1.0, 1.0]);
+        assert_abs_diff_eq!(minimum(&p, 1.0, f64::MAX), 0.0, epsilon = 1e-15);
+        assert_abs_diff_eq!(integral_of_magnitude(&p, 1.0), 1.0 / 12.0, epsilon = 1e-15);
+    }
+}

@@ -1,0 +1,105 @@
+//! `record.csv`: the samples of a record as a table.
+
+use crate::record::Record;
+
+/// The record as CSV (RFC 4180, UTF-8): a header `time [s],rocker.displacement [rad],…`
+/// and a row a sample. Every number is the shortest that reads back as the same
+/// double, so that nothing is lost.
+///
+/// # Errors
+/// The columns are not all as long as the times.
+pub fn record_csv(record: &Record) -> Result<String, csv::Error> {
+    let header = record
+        .columns
+        .iter()
+        .map(|column| format!("{}.{} [{}]", column.object, column.quantity, column.unit));
+    let rows = record.times.iter().enumerate().map(|(row, time)| {
+        let values = record
+            .columns
+            .iter()
+            .filter_map(move |column| column.values.get(row).copied());
+        std::iter::once(*time).chain(values).map(number)
+    });
+    write(
+        std::iter::once("time [s]".to_owned()).chain(header),
+        rows.map(Iterator::collect::<Vec<String>>),
+    )
+}
+
+/// A header and rows as CSV.
+pub(crate) fn write<R>(
+    header: impl Iterator<Item = String>,
+    rows: impl Iterator<Item = R>,
+) -> Result<String, csv::Error>
+where
+    R: IntoIterator<Item = String>,
+{
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    writer.write_record(header)?;
+    for row in rows {
+        writer.write_record(row)?;
+    }
+    let bytes = writer
+        .into_inner()
+        .map_err(|error| csv::Error::from(error.into_error()))?;
+    Ok(String::from_utf8_lossy(&bytes).into_owned())
+}
+
+/// The shortest decimal that reads back as the same double.
+pub(crate) fn number(value: f64) -> String {
+    let plain = value.to_string();
+    let scientific = format!("{value:e}");
+    if scientific.len() < plain.len() {
+        scientific
+    } else {
+        plain
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{number, record_csv};
+    use crate::record::{Column, Record};
+
+    fn record(values: Vec<f64>) -> Record {
+        Record {
+            times: vec![0.0, 0.1 + 0.2],
+            columns: vec![Column {
+                object: "rocker".to_owned(),
+                quantity: "displacement",
+                unit: "rad",
+                values,
+            }],
+            ..Record::default()
+        }
+    }
+
+    #[test]
+    fn header_and_rows_read_back_exactly() {
+        let text = record_csv(&record(vec![-6.00249690245187e-5, 1.0 / 3.0])).unwrap();
+        let mut lines = text.lines();
+        assert_eq!(lines.next(), Some("time [s],rocker.displacement [rad]"));
+        let last: Vec<f64> = lines
+            .nth(1)
+            .unwrap()
+            .split(',')
+            .map(|field| field.parse().unwrap())
+            .collect();
+        assert_eq!(last, [0.1 + 0.2, 1.0 / 3.0]);
+        assert_eq!(text.lines().count(), 3);
+    }
+
+    #[test]
+    fn a_short_column_is_an_error_and_no_shifted_table() {
+        assert!(record_csv(&record(vec![1.0])).is_err());
+    }
+
+    #[test]
+    fn numbers_are_short_and_exact() {
+        for value in [0.0, -6.00249690245187e-5, 1e300, 5e-324, 0.5, 123456.75] {
+            assert_eq!(number(value).parse::<f64>().unwrap(), value);
+        }
+        assert_eq!(number(1e-7), "1e-7");
+        assert_eq!(number(0.5), "0.5");
+    }
+}
