@@ -14,6 +14,7 @@ pub mod number;
 pub mod object;
 pub mod polynomial;
 pub mod position;
+pub mod read;
 pub mod record;
 pub mod report;
 pub mod scene;

@@ -1,0 +1,341 @@
+//! The properties of an object.
+
+use super::one_of::OneOf;
+use super::slot::{Reader, Slot, join, last_name, push};
+use super::suggest::{closest, quoted_list};
+use super::tree::{Member, Node};
+use crate::diagnostics::{Diagnostic, Place};
+use serde_json::{Map, Value as Json, json};
+
+/// Reads the properties of an object one by one; knows which were asked for.
+#[derive(Debug)]
+pub struct Fields<'a> {
+    pub(super) reader: &'a mut Reader,
+    node: Option<&'a Node>,
+    path: String,
+    /// Where to point when something is missing.
+    place: Place,
+    known: Vec<&'static str>,
+    /// Groups of names of which one is missing.
+    missing: Vec<Missing>,
+    out: Map<String, Json>,
+    required: Vec<&'static str>,
+    pub(super) alternatives: Vec<Vec<&'static str>>,
+    free: bool,
+}
+
+#[derive(Debug)]
+struct Missing {
+    names: Vec<&'static str>,
+    what: &'static str,
+}
+
+impl<'a> Fields<'a> {
+    pub(super) fn new(slot: &'a mut Slot<'_>) -> Self {
+        let place = match &slot.name_place {
+            Some(place) => place.clone(),
+            None => slot.place().first(),
+        };
+        Self {
+            reader: slot.reader,
+            node: slot.node,
+            path: slot.path.clone(),
+            place,
+            known: Vec::new(),
+            missing: Vec::new(),
+            out: Map::new(),
+            required: Vec::new(),
+            alternatives: Vec::new(),
+            free: false,
+        }
+    }
+
+    /// Address of the object.
+    pub fn path(&self) -> &str {
+        &self.path
+    }
+
+    /// True when the schema is being written.
+    pub fn describing(&self) -> bool {
+        self.reader.describing
+    }
+
+    /// The property as written; `None` when absent.
+    pub fn member(&self, name: &str) -> Option<&'a Member> {
+        self.node?.member(name)
+    }
+
+    /// True when the property is written.
+    pub fn has(&self, name: &str) -> bool {
+        self.member(name).is_some()
+    }
+
+    /// Where a property's name stands; the object itself when it is absent.
+    pub fn place_of(&self, name: &str) -> Place {
+        self.member(name)
+            .map_or_else(|| self.place.clone(), |member| member.name_place.clone())
+    }
+
+    /// Where a property's value stands; the object itself when it is absent.
+    pub fn value_place(&self, name: &str) -> Place {
+        self.member(name)
+            .map_or_else(|| self.place.clone(), |member| member.value.place.clone())
+    }
+
+    /// Reads a property that must be there.
+    pub fn need<T>(
+        &mut self,
+        name: &'static str,
+        doc: &str,
+        read: impl FnOnce(Slot<'_>) -> Option<T>,
+    ) -> Option<T> {
+        self.required.push(name);
+        match self.maybe(name, doc, read)? {
+            Some(value) => Some(value),
+            None => {
+                self.missing(vec![name], "");
+                None
+            }
+        }
+    }
+
+    /// Reads a property that may be left out: `Some(None)`; `None` when faulty.
+    pub fn maybe<T>(
+        &mut self,
+        name: &'static str,
+        doc: &str,
+        read: impl FnOnce(Slot<'_>) -> Option<T>,
+    ) -> Option<Option<T>> {
+        self.known.push(name);
+        if self.describing() {
+            let mut schema = self.child(name, None, read).1;
+            add_description(&mut schema, doc);
+            self.out.insert(name.to_owned(), schema);
+            return None;
+        }
+        let Some(member) = self.member(name) else {
+            return Some(None);
+        };
+        let (value, out) = self.child(name, Some((&member.value, &member.name_place)), read);
+        self.out.insert(name.to_owned(), out);
+        value.map(Some)
+    }
+
+    /// Reads a property that has a default, given as it would be written.
+    pub fn or<T>(
+        &mut self,
+        name: &'static str,
+        doc: &str,
+        default: Json,
+        read: impl FnOnce(Slot<'_>) -> Option<T>,
+    ) -> Option<T> {
+        if self.describing() {
+            self.maybe(name, doc, read);
+            self.out[name]["default"] = default;
+            return None;
+        }
+        if self.has(name) {
+            return self.maybe(name, doc, read).flatten();
+        }
+        self.known.push(name);
+        let place = self.place.clone();
+        let node = Node::filled_in(&default, &place);
+        let (value, out) = self.child(name, Some((&node, &place)), read);
+        self.out.insert(name.to_owned(), out);
+        value
+    }
+
+    /// Reads properties of which exactly one must be there.
+    pub fn one_of<T>(&mut self, what: &'static str) -> OneOf<'_, 'a, T> {
+        OneOf::new(self, what)
+    }
+
+    /// Takes any further properties without looking at them.
+    pub fn ignore_others(&mut self) {
+        self.free = true;
+    }
+
+    /// Sets the canonical value of a property whose default was computed.
+    pub fn fill_in(&mut self, name: &str, value: Json) {
+        if !self.describing() {
+            self.out.insert(name.to_owned(), value);
+        }
+    }
+
+    /// Adds a keyword to the schema of the object.
+    pub(super) fn missing(&mut self, names: Vec<&'static str>, what: &'static str) {
+        self.missing.push(Missing { names, what });
+    }
+
+    /// Notes a fault of a property (or of the object, when it is absent).
+    pub fn refuse(
+        &mut self,
+        name: &str,
+        code: &'static str,
+        message: impl Into<String>,
+    ) -> &mut Diagnostic {
+        let fault = Diagnostic::error(code, message)
+            .at(self.value_place(name))
+            .path(match self.has(name) {
+                true => join(&self.path, name),
+                false => self.path.clone(),
+            });
+        push(&mut self.reader.diagnostics, fault)
+    }
+
+    /// Notes a warning about a property.
+    pub fn warn(
+        &mut self,
+        name: &str,
+        code: &'static str,
+        message: impl Into<String>,
+    ) -> &mut Diagnostic {
+        let warning = Diagnostic::warning(code, message)
+            .at(self.value_place(name))
+            .path(join(&self.path, name));
+        push(&mut self.reader.diagnostics, warning)
+    }
+
+    /// Notes that two properties say the same thing in two ways, if both are
+    /// written. Returns whether they clash.
+    pub fn clash(&mut self, one: &str, other: &str, why: &str) -> bool {
+        let (Some(a), Some(b)) = (self.member(one), self.member(other)) else {
+            return false;
+        };
+        // Point at what came last: an override, or what stands further down.
+        let rank = |member: &Member| (member.name_place.source, member.name_place.range.start);
+        let (early, late) = if rank(a) <= rank(b) { (a, b) } else { (b, a) };
+        let fault = Diagnostic::error(
+            "two-ways",
+            format!("`{one}` and `{other}` cannot both be given: {why}"),
+        )
+        .at(late.name_place.clone())
+        .path(join(&self.path, &late.name))
+        .label(format!("`{}` given here", late.name))
+        .also(early.name_place.clone(), format!("`{}` given here", early.name))
+        .hint(format!("remove `{}` or `{}`", early.name, late.name));
+        push(&mut self.reader.diagnostics, fault);
+        true
+    }
+
+    fn child<T>(
+        &mut self,
+        name: &str,
+        found: Option<(&Node, &Place)>,
+        read: impl FnOnce(Slot<'_>) -> Option<T>,
+    ) -> (Option<T>, Json) {
+        let mut out = Json::Null;
+        let slot = Slot {
+            reader: self.reader,
+            node: found.map(|found| found.0),
+            name_place: found.map(|found| found.1.clone()),
+            path: join(&self.path, name),
+            out: &mut out,
+        };
+        let value = read(slot);
+        (value, out)
+    }
+
+    /// Reports unknown and missing properties. Returns whether there were
+    /// none, and the canonical form or schema.
+    pub(super) fn finish(mut self) -> (bool, Json) {
+        if self.describing() {
+            return (false, self.schema());
+        }
+        let suggestions = self.report_unknown();
+        let before = suggestions.len();
+        let mut complete = before == 0;
+        for missing in std::mem::take(&mut self.missing) {
+            complete = false;
+            // A misspelled name has already been reported.
+            let misspelled = |name: &&str| suggestions.contains(&Some(*name));
+            if !missing.names.iter().any(|name| misspelled(&name)) {
+                self.report_missing(&missing);
+            }
+        }
+        (complete, Json::Object(self.out))
+    }
+
+    /// One entry for each unknown property: the known one it may be a slip of.
+    fn report_unknown(&mut self) -> Vec<Option<&'static str>> {
+        let mut suggestions = Vec::new();
+        let members = self.node.map_or(&[][..], Node::members);
+        for member in members {
+            let known = self.known.contains(&member.name.as_str());
+            if known || self.free {
+                continue;
+            }
+            let absent = self.known.iter().copied().filter(|name| !self.has(name));
+            let suggestion = closest(&member.name, absent)
+                .and_then(|found| self.known.iter().copied().find(|name| *name == found));
+            let mut fault = Diagnostic::error(
+                "unknown-property",
+                format!("unknown property `{}`", member.name),
+            )
+            .at(member.name_place.clone())
+            .path(join(&self.path, &member.name));
+            fault = match suggestion {
+                Some(found) => fault.hint(format!("did you mean `{found}`?")),
+                None => fault.hint(format!(
+                    "`{}` has {}",
+                    last_name(&self.path),
+                    quoted_list(self.known.iter().copied(), "and")
+                )),
+            };
+            self.reader.diagnostics.push(fault);
+            suggestions.push(suggestion);
+        }
+        suggestions
+    }
+
+    fn report_missing(&mut self, missing: &Missing) {
+        let owner = last_name(&self.path);
+        let message = match missing.names.as_slice() {
+            [name] => format!("`{owner}` has no `{name}`"),
+            _ => format!("`{owner}` does not say {}", missing.what),
+        };
+        let mut fault = Diagnostic::error("missing-property", message)
+            .at(self.place.clone())
+            .path(self.path.clone());
+        fault = match missing.names.as_slice() {
+            [name] => fault.label(format!("`{name}` is missing")),
+            names => fault.hint(format!("give {}", quoted_list(names.iter().copied(), "or"))),
+        };
+        self.reader.diagnostics.push(fault);
+    }
+
+    fn schema(&mut self) -> Json {
+        let mut schema = json!({ "type": "object", "properties": self.out });
+        if !self.free {
+            schema["additionalProperties"] = json!(false);
+        }
+        if !self.required.is_empty() {
+            schema["required"] = json!(self.required);
+        }
+        let groups: Vec<Json> = self
+            .alternatives
+            .iter()
+            .map(|names| {
+                let one = |name: &&str| json!({ "required": [name] });
+                json!({ "oneOf": names.iter().map(one).collect::<Vec<_>>() })
+            })
+            .collect();
+        if !groups.is_empty() {
+            schema["allOf"] = json!(groups);
+        }
+        schema
+    }
+}
+
+/// Puts the property's meaning before what the value's schema says of itself.
+fn add_description(schema: &mut Json, doc: &str) {
+    let Some(map) = schema.as_object_mut() else {
+        return;
+    };
+    let own = map.get("description").and_then(Json::as_str);
+    let whole = match own {
+        Some(own) => format!("{doc} {own}"),
+        None => doc.to_owned(),
+    };
+    map.insert("description".to_owned(), json!(whole));
+}

@@ -1,0 +1,31 @@
+//! Reading: text → tree → typed values, with every fault collected on the way.
+//!
+//! [`parse`] turns strict JSON into a [`Node`] tree that knows its places.
+//! A [`Slot`] is the place of one value; its methods read the value, note
+//! faults with the [`Reader`] and go on. The same reading code, run by
+//! [`Reader::describing`] without a tree, writes the JSON Schema instead: what
+//! is accepted and what is described cannot drift apart. Read values leave
+//! behind their canonical form (SI numbers, defaults filled in).
+//!
+//! The rule for reading code: ask for every property unconditionally first,
+//! decide afterwards.
+
+mod bounds;
+mod fields;
+mod number;
+mod one_of;
+mod parse;
+mod slot;
+mod suggest;
+mod text;
+mod tree;
+
+pub use bounds::Bounds;
+pub use fields::Fields;
+pub use number::Wanted;
+pub use one_of::OneOf;
+pub use parse::{parse, parse_fragment};
+pub use slot::{Reader, Slot};
+pub use suggest::{closest, did_you_mean, quoted_list};
+pub use text::{MAX_DEPTH, MAX_SIZE};
+pub use tree::{Member, Node, Value};

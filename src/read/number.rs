@@ -1,0 +1,298 @@
+//! Reading of numbers, with and without units.
+
+use super::bounds::Bounds;
+use super::slot::{Slot, last_name};
+use super::suggest::did_you_mean;
+use super::tree::Value;
+use crate::units::{Measure, Mismatch, Quantity, UnitError, known_units, parse};
+use serde_json::{Map, json};
+use std::ops::RangeInclusive;
+
+/// What a number may measure: one quantity, or either of two while it is not
+/// known whether the object turns or slides.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Wanted {
+    /// The quantity.
+    pub first: Quantity,
+    /// The other one.
+    pub second: Option<Quantity>,
+}
+
+impl From<Quantity> for Wanted {
+    fn from(first: Quantity) -> Self {
+        Self {
+            first,
+            second: None,
+        }
+    }
+}
+
+impl Wanted {
+    /// Either of two quantities.
+    pub fn either(first: Quantity, second: Quantity) -> Self {
+        Self {
+            first,
+            second: (first != second).then_some(second),
+        }
+    }
+
+    fn quantities(&self) -> impl Iterator<Item = Quantity> {
+        [Some(self.first), self.second].into_iter().flatten()
+    }
+
+    fn accept(&self, measure: Measure) -> Result<f64, Mismatch> {
+        let first = self.first.accept(measure);
+        match (first, self.second) {
+            (Err(_), Some(second)) => second.accept(measure).or(first),
+            _ => first,
+        }
+    }
+
+    /// `angular speed in rad/s, rev/s, rpm or deg/s`.
+    fn words(&self) -> String {
+        let words = |quantity: Quantity| match quantity.units {
+            ["1", ..] => "a pure number".to_owned(),
+            units => {
+                let (last, others) = units.split_last().unwrap_or((&"1", &[]));
+                let list = match others.is_empty() {
+                    true => (*last).to_owned(),
+                    false => format!("{} or {last}", others.join(", ")),
+                };
+                format!("{} in {list}", quantity.name)
+            }
+        };
+        let all: Vec<String> = self.quantities().map(words).collect();
+        all.join("; or ")
+    }
+}
+
+/// Texts that begin with a number.
+const NUMBER_PATTERN: &str = r"^\s*[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?\s*(\S.*)?$";
+
+impl Slot<'_> {
+    /// Reads a number in SI units, or a text with a unit.
+    pub fn quantity(mut self, wanted: impl Into<Wanted>, bounds: Bounds) -> Option<f64> {
+        let wanted = wanted.into();
+        if self.describing() {
+            let mut number = Map::new();
+            number.insert("type".into(), json!("number"));
+            bounds.describe(&mut number);
+            *self.out = json!({
+                "description": format!("({})", wanted.words()),
+                "anyOf": [number, { "type": "string", "pattern": NUMBER_PATTERN }],
+            });
+            return None;
+        }
+        let value = match &self.node?.value {
+            Value::Number(value) => *value,
+            Value::Text(text) => self.measure(text, &wanted)?,
+            _ => {
+                self.wrong_type(&format!("a number ({})", wanted.words()));
+                return None;
+            }
+        };
+        self.within(value, bounds, wanted.first.si())
+    }
+
+    /// Reads a number without a unit.
+    pub fn number(self, bounds: Bounds) -> Option<f64> {
+        self.quantity(crate::units::quantities::NUMBER, bounds)
+    }
+
+    /// Reads a whole number.
+    pub fn count(mut self, range: RangeInclusive<u64>) -> Option<u64> {
+        if self.describing() {
+            *self.out = json!({
+                "type": "integer", "minimum": range.start(), "maximum": range.end(),
+            });
+            return None;
+        }
+        let Value::Number(value) = self.node?.value else {
+            self.wrong_type("a whole number");
+            return None;
+        };
+        let whole = value.fract() == 0.0 && (0.0..=9e15).contains(&value);
+        if !whole || !range.contains(&(value as u64)) {
+            let name = last_name(&self.path).to_owned();
+            let message = format!(
+                "`{name}` must be a whole number from {} to {}, found {value}",
+                range.start(),
+                range.end()
+            );
+            self.refuse("out-of-range", message);
+            return None;
+        }
+        *self.out = json!(value as u64);
+        Some(value as u64)
+    }
+
+    fn within(&mut self, value: f64, bounds: Bounds, unit: &str) -> Option<f64> {
+        let name = last_name(&self.path).to_owned();
+        if !value.is_finite() {
+            let message = format!("`{name}` is too large for a number");
+            self.refuse("not-finite", message)
+                .hints
+                .push("numbers go up to about 1.8e308".to_owned());
+            return None;
+        }
+        if !bounds.hold(value) {
+            let unit = if unit == "1" { String::new() } else { format!(" {unit}") };
+            let message = format!("`{name}` must be {}, found {value}{unit}", bounds.words());
+            self.refuse("out-of-range", message);
+            return None;
+        }
+        // Adding zero turns −0 into 0: one number, one canonical form.
+        *self.out = json!(value + 0.0);
+        Some(value)
+    }
+
+    /// A text with a unit, as a value in SI units.
+    fn measure(&mut self, text: &str, wanted: &Wanted) -> Option<f64> {
+        match parse(text) {
+            Err(error) => self.unit_fault(text, error, wanted),
+            Ok(measure) => match wanted.accept(measure) {
+                Ok(value) => return Some(value),
+                Err(mismatch) => self.mismatch(text, measure, mismatch, wanted),
+            },
+        }
+        None
+    }
+
+    fn unit_fault(&mut self, text: &str, error: UnitError, wanted: &Wanted) {
+        let name = last_name(&self.path).to_owned();
+        let accepts = format!("write a number in SI units, or a text: {}", wanted.words());
+        let (code, message, hint, offset) = match error {
+            UnitError::NoNumber => (
+                "not-a-number",
+                format!("`{name}` does not begin with a number: \"{}\"", shorten(text)),
+                None,
+                None,
+            ),
+            UnitError::DecimalComma { corrected } => (
+                "not-a-number",
+                "a decimal comma".to_owned(),
+                Some(format!("write a point: \"{}\"", shorten(&corrected))),
+                None,
+            ),
+            UnitError::NotFinite => (
+                "not-finite",
+                format!("`{name}` is too large for a number"),
+                None,
+                None,
+            ),
+            UnitError::UnknownUnit { symbol, offset } => {
+                let units = known_units();
+                let hint = near_unit(&symbol, &units);
+                let message = format!("unknown unit `{}`", shorten(&symbol));
+                ("unknown-unit", message, hint, Some(offset))
+            }
+            UnitError::Ambiguous { offset } => (
+                "ambiguous-unit",
+                "a product after a quotient can be read in two ways".to_owned(),
+                Some("write products first, and a `/` before every divisor: \"N s/m\", \"N/m/s\"".to_owned()),
+                Some(offset),
+            ),
+            UnitError::Unexpected { found, offset } => (
+                "unknown-unit",
+                format!("`{found}` does not belong in a unit"),
+                Some("units are written like \"mm\", \"N m/rad\", \"kg/m^3\"".to_owned()),
+                Some(offset),
+            ),
+            UnitError::Incomplete { offset } => (
+                "unknown-unit",
+                "the unit is not complete".to_owned(),
+                None,
+                Some(offset),
+            ),
+        };
+        // The text's own bytes follow its opening quote.
+        let place = match offset {
+            Some(offset) => self.place().within(offset + 1..text.len() + 1),
+            None => self.place(),
+        };
+        let fault = self.refuse(code, message);
+        fault.place = Some(place);
+        fault.hints.extend(hint);
+        fault.hints.push(accepts);
+    }
+
+    fn mismatch(&mut self, text: &str, measure: Measure, mismatch: Mismatch, wanted: &Wanted) {
+        let name = last_name(&self.path).to_owned();
+        let value = measure.value;
+        let (code, message, hint) = match mismatch {
+            Mismatch::Bare => (
+                "missing-unit",
+                format!("`{name}` is a text without a unit: \"{}\"", shorten(text)),
+                format!("write {value} without quotes, or \"{value} {}\"", wanted.first.si()),
+            ),
+            Mismatch::FrequencyForSpeed => (
+                "wrong-unit",
+                format!("`{name}` is an angular speed, not a frequency"),
+                format!(
+                    "\"{value} rev/s\" or \"{} rad/s\"",
+                    short_number(value * std::f64::consts::TAU)
+                ),
+            ),
+            Mismatch::SpeedForFrequency => (
+                "wrong-unit",
+                format!("`{name}` is a frequency, not an angular speed"),
+                format!(
+                    "\"{} Hz\"",
+                    short_number(value / std::f64::consts::TAU)
+                ),
+            ),
+            Mismatch::Dimension => (
+                "wrong-unit",
+                format!("`{name}` has the wrong unit: \"{}\"", shorten(text)),
+                format!("it is {}", wanted.words()),
+            ),
+        };
+        let found = measure.dimension;
+        let fault = self.refuse(code, message);
+        fault.label = match mismatch {
+            Mismatch::Bare => String::new(),
+            _ => format!("this is in {found}"),
+        };
+        fault.hints.push(hint);
+    }
+}
+
+/// A unit that `symbol` may be a slip of: the same in other case first.
+fn near_unit(symbol: &str, units: &[String]) -> Option<String> {
+    let same = units
+        .iter()
+        .find(|unit| unit.to_lowercase() == symbol.to_lowercase());
+    let spelled = match symbol.to_lowercase().as_str() {
+        "degree" | "degrees" => Some("deg"),
+        "radian" | "radians" => Some("rad"),
+        "sec" | "second" | "seconds" => Some("s"),
+        "meter" | "metre" | "meters" | "metres" => Some("m"),
+        "newton" | "newtons" => Some("N"),
+        "kilogram" | "kilograms" => Some("kg"),
+        "micron" | "microns" => Some("µm"),
+        "hour" | "hours" | "hr" => Some("h"),
+        "minute" | "minutes" => Some("min"),
+        "revolution" | "revolutions" | "revs" | "turns" => Some("rev"),
+        _ => None,
+    };
+    match same.map(String::as_str).or(spelled) {
+        Some(unit) => Some(format!("did you mean `{unit}`?")),
+        None => did_you_mean(symbol, units.iter().map(String::as_str)),
+    }
+}
+
+fn shorten(text: &str) -> String {
+    match text.char_indices().nth(60) {
+        None => text.to_owned(),
+        Some((at, _)) => format!("{}…", &text[..at]),
+    }
+}
+
+/// A number with three significant digits, for hints.
+fn short_number(value: f64) -> String {
+    if value == 0.0 || !(1e-3..1e6).contains(&value.abs()) {
+        return format!("{value:.2e}");
+    }
+    let decimals = (2 - value.abs().log10().floor() as i32).max(0) as usize;
+    format!("{value:.decimals$}")
+}
