@@ -31,9 +31,7 @@ fn group<'a>(diagnostics: &'a Diagnostics, item: &'a Diagnostic) -> Group<'a> {
         Severity::Error => Level::ERROR,
         Severity::Warning => Level::WARNING,
     };
-    let title = level
-        .primary_title(printable(&item.message))
-        .id(item.code);
+    let title = level.primary_title(printable(&item.message)).id(item.code);
     let mut group = Group::with_title(title);
     for (source, marks) in marks_by_source(item) {
         if let Some(source) = diagnostics.sources.get(source) {

@@ -81,7 +81,10 @@ impl Place {
     pub fn within(&self, range: Range<usize>) -> Self {
         let end = self.range.end;
         let start = (self.range.start + range.start).min(end);
-        Self::new(self.source, start..(self.range.start + range.end).clamp(start, end))
+        Self::new(
+            self.source,
+            start..(self.range.start + range.end).clamp(start, end),
+        )
     }
 
     /// The first byte only: the opening bracket of an object or list.

@@ -1,10 +1,36 @@
 //! The objects of a scene: one file a kind.
+//!
+//! A new kind is one file and one line in [`KINDS`].
 
+mod body;
+mod cam;
+mod cam_follower;
+mod chain;
+mod crank;
+mod drive;
+mod geometry;
+mod load;
+mod measures;
+mod motor;
+mod pair;
+mod position;
+mod rocker;
+mod shaft;
+mod slider;
 pub mod spec;
 
 use crate::model::Coordinate;
+use crate::read::{Fields, Node};
 use spec::{ChainSpec, DriveSpec};
 use std::fmt;
+
+pub use cam_follower::CamFollower;
+pub use crank::Crank;
+pub use drive::Drive;
+pub use measures::Measures;
+pub use rocker::Rocker;
+pub use shaft::Shaft;
+pub use slider::Slider;
 
 /// An object as described in a scene.
 pub trait Object: fmt::Debug + Send + Sync {
@@ -26,3 +52,35 @@ pub enum Description<'a> {
     /// A chain of masses (or a rigid object) behind a driving pair.
     Chain(&'a ChainSpec),
 }
+
+/// A kind of object: how it is read from a scene.
+#[derive(Clone, Copy, Debug)]
+pub struct Kind {
+    /// The value of the property `kind`.
+    pub name: &'static str,
+    /// What it is, in one line.
+    pub doc: &'static str,
+    /// Whether it has an `input`.
+    pub driven: bool,
+    /// Whether it turns or slides, as far as the text tells.
+    pub coordinate: fn(&Node) -> Option<Coordinate>,
+    /// Reads its properties, those common to all kinds excepted.
+    pub read: fn(&mut Fields<'_>, &Context) -> Option<Box<dyn Object>>,
+}
+
+/// What an object's reading knows of its surroundings.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Context {
+    /// Whether the driver turns or slides; `None`: not known.
+    pub driver: Option<Coordinate>,
+}
+
+/// All kinds, in the order they are presented.
+pub const KINDS: &[Kind] = &[
+    drive::KIND,
+    shaft::KIND,
+    crank::KIND,
+    rocker::KIND,
+    slider::KIND,
+    cam_follower::KIND,
+];

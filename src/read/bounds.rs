@@ -55,12 +55,12 @@ impl Bounds {
 
     /// Whether a number lies within.
     pub fn hold(&self, number: f64) -> bool {
-        let above = self.lower.is_none_or(|(end, included)| {
-            number > end || (included && number == end)
-        });
-        let below = self.upper.is_none_or(|(end, included)| {
-            number < end || (included && number == end)
-        });
+        let above = self
+            .lower
+            .is_none_or(|(end, included)| number > end || (included && number == end));
+        let below = self
+            .upper
+            .is_none_or(|(end, included)| number < end || (included && number == end));
         above && below && !(self.not_zero && number == 0.0)
     }
 
@@ -84,11 +84,19 @@ impl Bounds {
     /// Writes them into a JSON Schema.
     pub(super) fn describe(&self, schema: &mut Map<String, Value>) {
         if let Some((end, included)) = self.lower {
-            let name = if included { "minimum" } else { "exclusiveMinimum" };
+            let name = if included {
+                "minimum"
+            } else {
+                "exclusiveMinimum"
+            };
             schema.insert(name.into(), json!(end));
         }
         if let Some((end, included)) = self.upper {
-            let name = if included { "maximum" } else { "exclusiveMaximum" };
+            let name = if included {
+                "maximum"
+            } else {
+                "exclusiveMaximum"
+            };
             schema.insert(name.into(), json!(end));
         }
         if self.not_zero {

@@ -145,9 +145,22 @@ impl<'a> Fields<'a> {
         value
     }
 
+    /// Reads a remark for people, which is no part of the canonical form.
+    pub fn remark(&mut self, name: &'static str, doc: &str) {
+        self.maybe(name, doc, |slot| slot.text());
+        if !self.describing() {
+            self.out.remove(name);
+        }
+    }
+
     /// Reads properties of which exactly one must be there.
     pub fn one_of<T>(&mut self, what: &'static str) -> OneOf<'_, 'a, T> {
         OneOf::new(self, what)
+    }
+
+    /// Number of faults and warnings noted so far.
+    pub fn faults(&self) -> usize {
+        self.reader.diagnostics.len()
     }
 
     /// Takes any further properties without looking at them.
@@ -162,9 +175,23 @@ impl<'a> Fields<'a> {
         }
     }
 
-    /// Adds a keyword to the schema of the object.
+    /// Notes that one of these properties is missing.
     pub(super) fn missing(&mut self, names: Vec<&'static str>, what: &'static str) {
         self.missing.push(Missing { names, what });
+    }
+
+    /// Notes that a property which is written must not be.
+    pub fn forbid(&mut self, name: &'static str, message: &str, hint: &str) -> bool {
+        let Some(member) = self.member(name) else {
+            return false;
+        };
+        self.known.push(name);
+        let fault = Diagnostic::error("contradiction", message)
+            .at(member.name_place.clone())
+            .path(join(&self.path, name))
+            .hint(hint);
+        self.reader.diagnostics.push(fault);
+        true
     }
 
     /// Notes a fault of a property (or of the object, when it is absent).
@@ -212,7 +239,10 @@ impl<'a> Fields<'a> {
         .at(late.name_place.clone())
         .path(join(&self.path, &late.name))
         .label(format!("`{}` given here", late.name))
-        .also(early.name_place.clone(), format!("`{}` given here", early.name))
+        .also(
+            early.name_place.clone(),
+            format!("`{}` given here", early.name),
+        )
         .hint(format!("remove `{}` or `{}`", early.name, late.name));
         push(&mut self.reader.diagnostics, fault);
         true

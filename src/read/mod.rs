@@ -29,3 +29,15 @@ pub use slot::{Reader, Slot};
 pub use suggest::{closest, did_you_mean, quoted_list};
 pub use text::{MAX_DEPTH, MAX_SIZE};
 pub use tree::{Member, Node, Value};
+
+/// Names that ids and loads may have, as a regular expression.
+pub const NAME_PATTERN: &str = "^[A-Za-z_][A-Za-z0-9_-]*$";
+
+/// True for a name that fits [`NAME_PATTERN`].
+pub fn is_name(name: &str) -> bool {
+    let mut bytes = name.bytes();
+    bytes
+        .next()
+        .is_some_and(|first| first.is_ascii_alphabetic() || first == b'_')
+        && bytes.all(|byte| byte.is_ascii_alphanumeric() || byte == b'_' || byte == b'-')
+}

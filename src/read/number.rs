@@ -36,6 +36,13 @@ impl Wanted {
         }
     }
 
+    /// Any unit at all: for a value of which it is not known what it measures,
+    /// because that is faulty itself.
+    pub fn anything() -> Self {
+        use crate::units::quantities::ANYTHING;
+        ANYTHING.into()
+    }
+
     fn quantities(&self) -> impl Iterator<Item = Quantity> {
         [Some(self.first), self.second].into_iter().flatten()
     }
@@ -114,11 +121,13 @@ impl Slot<'_> {
         let whole = value.fract() == 0.0 && (0.0..=9e15).contains(&value);
         if !whole || !range.contains(&(value as u64)) {
             let name = last_name(&self.path).to_owned();
-            let message = format!(
-                "`{name}` must be a whole number from {} to {}, found {value}",
-                range.start(),
-                range.end()
-            );
+            let (least, most) = (range.start(), range.end());
+            let message = match least == most {
+                true => format!("`{name}` must be {least}, found {value}"),
+                false => {
+                    format!("`{name}` must be a whole number from {least} to {most}, found {value}")
+                }
+            };
             self.refuse("out-of-range", message);
             return None;
         }
@@ -136,7 +145,11 @@ impl Slot<'_> {
             return None;
         }
         if !bounds.hold(value) {
-            let unit = if unit == "1" { String::new() } else { format!(" {unit}") };
+            let unit = if unit == "1" {
+                String::new()
+            } else {
+                format!(" {unit}")
+            };
             let message = format!("`{name}` must be {}, found {value}{unit}", bounds.words());
             self.refuse("out-of-range", message);
             return None;
@@ -164,7 +177,10 @@ impl Slot<'_> {
         let (code, message, hint, offset) = match error {
             UnitError::NoNumber => (
                 "not-a-number",
-                format!("`{name}` does not begin with a number: \"{}\"", shorten(text)),
+                format!(
+                    "`{name}` does not begin with a number: \"{}\"",
+                    shorten(text)
+                ),
                 None,
                 None,
             ),
@@ -189,7 +205,10 @@ impl Slot<'_> {
             UnitError::Ambiguous { offset } => (
                 "ambiguous-unit",
                 "a product after a quotient can be read in two ways".to_owned(),
-                Some("write products first, and a `/` before every divisor: \"N s/m\", \"N/m/s\"".to_owned()),
+                Some(
+                    "write products first, and a `/` before every divisor: \"N s/m\", \"N/m/s\""
+                        .to_owned(),
+                ),
                 Some(offset),
             ),
             UnitError::Unexpected { found, offset } => (
@@ -223,7 +242,10 @@ impl Slot<'_> {
             Mismatch::Bare => (
                 "missing-unit",
                 format!("`{name}` is a text without a unit: \"{}\"", shorten(text)),
-                format!("write {value} without quotes, or \"{value} {}\"", wanted.first.si()),
+                format!(
+                    "write {value} without quotes, or \"{value} {}\"",
+                    wanted.first.si()
+                ),
             ),
             Mismatch::FrequencyForSpeed => (
                 "wrong-unit",
@@ -236,10 +258,7 @@ impl Slot<'_> {
             Mismatch::SpeedForFrequency => (
                 "wrong-unit",
                 format!("`{name}` is a frequency, not an angular speed"),
-                format!(
-                    "\"{} Hz\"",
-                    short_number(value / std::f64::consts::TAU)
-                ),
+                format!("\"{} Hz\"", short_number(value / std::f64::consts::TAU)),
             ),
             Mismatch::Dimension => (
                 "wrong-unit",

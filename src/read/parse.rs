@@ -32,7 +32,9 @@ pub fn parse(name: &str, bytes: &[u8], sources: &mut Sources) -> Result<Node, Ve
     let decoded = text::decode(bytes);
     let id = sources.add(Arc::new(Source {
         name: name.to_owned(),
-        text: decoded.as_ref().map_or_else(|_| String::new(), |text| (*text).to_owned()),
+        text: decoded
+            .as_ref()
+            .map_or_else(|_| String::new(), |text| (*text).to_owned()),
     }));
     let at_start = |fault: Diagnostic| match fault.place {
         Some(_) => fault,
@@ -164,7 +166,8 @@ impl Builder<'_> {
 
     fn number(&mut self, literal: &ast::NumberLit<'_>, place: &Place) -> Value {
         let digits = literal.value.trim_start_matches('-');
-        let zero_first = digits.starts_with('0') && digits[1..].starts_with(|c: char| c.is_ascii_digit());
+        let zero_first =
+            digits.starts_with('0') && digits[1..].starts_with(|c: char| c.is_ascii_digit());
         match literal.value.parse() {
             Ok(number) if !zero_first => Value::Number(number),
             _ => {

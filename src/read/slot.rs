@@ -75,6 +75,21 @@ impl<'a> Slot<'a> {
         self.reader.describing
     }
 
+    /// Writes the schema by hand, when describing.
+    pub fn describe(self, schema: Json) {
+        *self.out = schema;
+    }
+
+    /// A definition written so far, when describing, to be changed in place.
+    pub fn definition(&mut self, name: &str) -> Option<&mut Json> {
+        self.reader.definitions.get_mut(name)
+    }
+
+    /// Where the property's name stands; the value itself when it has none.
+    pub fn name_place(&self) -> Place {
+        self.name_place.clone().unwrap_or_else(|| self.place())
+    }
+
     /// Address of the value.
     pub fn path(&self) -> &str {
         &self.path
@@ -117,6 +132,31 @@ impl<'a> Slot<'a> {
         }
     }
 
+    /// Reads the value and keeps the slot, to note faults of the value as a whole.
+    pub fn look<T>(&mut self, read: impl FnOnce(Slot<'_>) -> Option<T>) -> Option<T> {
+        read(self.reborrow())
+    }
+
+    /// Notes that an entry of this list is wrong.
+    pub fn refuse_item(
+        &mut self,
+        number: usize,
+        code: &'static str,
+        message: impl Into<String>,
+    ) -> &mut Diagnostic {
+        let item = match self.node.map(|node| &node.value) {
+            Some(Value::List(items)) => items.get(number).map(|item| item.place.clone()),
+            _ => None,
+        };
+        let path = format!("{}[{number}]", self.path);
+        let fault = self.refuse(code, message);
+        fault.path = path;
+        if let Some(place) = item {
+            fault.place = Some(place);
+        }
+        fault
+    }
+
     /// Reads `true` or `false`.
     pub fn flag(mut self) -> Option<bool> {
         if self.describing() {
@@ -144,7 +184,10 @@ impl<'a> Slot<'a> {
         match self.node?.text() {
             None => self.wrong_type("a text"),
             Some("") => {
-                self.refuse("out-of-range", format!("`{}` is empty", last_name(&self.path)));
+                self.refuse(
+                    "out-of-range",
+                    format!("`{}` is empty", last_name(&self.path)),
+                );
             }
             Some(text) => {
                 *self.out = json!(text);
@@ -267,7 +310,10 @@ impl<'a> Slot<'a> {
         second: impl FnOnce(Slot<'_>) -> Option<B>,
     ) -> Option<(A, B)> {
         if self.describing() {
-            let items = [self.inner("[0]", None, first).1, self.inner("[1]", None, second).1];
+            let items = [
+                self.inner("[0]", None, first).1,
+                self.inner("[1]", None, second).1,
+            ];
             *self.out = json!({
                 "type": "array", "prefixItems": items, "minItems": 2, "maxItems": 2
             });
@@ -290,32 +336,68 @@ impl<'a> Slot<'a> {
 
     /// Reads an object one way and anything else another way.
     pub fn object_or<T>(
-        mut self,
+        self,
         object: impl FnOnce(Slot<'_>) -> Option<T>,
         other: impl FnOnce(Slot<'_>) -> Option<T>,
     ) -> Option<T> {
+        self.fork(|value| matches!(value, Value::Object(_)), object, other)
+    }
+
+    /// Reads a text one way and anything else another way.
+    pub fn text_or<T>(
+        self,
+        text: impl FnOnce(Slot<'_>) -> Option<T>,
+        other: impl FnOnce(Slot<'_>) -> Option<T>,
+    ) -> Option<T> {
+        self.fork(|value| matches!(value, Value::Text(_)), text, other)
+    }
+
+    /// Reads `true` or `false` one way and anything else another way.
+    pub fn flag_or<T>(
+        self,
+        flag: impl FnOnce(Slot<'_>) -> Option<T>,
+        other: impl FnOnce(Slot<'_>) -> Option<T>,
+    ) -> Option<T> {
+        self.fork(|value| matches!(value, Value::Flag(_)), flag, other)
+    }
+
+    fn fork<T>(
+        mut self,
+        is_first: impl FnOnce(&Value) -> bool,
+        first: impl FnOnce(Slot<'_>) -> Option<T>,
+        other: impl FnOnce(Slot<'_>) -> Option<T>,
+    ) -> Option<T> {
         if self.describing() {
-            let mut forms = vec![self.inner("", None, other).1, self.inner("", None, object).1];
-            if let Some(inner) = forms[0].get_mut("anyOf").and_then(Json::as_array_mut) {
-                let mut flat = std::mem::take(inner);
-                flat.push(forms.pop().unwrap_or_default());
-                forms = flat;
-            }
-            *self.out = json!({ "anyOf": forms });
+            let forms = [self.inner("", None, other).1, self.inner("", None, first).1];
+            *self.out = any_of(forms);
+            return None;
+        }
+        match is_first(&self.node?.value) {
+            true => first(self),
+            false => other(self),
+        }
+    }
+
+    /// Reads a list one way (`Ok`) and anything else another way (`Err`); the
+    /// slot can still note faults afterwards.
+    pub fn list_or<A, B>(
+        &mut self,
+        list: impl FnOnce(Slot<'_>) -> Option<A>,
+        other: impl FnOnce(Slot<'_>) -> Option<B>,
+    ) -> Option<Result<A, B>> {
+        if self.describing() {
+            let forms = [self.inner("", None, other).1, self.inner("", None, list).1];
+            *self.out = any_of(forms);
             return None;
         }
         match self.node?.value {
-            Value::Object(_) => object(self),
-            _ => other(self),
+            Value::List(_) => list(self.reborrow()).map(Ok),
+            _ => other(self.reborrow()).map(Err),
         }
     }
 
     /// Reads a value whose schema is written once under a name.
-    pub fn defined<T>(
-        mut self,
-        name: &str,
-        read: impl FnOnce(Slot<'_>) -> Option<T>,
-    ) -> Option<T> {
+    pub fn defined<T>(mut self, name: &str, read: impl FnOnce(Slot<'_>) -> Option<T>) -> Option<T> {
         if !self.describing() {
             return read(self);
         }
@@ -328,7 +410,7 @@ impl<'a> Slot<'a> {
         None
     }
 
-    /// Adds a keyword to the schema just written, when describing.
+    /// Reads a value inside this one.
     pub(super) fn inner<T>(
         &mut self,
         suffix: &str,
@@ -346,6 +428,26 @@ impl<'a> Slot<'a> {
         let value = read(slot);
         (value, out)
     }
+}
+
+/// Two forms of a value; forms that are themselves alternatives are flattened.
+fn any_of(forms: [Json; 2]) -> Json {
+    let mut all = Vec::new();
+    let mut description = None;
+    for mut form in forms {
+        match form.get_mut("anyOf").and_then(Json::as_array_mut) {
+            Some(inner) => {
+                all.append(inner);
+                description = description.or_else(|| form.get("description").cloned());
+            }
+            None => all.push(form),
+        }
+    }
+    let mut schema = json!({ "anyOf": all });
+    if let Some(description) = description {
+        schema["description"] = description;
+    }
+    schema
 }
 
 fn wrong_length(name: &str, found: usize, wanted: &RangeInclusive<usize>) -> String {

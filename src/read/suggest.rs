@@ -50,7 +50,14 @@ mod tests {
 
     #[test]
     fn slips_are_recognised_and_strangers_are_not() {
-        let kinds = ["drive", "shaft", "crank", "rocker", "slider", "cam_follower"];
+        let kinds = [
+            "drive",
+            "shaft",
+            "crank",
+            "rocker",
+            "slider",
+            "cam_follower",
+        ];
         assert_eq!(closest("rokcer", kinds), Some("rocker"));
         assert_eq!(closest("Slider", kinds), Some("slider"));
         assert_eq!(closest("camfollower", kinds), Some("cam_follower"));

@@ -19,8 +19,9 @@ pub(super) fn decode(bytes: &[u8]) -> Result<&str, Diagnostic> {
         return Err(Diagnostic::error("too-large", message));
     }
     if bytes.starts_with(&[0xFF, 0xFE]) || bytes.starts_with(&[0xFE, 0xFF]) {
-        return Err(Diagnostic::error("not-utf8", "the file is UTF-16 text")
-            .hint("save it as UTF-8"));
+        return Err(
+            Diagnostic::error("not-utf8", "the file is UTF-16 text").hint("save it as UTF-8")
+        );
     }
     let bytes = bytes.strip_prefix(&[0xEF, 0xBB, 0xBF]).unwrap_or(bytes);
     std::str::from_utf8(bytes).map_err(|error| {
@@ -44,9 +45,8 @@ pub(super) fn check(text: &str, source: SourceId, offset: usize) -> Result<(), D
         );
     }
     if text.trim().is_empty() {
-        return Err(Diagnostic::error("empty", "the text is empty").hint(
-            r#"a scene is a JSON object: { "dam": 1, "name": …, "objects": …, "run": … }"#,
-        ));
+        return Err(Diagnostic::error("empty", "the text is empty")
+            .hint(r#"a scene is a JSON object: { "dam": 1, "name": …, "objects": …, "run": … }"#));
     }
     match too_deep(text.as_bytes()) {
         None => Ok(()),

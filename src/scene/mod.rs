@@ -1,5 +1,21 @@
 //! Scenes: what the engineer wrote, typed, in SI units, every value still knowing its place in the text.
 
+mod address;
+mod catalogue;
+mod document;
+mod expect;
+mod objects;
+mod overrides;
+mod root;
+mod run;
+mod schema;
+
+pub use catalogue::{BuiltIn, Catalogue, Layered};
+pub use document::{Document, Places, Reading};
+pub use overrides::Overrides;
+pub use schema::{schema, schema_text};
+
+use crate::graph::MechanismGraph;
 use crate::object::Object;
 use std::collections::BTreeMap;
 
@@ -16,6 +32,27 @@ pub struct Scene {
     pub expect: Vec<Expectation>,
     /// SHA-256 (hex) of the canonical scene: defaults filled in, SI, keys sorted.
     pub hash: String,
+}
+
+impl Scene {
+    /// Who drives whom.
+    pub fn graph(&self) -> MechanismGraph {
+        let pair = |(id, object): (&'_ String, &'_ SceneObject)| (id.clone(), object.input.clone());
+        let pairs: Vec<(String, Option<String>)> = self.objects.iter().map(pair).collect();
+        MechanismGraph::new(
+            pairs
+                .iter()
+                .map(|(id, input)| (id.as_str(), input.as_deref())),
+        )
+    }
+
+    /// Ids of all objects, every driver before what it drives, otherwise in
+    /// the order of the ids. A scene that was read has no cycles.
+    pub fn order(&self) -> Vec<String> {
+        let graph = self.graph();
+        let order = graph.order().unwrap_or_default();
+        order.into_iter().map(str::to_owned).collect()
+    }
 }
 
 /// An object of a scene.

@@ -246,7 +246,9 @@ mod tests {
     use std::f64::consts::PI;
 
     fn value(text: &str) -> f64 {
-        parse(text).unwrap_or_else(|e| panic!("{text}: {e:?}")).value
+        parse(text)
+            .unwrap_or_else(|e| panic!("{text}: {e:?}"))
+            .value
     }
 
     #[test]

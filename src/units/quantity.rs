@@ -41,6 +41,9 @@ impl Quantity {
     /// # Errors
     /// How it does not fit.
     pub fn accept(&self, measure: Measure) -> Result<f64, Mismatch> {
+        if *self == quantities::ANYTHING {
+            return Ok(measure.value);
+        }
         if measure.dimension == self.dimension && !(measure.bare && self.needs_unit()) {
             return Ok(measure.value);
         }
@@ -101,6 +104,8 @@ pub mod quantities {
         }
     }
 
+    /// Whatever is given: its meaning is not known.
+    pub const ANYTHING: Quantity = quantity("quantity", (0, 0, 0, 0), &["the figure's unit"]);
     /// Pure number.
     pub const NUMBER: Quantity = quantity("number", (0, 0, 0, 0), &["1", "%"]);
     /// Angle.
@@ -127,11 +132,7 @@ pub mod quantities {
     /// Force.
     pub const FORCE: Quantity = quantity("force", (1, 1, -2, 0), &["N", "kN", "MN"]);
     /// Moment.
-    pub const MOMENT: Quantity = quantity(
-        "moment",
-        (1, 2, -2, 0),
-        &["N m", "kN m", "N mm"],
-    );
+    pub const MOMENT: Quantity = quantity("moment", (1, 2, -2, 0), &["N m", "kN m", "N mm"]);
     /// Stiffness of a sliding object.
     pub const LINEAR_STIFFNESS: Quantity =
         quantity("stiffness", (1, 0, -2, 0), &["N/m", "N/mm", "kN/mm"]);
@@ -158,8 +159,11 @@ pub mod quantities {
     /// Speed of a sliding object.
     pub const LINEAR_SPEED: Quantity = quantity("speed", (0, 1, -1, 0), &["m/s", "mm/s", "m/min"]);
     /// Acceleration of a turning object.
-    pub const ANGULAR_ACCELERATION: Quantity =
-        quantity("angular acceleration", (0, 0, -2, 1), &["rad/s^2", "deg/s^2"]);
+    pub const ANGULAR_ACCELERATION: Quantity = quantity(
+        "angular acceleration",
+        (0, 0, -2, 1),
+        &["rad/s^2", "deg/s^2"],
+    );
     /// Acceleration of a sliding object.
     pub const LINEAR_ACCELERATION: Quantity =
         quantity("acceleration", (0, 1, -2, 0), &["m/s^2", "mm/s^2"]);
@@ -168,17 +172,22 @@ pub mod quantities {
     /// Power.
     pub const POWER: Quantity = quantity("power", (1, 2, -3, 0), &["W", "kW"]);
     /// Inverse speed of an angle.
-    pub const SECONDS_PER_ANGLE: Quantity =
-        loose("time per angle", (0, 0, 1, -1), &["s/rad", "s"]);
+    pub const SECONDS_PER_ANGLE: Quantity = loose("time per angle", (0, 0, 1, -1), &["s/rad", "s"]);
     /// Inverse speed of a length.
     pub const SECONDS_PER_LENGTH: Quantity =
         quantity("time per length", (0, -1, 1, 0), &["s/m", "s/mm"]);
     /// Ratio of a length to an angle.
-    pub const LENGTH_PER_ANGLE: Quantity =
-        loose("length per angle", (0, 1, 0, -1), &["m/rad", "mm/rad", "mm/rev", "mm"]);
+    pub const LENGTH_PER_ANGLE: Quantity = loose(
+        "length per angle",
+        (0, 1, 0, -1),
+        &["m/rad", "mm/rad", "mm/rev", "mm"],
+    );
     /// Ratio of an angle to a length.
-    pub const ANGLE_PER_LENGTH: Quantity =
-        loose("angle per length", (0, -1, 0, 1), &["rad/m", "rad/mm", "deg/mm"]);
+    pub const ANGLE_PER_LENGTH: Quantity = loose(
+        "angle per length",
+        (0, -1, 0, 1),
+        &["rad/m", "rad/mm", "deg/mm"],
+    );
 
     /// All of them.
     pub const ALL: &[Quantity] = &[
@@ -220,7 +229,11 @@ mod tests {
     fn every_quantity_takes_the_units_it_names() {
         for quantity in ALL {
             for (number, unit) in quantity.units.iter().enumerate() {
-                let text = if *unit == "1" { "2".to_owned() } else { format!("2 {unit}") };
+                let text = if *unit == "1" {
+                    "2".to_owned()
+                } else {
+                    format!("2 {unit}")
+                };
                 let measure = parse(&text).unwrap_or_else(|e| panic!("{text}: {e:?}"));
                 let value = quantity.accept(measure);
                 assert!(value.is_ok(), "{}: {unit}: {value:?}", quantity.name);

@@ -121,7 +121,12 @@ pub(crate) const UNITS: &[Unit] = &[
     unit("rad", Dimension::ANGLE, ONE, "µum"),
     unit("deg", Dimension::ANGLE, Scale::ratio(1.0, 180.0, 1), ""),
     unit("°", Dimension::ANGLE, Scale::ratio(1.0, 180.0, 1), ""),
-    unit("arcmin", Dimension::ANGLE, Scale::ratio(1.0, 10800.0, 1), ""),
+    unit(
+        "arcmin",
+        Dimension::ANGLE,
+        Scale::ratio(1.0, 10800.0, 1),
+        "",
+    ),
     unit(
         "arcsec",
         Dimension::ANGLE,

@@ -1,0 +1,189 @@
+//! What every driven object is underneath: a chain of masses behind a pair.
+
+use super::Context;
+use super::body;
+use super::geometry::Beam;
+use super::load::{self, On};
+use super::measures::Measures;
+use super::pair;
+use super::position::{self, Ends};
+use super::spec::{BodySpec, ChainSpec, InertiaSplit, LoadLawSpec, LoadSpec, PairSpec};
+use crate::model::{Closure, Coordinate, DampingLaw};
+use crate::position::PositionSpec;
+use crate::read::{Bounds, Fields};
+use crate::units::quantities as q;
+use serde_json::json;
+
+/// What a kind states of itself.
+#[derive(Clone, Debug)]
+pub(super) struct Rules {
+    /// Turning or sliding; `None`: the text says so.
+    pub(super) coordinate: Option<Coordinate>,
+    /// How inertia is split unless said otherwise.
+    pub(super) split: InertiaSplit,
+    /// The pair's closure unless said otherwise.
+    pub(super) closure: Closure,
+    /// What `geometry` describes.
+    pub(super) beam: Beam,
+    /// Position functions it may have.
+    pub(super) positions: &'static [&'static str],
+    /// Whether the position defaults to the ratio 1, and `backlash` is taken.
+    pub(super) geared: bool,
+}
+
+/// Reads a chain.
+pub(super) fn read(fields: &mut Fields<'_>, context: &Context, rules: &Rules) -> Option<ChainSpec> {
+    let own = Measures(rules.coordinate);
+    let driver = Measures(context.driver);
+    let lever = lever(fields, own);
+    let position = position(fields, own, driver, rules);
+    let body = body::read(fields, own, rules.beam, rules.split.clone());
+    let masses = body.as_ref().map(number_of_masses);
+    let pair = read_pair(fields, own, rules, masses);
+    let loads = load::read_all(
+        fields,
+        On::Chain {
+            own,
+            driver,
+            masses,
+        },
+    );
+    let chain = ChainSpec {
+        coordinate: rules.coordinate?,
+        position: position?,
+        lever: lever?,
+        body: body?,
+        pair: pair?,
+        loads: loads?,
+    };
+    warn_never_closed(fields, &chain);
+    Some(chain)
+}
+
+/// `lever_ratio`, or `lever_arm` where turning becomes sliding.
+fn lever(fields: &mut Fields<'_>, own: Measures) -> Option<f64> {
+    let ratio = fields.maybe("lever_ratio", "Factor on the position function.", |slot| {
+        slot.number(Bounds::NOT_ZERO)
+    });
+    if own.0 == Some(Coordinate::Turning) {
+        return Some(ratio?.unwrap_or(1.0));
+    }
+    let arm = fields.maybe(
+        "lever_arm",
+        "Arm on which an angle given by the position function becomes a length",
+        |slot| slot.quantity(q::LENGTH, Bounds::NOT_ZERO),
+    );
+    let clash = fields.clash("lever_ratio", "lever_arm", "an object has one lever");
+    let (ratio, arm) = (ratio?, arm?);
+    (!clash).then(|| ratio.or(arm).unwrap_or(1.0))
+}
+
+fn position(
+    fields: &mut Fields<'_>,
+    own: Measures,
+    driver: Measures,
+    rules: &Rules,
+) -> Option<PositionSpec> {
+    let arm = own.0 != Some(Coordinate::Turning) && fields.has("lever_arm");
+    let output = match arm {
+        true => Measures(Some(Coordinate::Turning)),
+        // The schema of a sliding object does not know of its arm.
+        false if fields.describing() && own.0 == Some(Coordinate::Sliding) => Measures(None),
+        false => own,
+    };
+    let definition = match (rules.geared, output.0) {
+        (true, _) => "geared_position",
+        (false, Some(Coordinate::Turning)) => "turning_position",
+        (false, _) => "position",
+    };
+    let ends = Ends { output, driver };
+    let doc = "Position function U(φ): where the driver asks this object to be.";
+    let read = |slot: crate::read::Slot<'_>| {
+        slot.defined(definition, |slot| {
+            position::read(slot, ends, rules.positions)
+        })
+    };
+    match rules.geared {
+        true => fields.or("position", doc, json!({ "ratio": 1.0 }), read),
+        false => fields.need("position", doc, read),
+    }
+}
+
+/// `pair`, or `backlash` for a form-closed pair with that gap.
+fn read_pair(
+    fields: &mut Fields<'_>,
+    own: Measures,
+    rules: &Rules,
+    masses: Option<usize>,
+) -> Option<PairSpec> {
+    let backlash = match rules.geared {
+        true => fields.maybe("backlash", "Backlash: gap of a form-closed pair", |slot| {
+            slot.quantity(own.displacement(), Bounds::NOT_NEGATIVE)
+        }),
+        false => Some(None),
+    };
+    let clash = fields.clash(
+        "backlash",
+        "pair",
+        "backlash is the gap of a form-closed pair",
+    );
+    let pair = fields.or("pair", "The driving pair.", json!({}), |slot| {
+        pair::read(slot, own, rules.closure)
+    });
+    let (backlash, mut pair) = (backlash?, pair?);
+    let mut gap_name = "pair";
+    if let Some(gap) = backlash {
+        gap_name = "backlash";
+        pair = PairSpec {
+            closure: Closure::Form,
+            gap,
+            opens: 1.0,
+            law: DampingLaw::KelvinVoigt,
+        };
+    }
+    if masses == Some(0) && pair.closure == Closure::Form {
+        let fault = fields.refuse(
+            gap_name,
+            "contradiction",
+            "a rigid object cannot have a pair with a gap",
+        );
+        fault.hints.push(
+            "give the object at least one mass, or closure `bilateral` or `force`".to_owned(),
+        );
+        return None;
+    }
+    (!clash).then_some(pair)
+}
+
+fn number_of_masses(body: &BodySpec) -> usize {
+    match body {
+        BodySpec::Rigid { .. } => 0,
+        BodySpec::Uniform { masses, .. } => *masses,
+        BodySpec::Lists { inertias, .. } => inertias.len(),
+    }
+}
+
+/// A force closure whose only loads are constant and pull it open.
+fn warn_never_closed(fields: &mut Fields<'_>, chain: &ChainSpec) {
+    let constant = |load: &LoadSpec| match load.law {
+        LoadLawSpec::Constant(force) => Some(force),
+        _ => None,
+    };
+    let forces: Option<Vec<f64>> = chain.loads.iter().map(constant).collect();
+    let Some(forces) = forces.filter(|forces| !forces.is_empty()) else {
+        return;
+    };
+    let opening = forces.iter().sum::<f64>() * chain.pair.opens;
+    if chain.pair.closure == Closure::Force && opening > 0.0 {
+        let message = "these loads pull the force-closed pair open and can never close it";
+        let towards = if chain.pair.opens > 0.0 {
+            "negative"
+        } else {
+            "positive"
+        };
+        let warning = fields.warn("loads", "never-closes", message);
+        warning.hints.push(format!(
+            "a closing load is {towards} here; or turn the pair round with `opens`"
+        ));
+    }
+}

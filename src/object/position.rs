@@ -1,0 +1,313 @@
+//! Position functions.
+
+use super::cam;
+use super::load::points;
+use super::measures::Measures;
+use crate::model::Coordinate::{Sliding, Turning};
+use crate::position::PositionSpec;
+use crate::read::{Bounds, Fields, Slot, Wanted};
+use crate::units::quantities as q;
+use serde_json::json;
+
+/// Most coefficients of a polynomial.
+const MOST_COEFFICIENTS: usize = 64;
+
+/// Names of all position functions.
+pub(super) const ALL: &[&str] = &[
+    "ratio",
+    "sine",
+    "polynomial",
+    "table",
+    "slider_crank",
+    "four_bar",
+    "cam",
+];
+
+/// What a position function leads from and to.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Ends {
+    /// What it gives.
+    pub(super) output: Measures,
+    /// What it is given.
+    pub(super) driver: Measures,
+}
+
+/// Reads `position`. Only the functions in `allowed` are described; any other
+/// is read too, to say what is wrong with it.
+pub(super) fn read(slot: Slot<'_>, ends: Ends, allowed: &[&str]) -> Option<PositionSpec> {
+    slot.record(|fields| {
+        let describing = fields.describing();
+        let shown = |name: &str| !describing || allowed.contains(&name);
+        let mut function = fields.one_of("the position function");
+        if shown("ratio") {
+            function.case("ratio", "Constant ratio: U = ratio·φ + offset.", |slot| {
+                ratio(slot, ends)
+            });
+        }
+        if shown("sine") {
+            function.case(
+                "sine",
+                "U = amplitude·sin(harmonic·φ + phase) + offset.",
+                |slot| sine(slot, ends),
+            );
+        }
+        if shown("polynomial") {
+            function.case(
+                "polynomial",
+                "U = a₀ + a₁·φ + a₂·φ² + …",
+                |slot| polynomial(slot, ends),
+            );
+        }
+        if shown("table") {
+            function.case("table", "Smooth spline through given points.", |slot| {
+                table(slot, ends)
+            });
+        }
+        if shown("slider_crank") && ends.output.0 != Some(Turning) || !describing {
+            function.case(
+                "slider_crank",
+                "Slider-crank: distance of the slide from the crank's axis.",
+                slider_crank,
+            );
+        }
+        if shown("four_bar") && ends.output.0 != Some(Sliding) || !describing {
+            function.case(
+                "four_bar",
+                "Four-bar linkage: angle of the driven lever.",
+                four_bar,
+            );
+        }
+        if shown("cam") {
+            function.case("cam", "Cam with rise, dwell, return and rest.", |slot| {
+                cam::read(slot, ends.output)
+            });
+        }
+        let function = function.finish()?;
+        check(fields, &function, ends, allowed).then_some(function)
+    })
+}
+
+/// Whether the function fits the object and its driver.
+fn check(fields: &mut Fields<'_>, function: &PositionSpec, ends: Ends, allowed: &[&str]) -> bool {
+    let (name, turning_driver, output) = match function {
+        PositionSpec::Ratio { .. } => ("ratio", false, None),
+        PositionSpec::Sine { .. } => ("sine", false, None),
+        PositionSpec::Polynomial { .. } => ("polynomial", false, None),
+        PositionSpec::Table { .. } => ("table", false, None),
+        PositionSpec::SliderCrank { .. } => ("slider_crank", true, Some(Sliding)),
+        PositionSpec::FourBar { .. } => ("four_bar", true, Some(Turning)),
+        PositionSpec::Cam(_) => ("cam", true, None),
+    };
+    let before = fields.faults();
+    if !allowed.contains(&name) {
+        let fault = fields.refuse(
+            name,
+            "contradiction",
+            format!("`{name}` does not fit this kind of object"),
+        );
+        fault.hints.push(format!(
+            "it takes {}",
+            crate::read::quoted_list(allowed.iter().copied(), "or")
+        ));
+    }
+    match (output, ends.output.0) {
+        (Some(Sliding), Some(Turning)) => {
+            let message = format!("`{name}` gives a length, but an angle is wanted here");
+            let fault = fields.refuse(name, "contradiction", message);
+            fault
+                .hints
+                .push("use it for a `slider` or a sliding `cam_follower`".to_owned());
+        }
+        (Some(Turning), Some(Sliding)) => {
+            let message = format!("`{name}` gives an angle, but a length is wanted here");
+            let fault = fields.refuse(name, "contradiction", message);
+            fault
+                .hints
+                .push("add `lever_arm`, or use a turning object".to_owned());
+        }
+        _ => {}
+    }
+    if turning_driver && ends.driver.0 == Some(Sliding) {
+        let message = format!("`{name}` needs a driver that turns, but this one slides");
+        fields.refuse(name, "contradiction", message);
+    }
+    fields.faults() == before
+}
+
+fn any(wanted: impl Into<Wanted>) -> impl Fn(Slot<'_>) -> Option<f64> {
+    let wanted = wanted.into();
+    move |slot| slot.quantity(wanted, Bounds::ANY)
+}
+
+fn length(fields: &mut Fields<'_>, name: &'static str, doc: &str) -> Option<f64> {
+    fields.need(name, doc, |slot| slot.quantity(q::LENGTH, Bounds::POSITIVE))
+}
+
+pub(super) fn phase(fields: &mut Fields<'_>) -> Option<f64> {
+    fields.or(
+        "phase",
+        "Added to the driver's angle",
+        json!(0.0),
+        any(q::ANGLE),
+    )
+}
+
+fn branch(fields: &mut Fields<'_>, doc: &str) -> Option<f64> {
+    fields.or("branch", doc, json!("+"), |slot| {
+        slot.choice(&[("+", 1.0), ("-", -1.0)])
+    })
+}
+
+fn ratio(slot: Slot<'_>, ends: Ends) -> Option<PositionSpec> {
+    let factor =
+        move |slot: Slot<'_>| slot.quantity(ends.output.per(ends.driver), Bounds::NOT_ZERO);
+    slot.object_or(
+        |slot| {
+            slot.record(|fields| {
+                let ratio = fields.need("ratio", "U′", factor);
+                let offset = fields.or(
+                    "offset",
+                    "U at φ = 0",
+                    json!(0.0),
+                    any(ends.output.displacement()),
+                );
+                Some(PositionSpec::Ratio {
+                    ratio: ratio?,
+                    offset: offset?,
+                })
+            })
+        },
+        |slot| {
+            let ratio = factor(slot)?;
+            Some(PositionSpec::Ratio { ratio, offset: 0.0 })
+        },
+    )
+}
+
+fn sine(slot: Slot<'_>, ends: Ends) -> Option<PositionSpec> {
+    slot.record(|fields| {
+        let amplitude = fields.need(
+            "amplitude",
+            "Half the stroke",
+            any(ends.output.displacement()),
+        );
+        let turning = Measures(Some(Turning));
+        let harmonic = fields.or(
+            "harmonic",
+            "Oscillations per turn of the driver",
+            json!(1.0),
+            |slot| slot.quantity(turning.per(ends.driver), Bounds::NOT_ZERO),
+        );
+        let phase = fields.or("phase", "Phase at φ = 0", json!(0.0), any(q::ANGLE));
+        let offset = fields.or(
+            "offset",
+            "Middle of the stroke",
+            json!(0.0),
+            any(ends.output.displacement()),
+        );
+        Some(PositionSpec::Sine {
+            amplitude: amplitude?,
+            harmonic: harmonic?,
+            phase: phase?,
+            offset: offset?,
+        })
+    })
+}
+
+fn polynomial(slot: Slot<'_>, ends: Ends) -> Option<PositionSpec> {
+    slot.record(|fields| {
+        let coefficients = fields.need(
+            "coefficients",
+            "a₀, a₁, a₂, … in SI units (or texts with units), lowest power first.",
+            |slot| {
+                let mut power = 0;
+                slot.list(1..=MOST_COEFFICIENTS, |slot| {
+                    let wanted = ends.output.coefficient(ends.driver, power);
+                    power += 1;
+                    slot.quantity(wanted, Bounds::ANY)
+                })
+            },
+        );
+        Some(PositionSpec::Polynomial {
+            coefficients: coefficients?,
+        })
+    })
+}
+
+fn table(slot: Slot<'_>, ends: Ends) -> Option<PositionSpec> {
+    slot.record(|fields| {
+        let points = fields.need(
+            "points",
+            "List of [driver's displacement, displacement], at least three, the first values ascending.",
+            |slot| points(slot, ends.driver.displacement(), ends.output.displacement(), 3),
+        );
+        let periodic = fields.or(
+            "periodic",
+            "True: the last point closes the period; it has the displacement of the first.",
+            json!(false),
+            |slot| slot.flag(),
+        );
+        let slope = any(ends.output.per(ends.driver));
+        let slopes = fields.or("end_slopes", "Slopes U′ at both ends of a table that is not periodic", json!([0.0, 0.0]), |slot| {
+            slot.pair(&slope, &slope)
+        });
+        let (points, periodic, end_slopes) = (points?, periodic?, slopes?);
+        let (first, last) = (points[0].1, points[points.len() - 1].1);
+        let size = points.iter().fold(0.0, |size: f64, point| size.max(point.1.abs()));
+        if periodic && (last - first).abs() > 1e-9 * size {
+            let message = format!("the last point of a periodic table must come back to {first}, found {last}");
+            fields.refuse("points", "contradiction", message);
+            return None;
+        }
+        if periodic && fields.has("end_slopes") {
+            fields.refuse("end_slopes", "contradiction", "a periodic table has no ends");
+            return None;
+        }
+        Some(PositionSpec::Table {
+            points,
+            periodic,
+            end_slopes,
+        })
+    })
+}
+
+fn slider_crank(slot: Slot<'_>) -> Option<PositionSpec> {
+    slot.record(|fields| {
+        let crank = length(fields, "crank", "Crank radius r");
+        let rod = length(fields, "rod", "Connecting rod length l");
+        let offset = fields.or(
+            "offset",
+            "Offset e of the guide from the crank's axis",
+            json!(0.0),
+            any(q::LENGTH),
+        );
+        let branch = branch(fields, "Side of the crank's axis on which the slide runs.");
+        let phase = phase(fields);
+        Some(PositionSpec::SliderCrank {
+            crank: crank?,
+            rod: rod?,
+            offset: offset?,
+            branch: branch?,
+            phase: phase?,
+        })
+    })
+}
+
+fn four_bar(slot: Slot<'_>) -> Option<PositionSpec> {
+    slot.record(|fields| {
+        let crank = length(fields, "crank", "Length of the driving crank");
+        let coupler = length(fields, "coupler", "Length of the coupler");
+        let rocker = length(fields, "rocker", "Length of the driven lever");
+        let frame = length(fields, "frame", "Distance of the fixed pivots");
+        let branch = branch(fields, "`+`: open, `-`: crossed.");
+        let phase = phase(fields);
+        Some(PositionSpec::FourBar {
+            crank: crank?,
+            coupler: coupler?,
+            rocker: rocker?,
+            frame: frame?,
+            branch: branch?,
+            phase: phase?,
+        })
+    })
+}

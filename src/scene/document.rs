@@ -1,0 +1,265 @@
+//! A scene's text, read once; decoded as often as wanted with other overrides.
+
+use super::overrides::{self, Overrides};
+use super::{Catalogue, Scene, address, root};
+use crate::diagnostics::{Diagnostic, Diagnostics, Place, Sources};
+use crate::fault::Fault;
+use crate::read::{self, Member, Node, Reader, Value, did_you_mean};
+use sha2::{Digest, Sha256};
+use std::fmt::Write;
+
+/// A scene's text as a tree.
+#[derive(Clone, Debug)]
+pub struct Document {
+    sources: Sources,
+    root: Node,
+}
+
+/// A scene, read and checked, with what reading it left behind.
+#[derive(Debug)]
+pub struct Reading {
+    /// The scene.
+    pub scene: Scene,
+    /// What the user should know.
+    pub warnings: Diagnostics,
+    /// The canonical scene: defaults filled in, SI units, names sorted.
+    pub canonical: serde_json::Value,
+    /// Where each property stands.
+    pub places: Places,
+}
+
+/// Where each property of a scene stands.
+#[derive(Clone, Debug)]
+pub struct Places {
+    sources: Sources,
+    root: Node,
+}
+
+impl Document {
+    /// Reads a scene's text. `name` is shown in diagnostics.
+    ///
+    /// # Errors
+    /// Not UTF-8, larger than 4 MiB, nested deeper than 64, not strict JSON,
+    /// names given twice.
+    pub fn parse(name: &str, bytes: &[u8]) -> Result<Self, Diagnostics> {
+        let mut sources = Sources::default();
+        match read::parse(name, bytes, &mut sources) {
+            Ok(root) => Ok(Self { sources, root }),
+            Err(faults) => Err(Diagnostics::new(sources, faults)),
+        }
+    }
+
+    /// The text itself.
+    pub fn text(&self) -> &str {
+        self.sources.get(0).map_or("", |source| &source.text)
+    }
+
+    /// Decodes the scene, with catalogue objects copied in and properties
+    /// overridden.
+    ///
+    /// # Errors
+    /// Everything that is wrong, at once; warnings among it.
+    pub fn scene(
+        &self,
+        catalogue: &dyn Catalogue,
+        overrides: &Overrides,
+    ) -> Result<Reading, Diagnostics> {
+        let mut sources = self.sources.clone();
+        let mut faults = Vec::new();
+        let tree = self.tree(catalogue, overrides, &mut sources, &mut faults);
+        let mut reader = Reader::new();
+        let (read, canonical) = reader.read(Some(&tree), "", root::read);
+        faults.append(&mut reader.diagnostics);
+        let diagnostics = Diagnostics::new(sources.clone(), faults);
+        match read {
+            Some(read) if !diagnostics.has_errors() => Ok(Reading {
+                scene: Scene {
+                    name: read.name,
+                    objects: read.objects,
+                    run: read.run,
+                    expect: read.expect,
+                    hash: hash(&canonical),
+                },
+                warnings: diagnostics,
+                canonical,
+                places: Places {
+                    sources,
+                    root: tree,
+                },
+            }),
+            _ => Err(diagnostics),
+        }
+    }
+
+    /// The tree to be decoded.
+    fn tree(
+        &self,
+        catalogue: &dyn Catalogue,
+        overrides: &Overrides,
+        sources: &mut Sources,
+        faults: &mut Vec<Diagnostic>,
+    ) -> Node {
+        let mut tree = self.root.clone();
+        let changes = overrides::read(overrides, sources, faults);
+        let (early, late): (Vec<_>, Vec<_>) =
+            changes.iter().partition(|change| change.chooses_from());
+        for change in early {
+            faults.extend(overrides::apply(&mut tree, change).err());
+        }
+        copy_from_catalogue(&mut tree, catalogue, sources, faults);
+        for change in late {
+            faults.extend(overrides::apply(&mut tree, change).err());
+        }
+        tree
+    }
+}
+
+/// Replaces every `from` by what it names.
+fn copy_from_catalogue(
+    tree: &mut Node,
+    catalogue: &dyn Catalogue,
+    sources: &mut Sources,
+    faults: &mut Vec<Diagnostic>,
+) {
+    let Value::Object(top) = &mut tree.value else {
+        return;
+    };
+    let Some(objects) = top.iter_mut().find(|member| member.name == "objects") else {
+        return;
+    };
+    let Value::Object(objects) = &mut objects.value.value else {
+        return;
+    };
+    for object in objects {
+        let Value::Object(members) = &mut object.value.value else {
+            continue;
+        };
+        let Some(at) = members.iter().position(|member| member.name == "from") else {
+            continue;
+        };
+        let from = members.remove(at);
+        match catalogue_members(&from, &object.name, catalogue, sources) {
+            Ok(mut copied) => {
+                copied.retain(|copy| members.iter().all(|own| own.name != copy.name));
+                members.append(&mut copied);
+            }
+            Err(mut found) => {
+                faults.append(&mut found);
+                // What is missing would be in the catalogue: say nothing of it.
+                members.retain(|member| member.name != "kind");
+                members.push(from);
+            }
+        }
+    }
+}
+
+fn catalogue_members(
+    from: &Member,
+    id: &str,
+    catalogue: &dyn Catalogue,
+    sources: &mut Sources,
+) -> Result<Vec<Member>, Vec<Diagnostic>> {
+    let fault = |code, message: String| {
+        Diagnostic::error(code, message)
+            .at(from.value.place.clone())
+            .path(format!("{id}.from"))
+    };
+    let Some(name) = from.value.text() else {
+        let message = format!("`from` must be a text, found {}", from.value.type_name());
+        return Err(vec![fault("wrong-type", message)]);
+    };
+    let Some((file, text)) = catalogue.lookup(name) else {
+        let names = catalogue.names();
+        let guess = did_you_mean(name, names.iter().map(String::as_str));
+        let all = || {
+            format!(
+                "the catalogue has {}",
+                read::quoted_list(names.iter().map(String::as_str).take(40), "and")
+            )
+        };
+        let message = format!("the catalogue has no object `{name}`");
+        return Err(vec![
+            fault("unknown-catalogue-object", message).hint(guess.unwrap_or_else(all)),
+        ]);
+    };
+    let node = read::parse(&file, text.as_bytes(), sources)?;
+    let Value::Object(mut members) = node.value else {
+        let message = "a catalogue file holds one object's properties".to_owned();
+        return Err(vec![
+            Diagnostic::error("wrong-type", message).at(node.place),
+        ]);
+    };
+    if let Some(nested) = members.iter().find(|member| member.name == "from") {
+        let message = "a catalogue object cannot copy another one";
+        return Err(vec![
+            Diagnostic::error("contradiction", message).at(nested.name_place.clone()),
+        ]);
+    }
+    members.retain(|member| !["source", "description"].contains(&member.name.as_str()));
+    Ok(members)
+}
+
+/// SHA-256 of the canonical scene, in hexadecimal.
+fn hash(canonical: &serde_json::Value) -> String {
+    let mut text = String::new();
+    write_sorted(canonical, &mut text);
+    let mut hash = String::new();
+    for byte in Sha256::digest(text.as_bytes()) {
+        // Writing to a string cannot fail.
+        let _ = write!(hash, "{byte:02x}");
+    }
+    hash
+}
+
+/// JSON with sorted names, whatever order the map type keeps.
+fn write_sorted(value: &serde_json::Value, out: &mut String) {
+    use serde_json::Value as Json;
+    match value {
+        Json::Object(map) => {
+            let mut names: Vec<&String> = map.keys().collect();
+            names.sort();
+            out.push('{');
+            for name in names {
+                out.push_str(&Json::String(name.clone()).to_string());
+                out.push(':');
+                write_sorted(&map[name], out);
+                out.push(',');
+            }
+            out.push('}');
+        }
+        Json::Array(items) => {
+            out.push('[');
+            for item in items {
+                write_sorted(item, out);
+                out.push(',');
+            }
+            out.push(']');
+        }
+        other => out.push_str(&other.to_string()),
+    }
+}
+
+impl Places {
+    /// Where the property at an address stands; the nearest part of the
+    /// address that exists.
+    pub fn locate(&self, path: &str) -> Place {
+        address::locate(&self.root, path)
+    }
+
+    /// Faults found later as diagnostics with their places.
+    pub fn diagnose(&self, faults: &[Fault]) -> Diagnostics {
+        let items = faults.iter().map(|fault| {
+            let hint = (!fault.hint.is_empty()).then(|| fault.hint.clone());
+            Diagnostic::error("model", fault.message.clone())
+                .at(self.locate(&fault.path))
+                .path(fault.path.clone())
+                .maybe_hint(hint)
+        });
+        Diagnostics::new(self.sources.clone(), items.collect())
+    }
+
+    /// The texts that the scene was read from.
+    pub fn sources(&self) -> &Sources {
+        &self.sources
+    }
+}
