@@ -60,6 +60,14 @@ impl Faults {
         }
     }
 
+    /// Requires a finite number other than zero.
+    pub(crate) fn not_zero(&mut self, path: &str, value: f64) {
+        if !value.is_finite() || value == 0.0 {
+            let message = format!("{value} is zero or not a number");
+            self.add(path, message, "give a number other than zero");
+        }
+    }
+
     /// Requires at least `least` finite points with strictly ascending arguments.
     pub(crate) fn points(&mut self, path: &str, points: &[(f64, f64)], least: usize) {
         if points.len() < least {
@@ -86,6 +94,16 @@ impl Faults {
             faults if faults.is_empty() => Ok(()),
             faults => Err(faults),
         }
+    }
+
+    /// True when nothing is wrong so far.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    /// Adds faults found elsewhere.
+    pub(crate) fn append(&mut self, faults: Vec<Fault>) {
+        self.0.extend(faults);
     }
 
     /// Adds faults found elsewhere, their paths being relative to `prefix`.

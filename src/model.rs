@@ -35,6 +35,8 @@ pub struct Model {
     pub objects: Vec<ObjectPart>,
     /// State at t = 0.
     pub start: Start,
+    /// What the user should know before the run.
+    pub warnings: Vec<String>,
 }
 
 /// Turning or sliding.
@@ -85,6 +87,13 @@ pub enum NodeMotion {
         /// The constraint.
         law: Law,
     },
+}
+
+impl NodeMotion {
+    /// True when the node's motion is state of the system.
+    pub fn is_free(&self) -> bool {
+        matches!(self, Self::Rotor { .. } | Self::Mass { .. })
+    }
 }
 
 /// U(φ_driver), the motion the driver asks for.

@@ -1,0 +1,249 @@
+//! Chains of masses, and rigid objects.
+
+use super::Lowering;
+use crate::fault::{Fault, Faults};
+use crate::model::{
+    Closure, DampingLaw, Law, Link, LinkBase, Node, NodeIndex, NodeMotion, Pair, TrackSource,
+};
+use crate::object::spec::{BodySpec, ChainSpec, InertiaSplit, PairSpec};
+use crate::position::Position;
+use std::f64::consts::TAU;
+
+/// Inertia, stiffness and damping of every mass and link of a chain, link m
+/// before mass m; lists of length n, empty for a rigid object.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct ChainParameters {
+    /// J_m (kg·m² or kg).
+    pub inertias: Vec<f64>,
+    /// c_m (N·m/rad or N/m).
+    pub stiffnesses: Vec<f64>,
+    /// b_m (N·m·s/rad or N·s/m).
+    pub dampings: Vec<f64>,
+}
+
+impl ChainParameters {
+    /// The parameters of a body.
+    ///
+    /// From few data: J_m by the split; c_m = n·c, so that the series
+    /// stiffness is c; b_m = ψ·c_m/(2π·ω₀) with ω₀ = √(c/J), so that the
+    /// series damper is ψ·√(cJ)/(2π), for every n.
+    ///
+    /// # Errors
+    /// Numbers out of range and lists that do not match; paths relative to
+    /// the object.
+    pub fn new(body: &BodySpec) -> Result<Self, Vec<Fault>> {
+        let mut faults = Faults::default();
+        let parameters = match body {
+            BodySpec::Rigid { inertia } => {
+                faults.not_negative("inertia", *inertia);
+                Self::default()
+            }
+            BodySpec::Uniform {
+                inertia,
+                stiffness,
+                damping_capacity,
+                masses,
+                split,
+            } => {
+                faults.positive("inertia", *inertia);
+                faults.positive("stiffness", *stiffness);
+                faults.not_negative("damping_capacity", *damping_capacity);
+                if *masses == 0 {
+                    faults.add("masses", "an elastic object has masses", "give at least 1");
+                }
+                let shares = shares(&mut faults, split, *masses);
+                let chain_stiffness = *masses as f64 * stiffness;
+                let base_frequency = (stiffness / inertia).sqrt();
+                let damping = damping_capacity * chain_stiffness / (TAU * base_frequency);
+                Self {
+                    inertias: shares.iter().map(|share| share * inertia).collect(),
+                    stiffnesses: vec![chain_stiffness; *masses],
+                    dampings: vec![damping; *masses],
+                }
+            }
+            BodySpec::Lists {
+                inertias,
+                stiffnesses,
+                dampings,
+            } => Self {
+                inertias: inertias.clone(),
+                stiffnesses: stiffnesses.clone(),
+                dampings: dampings.clone(),
+            },
+        };
+        faults.check()?;
+        if !matches!(body, BodySpec::Rigid { .. }) {
+            parameters.check(&mut faults);
+        }
+        faults.check()?;
+        Ok(parameters)
+    }
+
+    fn check(&self, faults: &mut Faults) {
+        let masses = self.inertias.len();
+        if masses == 0 {
+            faults.add("inertias", "the list is empty", "give one inertia a mass");
+        }
+        for (name, list) in [
+            ("stiffnesses", &self.stiffnesses),
+            ("dampings", &self.dampings),
+        ] {
+            if list.len() != masses {
+                let message = format!("{} values for {masses} masses", list.len());
+                faults.add(name, message, "give one value a mass");
+            }
+        }
+        for (index, &inertia) in self.inertias.iter().enumerate() {
+            faults.positive(&format!("inertias[{index}]"), inertia);
+        }
+        for (index, &stiffness) in self.stiffnesses.iter().enumerate() {
+            faults.positive(&format!("stiffnesses[{index}]"), stiffness);
+        }
+        for (index, &damping) in self.dampings.iter().enumerate() {
+            faults.not_negative(&format!("dampings[{index}]"), damping);
+        }
+    }
+}
+
+/// Share of the inertia in each fragment.
+fn shares(faults: &mut Faults, split: &InertiaSplit, masses: usize) -> Vec<f64> {
+    let count = masses as f64;
+    match split {
+        InertiaSplit::Equal => vec![1.0 / count; masses],
+        // m³ − (m−1)³ = 3m(m−1) + 1, whole numbers without rounding.
+        InertiaSplit::Cubes => (1..=masses)
+            .map(|m| (3.0 * m as f64 * (m as f64 - 1.0) + 1.0) / (count * count * count))
+            .collect(),
+        InertiaSplit::Shares(shares) => {
+            if shares.len() != masses {
+                let message = format!("{} shares for {masses} masses", shares.len());
+                faults.add("split", message, "give one share a mass");
+            }
+            for (index, &share) in shares.iter().enumerate() {
+                faults.positive(&format!("split[{index}]"), share);
+            }
+            let sum: f64 = shares.iter().sum();
+            if (sum - 1.0).abs() > 1e-6 {
+                let message = format!("the shares make {sum}, not 1");
+                faults.add("split", message, "give shares that sum to 1");
+            }
+            shares.clone()
+        }
+    }
+}
+
+impl<'a> Lowering<'a> {
+    /// Lowers a chain or a rigid object to its nodes, links and loads.
+    pub(super) fn chain(&mut self, id: &'a str, spec: &ChainSpec) {
+        let law = self.law(id, spec);
+        let parameters = ChainParameters::new(&spec.body);
+        let pair = self.pair(id, spec);
+        let (law, parameters) = match (law, parameters) {
+            (Some(law), Ok(parameters)) => (law, parameters),
+            (_, Err(faults)) => return self.faults.absorb(id, faults),
+            _ => return,
+        };
+        let driver = law.driver;
+        if let BodySpec::Rigid { inertia } = spec.body {
+            self.model.objects[self.indices[id]].rigid_pair = Some(pair);
+            let motion = NodeMotion::Rigid { law };
+            self.add_output(id, Node { inertia, motion });
+        } else {
+            self.masses(id, &parameters, &law, pair);
+        }
+        let nodes = self.model.objects[self.indices[id]].nodes.clone();
+        for load in &spec.loads {
+            self.load(id, load, &nodes, driver);
+        }
+    }
+
+    fn masses(&mut self, id: &'a str, parameters: &ChainParameters, law: &Law, pair: Pair) {
+        let mut before: Option<NodeIndex> = None;
+        for (index, &inertia) in parameters.inertias.iter().enumerate() {
+            let motion = NodeMotion::Mass { law: law.clone() };
+            let mass = self.add_output(id, Node { inertia, motion });
+            let base = match before {
+                None => LinkBase::Law { pair },
+                Some(node) => LinkBase::Mass(node),
+            };
+            self.model.links.push(Link {
+                mass,
+                base,
+                stiffness: parameters.stiffnesses[index],
+                damping: parameters.dampings[index],
+            });
+            let link = self.model.links.len() - 1;
+            self.model.objects[self.indices[id]].links.push(link);
+            before = Some(mass);
+        }
+    }
+
+    /// The law that the driver asks for, with its tracks.
+    fn law(&mut self, id: &'a str, spec: &ChainSpec) -> Option<Law> {
+        let path = format!("{id}.position");
+        if !spec.lever.is_finite() || spec.lever == 0.0 {
+            let message = format!("{} is no lever", spec.lever);
+            let hint = "give a number other than zero";
+            self.faults.add(format!("{id}.lever"), message, hint);
+        }
+        let position = match Position::new(&spec.position) {
+            Ok(position) => position,
+            Err(faults) => {
+                self.faults.absorb(&path, faults);
+                return None;
+            }
+        };
+        // Nothing to say about an object whose driver has faults itself.
+        let input = self.scene.objects[id].input.as_deref()?;
+        let driver = *self.outputs.get(input)?;
+        let object = self.indices[id];
+        let track = self.track(TrackSource::Node(driver), position.breaks(), object);
+        self.follow(id, input, &position, spec.lever)?;
+        Some(Law {
+            driver,
+            position,
+            lever: spec.lever,
+            track,
+        })
+    }
+
+    fn pair(&mut self, id: &str, spec: &ChainSpec) -> Pair {
+        let PairSpec {
+            closure,
+            gap,
+            opens,
+            law,
+        } = spec.pair;
+        let path = format!("{id}.pair");
+        self.faults.not_negative(&format!("{path}.gap"), gap);
+        if gap > 0.0 && matches!(spec.body, BodySpec::Rigid { .. }) {
+            let message = "a rigid object cannot have a gap: nothing would hold it in between";
+            let hint = "give it at least one mass, or no gap";
+            self.faults.add(format!("{path}.gap"), message, hint);
+        }
+        if gap > 0.0 && closure != Closure::Form {
+            let message = "only a form-closed pair has a gap";
+            self.faults
+                .add(format!("{path}.gap"), message, "set `closure` to `form`");
+        }
+        if opens != 1.0 && opens != -1.0 {
+            let message = format!("{opens} is no side");
+            self.faults
+                .add(format!("{path}.opens"), message, "give + or -");
+        }
+        if let DampingLaw::HuntCrossley { kappa: Some(kappa) } = law {
+            self.faults
+                .not_negative(&format!("{path}.law.hunt_crossley.kappa"), kappa);
+        }
+        Pair {
+            closure,
+            gap,
+            opens,
+            law,
+        }
+    }
+}
+
+#[cfg(test)]
+#[path = "chain_tests.rs"]
+mod tests;

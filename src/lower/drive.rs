@@ -1,0 +1,115 @@
+//! Drives: prescribed motions and motors.
+
+use super::{Lowering, reach};
+use crate::breaks::Breaks;
+use crate::model::{Load, LoadLaw, Node, NodeMotion, TrackSource};
+use crate::motion::DriveMotion;
+use crate::object::spec::{DriveMotionSpec, DriveSpec, MotorSpec, TorqueSpec};
+
+impl<'a> Lowering<'a> {
+    /// Lowers a drive to its node.
+    pub(super) fn drive(&mut self, id: &'a str, spec: &DriveSpec) {
+        match spec {
+            DriveSpec::Prescribed(motion) => self.prescribed(id, motion),
+            DriveSpec::Motor(motor) => self.motor(id, motor),
+        }
+    }
+
+    fn prescribed(&mut self, id: &'a str, spec: &DriveMotionSpec) {
+        let motion = match DriveMotion::new(spec) {
+            Ok(motion) => motion,
+            Err(faults) => return self.faults.absorb(&format!("{id}.motion"), faults),
+        };
+        let track = self.track(TrackSource::Time, motion.breaks(), self.indices[id]);
+        self.courses
+            .insert(id, reach::Course::prescribed(motion.clone()));
+        self.add_output(
+            id,
+            Node {
+                inertia: 0.0,
+                motion: NodeMotion::Prescribed { motion, track },
+            },
+        );
+    }
+
+    fn motor(&mut self, id: &'a str, spec: &MotorSpec) {
+        let (angle, speed) = (spec.angle, spec.speed);
+        self.faults.positive(&format!("{id}.inertia"), spec.inertia);
+        self.faults.finite(&format!("{id}.angle"), angle);
+        self.faults.finite(&format!("{id}.speed"), speed);
+        self.courses.insert(id, reach::Course::starting_at(angle));
+        let node = self.add_output(
+            id,
+            Node {
+                inertia: spec.inertia,
+                motion: NodeMotion::Rotor { angle, speed },
+            },
+        );
+        if let Some(law) = self.torque(id, &spec.torque) {
+            self.model.loads.push(Load {
+                node,
+                name: format!("{id}.torque"),
+                law,
+            });
+        }
+        // The rotor has no driver: positions of its loads are its own.
+        for load in &spec.loads {
+            self.load(id, load, &[node], node);
+        }
+    }
+
+    fn torque(&mut self, id: &str, spec: &TorqueSpec) -> Option<LoadLaw> {
+        let faults = &mut self.faults;
+        match *spec {
+            TorqueSpec::Constant(torque) => {
+                faults.finite(&format!("{id}.torque.constant"), torque);
+                Some(LoadLaw::Constant(torque))
+            }
+            TorqueSpec::Linear {
+                stall_torque,
+                no_load_speed,
+            } => {
+                let path = format!("{id}.torque.linear");
+                faults.finite(&format!("{path}.stall_torque"), stall_torque);
+                faults.not_zero(&format!("{path}.no_load_speed"), no_load_speed);
+                Some(LoadLaw::LinearMotor {
+                    stall_torque,
+                    no_load_speed,
+                })
+            }
+            TorqueSpec::Kloss {
+                breakdown_torque,
+                breakdown_slip,
+                synchronous_speed,
+            } => {
+                let path = format!("{id}.torque.kloss");
+                faults.finite(&format!("{path}.breakdown_torque"), breakdown_torque);
+                faults.positive(&format!("{path}.breakdown_slip"), breakdown_slip);
+                faults.not_zero(&format!("{path}.synchronous_speed"), synchronous_speed);
+                Some(LoadLaw::Kloss {
+                    breakdown_torque,
+                    breakdown_slip,
+                    synchronous_speed,
+                })
+            }
+            TorqueSpec::Table(ref points) => {
+                faults.points(&format!("{id}.torque.table"), points, 1);
+                Some(LoadLaw::SpeedTable(points.clone()))
+            }
+        }
+    }
+
+    /// Adds the only node of an object.
+    pub(super) fn add_output(&mut self, id: &'a str, node: Node) -> usize {
+        self.model.nodes.push(node);
+        let index = self.model.nodes.len() - 1;
+        self.model.objects[self.indices[id]].nodes.push(index);
+        self.outputs.insert(id, index);
+        index
+    }
+
+    /// The track of a load over time.
+    pub(super) fn time_track(&mut self, breaks: Breaks, object: usize) -> Option<usize> {
+        self.track(TrackSource::Time, breaks, object)
+    }
+}
