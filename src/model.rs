@@ -68,7 +68,12 @@ pub enum NodeMotion {
         track: Option<usize>,
     },
     /// A motor's rotor: φ and φ̇ are state.
-    Rotor,
+    Rotor {
+        /// φ at t = 0, for every start but an explicit one of the rotor.
+        angle: f64,
+        /// φ̇ at t = 0.
+        speed: f64,
+    },
     /// A mass of a chain: u = φ − U(φ_driver) and u̇ are state. All masses of a
     /// chain share the same `law`.
     Mass {
