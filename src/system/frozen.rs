@@ -149,6 +149,12 @@ impl FrozenLaw {
         let segment = segment(modes, self.component);
         self.position.jet(segment, displacement).scaled(self.lever)
     }
+
+    /// True when the law exists at the driver's displacement.
+    pub(super) fn reaches(&self, displacement: f64) -> bool {
+        let inside = |(low, high)| low <= displacement && displacement <= high;
+        displacement.is_finite() && self.position.reach().is_none_or(inside)
+    }
 }
 
 /// An axis with break points.

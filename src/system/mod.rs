@@ -9,6 +9,7 @@
 //! what is read off; `scales` and `frequencies` what the methods are chosen and
 //! steered by.
 
+mod balance;
 mod build;
 mod check;
 mod dynamics;
@@ -16,9 +17,15 @@ mod energy;
 mod frozen;
 mod loads;
 mod observe;
+mod onset;
 mod pairs;
 mod passes;
 mod quantity;
+mod scales;
+mod series;
+mod start;
+#[cfg(test)]
+mod start_tests;
 mod switches;
 #[cfg(test)]
 mod testing;
@@ -125,13 +132,15 @@ impl System {
         let frozen = build::freeze(&model)?;
         let find = |part| ObjectPlace::find(&frozen, &model, part);
         let places = model.objects.iter().map(find).collect();
-        let scales = vec![1.0; 2 * frozen.coordinates];
-        Ok(Self {
+        let scales = scales::scales(&frozen);
+        let mut system = Self {
             model,
             frozen,
             places,
             scales,
-        })
+        };
+        system.find_kappas()?;
+        Ok(system)
     }
 
     /// The model it was made from.

@@ -214,12 +214,19 @@ impl Frozen {
             *mass = N::from(inertia);
         }
         for rigid in self.rigids.iter().rev() {
-            let law = work.laws[rigid.law];
-            let driver = self.laws[rigid.law].driver;
-            let (mass, force) = (work.mass[rigid.node], work.force[rigid.node]);
-            work.mass[driver] += law.first * law.first * mass;
-            work.force[driver] += law.first * (force - mass * law.bias);
+            self.reduce_node(rigid.law, rigid.node, work);
         }
+    }
+
+    /// Hands the inertia and the force of a node that follows a law exactly to
+    /// the law's driver.
+    #[inline(always)]
+    pub(super) fn reduce_node<N: Quantity>(&self, law: usize, node: usize, work: &mut Work<N>) {
+        let values = work.laws[law];
+        let driver = self.laws[law].driver;
+        let (mass, force) = (work.mass[node], work.force[node]);
+        work.mass[driver] += values.first * values.first * mass;
+        work.force[driver] += values.first * (force - mass * values.bias);
     }
 
     /// Accelerations, drivers before driven; u¨ into `out` (n).
