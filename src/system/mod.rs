@@ -2,20 +2,65 @@
 //!
 //! Immutable and `Sync`. State enters as slices, results leave through
 //! `&mut` slices; nothing here allocates, hashes or walks a graph once built.
+//!
+//! `check` and `build` make the `frozen` layout of a model; `passes` are the
+//! equations of motion; `pairs`, `loads` and `switches` what enters them;
+//! `balance`, `start` and `onset` the state at t = 0; `observe` and `energy`
+//! what is read off; `scales` and `frequencies` what the methods are chosen and
+//! steered by.
+
+mod balance;
+mod build;
+mod check;
+mod dynamics;
+mod energy;
+mod frozen;
+mod loads;
+mod observe;
+mod onset;
+mod pairs;
+mod passes;
+mod quantity;
+mod scales;
+mod series;
+mod start;
+#[cfg(test)]
+mod start_tests;
+mod switches;
+#[cfg(test)]
+mod testing;
+#[cfg(test)]
+mod tests;
 
 use crate::fault::Fault;
 use crate::integrate::Modes;
 use crate::model::Model;
+use crate::number::Dual;
+use frozen::Frozen;
+use observe::{Body, ObjectPlace};
+use passes::Work;
 
 /// A model frozen for integration; implements [`crate::integrate::Dynamics`].
 #[derive(Debug)]
 pub struct System {
     model: Model,
+    frozen: Frozen,
+    /// Where each of the model's objects is in the frozen layout.
+    places: Vec<ObjectPlace>,
+    /// Scale of each state entry.
+    scales: Vec<f64>,
 }
 
-/// Working memory of one evaluation.
-#[derive(Clone, Debug, Default)]
-pub struct Scratch {}
+/// Working memory of one evaluation; made by
+/// [`crate::integrate::Dynamics::scratch`].
+#[derive(Clone, Debug)]
+pub struct Scratch {
+    work: Work<f64>,
+    accelerations: Vec<f64>,
+    dual_work: Work<Dual>,
+    dual_state: Vec<Dual>,
+    dual_accelerations: Vec<Dual>,
+}
 
 /// What one object is doing at an instant.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -84,7 +129,18 @@ impl System {
     /// # Errors
     /// Every fault that only shows in numbers.
     pub fn new(model: Model) -> Result<Self, Vec<Fault>> {
-        Ok(Self { model })
+        let frozen = build::freeze(&model)?;
+        let find = |part| ObjectPlace::find(&frozen, &model, part);
+        let places = model.objects.iter().map(find).collect();
+        let scales = scales::scales(&frozen);
+        let mut system = Self {
+            model,
+            frozen,
+            places,
+            scales,
+        };
+        system.find_kappas()?;
+        Ok(system)
     }
 
     /// The model it was made from.
@@ -92,50 +148,49 @@ impl System {
         &self.model
     }
 
-    /// State just after t = 0, as the model's `start` asks.
-    ///
-    /// # Errors
-    /// No static balance, a start outside the reach of a position function, …
-    pub fn initial_state(&self) -> Result<InitialState, Vec<Fault>> {
-        todo!()
+    /// Coordinate index (in y) of the last mass of an object, or of a motor's
+    /// rotor; `None` for prescribed drives and rigid objects.
+    pub fn last_coordinate(&self, object: usize) -> Option<usize> {
+        self.frozen.coordinate[self.places[object].node]
     }
 
-    /// What every object of the model is doing; `out` has one entry an object.
-    pub fn observe(
-        &self,
-        _time: f64,
-        _y: &[f64],
-        _modes: &Modes,
-        _scratch: &mut Scratch,
-        _out: &mut [ObjectState],
-    ) {
-        todo!()
-    }
-
-    /// Powers of drives, loads and dampers.
-    pub fn power(&self, _time: f64, _y: &[f64], _modes: &Modes, _scratch: &mut Scratch) -> Power {
-        todo!()
-    }
-
-    /// Kinetic and elastic energy.
-    pub fn energy(&self, _time: f64, _y: &[f64], _modes: &Modes, _scratch: &mut Scratch) -> Energy {
-        todo!()
-    }
-
-    /// Coordinate index (in y) of the last mass of an object; `None` for
-    /// prescribed drives and rigid objects.
-    pub fn last_coordinate(&self, _object: usize) -> Option<usize> {
-        todo!()
-    }
-
-    /// Coordinate index of the first mass (deformation x of link 1).
-    pub fn first_coordinate(&self, _object: usize) -> Option<usize> {
-        todo!()
+    /// Coordinate index of the first mass (deformation x of link 1); `None`
+    /// for drives and rigid objects.
+    pub fn first_coordinate(&self, object: usize) -> Option<usize> {
+        self.chain(object).map(|chain| chain.first_coordinate)
     }
 
     /// Component of [`Modes`] of an object's pair, when it can open.
     /// Values: 0 open, −1 engaged on the lower flank (x < 0), +1 on the upper.
-    pub fn pair_component(&self, _object: usize) -> Option<usize> {
-        todo!()
+    pub fn pair_component(&self, object: usize) -> Option<usize> {
+        self.chain(object).and_then(|chain| chain.component)
+    }
+
+    fn chain(&self, object: usize) -> Option<&frozen::Chain> {
+        match self.places[object].body {
+            Body::Chain(chain) => Some(&self.frozen.chains[chain]),
+            _ => None,
+        }
+    }
+
+    /// Name of a state entry: "rocker, mass 2: speed".
+    fn entry_name(&self, index: usize) -> String {
+        let coordinate = index % self.frozen.coordinates.max(1);
+        let what = if index < self.frozen.coordinates {
+            "displacement"
+        } else {
+            "speed"
+        };
+        for part in &self.model.objects {
+            for (mass, &node) in part.nodes.iter().enumerate() {
+                if self.frozen.coordinate[self.frozen.internal[node]] == Some(coordinate) {
+                    return match part.nodes.len() {
+                        1 => format!("{}: {what}", part.id),
+                        _ => format!("{}, mass {}: {what}", part.id, mass + 1),
+                    };
+                }
+            }
+        }
+        format!("coordinate {coordinate}: {what}")
     }
 }

@@ -1,0 +1,277 @@
+//! From the model to the frozen layout, with every check on its numbers.
+
+use super::frozen::{Chain, Frozen, FrozenLaw, FrozenTrack, Prescribed, Rigid, Rotor, Step};
+use super::loads::{Argument, FrozenLoad};
+use super::pairs::Contact;
+use crate::fault::Fault;
+use crate::model::{Law, LinkBase, LoadLaw, Model, NodeMotion, TrackSource};
+
+/// Lays a model out; the faults of all its parts together.
+pub(super) fn freeze(model: &Model) -> Result<Frozen, Vec<Fault>> {
+    let faults = super::check::faults(model);
+    if !faults.is_empty() {
+        return Err(faults);
+    }
+    let mut builder = Builder::new(model);
+    for node in 0..model.nodes.len() {
+        builder.place(node);
+    }
+    builder.place_tracks();
+    builder.place_loads();
+    builder.mark_chains();
+    if builder.faults.is_empty() {
+        Ok(builder.frozen)
+    } else {
+        Err(builder.faults)
+    }
+}
+
+struct Builder<'a> {
+    model: &'a Model,
+    frozen: Frozen,
+    /// Links of each chain in order, by its first mass's node.
+    chains: Vec<Vec<usize>>,
+    placed: Vec<bool>,
+    faults: Vec<Fault>,
+}
+
+impl<'a> Builder<'a> {
+    fn new(model: &'a Model) -> Self {
+        let mut frozen = Frozen {
+            internal: vec![0; model.nodes.len()],
+            ..Frozen::default()
+        };
+        let chains = chains_of(model);
+        let opening = |links: &&Vec<usize>| match &model.links[links[0]].base {
+            LinkBase::Law { pair } => pair.closure != crate::model::Closure::Bilateral,
+            LinkBase::Mass(_) => false,
+        };
+        // Only their number matters yet: tracks are numbered after the pairs.
+        frozen.pairs = vec![usize::MAX; chains.iter().filter(opening).count()];
+        Self {
+            model,
+            frozen,
+            chains,
+            placed: vec![false; model.nodes.len()],
+            faults: Vec::new(),
+        }
+    }
+
+    /// Gives a node its place, with its whole chain when it is a mass.
+    fn place(&mut self, node: usize) {
+        if self.placed[node] {
+            return;
+        }
+        match &self.model.nodes[node].motion {
+            NodeMotion::Prescribed { motion, track } => {
+                let component = self.component(*track);
+                let motion = motion.clone();
+                let node = self.add_node(node, false);
+                self.frozen.steps.push(Step::Prescribed(Prescribed {
+                    node,
+                    motion,
+                    component,
+                }));
+            }
+            NodeMotion::Rotor { angle, speed } => {
+                let coordinate = self.frozen.coordinates;
+                let node = self.add_node(node, true);
+                self.frozen.steps.push(Step::Rotor(Rotor {
+                    node,
+                    coordinate,
+                    angle: *angle,
+                    speed: *speed,
+                }));
+                self.frozen.stiffness.push(0.0);
+                self.frozen.damping.push(0.0);
+            }
+            NodeMotion::Rigid { law } => {
+                let law = self.add_law(law);
+                let node = self.add_node(node, false);
+                self.frozen
+                    .steps
+                    .push(Step::Rigid(self.frozen.rigids.len()));
+                self.frozen.rigids.push(Rigid { node, law });
+            }
+            NodeMotion::Mass { law } => {
+                let law = self.add_law(law);
+                self.place_chain(node, law);
+            }
+        }
+    }
+
+    fn place_chain(&mut self, node: usize, law: usize) {
+        let holds = |links: &&Vec<usize>| {
+            links
+                .iter()
+                .any(|&link| self.model.links[link].mass == node)
+        };
+        let Some(links) = self.chains.iter().find(holds).cloned() else {
+            return; // refused by the checks
+        };
+        let first = &self.model.links[links[0]];
+        let LinkBase::Law { pair } = &first.base else {
+            return; // refused by the checks
+        };
+        let object = super::check::object_of(self.model, first.mass);
+        let contact = match Contact::new(pair, first.stiffness, first.damping, &object) {
+            Ok(contact) => contact,
+            Err(fault) => {
+                self.faults.push(fault);
+                return;
+            }
+        };
+        let index = self.frozen.chains.len();
+        let component = contact.can_open().then(|| {
+            let known = self.frozen.chains.iter();
+            known.filter(|chain| chain.component.is_some()).count()
+        });
+        if let Some(component) = component {
+            self.frozen.pairs[component] = index;
+        }
+        self.frozen.steps.push(Step::Chain(index));
+        self.frozen.chains.push(Chain {
+            law,
+            first_node: self.frozen.inertia.len(),
+            first_coordinate: self.frozen.coordinates,
+            masses: links.len(),
+            contact,
+            component,
+            watched: false,
+            carries: false,
+        });
+        for &link in &links {
+            let link = &self.model.links[link];
+            self.add_node(link.mass, true);
+            self.frozen.stiffness.push(link.stiffness);
+            self.frozen.damping.push(link.damping);
+        }
+    }
+
+    fn add_node(&mut self, node: usize, free: bool) -> usize {
+        let index = self.frozen.inertia.len();
+        let inertia = self.model.nodes[node].inertia;
+        self.placed[node] = true;
+        self.frozen.internal[node] = index;
+        self.frozen.inertia.push(inertia);
+        self.frozen.constant_force.push(0.0);
+        let coordinate = free.then_some(self.frozen.coordinates);
+        self.frozen.coordinate.push(coordinate);
+        if free {
+            self.frozen.inverse_inertia.push(1.0 / inertia);
+            self.frozen.coordinates += 1;
+        }
+        index
+    }
+
+    fn add_law(&mut self, law: &Law) -> usize {
+        let component = self.component(law.track);
+        self.frozen.laws.push(FrozenLaw {
+            driver: self.frozen.internal[law.driver],
+            position: law.position.clone(),
+            lever: law.lever,
+            component,
+        });
+        self.frozen.laws.len() - 1
+    }
+
+    fn component(&self, track: Option<usize>) -> Option<usize> {
+        track.map(|track| self.frozen.track_component(track))
+    }
+
+    fn place_tracks(&mut self) {
+        for track in &self.model.tracks {
+            let node = match track.source {
+                TrackSource::Time => None,
+                TrackSource::Node(node) => Some(self.frozen.internal[node]),
+            };
+            let signal = node.map(|node| self.signal(node));
+            self.frozen.tracks.push(FrozenTrack {
+                node,
+                signal,
+                breaks: track.breaks.clone(),
+                stops: track.stops,
+                object: track.object,
+            });
+        }
+    }
+
+    /// The signal that is a node's displacement: a rotor's coordinate, or one
+    /// of the extra signals.
+    fn signal(&mut self, node: usize) -> usize {
+        for step in &self.frozen.steps {
+            if let Step::Rotor(rotor) = step
+                && rotor.node == node
+            {
+                return rotor.coordinate;
+            }
+        }
+        let known = self.frozen.extra.iter().position(|&extra| extra == node);
+        let index = known.unwrap_or_else(|| {
+            self.frozen.extra.push(node);
+            self.frozen.extra.len() - 1
+        });
+        self.frozen.coordinates + index
+    }
+
+    fn place_loads(&mut self) {
+        for load in &self.model.loads {
+            let node = self.frozen.internal[load.node];
+            let argument = match &load.law {
+                LoadLaw::Constant(force) => {
+                    self.frozen.constant_force[node] += force;
+                    continue;
+                }
+                LoadLaw::Pieces { track, .. } => {
+                    let component = self.frozen.track_component(*track);
+                    let place = self.frozen.tracks[*track].node;
+                    Some(Argument::new(&self.model.tracks[*track], component, place))
+                }
+                _ => None,
+            };
+            self.frozen.loads.push(FrozenLoad {
+                node,
+                law: load.law.clone(),
+                argument,
+            });
+        }
+    }
+
+    /// Which chains somebody looks at, which carry rigid objects.
+    fn mark_chains(&mut self) {
+        let frozen = &mut self.frozen;
+        let watched: Vec<usize> = (frozen.laws.iter().map(|law| law.driver))
+            .chain(frozen.loads.iter().map(|load| load.node))
+            .chain(frozen.tracks.iter().filter_map(|track| track.node))
+            .collect();
+        let carrying: Vec<usize> = (frozen.rigids.iter())
+            .map(|rigid| frozen.laws[rigid.law].driver)
+            .collect();
+        for chain in &mut frozen.chains {
+            chain.watched = watched.iter().any(|node| chain.nodes().contains(node));
+            chain.carries = carrying.iter().any(|node| chain.nodes().contains(node));
+        }
+    }
+}
+
+/// Links of each chain, link 1 first; chains in the order of their first links.
+pub(super) fn chains_of(model: &Model) -> Vec<Vec<usize>> {
+    let mut above: Vec<Option<usize>> = vec![None; model.nodes.len()];
+    for (index, link) in model.links.iter().enumerate() {
+        if let LinkBase::Mass(node) = link.base {
+            above[node] = Some(index);
+        }
+    }
+    let first = (0..model.links.len())
+        .filter(|&link| matches!(model.links[link].base, LinkBase::Law { .. }));
+    first
+        .map(|link| {
+            let next = |&link: &usize| above[model.links[link].mass];
+            // A chain has no more links than the model: a loop ends here and
+            // is refused by the checks.
+            std::iter::successors(Some(link), next)
+                .take(model.links.len())
+                .collect()
+        })
+        .collect()
+}

@@ -1,0 +1,137 @@
+//! The system as the integrators see it.
+
+use super::frozen::Frozen;
+use super::passes::{Extent, Work};
+use super::{Scratch, System};
+use crate::integrate::{Dynamics, Modes, PhysicalStop, Watch};
+use crate::number::Dual;
+
+impl Scratch {
+    pub(super) fn new(frozen: &Frozen) -> Self {
+        let coordinates = frozen.coordinates;
+        Self {
+            work: Work::new(frozen),
+            accelerations: vec![0.0; coordinates],
+            dual_work: Work::new(frozen),
+            dual_state: vec![Dual::default(); 2 * coordinates],
+            dual_accelerations: vec![Dual::default(); coordinates],
+        }
+    }
+}
+
+impl Dynamics for System {
+    type Scratch = Scratch;
+
+    fn scratch(&self) -> Scratch {
+        Scratch::new(&self.frozen)
+    }
+
+    fn coordinates(&self) -> usize {
+        self.frozen.coordinates
+    }
+
+    fn signals(&self) -> usize {
+        self.frozen.coordinates + self.frozen.extra.len()
+    }
+
+    fn derivatives(
+        &self,
+        time: f64,
+        y: &[f64],
+        modes: &Modes,
+        scratch: &mut Scratch,
+        dy: &mut [f64],
+    ) {
+        let (speeds, accelerations) = dy.split_at_mut(self.frozen.coordinates);
+        speeds.copy_from_slice(&y[self.frozen.coordinates..]);
+        let extent = Extent::Needed;
+        self.frozen
+            .evaluate(time, y, &modes.0, extent, &mut scratch.work, accelerations);
+    }
+
+    fn tangent(
+        &self,
+        time: f64,
+        y: &[f64],
+        modes: &Modes,
+        direction: &[f64],
+        scratch: &mut Scratch,
+        out: &mut [f64],
+    ) {
+        for ((state, &value), &derivative) in scratch.dual_state.iter_mut().zip(y).zip(direction) {
+            *state = Dual::new(value, derivative);
+        }
+        self.frozen.evaluate(
+            Dual::from(time),
+            &scratch.dual_state,
+            &modes.0,
+            Extent::Needed,
+            &mut scratch.dual_work,
+            &mut scratch.dual_accelerations,
+        );
+        let (speeds, accelerations) = out.split_at_mut(self.frozen.coordinates);
+        speeds.copy_from_slice(&direction[self.frozen.coordinates..]);
+        for (out, dual) in accelerations.iter_mut().zip(&scratch.dual_accelerations) {
+            *out = dual.derivative;
+        }
+    }
+
+    fn extra_signals(
+        &self,
+        time: f64,
+        y: &[f64],
+        dy: &[f64],
+        modes: &Modes,
+        scratch: &mut Scratch,
+        out: &mut [[f64; 3]],
+    ) {
+        if self.frozen.extra.is_empty() {
+            return;
+        }
+        let work = &mut scratch.work;
+        let accelerations = &dy[self.frozen.coordinates..];
+        self.frozen.motion(time, y, &modes.0, Extent::Needed, work);
+        self.frozen.known_accelerations(accelerations, work);
+        for (out, &node) in out.iter_mut().zip(&self.frozen.extra) {
+            *out = [
+                work.displacement[node],
+                work.speed[node],
+                work.acceleration[node],
+            ];
+        }
+    }
+
+    fn scales(&self) -> &[f64] {
+        &self.scales
+    }
+
+    fn state_name(&self, index: usize) -> String {
+        self.entry_name(index)
+    }
+
+    fn watches(&self, modes: &Modes, out: &mut Vec<Watch>) {
+        self.frozen.watches(&modes.0, out);
+    }
+
+    fn switch(
+        &self,
+        time: f64,
+        y: &[f64],
+        watch: &Watch,
+        modes: &mut Modes,
+    ) -> Result<(), PhysicalStop> {
+        self.pass_switch(time, y, watch, modes)
+    }
+
+    fn next_break(&self, time: f64, modes: &Modes) -> f64 {
+        self.frozen.next_break(time, &modes.0)
+    }
+
+    fn pass_break(&self, time: f64, modes: &mut Modes) {
+        self.frozen.pass_break(time, &mut modes.0);
+    }
+
+    fn is_pair(&self, component: usize) -> bool {
+        component < self.frozen.pairs.len()
+    }
+}

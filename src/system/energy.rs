@@ -1,0 +1,55 @@
+//! Energy kept and lost.
+
+use super::frozen::{Chain, Frozen};
+use super::passes::{Extent, Work};
+use super::quantity::Quantity;
+use super::{Energy, Scratch, System};
+use crate::integrate::Modes;
+
+impl System {
+    /// Kinetic energy of all inertias, elastic energy of links and pairs.
+    /// Springs that are loads are not counted: they are in the work of the
+    /// loads. Allocates nothing.
+    pub fn energy(&self, time: f64, y: &[f64], modes: &Modes, scratch: &mut Scratch) -> Energy {
+        let [kinetic, elastic] = self.frozen.energy(time, y, &modes.0, &mut scratch.work);
+        Energy { kinetic, elastic }
+    }
+}
+
+impl Frozen {
+    /// Kinetic and elastic energy.
+    pub(super) fn energy<N: Quantity>(
+        &self,
+        time: N,
+        state: &[N],
+        modes: &[i64],
+        work: &mut Work<N>,
+    ) -> [N; 2] {
+        self.motion(time, state, modes, Extent::Full, work);
+        let (mut kinetic, mut elastic) = (N::from(0.0), N::from(0.0));
+        for (&inertia, &speed) in self.inertia.iter().zip(&work.speed) {
+            kinetic += (speed * speed).scale(0.5 * inertia);
+        }
+        for chain in &self.chains {
+            let (u, _) = self.deviations(chain, state);
+            elastic += chain.contact.stored(u[0]);
+            let inner = &self.stiffness[chain.coordinates()][1..];
+            for (pair, &stiffness) in u.windows(2).zip(inner) {
+                let stretch = pair[1] - pair[0];
+                elastic += (stretch * stretch).scale(0.5 * stiffness);
+            }
+        }
+        [kinetic, elastic]
+    }
+
+    /// Power lost in a chain's pair and links.
+    pub(super) fn dissipated(&self, chain: &Chain, y: &[f64], modes: &Modes) -> f64 {
+        let (u, v) = self.deviations(chain, y);
+        let inner = v
+            .windows(2)
+            .zip(&self.damping[chain.coordinates()][1..])
+            .map(|(pair, damping)| damping * (pair[1] - pair[0]).powi(2));
+        let mode = self.pair_mode(chain, &modes.0);
+        chain.contact.dissipated(mode, u[0], v[0]) + inner.sum::<f64>()
+    }
+}

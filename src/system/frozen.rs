@@ -1,0 +1,193 @@
+//! The model laid out for the right-hand side.
+//!
+//! Nodes get an internal order in which drivers come before driven and the
+//! masses of a chain stand side by side; free coordinates follow the same
+//! order, so that a chain is one contiguous range of nodes, of coordinates and
+//! of links.
+
+use super::loads::FrozenLoad;
+use super::pairs::Contact;
+use crate::breaks::Breaks;
+use crate::jet::Jet;
+use crate::motion::DriveMotion;
+use crate::position::Position;
+
+/// Numbers and order of evaluation of a model. n: coordinates, k: nodes.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Frozen {
+    /// Number n of free coordinates.
+    pub(super) coordinates: usize,
+    /// Internal index of each of the model's nodes (k).
+    pub(super) internal: Vec<usize>,
+    /// Free coordinate of each internal node (k).
+    pub(super) coordinate: Vec<Option<usize>>,
+    /// What to evaluate, drivers before driven.
+    pub(super) steps: Vec<Step>,
+    /// Laws, one for each chain and each rigid node.
+    pub(super) laws: Vec<FrozenLaw>,
+    /// Chains.
+    pub(super) chains: Vec<Chain>,
+    /// Rigid nodes, drivers before driven.
+    pub(super) rigids: Vec<Rigid>,
+    /// Constant inertia of each node (k, kg·m² or kg).
+    pub(super) inertia: Vec<f64>,
+    /// Sum of the constant loads on each node (k, N·m or N).
+    pub(super) constant_force: Vec<f64>,
+    /// All other loads.
+    pub(super) loads: Vec<FrozenLoad>,
+    /// c of the link below each mass (n; 0 for rotors).
+    pub(super) stiffness: Vec<f64>,
+    /// b of the link below each mass (n; 0 for rotors).
+    pub(super) damping: Vec<f64>,
+    /// 1/J of each free node (n).
+    pub(super) inverse_inertia: Vec<f64>,
+    /// Chain of each pair that can open: the first components of the modes.
+    pub(super) pairs: Vec<usize>,
+    /// The tracks: the components of the modes after the pairs.
+    pub(super) tracks: Vec<FrozenTrack>,
+    /// Internal nodes whose displacement is a signal beyond the coordinates.
+    pub(super) extra: Vec<usize>,
+}
+
+/// One step of the forward pass.
+#[derive(Clone, Debug)]
+pub(super) enum Step {
+    /// A node with given motion.
+    Prescribed(Prescribed),
+    /// A motor's rotor.
+    Rotor(Rotor),
+    /// A rigid object, index into [`Frozen::rigids`].
+    Rigid(usize),
+    /// A chain, index into [`Frozen::chains`].
+    Chain(usize),
+}
+
+/// A node with given motion.
+#[derive(Clone, Debug)]
+pub(super) struct Prescribed {
+    /// Its node.
+    pub(super) node: usize,
+    /// φ(t).
+    pub(super) motion: DriveMotion,
+    /// Component of the modes that selects the piece.
+    pub(super) component: Option<usize>,
+}
+
+/// A motor's rotor.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Rotor {
+    /// Its node.
+    pub(super) node: usize,
+    /// Its coordinate.
+    pub(super) coordinate: usize,
+    /// φ at t = 0.
+    pub(super) angle: f64,
+    /// φ̇ at t = 0.
+    pub(super) speed: f64,
+}
+
+/// A rigid object.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Rigid {
+    /// Its node.
+    pub(super) node: usize,
+    /// Its law.
+    pub(super) law: usize,
+}
+
+/// A chain of masses behind a law.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Chain {
+    /// Its law.
+    pub(super) law: usize,
+    /// Node of mass 1; the others follow.
+    pub(super) first_node: usize,
+    /// Coordinate of mass 1; the others follow.
+    pub(super) first_coordinate: usize,
+    /// Number of masses.
+    pub(super) masses: usize,
+    /// The pair of link 1.
+    pub(super) contact: Contact,
+    /// Component of the modes of a pair that can open.
+    pub(super) component: Option<usize>,
+    /// True when loads, followers or tracks look at a mass's own motion, not
+    /// only at its deviation.
+    pub(super) watched: bool,
+    /// True when a rigid object hangs on a mass and adds to its inertia.
+    pub(super) carries: bool,
+}
+
+impl Chain {
+    /// Its coordinates.
+    pub(super) fn coordinates(&self) -> std::ops::Range<usize> {
+        self.first_coordinate..self.first_coordinate + self.masses
+    }
+
+    /// Its nodes.
+    pub(super) fn nodes(&self) -> std::ops::Range<usize> {
+        self.first_node..self.first_node + self.masses
+    }
+}
+
+/// U(φ_driver), frozen.
+#[derive(Clone, Debug)]
+pub(super) struct FrozenLaw {
+    /// Driving node.
+    pub(super) driver: usize,
+    /// U.
+    pub(super) position: Position,
+    /// Factor on U.
+    pub(super) lever: f64,
+    /// Component of the modes that selects the piece.
+    pub(super) component: Option<usize>,
+}
+
+impl FrozenLaw {
+    /// lever·U and its derivatives at the driver's displacement.
+    #[inline(always)]
+    pub(super) fn jet(&self, modes: &[i64], displacement: f64) -> Jet {
+        let segment = segment(modes, self.component);
+        self.position.jet(segment, displacement).scaled(self.lever)
+    }
+
+    /// True when the law exists at the driver's displacement.
+    pub(super) fn reaches(&self, displacement: f64) -> bool {
+        let inside = |(low, high)| low <= displacement && displacement <= high;
+        displacement.is_finite() && self.position.reach().is_none_or(inside)
+    }
+}
+
+/// An axis with break points.
+#[derive(Clone, Debug)]
+pub(super) struct FrozenTrack {
+    /// Node whose displacement runs along it; `None`: time.
+    pub(super) node: Option<usize>,
+    /// Signal that is that displacement; `None` for time.
+    pub(super) signal: Option<usize>,
+    /// The break points.
+    pub(super) breaks: Breaks,
+    /// True when leaving the present segment ends the run.
+    pub(super) stops: bool,
+    /// Index of the object concerned.
+    pub(super) object: usize,
+}
+
+/// The segment that a component of the modes selects; 0 without one.
+#[inline(always)]
+pub(super) fn segment(modes: &[i64], component: Option<usize>) -> i64 {
+    component.map_or(0, |component| modes[component])
+}
+
+impl Frozen {
+    /// Mode of a chain's pair; [`super::pairs::OPEN`] for a bilateral pair,
+    /// which does not look at it.
+    #[inline(always)]
+    pub(super) fn pair_mode(&self, chain: &Chain, modes: &[i64]) -> i64 {
+        segment(modes, chain.component)
+    }
+
+    /// Component of the modes of a track.
+    pub(super) fn track_component(&self, track: usize) -> usize {
+        self.pairs.len() + track
+    }
+}

@@ -1,0 +1,202 @@
+//! What every object is doing: read off a complete evaluation.
+
+use super::frozen::{Chain, Frozen, Rigid, Step};
+use super::loads::is_motor;
+use super::passes::{Extent, Work};
+use super::{ObjectState, Power, Scratch, System};
+use crate::integrate::Modes;
+use crate::model::{Closure, LoadLaw, Model, ObjectPart, Pair};
+
+/// What an object of the model has become in the frozen layout.
+#[derive(Clone, Debug)]
+pub(super) struct ObjectPlace {
+    /// Its last node, internal index.
+    pub(super) node: usize,
+    /// What it is.
+    pub(super) body: Body,
+}
+
+/// What an object is.
+#[derive(Clone, Debug)]
+pub(super) enum Body {
+    /// A drive with given motion.
+    Prescribed,
+    /// A motor: its loads that are its torque, and the constant part of it.
+    Motor {
+        /// Indices into [`Frozen::loads`].
+        loads: Vec<usize>,
+        /// Constant torque.
+        constant: f64,
+    },
+    /// A rigid object, with its pair.
+    Rigid(Rigid, Pair),
+    /// A chain, index into [`Frozen::chains`].
+    Chain(usize),
+}
+
+impl ObjectPlace {
+    /// Finds an object of the model in the frozen layout.
+    pub(super) fn find(frozen: &Frozen, model: &Model, part: &ObjectPart) -> Self {
+        let node = frozen.internal[part.nodes[part.nodes.len() - 1]];
+        let body = frozen
+            .steps
+            .iter()
+            .find_map(|step| match step {
+                Step::Prescribed(drive) if drive.node == node => Some(Body::Prescribed),
+                Step::Rotor(rotor) if rotor.node == node => {
+                    Some(motor(frozen, model, part.nodes[0], node))
+                }
+                Step::Rigid(index) if frozen.rigids[*index].node == node => Some(Body::Rigid(
+                    frozen.rigids[*index],
+                    part.rigid_pair.unwrap_or(BILATERAL),
+                )),
+                Step::Chain(index) if frozen.chains[*index].nodes().contains(&node) => {
+                    Some(Body::Chain(*index))
+                }
+                _ => None,
+            })
+            // Every node has its step.
+            .unwrap_or(Body::Prescribed);
+        Self { node, body }
+    }
+}
+
+const BILATERAL: Pair = Pair {
+    closure: Closure::Bilateral,
+    gap: 0.0,
+    opens: 1.0,
+    law: crate::model::DampingLaw::KelvinVoigt,
+};
+
+/// The torque of a motor: its characteristic over speed, or the constant load
+/// that is named `….torque`.
+fn motor(frozen: &Frozen, model: &Model, node: usize, internal: usize) -> Body {
+    let loads = (0..frozen.loads.len())
+        .filter(|&load| frozen.loads[load].node == internal && is_motor(&frozen.loads[load].law))
+        .collect();
+    let constant = model
+        .loads
+        .iter()
+        .filter(|load| load.node == node && load.name.ends_with(".torque"))
+        .map(|load| match load.law {
+            LoadLaw::Constant(torque) => torque,
+            _ => 0.0,
+        })
+        .sum();
+    Body::Motor { loads, constant }
+}
+
+impl System {
+    /// A complete evaluation into `scratch`.
+    pub(super) fn evaluate_fully(
+        &self,
+        time: f64,
+        y: &[f64],
+        modes: &Modes,
+        scratch: &mut Scratch,
+    ) {
+        self.frozen.evaluate(
+            time,
+            y,
+            &modes.0,
+            Extent::Full,
+            &mut scratch.work,
+            &mut scratch.accelerations,
+        );
+    }
+
+    /// What every object of the model is doing; `out` has one entry an object.
+    /// Allocates nothing.
+    pub fn observe(
+        &self,
+        time: f64,
+        y: &[f64],
+        modes: &Modes,
+        scratch: &mut Scratch,
+        out: &mut [ObjectState],
+    ) {
+        self.evaluate_fully(time, y, modes, scratch);
+        let work = &scratch.work;
+        for (out, place) in out.iter_mut().zip(&self.places) {
+            *out = ObjectState {
+                displacement: work.displacement[place.node],
+                speed: work.speed[place.node],
+                acceleration: work.acceleration[place.node],
+                ..ObjectState::default()
+            };
+            match &place.body {
+                Body::Prescribed => out.reaction = self.drive_moment(place.node, work),
+                Body::Motor { loads, constant } => {
+                    let torque = |&load: &usize| self.frozen.load(load, time, &modes.0, work);
+                    out.reaction = constant + loads.iter().map(torque).sum::<f64>();
+                }
+                Body::Rigid(rigid, pair) => {
+                    let force = work.force[rigid.node]
+                        - work.mass[rigid.node] * work.acceleration[rigid.node];
+                    out.reaction = force;
+                    out.contact_force = match pair.closure {
+                        Closure::Bilateral => 0.0,
+                        Closure::Force => -pair.opens * force,
+                        Closure::Form => force.abs(),
+                    };
+                }
+                Body::Chain(chain) => {
+                    let reaction = work.reaction[*chain];
+                    self.observe_chain(&self.frozen.chains[*chain], y, modes, reaction, out);
+                }
+            }
+        }
+    }
+
+    fn observe_chain(
+        &self,
+        chain: &Chain,
+        y: &[f64],
+        modes: &Modes,
+        reaction: f64,
+        out: &mut ObjectState,
+    ) {
+        let (u, v) = self.frozen.deviations(chain, y);
+        out.delta = u[chain.masses - 1];
+        out.delta_speed = v[chain.masses - 1];
+        out.deformation = u[0];
+        out.deformation_speed = v[0];
+        out.reaction = reaction;
+        if chain.contact.can_open() {
+            let mode = self.frozen.pair_mode(chain, &modes.0);
+            // At a switch located to rounding the force may be a rounding below 0.
+            out.contact_force = (mode as f64 * reaction).max(0.0);
+            if mode == super::pairs::OPEN {
+                out.lift = chain.contact.clearance(u[0]);
+            }
+        }
+    }
+
+    /// The moment (or force) that gives a prescribed node its motion.
+    fn drive_moment(&self, node: usize, work: &Work<f64>) -> f64 {
+        work.mass[node] * work.acceleration[node] - work.force[node]
+    }
+
+    /// Powers of drives, loads and dampers. Allocates nothing.
+    pub fn power(&self, time: f64, y: &[f64], modes: &Modes, scratch: &mut Scratch) -> Power {
+        self.evaluate_fully(time, y, modes, scratch);
+        let (frozen, work) = (&self.frozen, &scratch.work);
+        let drive = |step: &Step| match step {
+            Step::Prescribed(drive) => self.drive_moment(drive.node, work) * work.speed[drive.node],
+            _ => 0.0,
+        };
+        let constant = frozen.constant_force.iter().zip(&work.speed);
+        let varying = (0..frozen.loads.len()).map(|load| {
+            frozen.load(load, time, &modes.0, work) * work.speed[frozen.loads[load].node]
+        });
+        Power {
+            drives: frozen.steps.iter().map(drive).sum(),
+            loads: constant.map(|(force, speed)| force * speed).sum::<f64>() + varying.sum::<f64>(),
+            dissipated: frozen
+                .chains
+                .iter()
+                .map(|chain| frozen.dissipated(chain, y, modes))
+                .sum(),
+        }
+    }
+}

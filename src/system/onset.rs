@@ -1,0 +1,91 @@
+//! The discrete state just after t = 0.
+//!
+//! A pair that only touches (p = 0, or no force) is engaged or open by what
+//! happens next: by the sign of the first derivative of p and of the pressing
+//! force that does not vanish. The motion just after t = 0 is developed into a
+//! series in time under a supposition about every pair; suppositions that it
+//! contradicts are changed until none is.
+
+use super::System;
+use super::frozen::Frozen;
+use super::pairs::OPEN;
+use super::passes::{Extent, Work};
+use super::series::{ORDER, Series};
+
+impl System {
+    /// Settles the modes of all pairs for the motion that leaves `state`;
+    /// those given are the first supposition. `noise` is the size of the
+    /// numbers whose rounding is in each state entry.
+    pub(super) fn settle_pairs(&self, state: &[f64], noise: &[f64], modes: &mut [i64]) {
+        let frozen = &self.frozen;
+        if frozen.pairs.is_empty() {
+            return;
+        }
+        let mut tried: Vec<Vec<i64>> = Vec::new();
+        // Each round changes one pair; a supposition that comes back means that
+        // no motion is free of contradiction, and the first is kept.
+        while !tried.iter().any(|before| before == modes) {
+            tried.push(modes.to_vec());
+            let motion = frozen.develop(state, noise, modes);
+            let contradicted = (0..frozen.pairs.len())
+                .map(|pair| (pair, frozen.mode_of_motion(pair, &motion)))
+                .find(|&(pair, mode)| mode != modes[pair]);
+            match contradicted {
+                Some((pair, mode)) => modes[pair] = mode,
+                None => return,
+            }
+        }
+        modes.copy_from_slice(&tried[0]);
+    }
+}
+
+impl Frozen {
+    /// The motion that leaves a state, as series: [u, u̇].
+    fn develop(&self, state: &[f64], noise: &[f64], modes: &[i64]) -> Vec<Series> {
+        let n = self.coordinates;
+        let mut motion: Vec<Series> = vec![Series::constant(0.0, 0.0); 2 * n];
+        for index in 0..n {
+            motion[index].set(0, state[index], noise[index]);
+            motion[index].set(1, state[n + index], noise[n + index]);
+            motion[n + index] = motion[index].rate();
+        }
+        let mut work = Work::new(self);
+        let mut accelerations = vec![Series::constant(0.0, 0.0); n];
+        for power in 0..=ORDER - 2 {
+            let time = Series::time();
+            self.evaluate(
+                time,
+                &motion,
+                modes,
+                Extent::Needed,
+                &mut work,
+                &mut accelerations,
+            );
+            let factor = 1.0 / ((power + 1) * (power + 2)) as f64;
+            for index in 0..n {
+                let acceleration = &accelerations[index];
+                let value = factor * acceleration.coefficients[power];
+                motion[index].set(power + 2, value, factor * acceleration.magnitude(power));
+                motion[n + index] = motion[index].rate();
+            }
+        }
+        motion
+    }
+
+    /// The mode that a pair has in a motion.
+    fn mode_of_motion(&self, pair: usize, motion: &[Series]) -> i64 {
+        let chain = &self.chains[self.pairs[pair]];
+        let (u, v) = self.deviations(chain, motion);
+        let engaged = |&&side: &&i64| {
+            let presses = chain.contact.presses(side, u[0], v[0]);
+            presses.iter().all(|guard| guard.sign() > 0.0)
+        };
+        chain
+            .contact
+            .sides()
+            .iter()
+            .find(engaged)
+            .copied()
+            .unwrap_or(OPEN)
+    }
+}

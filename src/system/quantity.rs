@@ -1,0 +1,44 @@
+//! Numbers that pass through laws and characteristics.
+//!
+//! [`Number`] knows the chain rule to first order. The start needs more: the
+//! series in time of a motion, for which a law has to be composed to a higher
+//! order. Handing over the law itself, not its value, lets every kind of number
+//! take from it what it needs.
+
+use crate::jet::Jet;
+use crate::number::{Dual, Number};
+
+/// A number on which the equations of motion can be evaluated.
+pub(super) trait Quantity: Number {
+    /// U, U′ and U″ at `self`, for a function U given by its jets.
+    fn lift(self, jet: impl Fn(f64) -> Jet) -> [Self; 3];
+
+    /// f at `self`, for a function given by its value and derivative.
+    fn apply(self, function: impl Fn(f64) -> (f64, f64)) -> Self;
+}
+
+impl Quantity for f64 {
+    #[inline(always)]
+    fn lift(self, jet: impl Fn(f64) -> Jet) -> [Self; 3] {
+        let jet = jet(self);
+        [jet.value, jet.first, jet.second]
+    }
+
+    #[inline(always)]
+    fn apply(self, function: impl Fn(f64) -> (f64, f64)) -> Self {
+        function(self).0
+    }
+}
+
+impl Quantity for Dual {
+    #[inline(always)]
+    fn lift(self, jet: impl Fn(f64) -> Jet) -> [Self; 3] {
+        jet(self.value).lift(self)
+    }
+
+    #[inline(always)]
+    fn apply(self, function: impl Fn(f64) -> (f64, f64)) -> Self {
+        let (value, derivative) = function(self.value);
+        self.compose(value, derivative)
+    }
+}

@@ -1,0 +1,306 @@
+//! Taylor series in time, with a bound on their rounding.
+//!
+//! At t = 0 a pair may just touch without pressing: what it does next is said
+//! by the first derivative that does not vanish, and "does not vanish" needs to
+//! know how large a rounding error may be. Every coefficient therefore carries
+//! a magnitude, the sum of the absolute values of all that was added up to it.
+
+use super::quantity::Quantity;
+use crate::jet::Jet;
+use crate::number::Number;
+use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
+
+/// Highest power of time: enough for the wave of a load on the last of 15
+/// undamped masses to show at the first.
+pub(super) const ORDER: usize = 32;
+
+/// A coefficient counts as zero below this share of its magnitude.
+const ROUNDING: f64 = 1e-12;
+
+/// Step of the differences that continue a law beyond its third derivative,
+/// and the share of the third derivative below which they count as nothing.
+const STEP: f64 = 1e-5;
+const DIFFERENCE_NOISE: f64 = 1e-6;
+
+/// A truncated Taylor series Σ c_k·t^k.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Series {
+    /// c_k.
+    pub(super) coefficients: [f64; ORDER + 1],
+    /// Sum of the absolute values of what was added up to c_k.
+    magnitudes: [f64; ORDER + 1],
+}
+
+impl Series {
+    /// A constant known up to rounding of numbers of a size.
+    pub(super) fn constant(value: f64, size: f64) -> Self {
+        let mut series = Self {
+            coefficients: [0.0; ORDER + 1],
+            magnitudes: [0.0; ORDER + 1],
+        };
+        series.set(0, value, size);
+        series
+    }
+
+    /// The time itself, t.
+    pub(super) fn time() -> Self {
+        let mut series = Self::constant(0.0, 0.0);
+        series.set(1, 1.0, 1.0);
+        series
+    }
+
+    /// Sets a coefficient; `size` is that of the numbers it came from.
+    pub(super) fn set(&mut self, power: usize, value: f64, size: f64) {
+        self.coefficients[power] = value;
+        self.magnitudes[power] = size.abs().max(value.abs());
+    }
+
+    /// Magnitude of a coefficient.
+    pub(super) fn magnitude(&self, power: usize) -> f64 {
+        self.magnitudes[power]
+    }
+
+    /// Derivative with respect to time.
+    pub(super) fn rate(&self) -> Self {
+        let mut rate = Self::constant(0.0, 0.0);
+        for power in 1..=ORDER {
+            let factor = power as f64;
+            rate.coefficients[power - 1] = factor * self.coefficients[power];
+            rate.magnitudes[power - 1] = factor * self.magnitudes[power];
+        }
+        rate
+    }
+
+    /// Sign just after t = 0: that of the first coefficient that is not zero
+    /// beyond rounding; 0 when there is none.
+    pub(super) fn sign(&self) -> f64 {
+        let both = self.coefficients.iter().zip(&self.magnitudes);
+        both.map(|(&value, &size)| (value, ROUNDING * size))
+            .find(|(value, noise)| value.abs() > *noise)
+            .map_or(0.0, |(value, _)| value.signum())
+    }
+
+    /// f(self) from the derivatives of f at its start, each with the size of
+    /// the numbers it came from.
+    fn composed(self, derivatives: &[(f64, f64)]) -> Self {
+        let mut change = self;
+        change.coefficients[0] = 0.0;
+        change.magnitudes[0] = 0.0;
+        let mut sum = Self::constant(0.0, 0.0);
+        for (order, &(value, size)) in derivatives.iter().enumerate().rev() {
+            let factor = 1.0 / (order + 1) as f64;
+            sum = Self::constant(value, size) + (sum * change).scale(factor);
+        }
+        sum
+    }
+
+    fn map(self, f: impl Fn(f64) -> f64, size: impl Fn(f64) -> f64) -> Self {
+        Self {
+            coefficients: self.coefficients.map(f),
+            magnitudes: self.magnitudes.map(size),
+        }
+    }
+
+    fn sum(self, other: Self, sign: f64) -> Self {
+        let mut sum = self;
+        for power in 0..=ORDER {
+            sum.coefficients[power] += sign * other.coefficients[power];
+            sum.magnitudes[power] += other.magnitudes[power];
+        }
+        sum
+    }
+}
+
+/// Horner's scheme above divides by 1, 2, 3 … on the way in, which turns the
+/// derivatives of a list into those of its Taylor polynomial. The list carries,
+/// with each derivative, how far rounding of the argument moves it.
+fn with_sizes(derivatives: &[f64], argument: f64) -> Vec<(f64, f64)> {
+    (0..derivatives.len())
+        .map(|order| {
+            let next = derivatives.get(order + 1).copied().unwrap_or(0.0);
+            (
+                derivatives[order],
+                derivatives[order].abs() + (next * argument).abs(),
+            )
+        })
+        .collect()
+}
+
+/// Central difference, 0 where it is within its noise or not finite.
+fn difference(above: f64, below: f64) -> f64 {
+    let slope = (above - below) / (2.0 * STEP);
+    if slope.is_finite() && slope.abs() > DIFFERENCE_NOISE * (above.abs() + below.abs()) {
+        slope
+    } else {
+        0.0
+    }
+}
+
+impl Quantity for Series {
+    /// Exact up to the third derivative of U, the fourth from a difference;
+    /// from the fifth on U is taken as a polynomial of degree four.
+    fn lift(self, jet: impl Fn(f64) -> Jet) -> [Self; 3] {
+        let start = self.coefficients[0];
+        let here = jet(start);
+        let fourth = difference(jet(start + STEP).third, jet(start - STEP).third);
+        let all = [here.value, here.first, here.second, here.third, fourth];
+        let derivatives = with_sizes(&all, start);
+        [
+            self.composed(&derivatives),
+            self.composed(&derivatives[1..]),
+            self.composed(&derivatives[2..]),
+        ]
+    }
+
+    /// Exact to the first derivative of f, the second from a difference.
+    fn apply(self, function: impl Fn(f64) -> (f64, f64)) -> Self {
+        let start = self.coefficients[0];
+        let (value, first) = function(start);
+        let second = difference(function(start + STEP).1, function(start - STEP).1);
+        self.composed(&with_sizes(&[value, first, second], start))
+    }
+}
+
+impl Number for Series {
+    fn value(self) -> f64 {
+        self.coefficients[0]
+    }
+
+    fn compose(self, value: f64, derivative: f64) -> Self {
+        self.composed(&with_sizes(&[value, derivative], self.coefficients[0]))
+    }
+
+    fn scale(self, factor: f64) -> Self {
+        self.map(|value| value * factor, |size| size * factor.abs())
+    }
+}
+
+impl From<f64> for Series {
+    fn from(value: f64) -> Self {
+        Self::constant(value, value)
+    }
+}
+
+impl Add for Series {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        self.sum(other, 1.0)
+    }
+}
+
+impl Sub for Series {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        self.sum(other, -1.0)
+    }
+}
+
+impl Mul for Series {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        let mut product = Self::constant(0.0, 0.0);
+        for i in 0..=ORDER {
+            for j in 0..=ORDER - i {
+                product.coefficients[i + j] += self.coefficients[i] * other.coefficients[j];
+                product.magnitudes[i + j] += self.magnitudes[i] * other.magnitudes[j];
+            }
+        }
+        product
+    }
+}
+
+impl Div for Series {
+    type Output = Self;
+    /// Division by a series that does not start at zero.
+    fn div(self, other: Self) -> Self {
+        let mut quotient = Self::constant(0.0, 0.0);
+        let start = other.coefficients[0];
+        for power in 0..=ORDER {
+            let (mut value, mut size) = (self.coefficients[power], self.magnitudes[power]);
+            for i in 0..power {
+                value -= quotient.coefficients[i] * other.coefficients[power - i];
+                size += quotient.magnitudes[i] * other.magnitudes[power - i];
+            }
+            quotient.coefficients[power] = value / start;
+            quotient.magnitudes[power] = size / start.abs();
+        }
+        quotient
+    }
+}
+
+impl Neg for Series {
+    type Output = Self;
+    fn neg(self) -> Self {
+        self.map(|value| -value, |size| size)
+    }
+}
+
+impl AddAssign for Series {
+    fn add_assign(&mut self, other: Self) {
+        *self = *self + other;
+    }
+}
+
+impl SubAssign for Series {
+    fn sub_assign(&mut self, other: Self) {
+        *self = *self - other;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Quantity, Series};
+    use crate::number::Number;
+    use crate::position::Position;
+
+    const SINE: Position = Position::Sine {
+        amplitude: 1.5,
+        harmonic: 2.0,
+        phase: 0.0,
+        offset: 0.0,
+    };
+
+    #[test]
+    fn a_law_is_composed_with_a_motion_to_the_fourth_order() {
+        let t = Series::time();
+        let phi = Series::from(0.4) + t.scale(3.0) + (t * t).scale(0.7);
+        let [value, first, _] = phi.lift(|phi| SINE.jet(0, phi));
+        // The series agrees with the law along the motion, to its order.
+        let at = |t: f64| SINE.jet(0, 0.4 + 3.0 * t + 0.7 * t * t);
+        let sum = |series: &Series, t: f64, order: i32| -> f64 {
+            (0..=order)
+                .map(|power| series.coefficients[power as usize] * t.powi(power))
+                .sum()
+        };
+        for t in [-1e-3, 1e-3] {
+            approx::assert_abs_diff_eq!(sum(&value, t, 4), at(t).value, epsilon = 1e-12);
+            approx::assert_abs_diff_eq!(sum(&first, t, 3), at(t).first, epsilon = 1e-9);
+        }
+    }
+
+    #[test]
+    fn quotients_undo_products() {
+        let t = Series::time();
+        let a = Series::from(2.0) + t.scale(0.5) - (t * t).scale(0.25);
+        let b = Series::from(-1.5) + t + (t * t * t).scale(0.2);
+        let quotient = (a * b) / b;
+        for power in 0..10 {
+            let expected = a.coefficients[power];
+            approx::assert_abs_diff_eq!(quotient.coefficients[power], expected, epsilon = 1e-12);
+        }
+    }
+
+    #[test]
+    fn what_is_zero_up_to_rounding_does_not_decide_a_sign() {
+        // U″ of sin 2φ at φ = π is 10⁻¹⁵, not zero; U‴ < 0 decides.
+        let phi = Series::from(std::f64::consts::PI) + Series::time();
+        let [_, _, second] = phi.lift(|phi| SINE.jet(0, phi));
+        assert!(second.value() > 0.0 && second.value() < 1e-14);
+        assert_eq!(second.sign(), -1.0);
+        assert_eq!((-second).sign(), 1.0);
+        // 0.1 + 0.2 − 0.3 is a rounding, and nothing follows it.
+        let residue = Series::from(0.1) + Series::from(0.2) - Series::from(0.3);
+        assert_ne!(residue.value(), 0.0);
+        assert_eq!(residue.sign(), 0.0);
+    }
+}
