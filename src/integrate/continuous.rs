@@ -123,6 +123,38 @@ impl Output {
         self.fill_ends(from, to);
     }
 
+    /// The quintic through (s, ṡ) of both ends and of the middle of the step.
+    pub(super) fn through_middle<D: Dynamics>(
+        &mut self,
+        evaluator: &Evaluator<'_, D>,
+        from: &End,
+        middle: &[f64],
+        to: &End,
+    ) {
+        self.start = from.time;
+        self.length = to.time - from.time;
+        self.degree = 5;
+        // Accelerations are not asked for: any derivative will do.
+        self.inner
+            .set(evaluator, self.start + 0.5 * self.length, middle, &to.dy);
+        let h = self.length;
+        let ends = from.signals.iter().zip(&to.signals);
+        let rows = self.coefficients.chunks_exact_mut(6);
+        for ((row, (a, b)), m) in rows.zip(ends).zip(&self.inner.signals) {
+            let base = a[0];
+            let (end, value, slope) = (b[0] - base, m[0] - base, h * m[1]);
+            let (second, fifth) = (0.2 * h * a[1], end - 0.2 * h * b[1]);
+            let sum = 0.1 * (32.0 * value - 5.0 * second - 5.0 * fifth - end);
+            let difference = 1.6 * slope + 0.5 * (3.0 * second - 3.0 * fifth - end);
+            row[0] = base;
+            row[1] = base + second;
+            row[2] = base + 0.5 * (sum - difference);
+            row[3] = base + 0.5 * (sum + difference);
+            row[4] = base + fifth;
+            row[5] = b[0];
+        }
+    }
+
     /// Raises the quintic to degree 8 (four evaluations), or improves what was
     /// raised before (three evaluations).
     pub(super) fn raise<D: Dynamics>(

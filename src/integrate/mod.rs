@@ -6,6 +6,7 @@
 //! cuts the step there, and begins the method anew from the located state.
 
 mod continuous;
+mod diffsol_adapter;
 mod dynamics;
 mod evaluator;
 mod locate;
@@ -60,7 +61,10 @@ pub fn integrate<D: Dynamics>(
         if rest <= 16.0 * f64::EPSILON * run.from.time.abs().max(run.target.abs()) {
             run.skip_to_target();
         } else {
-            ode_solvers_adapter::leg(&mut run);
+            match settings.method {
+                Method::Rk4 | Method::Dopri5 | Method::Dop853 => ode_solvers_adapter::leg(&mut run),
+                Method::Bdf | Method::TrBdf2 | Method::Esdirk34 => diffsol_adapter::leg(&mut run),
+            }
         }
         if run.stop.is_none() && run.from.time == next && next < end {
             run.pass_break();

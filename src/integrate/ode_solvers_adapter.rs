@@ -261,7 +261,7 @@ impl<D: Dynamics> System<f64, DVector<f64>> for Problem<'_, '_, D> {
         }
         let accepted = self.counters.accepted.get() + 1;
         self.counters.accepted.set(accepted);
-        self.run.accept(time, y, dy) != Verdict::Continue || accepted >= STEPS_PER_LEG
+        self.run.accept(time, y, dy, None) != Verdict::Continue || accepted >= STEPS_PER_LEG
     }
 }
 

@@ -38,6 +38,7 @@ pub(super) struct Run<'a, D: Dynamics> {
     pub(super) switches: u64,
     to: End,
     output: Output,
+    middle: Vec<f64>,
     watches: Vec<Watch>,
     zero_at_start: Vec<Guard>,
     switches_at_once: u32,
@@ -70,6 +71,7 @@ impl<'a, D: Dynamics> Run<'a, D> {
             switches: 0,
             to: End::new(coordinates, signals),
             output: Output::new(coordinates, signals),
+            middle: vec![0.0; 2 * coordinates],
             watches: Vec::new(),
             zero_at_start: Vec::new(),
             switches_at_once: 0,
@@ -89,7 +91,16 @@ impl<'a, D: Dynamics> Run<'a, D> {
 
     /// Takes an accepted step from where the run stands to (`time`, `y`), whose
     /// derivative is `dy`: looks for switches, tells the sink, moves on.
-    pub(super) fn accept(&mut self, time: f64, y: &[f64], dy: &[f64]) -> Verdict {
+    ///
+    /// An implicit method gives the state in the `middle` of the step as well,
+    /// for steps that pass over fast modes.
+    pub(super) fn accept(
+        &mut self,
+        time: f64,
+        y: &[f64],
+        dy: &[f64],
+        middle: Option<&[f64]>,
+    ) -> Verdict {
         self.to.set(self.evaluator, time, y, dy);
         if let Some(index) = self.to.not_finite() {
             return self.end(self.not_finite(index));
@@ -98,22 +109,57 @@ impl<'a, D: Dynamics> Run<'a, D> {
         if time < self.target {
             self.last_length = Some(time - self.from.time);
         }
-        self.output.quintic(&self.from, &self.to);
-        if self.settings.method == Method::Dop853 {
-            self.output.raise(self.evaluator, &self.from, &self.to);
-        }
-        let found = self.earliest().and_then(|_| {
-            // The state to restart from comes out of the polynomial: make it
-            // as good as the method's own result, and look again.
-            self.output.raise(self.evaluator, &self.from, &self.to);
-            self.earliest()
-        });
+        let found = match middle {
+            Some(middle) => self.earliest_of_stiff(middle),
+            None => self.earliest_of_smooth(),
+        };
         // Trial points beyond a switch may leave the domain; that is no failure.
         self.evaluator.take_not_finite();
         match found {
             Some(found) => self.cut(found),
             None => self.pass(),
         }
+    }
+
+    /// The earliest switch on an output built with the right-hand side.
+    fn earliest_of_smooth(&mut self) -> Option<Located> {
+        self.output.quintic(&self.from, &self.to);
+        if self.settings.method == Method::Dop853 {
+            self.output.raise(self.evaluator, &self.from, &self.to);
+        }
+        self.earliest()?;
+        // The state to restart from comes out of the polynomial: make it as
+        // good as the method's own result, and look again.
+        self.output.raise(self.evaluator, &self.from, &self.to);
+        self.earliest()
+    }
+
+    /// The earliest switch on the output of an implicit method.
+    ///
+    /// Where the step is long against a fast mode, the right-hand side at its
+    /// ends magnifies the error of the state by (ωh)², and only states can be
+    /// trusted: ends and middle. Where it is not, and just after a switch, the
+    /// accelerations are needed: states within the tolerance do not tell in
+    /// which direction a guard that is zero sets out.
+    fn earliest_of_stiff(&mut self, middle: &[f64]) -> Option<Located> {
+        self.output.quintic(&self.from, &self.to);
+        if self.zero_at_start.is_empty() && !self.agrees(middle) {
+            self.output
+                .through_middle(self.evaluator, &self.from, middle, &self.to);
+        }
+        self.earliest()
+    }
+
+    /// The output's state in the middle of the step is the given one, within
+    /// the tolerance of the run.
+    fn agrees(&mut self, middle: &[f64]) -> bool {
+        let step = self.output.step(1.0);
+        step.state(0.5, &mut self.middle);
+        let scales = self.evaluator.dynamics.scales();
+        let states = self.middle.iter().zip(middle).zip(scales);
+        states
+            .into_iter()
+            .all(|((a, b), scale)| (a - b).abs() <= self.settings.tolerance * (scale + b.abs()))
     }
 
     fn earliest(&self) -> Option<Located> {
@@ -262,9 +308,15 @@ impl<'a, D: Dynamics> Run<'a, D> {
     /// A method cannot shorten its step any further at step length `step`; if
     /// the right-hand side gave no numbers, that is the reason.
     pub(super) fn end_at_floor(&mut self, step: f64) -> Verdict {
+        self.end_with_reason(Stop::StepFloor { step })
+    }
+
+    /// A method gives up with `stop`; if the right-hand side gave no numbers,
+    /// that is the reason.
+    pub(super) fn end_with_reason(&mut self, stop: Stop) -> Verdict {
         match self.evaluator.take_not_finite() {
             Some(index) => self.end(self.not_finite(index)),
-            None => self.end(Stop::StepFloor { step }),
+            None => self.end(stop),
         }
     }
 
@@ -297,7 +349,19 @@ impl<'a, D: Dynamics> Run<'a, D> {
     pub(super) fn first_length(&mut self, order: i32) -> f64 {
         let known = self.last_length.take();
         let known = known.or_else(|| self.usual_lengths.get(&self.pair_modes()).copied());
-        let length = known.unwrap_or_else(|| self.estimate_length(order));
+        match known {
+            Some(length) => self.bounded(length),
+            None => self.estimated_length(order),
+        }
+    }
+
+    /// First step of a leg (s) for a method that has to begin carefully.
+    pub(super) fn estimated_length(&mut self, order: i32) -> f64 {
+        let length = self.estimate_length(order);
+        self.bounded(length)
+    }
+
+    fn bounded(&self, length: f64) -> f64 {
         let longest = self.settings.step.unwrap_or(f64::INFINITY);
         length.min(longest).min(self.target - self.from.time)
     }

@@ -46,8 +46,8 @@ fn settings(method: Method, tolerance: f64, step: Option<f64>) -> Settings {
 #[test]
 fn probe() {
     let system = Oscillator::free(2.0);
-    for method in [Method::Rk4, Method::Dopri5, Method::Dop853] {
-        for k in 4..=12 {
+    for method in [Method::Bdf, Method::TrBdf2, Method::Esdirk34] {
+        for k in 3..=8 {
             let tolerance = 10f64.powi(-k);
             let step = (method == Method::Rk4).then(|| 0.2 * 0.5f64.powi(k - 4));
             let mut keeper = Keeper::default();
@@ -71,8 +71,8 @@ fn probe() {
 #[test]
 fn probe_rocker() {
     for masses in [1, 2] {
-        for method in [Method::Dopri5, Method::Dop853] {
-            for tolerance in [1e-4, 1e-6, 1e-8, 1e-10, 1e-11] {
+        for method in [Method::Bdf, Method::TrBdf2, Method::Esdirk34] {
+            for tolerance in [1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8] {
                 let system = Rocker::published(masses, 0.4);
                 let (y, modes) = system.static_start();
                 let mut keeper = Keeper::default();

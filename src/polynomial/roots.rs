@@ -140,12 +140,11 @@ fn only_root(coefficients: &[f64], rising: bool) -> f64 {
 fn halve(coefficients: &Coefficients, degree: usize) -> (Coefficients, Coefficients) {
     let mut left = [0.0; MAX_DEGREE + 1];
     let mut right = *coefficients;
-    left[0] = right[0];
-    for level in 1..=degree {
-        for i in 0..=degree - level {
+    for (level, first) in left[..=degree].iter_mut().enumerate() {
+        *first = right[0];
+        for i in 0..degree - level {
             right[i] = 0.5 * (right[i] + right[i + 1]);
         }
-        left[level] = right[0];
     }
     (left, right)
 }
