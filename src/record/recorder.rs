@@ -5,7 +5,7 @@ use super::pairs::PairTracker;
 use super::rows::Rows;
 use super::tracker::{ObjectTracker, StepView};
 use super::{Interval, ObjectFigures, PairFigures, Record, SwitchRow};
-use crate::integrate::{Modes, Sink, SwitchEvent};
+use crate::integrate::{Dynamics as _, Modes, Sink, SwitchEvent};
 use crate::model::{LinkBase, Model, Pair};
 use crate::polynomial::Step;
 use crate::system::{ObjectState, Scratch, System};
@@ -104,7 +104,7 @@ impl<'s> Recorder<'s> {
         Self {
             observer: Observer {
                 system,
-                scratch: Scratch::default(),
+                scratch: system.scratch(),
                 y: Vec::new(),
                 states: vec![ObjectState::default(); count],
             },

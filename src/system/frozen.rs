@@ -152,8 +152,7 @@ impl FrozenLaw {
 
     /// True when the law exists at the driver's displacement.
     pub(super) fn reaches(&self, displacement: f64) -> bool {
-        let inside = |(low, high)| low <= displacement && displacement <= high;
-        displacement.is_finite() && self.position.reach().is_none_or(inside)
+        displacement.is_finite() && self.position.reach_from(displacement).is_ok()
     }
 }
 
