@@ -38,7 +38,7 @@ impl On {
 pub(super) fn read_all(fields: &mut Fields<'_>, on: On) -> Option<Vec<LoadSpec>> {
     let doc = "Loads by name. Positive forces act in the direction of positive displacement.";
     let loads = fields.or("loads", doc, json!({}), |slot| {
-        slot.map(|name, slot| match on {
+        slot.names(|name, slot| match on {
             On::Rotor => slot.defined("rotor_load", |slot| read(slot, name, on)),
             On::Chain { own, .. } => {
                 let definition = match own.0 {

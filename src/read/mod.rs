@@ -33,6 +33,10 @@ pub use tree::{Member, Node, Value};
 /// Names that ids and loads may have, as a regular expression.
 pub const NAME_PATTERN: &str = "^[A-Za-z_][A-Za-z0-9_-]*$";
 
+/// The same in words.
+pub const NAME_RULE: &str =
+    "names are made of letters, digits, `_` and `-`, and begin with a letter or `_`";
+
 /// True for a name that fits [`NAME_PATTERN`].
 pub fn is_name(name: &str) -> bool {
     let mut bytes = name.bytes();

@@ -269,6 +269,35 @@ impl<'a> Slot<'a> {
         complete.then_some(values)
     }
 
+    /// As [`Slot::map`], for names that serve as addresses: they must fit
+    /// [`super::NAME_PATTERN`].
+    pub fn names<T>(
+        mut self,
+        mut read: impl FnMut(&str, Slot<'_>) -> Option<T>,
+    ) -> Option<BTreeMap<String, T>> {
+        let values = self.look(|slot| {
+            slot.map(|name, mut slot| {
+                let sound = slot.describing() || super::is_name(name);
+                if !sound {
+                    slot.refuse_name(name);
+                }
+                read(name, slot).filter(|_| sound)
+            })
+        });
+        if self.describing() {
+            self.out["propertyNames"] = json!({ "pattern": super::NAME_PATTERN });
+        }
+        values
+    }
+
+    /// Notes that the name of this value cannot serve as an address.
+    fn refuse_name(&mut self, name: &str) {
+        let place = self.name_place();
+        let fault = self.refuse("bad-id", format!("`{name}` cannot be a name"));
+        fault.place = Some(place);
+        fault.hints.push(super::NAME_RULE.to_owned());
+    }
+
     /// Reads a list of a length in the given range.
     pub fn list<T>(
         mut self,

@@ -52,11 +52,6 @@ pub(super) fn split(address: &str) -> Option<Vec<Part>> {
     Some(parts)
 }
 
-/// True for a name that an object or a load may have.
-pub(super) fn is_id(name: &str) -> bool {
-    crate::read::is_name(name)
-}
-
 /// Finds what an address means; the place of the nearest part that exists
 /// (its name where it has one).
 pub(super) fn locate(root: &Node, address: &str) -> Place {

@@ -210,6 +210,10 @@ fn figure(mut slot: Slot<'_>, known: &Known) -> Option<About> {
         });
         return None;
     };
+    let index = name.strip_prefix("pair.switch_times.");
+    if index.is_some_and(|index| index.parse::<usize>().is_ok()) {
+        return Some(About::Figure(address, q::TIME.into()));
+    }
     let found = OBJECT_FIGURES.iter().find(|figure| figure.0 == name);
     match found {
         Some((_, measure)) => {

@@ -1,13 +1,13 @@
 //! The objects of a scene, and who drives whom.
 
 use super::SceneObject;
-use super::address::{RESERVED, is_id};
+use super::address::RESERVED;
 use crate::diagnostics::{Diagnostic, Related};
 use crate::graph::MechanismGraph;
 use crate::model::Coordinate;
 use crate::object::spec::{BodySpec, DriveSpec};
 use crate::object::{Context, Description, KINDS, Kind};
-use crate::read::{Fields, Node, Slot, did_you_mean, quoted_list};
+use crate::read::{Fields, Node, Slot, did_you_mean, is_name, quoted_list};
 use serde_json::{Value as Json, json};
 use std::collections::BTreeMap;
 
@@ -105,11 +105,10 @@ fn check_id(slot: &mut Slot<'_>, id: &str) -> bool {
             format!("`{id}` cannot be the id of an object: it addresses the scene itself"),
             "choose another id".to_owned(),
         )
-    } else if !is_id(id) {
+    } else if !is_name(id) {
         (
             format!("`{id}` cannot be the id of an object"),
-            "ids are made of letters, digits, `_` and `-`, and begin with a letter or `_`"
-                .to_owned(),
+            crate::read::NAME_RULE.to_owned(),
         )
     } else {
         return true;
