@@ -96,21 +96,12 @@ impl Faults {
         }
     }
 
-    /// True when nothing is wrong so far.
-    pub(crate) fn is_empty(&self) -> bool {
-        self.0.is_empty()
-    }
-
-    /// Adds faults found elsewhere.
-    pub(crate) fn append(&mut self, faults: Vec<Fault>) {
-        self.0.extend(faults);
-    }
-
     /// Adds faults found elsewhere, their paths being relative to `prefix`.
     pub(crate) fn absorb(&mut self, prefix: &str, faults: Vec<Fault>) {
         self.0.extend(faults.into_iter().map(|mut fault| {
             fault.path = match fault.path.as_str() {
                 "" => prefix.to_owned(),
+                entry if entry.starts_with('[') => format!("{prefix}{entry}"),
                 path => format!("{prefix}.{path}"),
             };
             fault

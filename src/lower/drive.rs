@@ -1,7 +1,6 @@
 //! Drives: prescribed motions and motors.
 
 use super::{Lowering, reach};
-use crate::breaks::Breaks;
 use crate::model::{Load, LoadLaw, Node, NodeMotion, TrackSource};
 use crate::motion::DriveMotion;
 use crate::object::spec::{DriveMotionSpec, DriveSpec, MotorSpec, TorqueSpec};
@@ -21,8 +20,7 @@ impl<'a> Lowering<'a> {
             Err(faults) => return self.faults.absorb(&format!("{id}.motion"), faults),
         };
         let track = self.track(TrackSource::Time, motion.breaks(), self.indices[id]);
-        self.courses
-            .insert(id, reach::Course::prescribed(motion.clone()));
+        self.courses.insert(id, reach::Course::prescribed(&motion));
         self.add_output(
             id,
             Node {
@@ -37,7 +35,7 @@ impl<'a> Lowering<'a> {
         self.faults.positive(&format!("{id}.inertia"), spec.inertia);
         self.faults.finite(&format!("{id}.angle"), angle);
         self.faults.finite(&format!("{id}.speed"), speed);
-        self.courses.insert(id, reach::Course::starting_at(angle));
+        self.courses.insert(id, reach::Course::motor(angle));
         let node = self.add_output(
             id,
             Node {
@@ -106,10 +104,5 @@ impl<'a> Lowering<'a> {
         self.model.objects[self.indices[id]].nodes.push(index);
         self.outputs.insert(id, index);
         index
-    }
-
-    /// The track of a load over time.
-    pub(super) fn time_track(&mut self, breaks: Breaks, object: usize) -> Option<usize> {
-        self.track(TrackSource::Time, breaks, object)
     }
 }

@@ -7,6 +7,7 @@ mod chain;
 mod drive;
 mod load;
 mod order;
+mod pieces;
 mod reach;
 #[cfg(test)]
 mod tests;
@@ -56,7 +57,7 @@ struct Lowering<'a> {
     outputs: BTreeMap<&'a str, NodeIndex>,
     /// The objects' motions as long as every mass follows its law, as far as
     /// they are known beforehand.
-    courses: BTreeMap<&'a str, reach::Course>,
+    courses: BTreeMap<&'a str, reach::Course<'a>>,
 }
 
 impl<'a> Lowering<'a> {

@@ -3,7 +3,7 @@
 use crate::fault::{Fault, Faults};
 use crate::object::Description;
 use crate::scene::Scene;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// The objects' ids, drivers before driven, the smallest id first among those
 /// that could come next.
@@ -15,26 +15,26 @@ pub(super) fn drivers_first(scene: &Scene) -> Result<Vec<&str>, Vec<Fault>> {
     check_inputs(scene)?;
     let mut order = Vec::with_capacity(scene.objects.len());
     let mut ready: BTreeSet<&str> = BTreeSet::new();
+    let mut followers: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
     for (id, entry) in &scene.objects {
-        if entry.input.is_none() {
-            ready.insert(id);
+        match entry.input.as_deref() {
+            None => {
+                ready.insert(id);
+            }
+            Some(input) => followers.entry(input).or_default().push(id),
         }
     }
     while let Some(id) = ready.pop_first() {
         order.push(id);
-        for (follower, entry) in &scene.objects {
-            if entry.input.as_deref() == Some(id) {
-                ready.insert(follower);
-            }
-        }
+        ready.extend(followers.remove(id).unwrap_or_default());
     }
+    // Whoever waits for an object that was never taken is left over.
+    let left: BTreeSet<&str> = followers.into_values().flatten().collect();
     let mut faults = Faults::default();
-    for id in scene.objects.keys() {
-        if !order.contains(&id.as_str()) {
-            let message = format!("no drive moves `{id}`: its inputs run in a circle");
-            let hint = "let the chain of inputs begin at a drive";
-            faults.add(format!("{id}.input"), message, hint);
-        }
+    for id in left {
+        let message = format!("no drive moves `{id}`: its inputs run in a circle");
+        let hint = "let the chain of inputs begin at a drive";
+        faults.add(format!("{id}.input"), message, hint);
     }
     faults.check()?;
     Ok(order)

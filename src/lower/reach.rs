@@ -2,6 +2,7 @@
 
 use super::Lowering;
 use crate::breaks::Breaks;
+use crate::jet::Jet;
 use crate::model::{Coordinate, Track, TrackSource};
 use crate::motion::DriveMotion;
 use crate::position::Position;
@@ -10,22 +11,25 @@ use crate::scene::StartSpec;
 /// Most instants looked at when a motion is followed over the run.
 const MOST_INSTANTS: f64 = 200_000.0;
 
-/// Where an object is over time, as long as every mass follows its law.
+/// Where an object is as long as every mass follows its law.
 #[derive(Clone, Debug)]
-pub(super) struct Course {
-    source: Source,
-    steps: Vec<Step>,
+pub(super) struct Course<'a> {
+    /// Displacement at t = 0.
+    start: f64,
+    origin: Origin<'a>,
 }
 
 #[derive(Clone, Debug)]
-enum Source {
-    /// Known over time.
+enum Origin<'a> {
+    /// A drive whose motion is known.
     Prescribed(DriveMotion),
-    /// Known at t = 0 only.
-    Start(f64),
+    /// A motor: known at t = 0 only.
+    Motor,
+    /// A law over the displacement of another object.
+    Follows(&'a str, Step),
 }
 
-/// One law on the way from the source.
+/// One law on the way from the drive.
 #[derive(Clone, Debug)]
 struct Step {
     position: Position,
@@ -33,85 +37,77 @@ struct Step {
     lever: f64,
 }
 
-impl Course {
+impl Step {
+    fn displacement(&self, driver: f64) -> f64 {
+        let segment = self.breaks.locate(driver, 1.0);
+        self.lever * self.position.jet(segment, driver).value
+    }
+}
+
+impl Course<'_> {
     /// A drive's prescribed motion.
-    pub(super) fn prescribed(motion: DriveMotion) -> Self {
+    pub(super) fn prescribed(motion: &DriveMotion) -> Self {
         Self {
-            source: Source::Prescribed(motion),
-            steps: Vec::new(),
+            start: instant(motion, 0.0).value,
+            origin: Origin::Prescribed(motion.clone()),
         }
     }
 
-    /// A displacement known at t = 0 only.
-    pub(super) fn starting_at(displacement: f64) -> Self {
+    /// A motor that starts at an angle.
+    pub(super) fn motor(angle: f64) -> Self {
         Self {
-            source: Source::Start(displacement),
-            steps: Vec::new(),
+            start: angle,
+            origin: Origin::Motor,
         }
     }
+}
 
-    /// Displacement at a time (of a motor: at t = 0 whatever the time).
-    fn displacement(&self, time: f64) -> f64 {
-        let mut displacement = match &self.source {
-            Source::Prescribed(motion) => motion.jet(motion.breaks().locate(time, 1.0), time).value,
-            Source::Start(displacement) => *displacement,
-        };
-        for step in &self.steps {
-            let segment = step.breaks.locate(displacement, 1.0);
-            displacement = step.lever * step.position.jet(segment, displacement).value;
-        }
-        displacement
-    }
+fn instant(motion: &DriveMotion, time: f64) -> Jet {
+    motion.jet(motion.breaks().locate(time, 1.0), time)
+}
 
-    fn followed(&self, position: &Position, lever: f64) -> Self {
-        let mut course = self.clone();
-        course.steps.push(Step {
-            position: position.clone(),
-            breaks: position.breaks(),
-            lever,
-        });
-        course
+/// The first time up to `duration` at which the displacement, from a drive's
+/// motion through the laws of `steps`, leaves an open interval; `None`: never.
+fn leaves(
+    motion: &DriveMotion,
+    steps: &[&Step],
+    (from, to): (f64, f64),
+    duration: f64,
+) -> Option<f64> {
+    if let (DriveMotion::Constant { speed, angle }, []) = (motion, steps) {
+        let edge = if *speed > 0.0 { to } else { from };
+        let time = (edge - angle) / speed;
+        return (time.is_finite() && time <= duration).then_some(time);
     }
-
-    /// The first time up to `duration` at which the displacement leaves the
-    /// open interval; `None`: never, or not known.
-    fn leaves(&self, (from, to): (f64, f64), duration: f64) -> Option<f64> {
-        let Source::Prescribed(motion) = &self.source else {
-            return None;
-        };
-        if let (DriveMotion::Constant { speed, angle }, []) = (motion, &*self.steps) {
-            let edge = if *speed > 0.0 { to } else { from };
-            let time = (edge - angle) / speed;
-            return (time.is_finite() && time <= duration).then_some(time);
+    // One degree of the drive at a time, as far as that is affordable.
+    let speed = (0..=1000)
+        .map(|i| {
+            instant(motion, duration * f64::from(i) / 1000.0)
+                .first
+                .abs()
+        })
+        .fold(0.0, f64::max);
+    let most = (MOST_INSTANTS / (steps.len() + 1) as f64).max(1000.0);
+    let count = (speed * duration).to_degrees().clamp(1000.0, most) as u32;
+    let time = |index: u32| duration * f64::from(index) / f64::from(count);
+    // Beyond a dead position upstream the displacement is not a number, nor
+    // outside: that position is reported for the object upstream.
+    let outside = |time: f64| {
+        let drive = instant(motion, time).value;
+        let end = steps.iter().fold(drive, |at, step| step.displacement(at));
+        end <= from || end >= to
+    };
+    let index = (1..=count).find(|&index| outside(time(index)))?;
+    let (mut before, mut after) = (time(index - 1), time(index));
+    for _ in 0..60 {
+        let middle = 0.5 * (before + after);
+        if outside(middle) {
+            after = middle;
+        } else {
+            before = middle;
         }
-        // One degree of the drive at a time, as far as that is affordable.
-        let speed = (0..=1000)
-            .map(|i| {
-                let time = duration * f64::from(i) / 1000.0;
-                motion.jet(motion.breaks().locate(time, 1.0), time).first
-            })
-            .fold(0.0, |most: f64, speed| most.max(speed.abs()));
-        let instants = (speed * duration).to_degrees().clamp(1000.0, MOST_INSTANTS);
-        let count = instants as u32;
-        let time = |index: u32| duration * f64::from(index) / f64::from(count);
-        // Beyond a dead position upstream the displacement is not a number:
-        // that one is reported for the object upstream.
-        let outside = |time: f64| {
-            let displacement = self.displacement(time);
-            displacement <= from || displacement >= to
-        };
-        let index = (1..=count).find(|&index| outside(time(index)))?;
-        let (mut before, mut after) = (time(index - 1), time(index));
-        for _ in 0..60 {
-            let middle = 0.5 * (before + after);
-            if outside(middle) {
-                after = middle;
-            } else {
-                before = middle;
-            }
-        }
-        Some(after)
     }
+    Some(after)
 }
 
 impl<'a> Lowering<'a> {
@@ -121,17 +117,16 @@ impl<'a> Lowering<'a> {
     pub(super) fn follow(
         &mut self,
         id: &'a str,
-        input: &str,
+        input: &'a str,
         position: &Position,
         lever: f64,
     ) -> Option<()> {
-        let course = self.courses.get(input)?.clone();
-        let phi = self
-            .explicit_output(input)
-            .unwrap_or_else(|| course.displacement(0.0));
+        let on_law = self.courses.get(input)?.start;
+        let phi = self.explicit_output(input).unwrap_or(on_law);
         let coordinate = self.model.objects[self.indices[input]].coordinate;
-        let reach = match position.reach_from(phi) {
-            Ok(reach) => reach,
+        match position.reach_from(phi) {
+            Ok(None) => {}
+            Ok(Some(reach)) => self.limit(id, input, reach),
             Err(outside) => {
                 let message = format!(
                     "it cannot be assembled at the start, with `{input}` at {}",
@@ -146,24 +141,47 @@ impl<'a> Lowering<'a> {
                 self.faults.add(format!("{id}.position"), message, &hint);
                 return None;
             }
-        };
-        if let Some(reach) = reach {
-            self.limit(id, input, reach, &course);
         }
-        let start = position.breaks().locate(phi, 1.0);
-        let own = match course.source {
-            // An explicit start moves what follows a motor.
-            Source::Start(_) => Course::starting_at(lever * position.jet(start, phi).value),
-            Source::Prescribed(_) => course.followed(position, lever),
+        let step = Step {
+            position: position.clone(),
+            breaks: position.breaks(),
+            lever,
         };
-        self.courses.insert(id, own);
+        let course = Course {
+            start: step.displacement(phi),
+            origin: Origin::Follows(input, step),
+        };
+        self.courses.insert(id, course);
         Some(())
     }
 
-    fn limit(&mut self, id: &str, input: &str, reach: (f64, f64), course: &Course) {
+    /// The prescribed motion that an object follows, with the laws from there
+    /// to it in order; `None` behind a motor.
+    fn way(&self, mut id: &'a str) -> Option<(&DriveMotion, Vec<&Step>)> {
+        let mut steps = Vec::new();
+        loop {
+            match &self.courses.get(id)?.origin {
+                Origin::Motor => return None,
+                Origin::Prescribed(motion) => {
+                    steps.reverse();
+                    return Some((motion, steps));
+                }
+                Origin::Follows(input, step) => {
+                    steps.push(step);
+                    id = input;
+                }
+            }
+        }
+    }
+
+    fn limit(&mut self, id: &str, input: &'a str, reach: (f64, f64)) {
         let object = self.indices[id];
         let coordinate = self.model.objects[self.indices[input]].coordinate;
-        if let Some(time) = course.leaves(reach, self.scene.run.duration) {
+        let duration = self.scene.run.duration;
+        let left = self
+            .way(input)
+            .and_then(|(motion, steps)| leaves(motion, &steps, reach, duration));
+        if let Some(time) = left {
             self.model.warnings.push(format!(
                 "`{id}` can be assembled only with `{input}` {}; its law leads out of that at \
                  t = {time:.6} s, where the run stops in a dead position",

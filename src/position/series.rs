@@ -8,11 +8,6 @@ use std::ops::{Add, Mul, Neg, Sub};
 pub(super) struct Series([f64; 4]);
 
 impl Series {
-    /// A constant.
-    pub(super) fn constant(value: f64) -> Self {
-        Self([value, 0.0, 0.0, 0.0])
-    }
-
     /// sin and cos of `rate`·x at the angle `rate`·x = `angle`.
     pub(super) fn sin_cos(angle: f64, rate: f64) -> (Self, Self) {
         let (sin, cos) = angle.sin_cos();
@@ -129,7 +124,7 @@ mod tests {
         approx::assert_abs_diff_eq!(angle.second, 0.0, epsilon = 1e-14);
         approx::assert_abs_diff_eq!(angle.third, 0.0, epsilon = 1e-13);
         // √(e² + 2·e·x) at e = 3 in powers of x: 3, 1, −1/3, 1/3.
-        let root = Series::constant(9.0).tilt(6.0).sqrt().jet();
+        let root = Series([9.0, 6.0, 0.0, 0.0]).sqrt().jet();
         assert_eq!((root.value, root.first), (3.0, 1.0));
         approx::assert_relative_eq!(root.second, -1.0 / 3.0, epsilon = 1e-15);
         approx::assert_relative_eq!(root.third, 1.0 / 3.0, epsilon = 1e-15);

@@ -106,7 +106,8 @@ fn agrees_with_differences(position: &Position, phi: f64) -> Result<(), TestCase
     let jets = [-2.0, -1.0, 0.0, 1.0, 2.0].map(|k| position.jet(segment, phi + k * h));
     let middle = jets[2];
     prop_assert!(middle.is_finite());
-    let orders: [(fn(&Jet) -> f64, f64); 3] = [
+    type Derivative = fn(&Jet) -> f64;
+    let orders: [(Derivative, f64); 3] = [
         (|jet| jet.value, middle.first),
         (|jet| jet.first, middle.second),
         (|jet| jet.second, middle.third),

@@ -1,160 +1,4 @@
-use super::{FREE_FALL, lower};
-use crate::model::{
-    Closure, Coordinate, DampingLaw, LinkBase, LoadLaw, Model, NodeMotion, Start, TrackSource,
-};
-use crate::object::spec::*;
-use crate::object::{Description, Object};
-use crate::position::PositionSpec;
-use crate::scene::{RunSpec, Scene, SceneObject, StartSpec};
-use std::collections::BTreeMap;
-use std::f64::consts::{PI, TAU};
-
-#[derive(Debug)]
-struct Part(Coordinate, Spec);
-
-#[derive(Debug)]
-enum Spec {
-    Drive(DriveSpec),
-    Chain(ChainSpec),
-}
-
-impl Object for Part {
-    fn kind(&self) -> &'static str {
-        "part"
-    }
-
-    fn coordinate(&self) -> Coordinate {
-        self.0
-    }
-
-    fn description(&self) -> Description<'_> {
-        match &self.1 {
-            Spec::Drive(spec) => Description::Drive(spec),
-            Spec::Chain(spec) => Description::Chain(spec),
-        }
-    }
-}
-
-fn scene(parts: Vec<(&str, Option<&str>, Part)>) -> Scene {
-    let objects = parts
-        .into_iter()
-        .map(|(id, input, part)| {
-            let entry = SceneObject {
-                input: input.map(str::to_owned),
-                object: Box::new(part),
-            };
-            (id.to_owned(), entry)
-        })
-        .collect();
-    Scene {
-        name: "test".into(),
-        objects,
-        run: RunSpec {
-            duration: 1.0,
-            start: StartSpec::OnLaw,
-            method: "auto".into(),
-            tolerance: 1e-6,
-            step: None,
-            samples: 10,
-            switch_rows: false,
-            window: None,
-            max_switches: 1000,
-        },
-        expect: Vec::new(),
-        hash: String::new(),
-    }
-}
-
-fn drive(speed: f64, angle: f64) -> Part {
-    let motion = DriveMotionSpec::Constant { speed, angle };
-    Part(
-        Coordinate::Turning,
-        Spec::Drive(DriveSpec::Prescribed(motion)),
-    )
-}
-
-fn motor(angle: f64) -> Part {
-    let spec = MotorSpec {
-        inertia: 0.2,
-        angle,
-        speed: 3.0,
-        torque: TorqueSpec::Linear {
-            stall_torque: 10.0,
-            no_load_speed: 100.0,
-        },
-        loads: vec![load("drag", LoadLawSpec::Viscous(0.1))],
-    };
-    Part(Coordinate::Turning, Spec::Drive(DriveSpec::Motor(spec)))
-}
-
-fn load(name: &str, law: LoadLawSpec) -> LoadSpec {
-    LoadSpec {
-        name: name.into(),
-        mass: MassChoice::Last,
-        law,
-    }
-}
-
-fn rigid(inertia: f64) -> BodySpec {
-    BodySpec::Rigid { inertia }
-}
-
-fn uniform(masses: usize) -> BodySpec {
-    BodySpec::Uniform {
-        inertia: 0.1,
-        stiffness: 1e7,
-        damping_capacity: 0.4,
-        masses,
-        split: InertiaSplit::Cubes,
-    }
-}
-
-fn chain(coordinate: Coordinate, position: PositionSpec, body: BodySpec) -> ChainSpec {
-    ChainSpec {
-        coordinate,
-        position,
-        lever: 1.0,
-        body,
-        pair: PairSpec {
-            closure: Closure::Force,
-            gap: 0.0,
-            opens: 1.0,
-            law: DampingLaw::KelvinVoigt,
-        },
-        loads: Vec::new(),
-    }
-}
-
-fn part(spec: ChainSpec) -> Part {
-    Part(spec.coordinate, Spec::Chain(spec))
-}
-
-fn ratio() -> PositionSpec {
-    PositionSpec::Ratio {
-        ratio: 1.0,
-        offset: 0.0,
-    }
-}
-
-/// Turns fully: a crank-slider.
-fn slider_crank(crank: f64) -> PositionSpec {
-    PositionSpec::SliderCrank {
-        crank,
-        rod: 0.2,
-        offset: 0.0,
-        branch: 1.0,
-        phase: 0.0,
-    }
-}
-
-fn lowered(parts: Vec<(&str, Option<&str>, Part)>) -> Model {
-    lower(&scene(parts)).unwrap()
-}
-
-fn fault_paths(parts: Vec<(&str, Option<&str>, Part)>) -> Vec<String> {
-    let faults = lower(&scene(parts)).unwrap_err();
-    faults.into_iter().map(|fault| fault.path).collect()
-}
+use super::*;
 
 #[test]
 fn drivers_come_before_what_they_drive_and_ids_decide_the_rest() {
@@ -362,92 +206,6 @@ fn inputs_that_lead_nowhere_are_faults() {
 }
 
 #[test]
-fn a_linkage_that_cannot_be_assembled_at_the_start_is_a_fault() {
-    // Crank longer than the rod: |sin θ| < 0.2/0.25, θ within ±53.13 deg.
-    let ram = || part(chain(Coordinate::Sliding, slider_crank(0.25), rigid(1.0)));
-    let faults = lower(&scene(vec![
-        ("drive", None, drive(1.0, PI / 2.0)),
-        ("ram", Some("drive"), ram()),
-    ]))
-    .unwrap_err();
-    assert_eq!(faults[0].path, "ram.position");
-    assert!(faults[0].message.contains("`drive` at 90.000000 deg"));
-    assert!(
-        faults[0]
-            .hint
-            .contains("between -53.130102 and 53.130102 deg"),
-        "{}",
-        faults[0].hint
-    );
-    // A motor's angle counts as well.
-    assert_eq!(
-        fault_paths(vec![("m", None, motor(2.0)), ("ram", Some("m"), ram())]),
-        ["ram.position"]
-    );
-}
-
-#[test]
-fn a_dead_position_on_the_way_is_said_before_and_stops_the_run() {
-    let ram = || part(chain(Coordinate::Sliding, slider_crank(0.25), rigid(1.0)));
-    let edge = 0.8f64.asin();
-    let model = lowered(vec![
-        ("drive", None, drive(2.0, 0.1)),
-        ("ram", Some("drive"), ram()),
-    ]);
-    let track = &model.tracks[0];
-    assert!(track.stops && track.object == 1 && track.source == TrackSource::Node(0));
-    approx::assert_abs_diff_eq!(track.breaks.points[0], -edge, epsilon = 1e-15);
-    approx::assert_abs_diff_eq!(track.breaks.points[1], edge, epsilon = 1e-15);
-    let when = format!("t = {:.6} s", (edge - 0.1) / 2.0);
-    assert!(model.warnings[0].contains(&when), "{}", model.warnings[0]);
-    // Backwards the other edge comes first; a slow drive never gets there.
-    let model = lowered(vec![
-        ("drive", None, drive(-2.0, 0.1)),
-        ("ram", Some("drive"), ram()),
-    ]);
-    let when = format!("t = {:.6} s", (edge + 0.1) / 2.0);
-    assert!(model.warnings[0].contains(&when), "{}", model.warnings[0]);
-    let model = lowered(vec![
-        ("drive", None, drive(0.5, 0.1)),
-        ("ram", Some("drive"), ram()),
-    ]);
-    assert!(model.warnings.is_empty() && model.tracks[0].stops);
-}
-
-#[test]
-fn reach_is_followed_through_rigid_and_elastic_objects() {
-    // A rocker swinging ±0.95 rad drives a linkage that ends at asin 0.8 = 0.9273 rad.
-    let swing = PositionSpec::Sine {
-        amplitude: 0.95,
-        harmonic: 1.0,
-        phase: 0.0,
-        offset: 0.0,
-    };
-    for body in [rigid(0.1), uniform(3)] {
-        let model = lowered(vec![
-            ("drive", None, drive(2.0, 0.0)),
-            (
-                "lever",
-                Some("drive"),
-                part(chain(Coordinate::Turning, swing.clone(), body)),
-            ),
-            (
-                "ram",
-                Some("lever"),
-                part(chain(Coordinate::Sliding, slider_crank(0.25), rigid(1.0))),
-            ),
-        ]);
-        let time = (0.8f64.asin() / 0.95).asin() / 2.0;
-        let when = format!("t = {time:.6} s");
-        assert!(model.warnings[0].contains(&when), "{}", model.warnings[0]);
-        assert_eq!(
-            model.tracks[0].source,
-            TrackSource::Node(model.objects[1].nodes.len())
-        );
-    }
-}
-
-#[test]
 fn explicit_starts_are_checked_against_the_masses() {
     let parts = || {
         vec![
@@ -484,4 +242,28 @@ fn explicit_starts_are_checked_against_the_masses() {
     );
     assert_eq!(paths(&[("drive", 1)]), ["run.start.drive"]);
     assert_eq!(paths(&[("nobody", 1)]), ["run.start.nobody"]);
+}
+
+#[test]
+fn faults_of_tables_name_the_point() {
+    let paths = |law: LoadLawSpec| {
+        let mut spec = chain(Coordinate::Turning, ratio(), rigid(0.1));
+        spec.loads = vec![load("push", law)];
+        fault_paths(vec![
+            ("drive", None, drive(1.0, 0.0)),
+            ("rocker", Some("drive"), part(spec)),
+        ])
+    };
+    let points = vec![(0.0, 1.0), (0.0, 2.0)];
+    assert_eq!(
+        paths(LoadLawSpec::TimeTable(points.clone())),
+        ["rocker.loads.push.time_table[1]"]
+    );
+    for period in [None, Some(1.0)] {
+        let points = points.clone();
+        assert_eq!(
+            paths(LoadLawSpec::PositionTable { points, period }),
+            ["rocker.loads.push.position_table.points[1]"]
+        );
+    }
 }
