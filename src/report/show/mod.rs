@@ -1,0 +1,3 @@
+//! The three models of a scene.
+
+pub mod position;
