@@ -7,7 +7,7 @@ use crate::report::quantity::{escape, shortened, with_unit};
 
 const BOX_WIDTH: f64 = 156.0;
 const BOX_HEIGHT: f64 = 74.0;
-const COLUMN: f64 = BOX_WIDTH + 190.0;
+const COLUMN: f64 = BOX_WIDTH + 212.0;
 const ROW: f64 = BOX_HEIGHT + 46.0;
 const MARGIN: f64 = 16.0;
 
@@ -136,7 +136,7 @@ fn edge(one: &ObjectBox, from: Place, to: Place) -> String {
         coordinate((bend + 10.0 + end) / 2.0),
         coordinate(forward_to - 9.0),
         escape(&one.position),
-        escape(&shortened(&one.position, room.min(23))),
+        escape(&shortened(&one.position, room.min(21))),
         coordinate(label_x - 24.0),
         coordinate(back_to + 14.0),
         pair_symbol(one, end - 30.0, (forward_to + back_to) / 2.0),
