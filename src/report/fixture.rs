@@ -305,7 +305,11 @@ impl<'a> Run<'a> {
             self.force(),
             -self.force(),
         ];
-        for (peak, value) in self.peaks.iter_mut().zip([row[2], row[3], row[5], u, -u, 0.0]) {
+        for (peak, value) in self
+            .peaks
+            .iter_mut()
+            .zip([row[2], row[3], row[5], u, -u, 0.0])
+        {
             *peak = peak.max(value);
         }
         let open = self.force() == 0.0 && time > 0.0;

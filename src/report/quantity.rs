@@ -90,7 +90,10 @@ pub fn significant(value: f64, digits: usize) -> String {
     let sign = if value < 0.0 { "−" } else { "" };
     if (-4..digits.max(6) as i32).contains(&exponent) {
         let decimals = (digits as i32 - 1 - exponent).max(0) as usize;
-        return format!("{sign}{}", trimmed(&format!("{:.*}", decimals, value.abs())));
+        return format!(
+            "{sign}{}",
+            trimmed(&format!("{:.*}", decimals, value.abs()))
+        );
     }
     let mantissa = trimmed(mantissa);
     let power = superscript(exponent);
@@ -112,12 +115,20 @@ fn trimmed(number: &str) -> &str {
 
 /// An integer in superscript digits: −6 → ⁻⁶.
 pub fn superscript(number: i32) -> String {
-    translate(number, ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'], '⁻')
+    translate(
+        number,
+        ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'],
+        '⁻',
+    )
 }
 
 /// An integer in subscript digits: 12 → ₁₂.
 pub fn subscript(number: usize) -> String {
-    translate(number, ['₀', '₁', '₂', '₃', '₄', '₅', '₆', '₇', '₈', '₉'], '₋')
+    translate(
+        number,
+        ['₀', '₁', '₂', '₃', '₄', '₅', '₆', '₇', '₈', '₉'],
+        '₋',
+    )
 }
 
 fn translate(number: impl ToString, digits: [char; 10], minus: char) -> String {

@@ -37,7 +37,9 @@ pub fn ticks(low: f64, high: f64, count: usize) -> Ticks {
 fn round_step(raw: f64) -> f64 {
     let power = 10f64.powf(raw.log10().floor());
     let lead = raw / power;
-    let factor = [1.0, 2.0, 5.0].into_iter().find(|f| lead <= f * (1.0 + 1e-9));
+    let factor = [1.0, 2.0, 5.0]
+        .into_iter()
+        .find(|f| lead <= f * (1.0 + 1e-9));
     factor.unwrap_or(10.0) * power
 }
 

@@ -95,7 +95,9 @@ fn stopped(figures: &Figures) -> Verdict {
     Verdict {
         sort,
         headline: headline.into(),
-        text: format!("The run ended at t = {time}. {reason}").trim_end().into(),
+        text: format!("The run ended at t = {time}. {reason}")
+            .trim_end()
+            .into(),
     }
 }
 
@@ -137,7 +139,12 @@ fn pairs(figures: &Figures) -> Verdict {
 /// separation of the run counts.
 fn complaint(id: &str, pair: &PairFigures) -> Option<String> {
     if let Some(margin) = pair.margin {
-        return (margin < 0.0).then(|| format!("{id} would lift off (least contact force {})", significant(margin, 4)));
+        return (margin < 0.0).then(|| {
+            format!(
+                "{id} would lift off (least contact force {})",
+                significant(margin, 4)
+            )
+        });
     }
     let fails = match pair.in_working_order {
         Some(in_order) => !in_order,
@@ -180,7 +187,11 @@ mod tests {
         let (mut figures, _) = fixture::run(2, 0.03, 50);
         let judged = verdict(&figures);
         assert_eq!(judged.sort, Sort::Mechanism);
-        assert!(judged.text.starts_with("rocker separates"), "{}", judged.text);
+        assert!(
+            judged.text.starts_with("rocker separates"),
+            "{}",
+            judged.text
+        );
 
         figures.run.energy_error = f64::NAN;
         assert_eq!(verdict(&figures).sort, Sort::Numerical);
@@ -200,10 +211,22 @@ mod tests {
     #[test]
     fn a_quiet_pair_is_in_working_order() {
         let (mut figures, _) = fixture::run(2, 0.03, 50);
-        let pair = figures.objects.get_mut("rocker").unwrap().pair.as_mut().unwrap();
+        let pair = figures
+            .objects
+            .get_mut("rocker")
+            .unwrap()
+            .pair
+            .as_mut()
+            .unwrap();
         pair.in_working_order = Some(true);
         assert_eq!(verdict(&figures).sort, Sort::Good);
-        let pair = figures.objects.get_mut("rocker").unwrap().pair.as_mut().unwrap();
+        let pair = figures
+            .objects
+            .get_mut("rocker")
+            .unwrap()
+            .pair
+            .as_mut()
+            .unwrap();
         pair.in_working_order = None;
         assert_eq!(verdict(&figures).sort, Sort::Mechanism);
     }

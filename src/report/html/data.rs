@@ -121,7 +121,16 @@ impl PlotData {
         if self.runs.len() < 2 {
             return String::new();
         }
-        let dashes = ["", "7 3", "2 2.5", "9 3 2 3", "4 2", "12 4", "1.5 3.5", "6 2 1 2 1 2"];
+        let dashes = [
+            "",
+            "7 3",
+            "2 2.5",
+            "9 3 2 3",
+            "4 2",
+            "12 4",
+            "1.5 3.5",
+            "6 2 1 2 1 2",
+        ];
         let key = |(index, label): (usize, &String)| {
             format!(
                 "<span class=\"key\"><svg width=\"30\" height=\"10\" aria-hidden=\"true\">\
@@ -155,14 +164,20 @@ fn group(index: usize, id: &str, runs: &[RunSeries<'_>]) -> Group {
         let Some((_, first)) = columns.first() else {
             continue;
         };
-        if columns.iter().all(|(_, c)| c.values.iter().all(|&v| v == 0.0)) {
+        if columns
+            .iter()
+            .all(|(_, c)| c.values.iter().all(|&v| v == 0.0))
+        {
             silent.push(name);
             continue;
         }
         panels.push(Panel {
             name,
             unit: first.unit,
-            series: columns.iter().map(|&(run, column)| series(run, column)).collect(),
+            series: columns
+                .iter()
+                .map(|&(run, column)| series(run, column))
+                .collect(),
         });
     }
     let shades = runs.iter().enumerate().map(|(run, one)| Shade {
@@ -205,7 +220,9 @@ fn series(run: usize, column: &Column) -> Series {
 /// A number with that many significant digits: what a plot can show, in a
 /// third of the bytes.
 fn rounded(value: f64, digits: usize) -> f64 {
-    format!("{:.*e}", digits - 1, value).parse().unwrap_or(value)
+    format!("{:.*e}", digits - 1, value)
+        .parse()
+        .unwrap_or(value)
 }
 
 fn silent_note(silent: &[&str]) -> String {

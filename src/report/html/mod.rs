@@ -72,11 +72,7 @@ pub(in crate::report) fn shell(title: &str, body: &str, data: &str) -> String {
 }
 
 /// Title, subtitle and verdict.
-pub(in crate::report) fn header(
-    title: &str,
-    subtitle: &str,
-    verdict: Option<&Verdict>,
-) -> String {
+pub(in crate::report) fn header(title: &str, subtitle: &str, verdict: Option<&Verdict>) -> String {
     let verdict = verdict.map_or(String::new(), verdict_banner);
     format!(
         "<header>\n<h1>{}</h1>\n<p class=\"subtitle\">{}</p>\n{verdict}</header>\n\
@@ -104,8 +100,8 @@ fn verdict_banner(verdict: &Verdict) -> String {
 fn subtitle(figures: &Figures) -> String {
     let count = figures.objects.len();
     format!(
-        "{} of motion, {count} {}, method {}",
-        with_unit(figures.run.time, "s", 6),
+        "{} s of motion, {count} {}, method {}",
+        significant(figures.run.time, 6),
         if count == 1 { "object" } else { "objects" },
         figures.run.method
     )

@@ -173,19 +173,18 @@
     const clip = `url(#${clipId})`;
     drawShades(svg, group, range, x, width, height, clip);
 
-    for (const [value, label] of ticks(low / scale.factor, high / scale.factor, Math.max(2, height / 32))) {
+    for (const [value, label] of ticks(low / scale.factor, high / scale.factor, Math.max(2, height / 26))) {
       const at = y(value * scale.factor);
       add(svg, "line", { x1: LEFT, x2: LEFT + width, y1: at, y2: at, class: value === 0 ? "zero" : "gridline" });
       add(svg, "text", { x: LEFT - 7, y: at + 4, "text-anchor": "end" }, label);
     }
-    const nameRoom = 34;
     for (const [value, label] of ticks(range[0] / timeScale.factor, range[1] / timeScale.factor, Math.max(2, width / 90))) {
       const at = x(value * timeScale.factor);
       add(svg, "line", { x1: at, x2: at, y1: TOP, y2: TOP + height, class: "gridline" });
-      if (at + label.length * 3.5 > LEFT + width - nameRoom) continue;
-      add(svg, "text", { x: at, y: TOP + height + 16, "text-anchor": "middle" }, label);
+      const half = label.length * 3.6;
+      add(svg, "text", { x: Math.min(at, total - half), y: TOP + height + 16, "text-anchor": "middle" }, label);
     }
-    add(svg, "text", { x: LEFT + width, y: TOP + height + 16, "text-anchor": "end" }, `t, ${timeScale.unit}`);
+    add(svg, "text", { x: 2, y: TOP + height + 16 }, `t, ${timeScale.unit}`);
     add(svg, "path", { class: "axis frame", d: `M${LEFT} ${TOP}V${TOP + height}H${LEFT + width}` });
     const title = add(svg, "text", { x: LEFT, y: 17, class: "title" }, panel.name);
     add(title, "tspan", { class: "unit" }, `, ${scale.unit}`);

@@ -8,7 +8,11 @@ use crate::report::verdict::energy_bound;
 /// A value with its unit for reading, the full number on hover.
 fn cell(value: f64, unit: &str) -> String {
     let shown = scale(value, unit);
-    let joint = if shown.unit.starts_with("10") { "·" } else { " " };
+    let joint = if shown.unit.starts_with("10") {
+        "·"
+    } else {
+        " "
+    };
     format!(
         "<td title=\"{value} {}\">{}{joint}<span class=\"unit\">{}</span></td>",
         escape(unit),
@@ -18,7 +22,10 @@ fn cell(value: f64, unit: &str) -> String {
 }
 
 fn head(names: &[&str]) -> String {
-    let cells: String = names.iter().map(|name| format!("<th>{name}</th>")).collect();
+    let cells: String = names
+        .iter()
+        .map(|name| format!("<th>{name}</th>"))
+        .collect();
     format!("<thead><tr>{cells}</tr></thead>\n")
 }
 
@@ -67,7 +74,10 @@ pub fn figures(figures: &Figures) -> String {
             (object.end.displacement, displacement),
             (object.end.speed, &speed),
         ];
-        let cells: String = cells.iter().map(|(value, unit)| cell(*value, unit)).collect();
+        let cells: String = cells
+            .iter()
+            .map(|(value, unit)| cell(*value, unit))
+            .collect();
         format!("<tr>{}{cells}</tr>\n", name(id))
     };
     table(&head, &figures.objects.iter().map(row).collect::<String>())
@@ -100,7 +110,11 @@ pub fn pairs(figures: &Figures) -> String {
 fn pair_row(id: &str, pair: &PairFigures, units: Units) -> String {
     let order = match (pair.margin, pair.in_working_order) {
         (Some(margin), _) => {
-            let (class, word) = if margin < 0.0 { ("no", "would lift off") } else { ("yes", "yes") };
+            let (class, word) = if margin < 0.0 {
+                ("no", "would lift off")
+            } else {
+                ("yes", "yes")
+            };
             format!(
                 "<td class=\"{class}\">{word}<span class=\"sub\">least force {}</span></td>",
                 with_unit(margin, units.force, 5)
@@ -133,7 +147,14 @@ pub fn switches(record: &Record, figures: &Figures) -> String {
     if count == 0 {
         return "<h2>Switches</h2>\n<p>No pair opens or closes during the run.</p>\n".into();
     }
-    let head = head(&["No.", "time, s", "object", "pair", "flank", "speed of approach or parting"]);
+    let head = head(&[
+        "No.",
+        "time, s",
+        "object",
+        "pair",
+        "flank",
+        "speed of approach or parting",
+    ]);
     let row = |(index, row): (usize, &SwitchRow)| {
         let unit = format!("{}/s", units(figures, &row.object).displacement);
         format!(
@@ -165,14 +186,21 @@ pub fn switches(record: &Record, figures: &Figures) -> String {
 pub fn statistics(figures: &Figures) -> String {
     let run = &figures.run;
     let bound = energy_bound(run.tolerance);
-    let judged = if run.energy_error <= bound { "within" } else { "beyond" };
+    let judged = if run.energy_error <= bound {
+        "within"
+    } else {
+        "beyond"
+    };
     let end = match (&run.stopped, run.complete) {
         (_, true) => "complete".to_owned(),
         (Some(name), false) => format!("stopped: {}", name.replace('_', " ")),
         (None, false) => "incomplete".to_owned(),
     };
     let mut rows = vec![
-        ("Time reached", format!("{}, {end}", with_unit(run.time, "s", 9))),
+        (
+            "Time reached",
+            format!("{}, {end}", with_unit(run.time, "s", 9)),
+        ),
         ("Method", run.method.clone()),
         ("Why", run.why.clone()),
         ("Tolerance", significant(run.tolerance, 3)),
@@ -184,7 +212,10 @@ pub fn statistics(figures: &Figures) -> String {
                 significant(bound, 3)
             ),
         ),
-        ("Steps", format!("{} accepted, {} rejected", run.steps, run.rejected)),
+        (
+            "Steps",
+            format!("{} accepted, {} rejected", run.steps, run.rejected),
+        ),
         ("Evaluations", run.evaluations.to_string()),
         ("Switches of pairs", run.switches.to_string()),
     ];

@@ -1,11 +1,13 @@
 use super::{RunReport, page};
+use crate::record::SwitchRow;
 use crate::report::diagram::Diagram;
 use crate::report::fixture;
-use crate::record::SwitchRow;
 
 const SCENE: &str = "{\n  \"name\": \"</pre><script>alert(1)</script>\"\n}\n";
 
-fn rendered(change: impl FnOnce(&mut crate::record::Figures, &mut crate::record::Record)) -> String {
+fn rendered(
+    change: impl FnOnce(&mut crate::record::Figures, &mut crate::record::Record),
+) -> String {
     let (mut figures, mut record) = fixture::run(2, 0.05, 200);
     change(&mut figures, &mut record);
     page(&RunReport {
@@ -71,7 +73,8 @@ fn long_lists_of_switches_fold_away_and_short_ones_do_not() {
     };
     let none = rendered(|_, record| record.switches.clear());
     assert!(none.contains("No pair opens or closes"));
-    let many = rendered(|_, record| record.switches = (0..5000).map(|i| row(f64::from(i))).collect());
+    let many =
+        rendered(|_, record| record.switches = (0..5000).map(|i| row(f64::from(i))).collect());
     assert!(many.contains("<summary>5000 switches between 0 s and 4999 s</summary>"));
 }
 
@@ -83,7 +86,9 @@ fn preview() {
     let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("target/preview");
     std::fs::create_dir_all(&folder).unwrap();
     let (mut figures, record) = fixture::run(2, 0.5, 1000);
-    figures.warnings.push("a warning with a longer text, to see how it stands on the page".into());
+    figures
+        .warnings
+        .push("a warning with a longer text, to see how it stands on the page".into());
     let report = page(&RunReport {
         figures: &figures,
         record: &record,

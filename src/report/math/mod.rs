@@ -229,11 +229,13 @@ impl Expr {
 /// `value` as a simple fraction of π: (numerator, denominator), if it is one.
 fn fraction_of_pi(value: f64) -> Option<(u32, u32)> {
     let ratio = value.abs() / PI;
-    [1u32, 2, 3, 4, 5, 6, 8, 9, 10, 12, 18, 36].into_iter().find_map(|denominator| {
-        let numerator = (ratio * f64::from(denominator)).round();
-        let exact = (ratio * f64::from(denominator) - numerator).abs() < 1e-12 * numerator;
-        (exact && (1.0..=40.0).contains(&numerator)).then_some((numerator as u32, denominator))
-    })
+    [1u32, 2, 3, 4, 5, 6, 8, 9, 10, 12, 18, 36]
+        .into_iter()
+        .find_map(|denominator| {
+            let numerator = (ratio * f64::from(denominator)).round();
+            let exact = (ratio * f64::from(denominator) - numerator).abs() < 1e-12 * numerator;
+            (exact && (1.0..=40.0).contains(&numerator)).then_some((numerator as u32, denominator))
+        })
 }
 
 #[cfg(test)]

@@ -47,6 +47,6 @@ fn brackets_stand_where_they_must() {
         prime.expr().squared().latex(),
         r"\left(U'_{\mathrm{r\_1}}\right)^{2}"
     );
-    assert_eq!(Expr::Number(-2.0).times(a).unicode(), "(−2)·a");
+    assert_eq!(Expr::Number(-2.0).times(a).unicode(), "(−2)a");
     assert_eq!(Expr::Number(1.5e-7).latex(), r"1.5 \cdot 10^{-7}");
 }

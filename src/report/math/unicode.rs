@@ -99,7 +99,8 @@ fn product(factors: &[Expr]) -> String {
 fn joins(left: &Expr, right: &Expr) -> bool {
     let short = |symbol: &Symbol| !matches!(symbol.index, Index::Word(_) | Index::WordMass(..));
     match (left, right) {
-        (Expr::Symbol(left), Expr::Symbol(_)) => short(left),
+        (Expr::Symbol(left), Expr::Symbol(right)) => short(left) && short(right),
+        (Expr::Number(_), Expr::Symbol(_)) => !write(left).contains('·'),
         (Expr::Symbol(left), right) => short(left) && right.is_additive(),
         _ => false,
     }

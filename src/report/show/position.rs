@@ -23,10 +23,9 @@ pub fn summary(law: &Law) -> String {
 
 fn position_formula(position: &Position, phi: Expr) -> Expr {
     match position {
-        Position::Ratio { ratio, offset } => Expr::sum(vec![
-            Expr::Number(*ratio).times(phi),
-            Expr::Angle(*offset),
-        ]),
+        Position::Ratio { ratio, offset } => {
+            Expr::sum(vec![Expr::Number(*ratio).times(phi), Expr::Angle(*offset)])
+        }
         Position::Sine {
             amplitude,
             harmonic,

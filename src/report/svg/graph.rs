@@ -81,15 +81,27 @@ fn object_box(one: &ObjectBox, place: Place, links: bool) -> String {
     let body = format!(
         "<title>{title}</title><rect class=\"frame\" x=\"{x}\" y=\"{y}\" width=\"{BOX_WIDTH}\" \
          height=\"{BOX_HEIGHT}\" rx=\"{radius}\"/>{id}{kind}{detail}",
-        title = escape(&format!("{}: {}, {turning}, {}", one.id, one.kind, one.detail)),
+        title = escape(&format!(
+            "{}: {}, {turning}, {}",
+            one.id, one.kind, one.detail
+        )),
         x = coordinate(x),
         y = coordinate(y),
         radius = if one.driver.is_none() { 22 } else { 5 },
         id = text("id", 26.0, &one.id, 15.5),
-        kind = text("kind", 45.0, &format!("{}, {turning}", one.kind.replace('_', " ")), 12.5),
+        kind = text(
+            "kind",
+            45.0,
+            &format!("{}, {turning}", one.kind.replace('_', " ")),
+            12.5
+        ),
         detail = text("kind", 62.0, &one.detail, 12.5),
     );
-    let class = if one.driver.is_none() { "drive" } else { "driven" };
+    let class = if one.driver.is_none() {
+        "drive"
+    } else {
+        "driven"
+    };
     let group = format!("<g class=\"{class}\">{body}</g>");
     if links {
         format!("<a href=\"#object-{}\">{group}</a>\n", escape(&one.id))
@@ -128,7 +140,7 @@ fn edge(one: &ObjectBox, from: Place, to: Place) -> String {
     format!(
         "<g>{}{}{}{}<text class=\"law\" x=\"{}\" y=\"{}\" text-anchor=\"middle\">\
          <title>{}</title>{}</text><text class=\"port\" x=\"{}\" y=\"{}\" \
-         text-anchor=\"middle\">Ω</text>{}</g>\n",
+         text-anchor=\"middle\">φ, φ̇ →   ← Ω</text>{}</g>\n",
         path("edge", forward_from, forward_to),
         path("back", back_from, back_to),
         arrow("head", end, forward_to, 1.0),
@@ -136,25 +148,42 @@ fn edge(one: &ObjectBox, from: Place, to: Place) -> String {
         coordinate((bend + 10.0 + end) / 2.0),
         coordinate(forward_to - 9.0),
         escape(&one.position),
-        escape(&shortened(&one.position, room.min(21))),
-        coordinate(label_x - 24.0),
-        coordinate(back_to + 14.0),
-        pair_symbol(one, end - 30.0, (forward_to + back_to) / 2.0),
+        escape(&cut(&one.position, room.min(22))),
+        coordinate(label_x),
+        coordinate(back_to - 6.0),
+        pair_symbol(one, label_x - 40.0, back_to + 16.0),
     )
+}
+
+/// A formula cut off at its end: its beginning says what kind it is.
+fn cut(text: &str, length: usize) -> String {
+    if text.chars().count() <= length {
+        return text.to_owned();
+    }
+    let start: String = text.chars().take(length - 1).collect();
+    format!("{}…", start.trim_end())
 }
 
 /// The symbol of the driving pair: a cam's roller on its flank for force
 /// closure, a pin in a slot for form closure; nothing for a bilateral pair.
 fn pair_symbol(one: &ObjectBox, x: f64, y: f64) -> String {
     let (cx, cy) = (coordinate(x), coordinate(y));
+    let word = |text: &str| {
+        format!(
+            "<text class=\"port\" x=\"{}\" y=\"{}\">{text}</text>",
+            coordinate(x + 15.0),
+            coordinate(y + 4.0)
+        )
+    };
     match one.closure {
         Closure::Bilateral => String::new(),
         Closure::Force => format!(
             "<g><title>force-closed pair: can lift off</title>\
-             <circle class=\"pair\" cx=\"{cx}\" cy=\"{cy}\" r=\"6\"/>\
-             <path class=\"pair-mark\" d=\"M{} {} q10 5 20 0\"/></g>",
+             <circle class=\"pair\" cx=\"{cx}\" cy=\"{cy}\" r=\"5\"/>\
+             <path class=\"pair-mark\" d=\"M{} {} q10 6 20 0\"/>{}</g>",
             coordinate(x - 10.0),
-            coordinate(y + 7.0)
+            coordinate(y + 5.0),
+            word("force-closed")
         ),
         Closure::Form => {
             let unit = match one.coordinate {
@@ -164,8 +193,9 @@ fn pair_symbol(one: &ObjectBox, x: f64, y: f64) -> String {
             format!(
                 "<g><title>form-closed pair, gap {}</title>\
                  <path class=\"pair-mark\" d=\"M{l} {t} h20 M{l} {b} h20\"/>\
-                 <circle class=\"pair\" cx=\"{cx}\" cy=\"{cy}\" r=\"5\"/></g>",
+                 <circle class=\"pair\" cx=\"{cx}\" cy=\"{cy}\" r=\"5\"/>{}</g>",
                 with_unit(one.gap, unit, 4),
+                word("form-closed"),
                 l = coordinate(x - 10.0),
                 t = coordinate(y - 8.0),
                 b = coordinate(y + 8.0)
@@ -190,8 +220,8 @@ mod tests {
         }
         assert!(!picture.contains("<script"));
         assert_eq!(picture.matches("class=\"edge\"").count(), 3);
-        assert_eq!(picture.matches("force-closed").count(), 1);
-        assert_eq!(picture.matches("form-closed").count(), 1);
+        assert_eq!(picture.matches("force-closed pair").count(), 1);
+        assert_eq!(picture.matches("form-closed pair").count(), 1);
         assert!(svg(&Diagram::default(), false).contains("</svg>"));
     }
 }
