@@ -21,7 +21,7 @@ pub struct ObjectBox {
     pub detail: String,
     /// Place of the driving object in [`Diagram::boxes`]; `None` for a drive.
     pub driver: Option<usize>,
-    /// Short text of the position function: `U = (π/2)·sin φ`.
+    /// Short text of the position function: `U = (π/2)·sin φ`, `cam, lift 8 mm`.
     pub position: String,
     /// How the driving pair is kept together.
     pub closure: Closure,
@@ -146,7 +146,7 @@ fn detail(model: &Model, object: &ObjectPart) -> String {
     let motion = object.nodes.first().map(|&node| &model.nodes[node].motion);
     match motion {
         Some(NodeMotion::Prescribed { motion, .. }) => position::motion_summary(motion),
-        Some(NodeMotion::Rotor) => "motor".into(),
+        Some(NodeMotion::Rotor { .. }) => "motor".into(),
         Some(NodeMotion::Rigid { .. }) => "rigid".into(),
         _ => match object.nodes.len() {
             1 => "1 mass".into(),
@@ -155,12 +155,12 @@ fn detail(model: &Model, object: &ObjectPart) -> String {
     }
 }
 
-/// `U = …` of a driven object; empty for a drive.
+/// The position function of a driven object; empty for a drive.
 fn law_text(model: &Model, object: &ObjectPart) -> String {
     let motion = object.nodes.first().map(|&node| &model.nodes[node].motion);
     match motion {
         Some(NodeMotion::Mass { law } | NodeMotion::Rigid { law }) => {
-            format!("U = {}", position::summary(law))
+            position::summary(law, object.coordinate)
         }
         _ => String::new(),
     }

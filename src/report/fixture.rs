@@ -156,7 +156,10 @@ pub(super) fn fan_out() -> Model {
     let mut model = Model::default();
     model.nodes.push(Node {
         inertia: 0.02,
-        motion: NodeMotion::Rotor,
+        motion: NodeMotion::Rotor {
+            angle: 0.0,
+            speed: 0.0,
+        },
     });
     let motor = push_object(&mut model, "motor", "drive", Coordinate::Turning, 1, None);
     load(
@@ -226,7 +229,7 @@ pub(super) fn fan_out() -> Model {
 pub(super) fn run(masses: usize, duration: f64, samples: usize) -> (Figures, Record) {
     let model = rocker(masses);
     let mut run = Run::new(&model, samples);
-    let steps = (duration / 4e-7).ceil() as usize;
+    let steps = (duration / if masses > 2 { 1e-7 } else { 4e-7 }).ceil() as usize;
     let step = duration / steps as f64;
     for index in 0..=steps {
         let time = index as f64 * step;

@@ -33,19 +33,15 @@ pub fn scale(magnitude: f64, unit: &str) -> Scale {
     }
     // A hair of slack keeps 999.9999… from being called 1000 of the lower prefix.
     let exponent = ((magnitude.abs().log10() + 1e-9) / 3.0).floor() as i32 * 3;
-    // Seconds, metres and kilograms have no prefixes above the unit in use here.
-    let exponent = if exponent > 0 && bare(unit) {
-        0
-    } else {
-        exponent
-    };
+    let bare = bare(unit);
+    let exponent = if exponent == 3 && bare { 0 } else { exponent };
     let factor = 10f64.powi(exponent);
     match PREFIXES.iter().find(|(power, _)| *power == exponent) {
-        Some((_, prefix)) => Scale {
+        Some((power, prefix)) if !bare || *power <= 0 => Scale {
             factor,
             unit: format!("{prefix}{unit}"),
         },
-        None => Scale {
+        _ => Scale {
             factor,
             unit: format!("10{} {unit}", superscript(exponent)),
         },
@@ -179,6 +175,7 @@ mod tests {
         assert_eq!(with_unit(98.69, "rad/s", 6), "98.69 rad/s");
         assert_eq!(with_unit(4e6, "rad/s²", 3), "4 Mrad/s²");
         assert_eq!(with_unit(1234.5, "s", 6), "1234.5 s");
+        assert_eq!(with_unit(-2.5e7, "rad", 6), "−25·10⁶ rad");
         assert_eq!(with_unit(3e-17, "m", 2), "30·10⁻¹⁸ m");
         assert_eq!(with_unit(0.0, "m", 3), "0 m");
         assert_eq!(scale(1000.0, "N").unit, "kN");

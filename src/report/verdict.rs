@@ -1,7 +1,7 @@
 //! The one-line verdict of a run: what became of the mechanism, and whether
 //! the numbers can be trusted. The two are never mixed up.
 
-use crate::record::{Figures, ObjectFigures, PairFigures};
+use crate::record::{EnergyAudit, Figures, ObjectFigures, PairFigures};
 use crate::report::quantity::{significant, with_unit};
 
 /// What kind of news a verdict is.
@@ -28,16 +28,6 @@ pub struct Verdict {
     pub text: String,
 }
 
-/// Energy error above which figures are not to be trusted, as a multiple of the
-/// run's tolerance and as an absolute floor.
-const ENERGY_FACTOR: f64 = 1e3;
-const ENERGY_FLOOR: f64 = 1e-6;
-
-/// The bound on the energy error of a run at a tolerance.
-pub fn energy_bound(tolerance: f64) -> f64 {
-    (ENERGY_FACTOR * tolerance).max(ENERGY_FLOOR)
-}
-
 /// Judges a run by its figures.
 pub fn verdict(figures: &Figures) -> Verdict {
     let run = &figures.run;
@@ -46,7 +36,7 @@ pub fn verdict(figures: &Figures) -> Verdict {
     }
     let finite = figures.objects.values().all(is_finite);
     // Written so that an energy error that is not a number counts as too large.
-    let audited = run.energy_error <= energy_bound(run.tolerance);
+    let audited = run.energy_error <= EnergyAudit::bound(run.tolerance);
     if !finite || !audited {
         let reason = if finite {
             format!(

@@ -105,10 +105,12 @@ impl PlotData {
             index = group.index,
             kind = escape(kind),
             keys = self.keys(),
-            shading = if shaded {
-                "<span class=\"key\"><span class=\"swatch\"></span>pair open</span>"
-            } else {
-                ""
+            shading = match (shaded, self.runs.len()) {
+                (false, _) => "",
+                (true, 1) => {
+                    "<span class=\"key\"><span class=\"swatch\"></span>pair open</span>"
+                }
+                (true, _) => "<span>strips at the foot: pair open</span>",
             },
             single = if single { " single" } else { "" },
             rows = group.panels.len().div_ceil(2).max(1),
@@ -155,7 +157,7 @@ impl PlotData {
 fn group(index: usize, id: &str, runs: &[RunSeries<'_>]) -> Group {
     let mut panels = Vec::new();
     let mut silent = Vec::new();
-    for (quantity, name) in QUANTITIES {
+    for (quantity, name) in order(runs.len()) {
         let columns: Vec<(usize, &Column)> = runs
             .iter()
             .enumerate()
@@ -197,6 +199,16 @@ fn group(index: usize, id: &str, runs: &[RunSeries<'_>]) -> Group {
         panels,
         silent,
     }
+}
+
+/// The quantities as they stand on the page: where runs are compared, what
+/// they are compared for comes first.
+fn order(runs: usize) -> Vec<(&'static str, &'static str)> {
+    let mut list = QUANTITIES.to_vec();
+    if runs > 1 {
+        list.sort_by_key(|(quantity, _)| *quantity != "delta");
+    }
+    list
 }
 
 /// A column of a record.

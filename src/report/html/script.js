@@ -17,8 +17,9 @@
   function scaleFor(magnitude, unit) {
     if (!(magnitude > 0) || !isFinite(magnitude)) return { factor: 1, unit };
     let exponent = Math.floor((Math.log10(magnitude) + 1e-9) / 3) * 3;
-    if (exponent > 0 && BARE.includes(unit)) exponent = 0;
-    const prefix = PREFIXES[exponent];
+    const bare = BARE.includes(unit) && exponent > 0;
+    if (bare && exponent === 3) exponent = 0;
+    const prefix = bare && exponent > 0 ? undefined : PREFIXES[exponent];
     return { factor: 10 ** exponent, unit: prefix === undefined ? `10${superscript(exponent)} ${unit}` : prefix + unit };
   }
 
@@ -155,7 +156,7 @@
   function drawPlot(group, panel) {
     const holder = panel.holder;
     const total = Math.max(260, printing ? 700 : holder.clientWidth);
-    const tall = data.runs.length > 1 || group.panels.length === 1 ? 300 : 186;
+    const tall = data.runs.length > 1 || group.panels.length === 1 ? 260 : 186;
     const height = (printing ? Math.min(tall, 215) : tall) - TOP - BOTTOM;
     const width = total - LEFT - RIGHT;
     const range = group.range;

@@ -1,9 +1,8 @@
 //! Tables of a page: figures, pairs, switches, statistics.
 
 use super::facts;
-use crate::record::{Figures, ObjectFigures, PairFigures, Record, SwitchRow, Units};
+use crate::record::{EnergyAudit, Figures, ObjectFigures, PairFigures, Record, SwitchRow, Units};
 use crate::report::quantity::{escape, scale, significant, with_unit};
-use crate::report::verdict::energy_bound;
 
 /// A value with its unit for reading, the full number on hover.
 fn cell(value: f64, unit: &str) -> String {
@@ -185,7 +184,7 @@ pub fn switches(record: &Record, figures: &Figures) -> String {
 /// How the run went.
 pub fn statistics(figures: &Figures) -> String {
     let run = &figures.run;
-    let bound = energy_bound(run.tolerance);
+    let bound = EnergyAudit::bound(run.tolerance);
     let judged = if run.energy_error <= bound {
         "within"
     } else {

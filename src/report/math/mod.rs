@@ -140,6 +140,12 @@ impl Expr {
         }
     }
 
+    /// self with the sign of `factor`.
+    #[must_use]
+    pub fn signed(self, factor: f64) -> Self {
+        if factor < 0.0 { self.negative() } else { self }
+    }
+
     /// self − other.
     #[must_use]
     pub fn minus(self, other: impl Into<Self>) -> Self {

@@ -58,7 +58,9 @@ fn masses(model: &Model) -> Table {
             let node = &model.nodes[node];
             let (mass, motion) = match &node.motion {
                 NodeMotion::Prescribed { .. } => ("–".to_owned(), "prescribed".to_owned()),
-                NodeMotion::Rotor => ("–".to_owned(), "free, turned by its torque".to_owned()),
+                NodeMotion::Rotor { .. } => {
+                    ("–".to_owned(), "free, turned by its torque".to_owned())
+                }
                 NodeMotion::Mass { .. } => ((place + 1).to_string(), "free".to_owned()),
                 NodeMotion::Rigid { .. } => ("–".to_owned(), format!("rigid, follows {driver}")),
             };

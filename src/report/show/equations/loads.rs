@@ -100,7 +100,7 @@ impl OneLoad<'_> {
     fn displacement(&self) -> Symbol {
         match self.model.nodes[self.load.node].motion {
             NodeMotion::Mass { .. } => of_mass("φ", self.mass),
-            NodeMotion::Rotor => symbol("φ", Index::None),
+            NodeMotion::Rotor { .. } => symbol("φ", Index::None),
             _ => of_object("φ", self.model, self.object),
         }
     }

@@ -116,7 +116,7 @@ pub fn equations(model: &Model) -> Equations {
         match first.map(|&node| &model.nodes[node].motion) {
             Some(NodeMotion::Mass { .. }) => chain::section(model, object),
             Some(NodeMotion::Rigid { law }) => sources::rigid(model, object, law),
-            Some(NodeMotion::Rotor) => sources::rotor(model, object),
+            Some(NodeMotion::Rotor { .. }) => sources::rotor(model, object),
             Some(NodeMotion::Prescribed { motion, .. }) => {
                 sources::prescribed(model, object, motion)
             }

@@ -142,7 +142,7 @@ fn lift_off(part: &ObjectPart, force: Expr, section: &mut Section) {
 /// J of a drive, or 0 when it has none.
 fn own_inertia(model: &Model, part: &ObjectPart) -> Expr {
     let node = &model.nodes[part.nodes[0]];
-    if node.inertia > 0.0 || matches!(node.motion, NodeMotion::Rotor) {
+    if node.inertia > 0.0 || matches!(node.motion, NodeMotion::Rotor { .. }) {
         symbol("J", Index::None).expr()
     } else {
         Expr::Number(0.0)

@@ -94,7 +94,10 @@ fn rigid_chain() -> Model {
         track: None,
     };
     let motions = [
-        NodeMotion::Rotor,
+        NodeMotion::Rotor {
+            angle: 0.0,
+            speed: 0.0,
+        },
         NodeMotion::Rigid {
             law: wave(0, 0.8, 0.3),
         },
