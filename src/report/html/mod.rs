@@ -43,7 +43,7 @@ pub fn page(report: &RunReport<'_>) -> String {
     body.push_str("<h2>Figures</h2>\n");
     body.push_str(&tables::figures(figures));
     body.push_str(&tables::pairs(figures));
-    body.push_str(&window_note(figures));
+    body.push_str(&window_note(figures, report.record.times.len()));
     for one in &report.diagram.boxes {
         let kind = format!("{}, {}", one.kind.replace('_', " "), one.detail);
         body.push_str(&plots.section(&one.id, &kind));
@@ -127,7 +127,7 @@ pub(in crate::report) fn mechanism(diagram: &Diagram) -> String {
     )
 }
 
-fn window_note(figures: &Figures) -> String {
+fn window_note(figures: &Figures, samples: usize) -> String {
     let run = &figures.run;
     let text = match (run.window, &run.window_missing) {
         (Some([from, to]), _) => format!(
@@ -141,7 +141,10 @@ fn window_note(figures: &Figures) -> String {
         }
         (None, None) => "Figures are taken over the whole run.".into(),
     };
-    format!("<p class=\"soft\">{}</p>\n", escape(&text))
+    let between = format!(
+        "Peaks and extremes also cover what lies between the {samples} samples that the plots join."
+    );
+    format!("<p class=\"soft\">{} {between}</p>\n", escape(&text))
 }
 
 /// The scene as it was written.

@@ -160,7 +160,10 @@
     const height = (printing ? Math.min(tall, 215) : tall) - TOP - BOTTOM;
     const width = total - LEFT - RIGHT;
     const range = group.range;
-    const [low, high] = valueRange(panel, range);
+    let [low, high] = valueRange(panel, range);
+    // Room under the curves for the strips of several runs.
+    const strips = data.runs.length > 1 && group.shades.some((shade) => shade.intervals.length);
+    if (strips) low -= (high - low) * (6 * data.runs.length + 2) / height;
     const scale = scaleFor(Math.max(Math.abs(low), Math.abs(high)) * 0.93, panel.unit);
     const timeScale = scaleFor(Math.max(Math.abs(range[0]), Math.abs(range[1])), "s");
     const x = (t) => LEFT + (t - range[0]) / (range[1] - range[0]) * width;

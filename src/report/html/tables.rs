@@ -56,8 +56,8 @@ pub fn figures(figures: &Figures) -> String {
         "peak speed",
         "peak acceleration",
         "peak reaction",
-        "at the end: displacement",
-        "speed",
+        "displacement at the end",
+        "speed at the end",
     ]);
     let row = |(id, object): (&String, &ObjectFigures)| {
         let units = units(figures, id);
