@@ -1,2 +1,20 @@
-//! report.
+//! Pictures and texts of models and runs, as pure functions: data in, text out.
+//!
+//! * [`html`]: the page of a run; [`compare`]: the page of several runs over each other.
+//! * [`csv`]: the samples as a table.
+//! * [`svg`]: the object graph and line charts as stand-alone pictures.
+//! * [`show`]: the three models of a scene as text: graph, masses and links, equations.
+//! * [`math`]: formulas, written as Unicode text or as LaTeX.
+
+pub mod compare;
 pub mod csv;
+pub mod diagram;
+#[cfg(test)]
+mod fixture;
+pub mod html;
+pub mod math;
+pub mod quantity;
+pub mod show;
+pub mod svg;
+pub mod ticks;
+pub mod verdict;

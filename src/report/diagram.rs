@@ -1,0 +1,187 @@
+//! The object graph as it is drawn: boxes, edges, and where they stand.
+
+use crate::model::{Closure, Coordinate, Model, NodeMotion, ObjectPart, Pair};
+use crate::report::show::position;
+
+/// The object graph of a model, for pictures and texts.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Diagram {
+    /// The objects, drivers before what they drive.
+    pub boxes: Vec<ObjectBox>,
+}
+
+/// One object of the graph.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ObjectBox {
+    /// Id in the scene.
+    pub id: String,
+    /// Kind in the scene.
+    pub kind: String,
+    /// `rigid`, `2 masses`, `20π rad/s`, `motor`.
+    pub detail: String,
+    /// Place of the driving object in [`Diagram::boxes`]; `None` for a drive.
+    pub driver: Option<usize>,
+    /// Short text of the position function: `U = (π/2)·sin φ`, `cam, lift 8 mm`.
+    pub position: String,
+    /// How the driving pair is kept together.
+    pub closure: Closure,
+    /// Gap of a form-closed pair.
+    pub gap: f64,
+    /// Turning or sliding.
+    pub coordinate: Coordinate,
+}
+
+/// Where a box stands on the grid: columns follow the flow of motion, rows
+/// spread the followers; both in units of one box, rows may be halves.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Place {
+    /// Distance from the drive.
+    pub column: usize,
+    /// Row, 0 at the top.
+    pub row: f64,
+}
+
+impl Diagram {
+    /// The graph of a model.
+    pub fn of(model: &Model) -> Self {
+        let order = drivers_first(model);
+        let place = |object: usize| order.iter().position(|&other| other == object);
+        let boxes = order
+            .iter()
+            .map(|&index| {
+                let object = &model.objects[index];
+                let pair = pair(model, object);
+                ObjectBox {
+                    id: object.id.clone(),
+                    kind: object.kind.to_owned(),
+                    detail: detail(model, object),
+                    driver: object.driver.and_then(place),
+                    position: law_text(model, object),
+                    closure: pair.map_or(Closure::Bilateral, |pair| pair.closure),
+                    gap: pair.map_or(0.0, |pair| pair.gap),
+                    coordinate: object.coordinate,
+                }
+            })
+            .collect();
+        Self { boxes }
+    }
+
+    /// Followers of a box, in their order.
+    pub fn followers(&self, index: usize) -> impl Iterator<Item = usize> + '_ {
+        let drives = move |other: &usize| self.boxes[*other].driver == Some(index);
+        (0..self.boxes.len()).filter(drives)
+    }
+
+    /// Places of all boxes: a tidy tree, every driver level with the middle of
+    /// its followers, no two boxes on one place.
+    pub fn places(&self) -> Vec<Place> {
+        let origin = Place {
+            column: 0,
+            row: 0.0,
+        };
+        let mut places = vec![origin; self.boxes.len()];
+        // Drivers stand before what they drive: forwards for the columns …
+        for index in 0..self.boxes.len() {
+            if let Some(driver) = self.boxes[index].driver {
+                places[index].column = places[driver].column + 1;
+            }
+        }
+        let mut next_row = 0.0;
+        for (index, one) in self.boxes.iter().enumerate() {
+            if one.driver.is_none() {
+                self.assign_leaf_rows(index, &mut places, &mut next_row);
+            }
+        }
+        // … and backwards for the rows of those that have followers.
+        for index in (0..self.boxes.len()).rev() {
+            let rows: Vec<f64> = self.followers(index).map(|f| places[f].row).collect();
+            if let (Some(first), Some(last)) = (rows.first(), rows.last()) {
+                places[index].row = (first + last) / 2.0;
+            }
+        }
+        places
+    }
+
+    /// Gives the leaves under `root` successive rows, in depth-first order.
+    fn assign_leaf_rows(&self, root: usize, places: &mut [Place], next_row: &mut f64) {
+        let mut stack = vec![root];
+        while let Some(index) = stack.pop() {
+            let mut followers: Vec<usize> = self.followers(index).collect();
+            if followers.is_empty() {
+                places[index].row = *next_row;
+                *next_row += 1.0;
+            }
+            followers.reverse();
+            stack.extend(followers);
+        }
+    }
+}
+
+/// Indices of the objects, each after its driver; among equals by their order.
+pub fn drivers_first(model: &Model) -> Vec<usize> {
+    let mut order: Vec<usize> = Vec::with_capacity(model.objects.len());
+    let roots = (0..model.objects.len()).filter(|&o| model.objects[o].driver.is_none());
+    order.extend(roots);
+    let mut next = 0;
+    while next < order.len() {
+        let driver = order[next];
+        let driven = |&o: &usize| model.objects[o].driver == Some(driver);
+        let followers: Vec<usize> = (0..model.objects.len()).filter(driven).collect();
+        order.extend(followers);
+        next += 1;
+    }
+    order
+}
+
+/// The driving pair of an object; `None` for a drive or a bilateral rigid object.
+pub fn pair<'a>(model: &'a Model, object: &'a ObjectPart) -> Option<&'a Pair> {
+    match object.links.first().map(|&link| &model.links[link].base) {
+        Some(crate::model::LinkBase::Law { pair }) => Some(pair),
+        _ => object.rigid_pair.as_ref(),
+    }
+}
+
+/// What the box says below the kind.
+fn detail(model: &Model, object: &ObjectPart) -> String {
+    let motion = object.nodes.first().map(|&node| &model.nodes[node].motion);
+    match motion {
+        Some(NodeMotion::Prescribed { motion, .. }) => position::motion_summary(motion),
+        Some(NodeMotion::Rotor { .. }) => "motor".into(),
+        Some(NodeMotion::Rigid { .. }) => "rigid".into(),
+        _ => match object.nodes.len() {
+            1 => "1 mass".into(),
+            count => format!("{count} masses"),
+        },
+    }
+}
+
+/// The position function of a driven object; empty for a drive.
+fn law_text(model: &Model, object: &ObjectPart) -> String {
+    let motion = object.nodes.first().map(|&node| &model.nodes[node].motion);
+    match motion {
+        Some(NodeMotion::Mass { law } | NodeMotion::Rigid { law }) => {
+            position::summary(law, object.coordinate)
+        }
+        _ => String::new(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Diagram;
+    use crate::report::fixture;
+
+    #[test]
+    fn every_driver_stands_level_with_its_followers_and_no_two_share_a_place() {
+        let diagram = Diagram::of(&fixture::fan_out());
+        let places = diagram.places();
+        let at = |id: &str| places[diagram.boxes.iter().position(|b| b.id == id).unwrap()];
+        assert_eq!(diagram.boxes[0].id, "motor");
+        assert_eq!((at("motor").column, at("shaft").column), (0, 1));
+        assert_eq!(at("left").column, 2);
+        assert_eq!(at("shaft").row, (at("left").row + at("right").row) / 2.0);
+        for (index, one) in places.iter().enumerate() {
+            assert!(places[..index].iter().all(|other| other != one));
+        }
+    }
+}

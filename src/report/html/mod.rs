@@ -1,0 +1,186 @@
+//! Pages that open without a network: style, script and data are in them.
+
+pub mod data;
+pub mod tables;
+
+use crate::record::{Figures, Record};
+use crate::report::diagram::Diagram;
+use crate::report::quantity::{escape, significant, with_unit};
+use crate::report::svg::graph;
+use crate::report::verdict::{Sort, Verdict, verdict};
+use data::{PlotData, RunSeries};
+
+const STYLE: &str = include_str!("style.css");
+const SCRIPT: &str = include_str!("script.js");
+
+/// Everything that goes into the page of one run.
+#[derive(Clone, Copy, Debug)]
+pub struct RunReport<'a> {
+    /// Figures, run statistics, warnings.
+    pub figures: &'a Figures,
+    /// Samples, switches, open intervals.
+    pub record: &'a Record,
+    /// The object graph.
+    pub diagram: &'a Diagram,
+    /// The scene's text, shown as it is.
+    pub scene: &'a str,
+    /// Version of `dam`.
+    pub version: &'a str,
+}
+
+/// The page of one run.
+pub fn page(report: &RunReport<'_>) -> String {
+    let figures = report.figures;
+    let series = [RunSeries {
+        label: String::new(),
+        record: report.record,
+    }];
+    let plots = PlotData::new(&series);
+    let mut body = header(&figures.scene, &subtitle(figures), Some(&verdict(figures)));
+    body.push_str("<main>\n");
+    body.push_str(&warnings(&figures.warnings));
+    body.push_str(&mechanism(report.diagram));
+    body.push_str("<h2>Figures</h2>\n");
+    body.push_str(&tables::figures(figures));
+    body.push_str(&tables::pairs(figures));
+    body.push_str(&window_note(figures, report.record.times.len()));
+    for one in &report.diagram.boxes {
+        let kind = format!("{}, {}", one.kind.replace('_', " "), one.detail);
+        body.push_str(&plots.section(&one.id, &kind));
+    }
+    body.push_str(&tables::switches(report.record, figures));
+    body.push_str(&tables::statistics(figures));
+    body.push_str(&scene(report.scene));
+    body.push_str("</main>\n");
+    body.push_str(&footer(figures, report.version));
+    shell(&figures.scene, &body, &plots.json())
+}
+
+/// A complete document around `body`, with the data of its plots.
+pub(in crate::report) fn shell(title: &str, body: &str, data: &str) -> String {
+    format!(
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
+         <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; \
+         style-src 'unsafe-inline'; script-src 'unsafe-inline'\">\n\
+         <meta name=\"generator\" content=\"dam\">\n\
+         <title>{}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n{body}\
+         <script id=\"data\" type=\"application/json\">{data}</script>\n\
+         <script>\n{SCRIPT}</script>\n</body>\n</html>\n",
+        escape(title)
+    )
+}
+
+/// Title, subtitle and verdict.
+pub(in crate::report) fn header(title: &str, subtitle: &str, verdict: Option<&Verdict>) -> String {
+    let verdict = verdict.map_or(String::new(), verdict_banner);
+    format!(
+        "<header>\n<h1>{}</h1>\n<p class=\"subtitle\">{}</p>\n{verdict}</header>\n\
+         <noscript><main><p>The plots of this page are drawn by a small script, which is \
+         switched off here; figures and tables are complete.</p></main></noscript>\n",
+        escape(title),
+        escape(subtitle)
+    )
+}
+
+fn verdict_banner(verdict: &Verdict) -> String {
+    let (class, sort) = match verdict.sort {
+        Sort::Good => ("good", "Mechanism"),
+        Sort::Mechanism => ("mechanism", "Mechanism"),
+        Sort::Numerical => ("numerical", "Computation"),
+        Sort::Unfinished => ("unfinished", "Run"),
+    };
+    format!(
+        "<p class=\"verdict {class}\"><span class=\"sort\">{sort}</span><b>{}</b> {}</p>\n",
+        escape(&verdict.headline),
+        escape(&verdict.text)
+    )
+}
+
+fn subtitle(figures: &Figures) -> String {
+    let count = figures.objects.len();
+    format!(
+        "{} s of motion, {count} {}, method {}",
+        significant(figures.run.time, 6),
+        if count == 1 { "object" } else { "objects" },
+        figures.run.method
+    )
+}
+
+/// The list of warnings; nothing without any.
+pub(in crate::report) fn warnings(warnings: &[String]) -> String {
+    if warnings.is_empty() {
+        return String::new();
+    }
+    let item = |warning: &String| format!("<li>{}</li>\n", escape(warning));
+    let items: String = warnings.iter().map(item).collect();
+    format!("<h2>Warnings</h2>\n<ul class=\"warnings\">\n{items}</ul>\n")
+}
+
+/// The section with the object graph.
+pub(in crate::report) fn mechanism(diagram: &Diagram) -> String {
+    format!(
+        "<h2>Mechanism</h2>\n<div class=\"graph scroll\">\n{}</div>\n\
+         <p class=\"soft\">Solid arrows carry the motion φ, φ̇ to what is driven; dashed ones \
+         bring the force Ω back to the driver.</p>\n",
+        graph::svg(diagram, true)
+    )
+}
+
+fn window_note(figures: &Figures, samples: usize) -> String {
+    let run = &figures.run;
+    let text = match (run.window, &run.window_missing) {
+        (Some([from, to]), _) => format!(
+            "Figures are taken over the whole run; whether a pair is in working order over the \
+             steady window from {} to {}.",
+            with_unit(from, "s", 6),
+            with_unit(to, "s", 6)
+        ),
+        (None, Some(reason)) => {
+            format!("Figures are taken over the whole run. No steady window: {reason}.")
+        }
+        (None, None) => "Figures are taken over the whole run.".into(),
+    };
+    let between = format!(
+        "Peaks and extremes also cover what lies between the {samples} samples that the plots join."
+    );
+    format!("<p class=\"soft\">{} {between}</p>\n", escape(&text))
+}
+
+/// The scene as it was written.
+pub(in crate::report) fn scene(text: &str) -> String {
+    let lines = text.lines().count();
+    let open = if lines <= 60 { " open" } else { "" };
+    format!(
+        "<h2>Scene</h2>\n<details{open}>\n<summary>{lines} lines of JSON</summary>\n\
+         <pre>{}</pre>\n</details>\n",
+        escape(text.trim_end())
+    )
+}
+
+fn footer(figures: &Figures, version: &str) -> String {
+    let run = &figures.run;
+    let rows = [
+        ("Scene", figures.scene.clone()),
+        ("SHA-256 of the canonical scene", figures.hash.clone()),
+        ("Program", format!("dam {version}")),
+        ("Method", format!("{}: {}", run.method, run.why)),
+        ("Tolerance", significant(run.tolerance, 3)),
+        ("Energy error", significant(run.energy_error, 3)),
+    ];
+    format!("<footer>\n<h2>Provenance</h2>\n{}</footer>\n", facts(&rows))
+}
+
+/// A list of names and texts.
+pub(in crate::report) fn facts(rows: &[(&str, String)]) -> String {
+    let row = |(name, text): &(&str, String)| {
+        format!("<dt>{}</dt><dd>{}</dd>\n", escape(name), escape(text))
+    };
+    format!(
+        "<dl class=\"facts\">\n{}</dl>\n",
+        rows.iter().map(row).collect::<String>()
+    )
+}
+
+#[cfg(test)]
+mod tests;

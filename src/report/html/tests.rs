@@ -1,0 +1,102 @@
+use super::{RunReport, page};
+use crate::record::SwitchRow;
+use crate::report::diagram::Diagram;
+use crate::report::fixture;
+
+const SCENE: &str = "{\n  \"name\": \"</pre><script>alert(1)</script>\"\n}\n";
+
+fn rendered(
+    change: impl FnOnce(&mut crate::record::Figures, &mut crate::record::Record),
+) -> String {
+    let (mut figures, mut record) = fixture::run(2, 0.05, 200);
+    change(&mut figures, &mut record);
+    page(&RunReport {
+        figures: &figures,
+        record: &record,
+        diagram: &Diagram::of(&fixture::rocker(2)),
+        scene: SCENE,
+        version: "0.1.0",
+    })
+}
+
+/// The data block of a page.
+fn data(page: &str) -> serde_json::Value {
+    let start = "<script id=\"data\" type=\"application/json\">";
+    let from = page.find(start).unwrap() + start.len();
+    let to = from + page[from..].find("</script>").unwrap();
+    serde_json::from_str(&page[from..to]).unwrap()
+}
+
+#[test]
+fn a_page_needs_nothing_from_outside_and_lets_nothing_in() {
+    let page = rendered(|_, _| {});
+    let outside = page.replace("http://www.w3.org/2000/svg", "");
+    for forbidden in ["http:", "https:", "url(\"", "@import", "<link", " src="] {
+        assert!(!outside.contains(forbidden), "{forbidden}");
+    }
+    assert!(!page.contains("<script>alert"));
+    assert!(page.contains("&lt;two masses&gt;"));
+    assert_eq!(page.matches("</script>").count(), 2);
+}
+
+#[test]
+fn the_data_of_the_plots_are_the_samples_of_the_record() {
+    let page = rendered(|_, record| record.columns[0].values[3] = f64::NAN);
+    let data = data(&page);
+    let (_, record) = fixture::run(2, 0.05, 200);
+    let group = &data["groups"][0];
+    assert_eq!(group["id"], "rocker");
+    let panel = &group["panels"][0];
+    assert_eq!(panel["unit"], "rad");
+    let values = panel["series"][0]["values"].as_array().unwrap();
+    assert_eq!(values.len(), record.times.len());
+    assert!(values[3].is_null());
+    approx::assert_relative_eq!(
+        values[100].as_f64().unwrap(),
+        record.columns[0].values[100],
+        max_relative = 1e-8
+    );
+    let open = group["shades"][0]["intervals"].as_array().unwrap();
+    assert_eq!(open.len(), record.separations.len());
+    // The drive has no δ and no contact: said in words instead of drawn.
+    assert!(page.contains("Zero throughout: Acceleration"));
+}
+
+#[test]
+fn long_lists_of_switches_fold_away_and_short_ones_do_not() {
+    let row = |time| SwitchRow {
+        time,
+        object: "rocker".into(),
+        what: "opens",
+        flank: "lower",
+        speed: 1.0,
+    };
+    let none = rendered(|_, record| record.switches.clear());
+    assert!(none.contains("No pair opens or closes"));
+    let many =
+        rendered(|_, record| record.switches = (0..5000).map(|i| row(f64::from(i))).collect());
+    assert!(many.contains("<summary>5000 switches between 0 s and 4999 s</summary>"));
+}
+
+/// Writes pages to look at: `cargo test preview -- --ignored`, then open
+/// `target/preview/*.html`.
+#[test]
+#[ignore = "writes files to look at"]
+fn preview() {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("target/preview");
+    std::fs::create_dir_all(&folder).unwrap();
+    let (mut figures, record) = fixture::run(2, 0.5, 1000);
+    figures
+        .warnings
+        .push("a warning with a longer text, to see how it stands on the page".into());
+    let report = page(&RunReport {
+        figures: &figures,
+        record: &record,
+        diagram: &Diagram::of(&fixture::rocker(2)),
+        scene: include_str!("../fixture.json"),
+        version: "0.1.0",
+    });
+    std::fs::write(folder.join("report.html"), report).unwrap();
+    let graph = crate::report::svg::graph::svg(&Diagram::of(&fixture::fan_out()), false);
+    std::fs::write(folder.join("graph.svg"), graph).unwrap();
+}

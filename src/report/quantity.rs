@@ -1,0 +1,206 @@
+//! Numbers for reading: significant digits, SI prefixes, escaped text.
+
+/// SI prefixes that engineers read at a glance, with their exponents.
+const PREFIXES: [(i32, &str); 8] = [
+    (-12, "p"),
+    (-9, "n"),
+    (-6, "µ"),
+    (-3, "m"),
+    (0, ""),
+    (3, "k"),
+    (6, "M"),
+    (9, "G"),
+];
+
+/// A scale for showing values of one unit: shown = value / `factor`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scale {
+    /// What to divide by.
+    pub factor: f64,
+    /// Unit of the result: `mrad`, `10⁻¹⁵ rad`, `kN m`.
+    pub unit: String,
+}
+
+/// The scale in which numbers up to `magnitude` in `unit` (SI) read best:
+/// 1 … 1000 of it. Beyond the prefixes powers of ten are used.
+pub fn scale(magnitude: f64, unit: &str) -> Scale {
+    let plain = Scale {
+        factor: 1.0,
+        unit: unit.to_owned(),
+    };
+    if !magnitude.is_finite() || magnitude == 0.0 || unit.is_empty() || unit == "1" {
+        return plain;
+    }
+    // A hair of slack keeps 999.9999… from being called 1000 of the lower prefix.
+    let exponent = ((magnitude.abs().log10() + 1e-9) / 3.0).floor() as i32 * 3;
+    let bare = bare(unit);
+    let exponent = if exponent == 3 && bare { 0 } else { exponent };
+    let factor = 10f64.powi(exponent);
+    match PREFIXES.iter().find(|(power, _)| *power == exponent) {
+        Some((power, prefix)) if !bare || *power <= 0 => Scale {
+            factor,
+            unit: format!("{prefix}{unit}"),
+        },
+        _ => Scale {
+            factor,
+            unit: format!("10{} {unit}", superscript(exponent)),
+        },
+    }
+}
+
+/// Units that take no prefix above themselves: a kilosecond or a kilometre
+/// says less than the plain number. (A plain `rad` keeps counting turns.)
+fn bare(unit: &str) -> bool {
+    matches!(unit, "s" | "m" | "rad" | "m/s" | "rad/s") || unit.starts_with("kg")
+}
+
+/// A value with its unit, to `digits` significant digits: `7.50086 mrad`.
+pub fn with_unit(value: f64, unit: &str, digits: usize) -> String {
+    let scale = scale(value, unit);
+    let number = significant(value / scale.factor, digits);
+    if scale.unit.is_empty() || scale.unit == "1" {
+        number
+    } else if scale.unit.starts_with("10") {
+        format!("{number}·{}", scale.unit)
+    } else {
+        format!("{number} {}", scale.unit)
+    }
+}
+
+/// A number to at most `digits` significant digits, trailing zeros dropped,
+/// with a real minus sign; very large and small ones as 1.2·10⁻⁷.
+pub fn significant(value: f64, digits: usize) -> String {
+    if value.is_nan() {
+        return "not a number".into();
+    }
+    if value.is_infinite() {
+        return if value > 0.0 { "∞" } else { "−∞" }.into();
+    }
+    if value == 0.0 {
+        return "0".into();
+    }
+    let digits = digits.clamp(1, 17);
+    let scientific = format!("{:.*e}", digits - 1, value.abs());
+    let (mantissa, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
+    let exponent: i32 = exponent.parse().unwrap_or(0);
+    let sign = if value < 0.0 { "−" } else { "" };
+    if (-4..digits.max(6) as i32).contains(&exponent) {
+        let decimals = (digits as i32 - 1 - exponent).max(0) as usize;
+        return format!(
+            "{sign}{}",
+            trimmed(&format!("{:.*}", decimals, value.abs()))
+        );
+    }
+    let mantissa = trimmed(mantissa);
+    let power = superscript(exponent);
+    if mantissa == "1" {
+        format!("{sign}10{power}")
+    } else {
+        format!("{sign}{mantissa}·10{power}")
+    }
+}
+
+/// Without trailing zeros after the point.
+fn trimmed(number: &str) -> &str {
+    if number.contains('.') {
+        number.trim_end_matches('0').trim_end_matches('.')
+    } else {
+        number
+    }
+}
+
+/// An integer in superscript digits: −6 → ⁻⁶.
+pub fn superscript(number: i32) -> String {
+    translate(
+        number,
+        ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'],
+        '⁻',
+    )
+}
+
+/// An integer in subscript digits: 12 → ₁₂.
+pub fn subscript(number: usize) -> String {
+    translate(
+        number,
+        ['₀', '₁', '₂', '₃', '₄', '₅', '₆', '₇', '₈', '₉'],
+        '₋',
+    )
+}
+
+fn translate(number: impl ToString, digits: [char; 10], minus: char) -> String {
+    let digit = |c: char| c.to_digit(10).map_or(minus, |value| digits[value as usize]);
+    number.to_string().chars().map(digit).collect()
+}
+
+/// Text made safe for HTML and SVG, in elements and in quoted attributes.
+pub fn escape(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '&' => out.push_str("&amp;"),
+            '<' => out.push_str("&lt;"),
+            '>' => out.push_str("&gt;"),
+            '"' => out.push_str("&quot;"),
+            '\'' => out.push_str("&#39;"),
+            // Control characters are not allowed in XML at all.
+            c if c.is_control() && !matches!(c, '\n' | '\t') => out.push('\u{fffd}'),
+            c => out.push(c),
+        }
+    }
+    out
+}
+
+/// The text shortened to `length` characters, an ellipsis in the middle so that
+/// both ends of an id stay readable.
+pub fn shortened(text: &str, length: usize) -> String {
+    let characters: Vec<char> = text.chars().collect();
+    if characters.len() <= length.max(3) {
+        return text.to_owned();
+    }
+    let tail = (length.max(3) - 1) / 3;
+    let head = length.max(3) - 1 - tail;
+    let (start, end) = (&characters[..head], &characters[characters.len() - tail..]);
+    start.iter().chain(['…'].iter()).chain(end).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{escape, scale, shortened, significant, subscript, with_unit};
+
+    #[test]
+    fn values_read_with_si_prefixes() {
+        assert_eq!(with_unit(0.007500861, "rad", 5), "7.5009 mrad");
+        assert_eq!(with_unit(-6e-5, "rad", 6), "−60 µrad");
+        assert_eq!(with_unit(12345.0, "N m", 4), "12.35 kN m");
+        assert_eq!(with_unit(98.69, "rad/s", 6), "98.69 rad/s");
+        assert_eq!(with_unit(4e6, "rad/s²", 3), "4 Mrad/s²");
+        assert_eq!(with_unit(1234.5, "s", 6), "1234.5 s");
+        assert_eq!(with_unit(-2.5e7, "rad", 6), "−25·10⁶ rad");
+        assert_eq!(with_unit(3e-17, "m", 2), "30·10⁻¹⁸ m");
+        assert_eq!(with_unit(0.0, "m", 3), "0 m");
+        assert_eq!(scale(1000.0, "N").unit, "kN");
+        assert_eq!(scale(999.0, "N").unit, "N");
+    }
+
+    #[test]
+    fn numbers_keep_their_significant_digits() {
+        assert_eq!(significant(1e7, 6), "10⁷");
+        assert_eq!(significant(-1.5e-9, 6), "−1.5·10⁻⁹");
+        assert_eq!(significant(123456.7, 6), "123457");
+        assert_eq!(significant(0.1, 6), "0.1");
+        assert_eq!(significant(9.9999999, 3), "10");
+        assert_eq!(significant(f64::NAN, 3), "not a number");
+        assert_eq!(significant(f64::NEG_INFINITY, 3), "−∞");
+        assert_eq!(subscript(10), "₁₀");
+    }
+
+    #[test]
+    fn text_from_scenes_cannot_break_out() {
+        assert_eq!(
+            escape("<b a=\"'&'\">\u{1}"),
+            "&lt;b a=&quot;&#39;&amp;&#39;&quot;&gt;\u{fffd}"
+        );
+        assert_eq!(shortened("abcdefghijkl", 7), "abcd…kl");
+        assert_eq!(shortened("short", 7), "short");
+    }
+}

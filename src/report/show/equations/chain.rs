@@ -1,0 +1,271 @@
+//! Equations of a chain of masses behind its driving pair.
+
+use super::{
+    Entry, LONGEST_WRITTEN_OUT, Section, inertia_side, loads, of_mass, of_object, output_name,
+    reflected,
+};
+use crate::model::{Closure, DampingLaw, LinkBase, Model, NodeMotion, ObjectPart, Pair};
+use crate::report::math::{Expr, Index, Relation, Symbol, symbol};
+use crate::report::show::{position, units};
+
+/// Everything about one chain.
+pub(super) fn section(model: &Model, object: usize) -> Section {
+    let part = &model.objects[object];
+    let count = part.nodes.len();
+    let driver = part.driver.unwrap_or(object);
+    let masses = if count == 1 {
+        "1 mass".into()
+    } else {
+        format!("{count} masses")
+    };
+    let mut section = Section {
+        object: part.id.clone(),
+        heading: format!(
+            "{}, {masses}, driven by {}",
+            part.kind, model.objects[driver].id
+        ),
+        ..Section::default()
+    };
+    law_lines(model, part, driver, &mut section);
+    pair_line(model, part, &mut section);
+    let mut numbers: Vec<usize> = (1..=count).collect();
+    if count > LONGEST_WRITTEN_OUT {
+        numbers = vec![1, count];
+    }
+    for mass in numbers {
+        let (left, right) = equation(model, object, mass);
+        section.line(left, right, "");
+        if mass == 1 && count > LONGEST_WRITTEN_OUT {
+            generic(model, part, &mut section);
+        }
+    }
+    output_name(model, object, &mut section, of_mass("φ", count));
+    legend(model, part, &mut section);
+    loads::write(model, object, &mut section);
+    section
+}
+
+/// x, ẋ and U.
+fn law_lines(model: &Model, part: &ObjectPart, driver: usize, section: &mut Section) {
+    let (x, phi) = (symbol("x", Index::None), of_mass("φ", 1));
+    let (law, input) = (symbol("U", Index::None), of_object("φ", model, driver));
+    let asked = Expr::At(law.clone(), Box::new(input.clone().expr()));
+    section.line(
+        x.clone(),
+        phi.clone().expr().minus(asked),
+        "deformation of link 1",
+    );
+    let speed = law.clone().prime().expr().times(input.rate());
+    section.line(x.rate(), phi.rate().expr().minus(speed), "");
+    if let NodeMotion::Mass { law: asked } = &model.nodes[part.nodes[0]].motion {
+        let argument = symbol("φ", Index::None).expr();
+        let left = Expr::At(law, Box::new(argument.clone()));
+        section.line(
+            left,
+            position::formula(asked, argument),
+            "position function",
+        );
+    }
+}
+
+/// F of link 1 by the pair's closure and law.
+fn pair_line(model: &Model, part: &ObjectPart, section: &mut Section) {
+    let LinkBase::Law { pair } = &model.links[part.links[0]].base else {
+        return;
+    };
+    let x = symbol("x", Index::None);
+    let pull = |deformation: Expr| contact(pair, deformation, &x);
+    let zero = || (Expr::Number(0.0), Expr::Words("else".into()));
+    let pressing = |beyond: Expr, side: Relation| {
+        let force = symbol("F", Index::None).expr();
+        Expr::All(vec![beyond, force.compare(side, Expr::Number(0.0))])
+    };
+    let force = match pair.closure {
+        Closure::Bilateral => pull(x.clone().expr()),
+        Closure::Force => {
+            let side = if pair.opens >= 0.0 {
+                Relation::Less
+            } else {
+                Relation::Greater
+            };
+            let beyond = x.clone().expr().compare(side, Expr::Number(0.0));
+            Expr::Cases(vec![
+                (pull(x.clone().expr()), pressing(beyond, side)),
+                zero(),
+            ])
+        }
+        Closure::Form => {
+            let half = || symbol("η", Index::None).expr().over(Expr::Number(2.0));
+            let flank = |side: Relation, edge: Expr| {
+                let beyond = x.clone().expr().compare(side, edge.clone());
+                (
+                    pull(Expr::sum(vec![x.clone().expr(), edge.negative()])),
+                    pressing(beyond, side),
+                )
+            };
+            Expr::Cases(vec![
+                flank(Relation::Greater, half()),
+                flank(Relation::Less, half().negative()),
+                zero(),
+            ])
+        }
+    };
+    section.line(symbol("F", Index::None), force, "pull of link 1");
+    if matches!(pair.law, DampingLaw::HuntCrossley { kappa: None }) {
+        let static_penetration = symbol("p", Index::Word("static".into()));
+        let ratio = of_mass("b", 1).expr();
+        let ratio = ratio.over(of_mass("c", 1).expr().times(static_penetration));
+        section.line(symbol("κ", Index::None), ratio, "by the static penetration");
+    }
+}
+
+/// Contact force as a pull at the deformation: c·x + b·ẋ, or Hunt–Crossley.
+fn contact(pair: &Pair, deformation: Expr, x: &Symbol) -> Expr {
+    let stiffness = of_mass("c", 1).expr();
+    let rate = x.clone().rate();
+    match pair.law {
+        DampingLaw::HuntCrossley { .. } if pair.closure != Closure::Bilateral => {
+            // On either flank the penetration grows as |x|: its rate is ẋ·sgn x.
+            let kappa = symbol("κ", Index::None).expr();
+            let growth = Expr::Number(1.0).plus(kappa.times(rate_of_absolute(x)));
+            let factor = Expr::Greater(Box::new(Expr::Number(0.0)), Box::new(growth));
+            stiffness.times(deformation).times(factor)
+        }
+        _ => Expr::sum(vec![
+            stiffness.times(deformation),
+            of_mass("b", 1).expr().times(rate),
+        ]),
+    }
+}
+
+/// d|x|/dt, written as a derivative.
+fn rate_of_absolute(x: &Symbol) -> Expr {
+    let size = Expr::Absolute(Box::new(x.clone().expr()));
+    let change = symbol("d", Index::None).expr().times(size);
+    change.over(symbol("dt", Index::None))
+}
+
+/// The equation of one mass, counted from 1.
+fn equation(model: &Model, object: usize, mass: usize) -> (Expr, Expr) {
+    let part = &model.objects[object];
+    let count = part.nodes.len();
+    let mut right = vec![if mass == 1 {
+        symbol("F", Index::None).expr().negative()
+    } else {
+        opposite(link_force(|letter, back| of_mass(letter, mass - back)))
+    }];
+    if mass < count {
+        right.push(link_force(|letter, back| of_mass(letter, mass + 1 - back)));
+    }
+    right.extend(loads::terms(model, part, mass));
+    let (inertia, displacement) = (of_mass("J", mass).expr(), of_mass("φ", mass));
+    if mass < count {
+        let left = inertia.times(displacement.rate().rate());
+        return (left, Expr::sum(right));
+    }
+    let reflected = reflected(model, object);
+    right.extend(reflected.force.iter().cloned());
+    (
+        inertia_side(inertia, &displacement, &reflected),
+        Expr::sum(right),
+    )
+}
+
+/// c(φ − φ₋) + b(φ̇ − φ̇₋) of a link; `at(letter, k)` gives the letter of the
+/// k-th mass before the link's own.
+fn link_force(at: impl Fn(&'static str, usize) -> Symbol) -> Expr {
+    let stretch = at("φ", 0).expr().minus(at("φ", 1));
+    let rate = at("φ", 0).rate().expr().minus(at("φ", 1).rate());
+    Expr::Sum(vec![
+        at("c", 0).expr().times(stretch),
+        at("b", 0).expr().times(rate),
+    ])
+}
+
+/// The opposite of a sum, term by term.
+fn opposite(sum: Expr) -> Expr {
+    match sum {
+        Expr::Sum(terms) => Expr::Sum(terms.into_iter().map(Expr::negative).collect()),
+        other => other.negative(),
+    }
+}
+
+/// The equation of an inner mass m of a long chain.
+fn generic(model: &Model, part: &ObjectPart, section: &mut Section) {
+    let any = |letter: &'static str, offset: i8| symbol(letter, Index::Any(offset));
+    let before = |letter, back: usize| any(letter, if back == 0 { 0 } else { -1 });
+    let after = |letter, back: usize| any(letter, if back == 0 { 1 } else { 0 });
+    let mut right = vec![opposite(link_force(before)), link_force(after)];
+    let count = part.nodes.len();
+    let loaded: Vec<usize> = (2..count).filter(|&m| loads::any(model, part, m)).collect();
+    if !loaded.is_empty() {
+        right.push(any("W", 0).expr());
+    }
+    let left = any("J", 0).expr().times(any("φ", 0).rate().rate());
+    section.line(left, Expr::sum(right), format!("m = 2 … {}", count - 1));
+    if let Some(&first) = loaded.first() {
+        let sum = Expr::sum(loads::terms(model, part, first));
+        let remark = match (loaded.len(), loaded.last()) {
+            (1, _) | (_, None) => "the other inner masses carry no load".to_owned(),
+            (many, Some(last)) if many == count - 2 => format!("and so on to mass {last}"),
+            (many, Some(last)) => format!("likewise {} more masses up to {last}", many - 1),
+        };
+        section.line(of_mass("W", first), sum, remark);
+    }
+}
+
+/// Values of J, c, b, η, κ.
+fn legend(model: &Model, part: &ObjectPart, section: &mut Section) {
+    let unit = units(part.coordinate);
+    let inertias = part.nodes.iter().map(|&node| model.nodes[node].inertia);
+    let link = |link: &usize| &model.links[*link];
+    let stiffnesses = part.links.iter().map(|l| link(l).stiffness);
+    let dampings = part.links.iter().map(|l| link(l).damping);
+    list(section, "J", inertias.collect(), unit.inertia, "inertia");
+    list(
+        section,
+        "c",
+        stiffnesses.collect(),
+        unit.stiffness,
+        "stiffness",
+    );
+    list(section, "b", dampings.collect(), unit.damping, "damping");
+    if let LinkBase::Law { pair } = &link(&part.links[0]).base {
+        if pair.closure == Closure::Form {
+            section.entry(symbol("η", Index::None), pair.gap, unit.displacement, "gap");
+        }
+        if let DampingLaw::HuntCrossley { kappa: Some(kappa) } = pair.law {
+            let unit = if unit.displacement == "m" {
+                "s/m"
+            } else {
+                "s/rad"
+            };
+            section.entry(symbol("κ", Index::None), kappa, unit, "contact damping");
+        }
+    }
+}
+
+/// One entry for a letter's values: each by itself, or all in a row.
+fn list(
+    section: &mut Section,
+    letter: &'static str,
+    values: Vec<f64>,
+    unit: &'static str,
+    meaning: &'static str,
+) {
+    let count = values.len();
+    let equal = values.windows(2).all(|pair| pair[0] == pair[1]);
+    if count == 1 || (count <= LONGEST_WRITTEN_OUT && !equal) {
+        for (place, value) in values.into_iter().enumerate() {
+            section.entry(of_mass(letter, place + 1), value, unit, meaning);
+        }
+        return;
+    }
+    section.legend.push(Entry {
+        symbol: of_mass(letter, 1).expr(),
+        until: Some(of_mass(letter, count).expr()),
+        values: if equal { values[..1].to_vec() } else { values },
+        unit,
+        meaning,
+    });
+}

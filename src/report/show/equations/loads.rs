@@ -1,0 +1,294 @@
+//! Loads in the equations of motion.
+
+use super::{Section, of_mass, of_object};
+use crate::model::{
+    Coordinate, LinearPiece, Load, LoadLaw, Model, NodeMotion, ObjectPart, TrackSource,
+};
+use crate::report::math::{Expr, Index, Relation, Symbol, symbol};
+use crate::report::quantity::{significant, with_unit};
+use crate::report::show::{load_word, units};
+
+/// Tables with more pieces than this are described instead of written out.
+const MOST_PIECES: usize = 6;
+
+/// The letters W of the loads on a mass, counted from 1.
+pub(super) fn terms(model: &Model, part: &ObjectPart, mass: usize) -> Vec<Expr> {
+    on_mass(model, part, mass)
+        .map(|load| letter("W", model, part, mass, load).expr())
+        .collect()
+}
+
+/// True when any load acts on a mass.
+pub(super) fn any(model: &Model, part: &ObjectPart, mass: usize) -> bool {
+    on_mass(model, part, mass).next().is_some()
+}
+
+fn on_mass<'a>(
+    model: &'a Model,
+    part: &'a ObjectPart,
+    mass: usize,
+) -> impl Iterator<Item = &'a Load> {
+    let node = part.nodes[mass - 1];
+    model.loads.iter().filter(move |load| load.node == node)
+}
+
+/// A letter for a load: by its name, and by its mass where several carry it.
+fn letter(
+    letter: &'static str,
+    model: &Model,
+    part: &ObjectPart,
+    mass: usize,
+    load: &Load,
+) -> Symbol {
+    let same = |other: &&Load| other.name == load.name && part.nodes.contains(&other.node);
+    let word = load_word(&load.name).to_owned();
+    if model.loads.iter().filter(same).count() > 1 {
+        symbol(letter, Index::WordMass(word, mass))
+    } else {
+        symbol(letter, Index::Word(word))
+    }
+}
+
+/// Laws of an object's loads, with what their letters stand for. A load that
+/// acts on many masses is written once.
+pub(super) fn write(model: &Model, object: usize, section: &mut Section) {
+    let part = &model.objects[object];
+    let mut written: Vec<&str> = Vec::new();
+    for mass in 1..=part.nodes.len() {
+        for load in on_mass(model, part, mass) {
+            let constant = matches!(load.law, LoadLaw::Constant(_));
+            if written.contains(&load.name.as_str()) && !constant {
+                continue;
+            }
+            let same = |other: &&Load| other.name == load.name;
+            let remark = match model.loads.iter().filter(same).count() {
+                1 => String::new(),
+                many => format!("likewise on {} more", many - 1),
+            };
+            written.push(&load.name);
+            let one = OneLoad {
+                model,
+                object,
+                mass,
+                load,
+                remark,
+            };
+            one.write(section);
+        }
+    }
+}
+
+/// A load with its surroundings.
+struct OneLoad<'a> {
+    model: &'a Model,
+    object: usize,
+    mass: usize,
+    load: &'a Load,
+    remark: String,
+}
+
+impl OneLoad<'_> {
+    fn part(&self) -> &ObjectPart {
+        &self.model.objects[self.object]
+    }
+
+    fn letter(&self, name: &'static str) -> Symbol {
+        letter(name, self.model, self.part(), self.mass, self.load)
+    }
+
+    /// φ of the loaded mass, as its section calls it.
+    fn displacement(&self) -> Symbol {
+        match self.model.nodes[self.load.node].motion {
+            NodeMotion::Mass { .. } => of_mass("φ", self.mass),
+            NodeMotion::Rotor { .. } => symbol("φ", Index::None),
+            _ => of_object("φ", self.model, self.object),
+        }
+    }
+
+    fn write(&self, section: &mut Section) {
+        let unit = units(self.part().coordinate);
+        let (phi, rate) = (self.displacement(), self.displacement().rate());
+        let law = match &self.load.law {
+            LoadLaw::Constant(value) => {
+                section.entry(self.letter("W"), *value, unit.force, "load");
+                return;
+            }
+            LoadLaw::Pieces { track, pieces } => self.pieces(*track, pieces),
+            LoadLaw::Spring { rate, preload } => {
+                let (k, p) = (self.letter("k"), self.letter("P"));
+                section.entry(k.clone(), *rate, unit.stiffness, "spring rate");
+                section.entry(p.clone(), *preload, unit.force, "preload");
+                p.expr().negative().minus(k.expr().times(phi))
+            }
+            LoadLaw::Viscous(damping) => {
+                let b = self.letter("b");
+                section.entry(b.clone(), *damping, unit.damping, "viscous damping");
+                b.expr().times(rate).negative()
+            }
+            LoadLaw::Friction { force, width } => {
+                let (r, v) = (self.letter("R"), self.letter("v"));
+                section.entry(r.clone(), *force, unit.force, "sliding friction");
+                section.entry(v.clone(), *width, unit.speed, "regularisation width");
+                let argument = Box::new(rate.expr().over(v));
+                r.expr().times(Expr::Function("tanh", argument)).negative()
+            }
+            motor => self.motor(motor, rate, section),
+        };
+        let remark = match self.track_period() {
+            Some(period) => format!("repeats every {}", significant(period, 6)),
+            None => self.remark.clone(),
+        };
+        section.line(self.letter("W"), law, remark);
+    }
+
+    /// Torque characteristics.
+    fn motor(&self, law: &LoadLaw, rate: Symbol, section: &mut Section) -> Expr {
+        let one = || Expr::Number(1.0);
+        match law {
+            LoadLaw::LinearMotor {
+                stall_torque,
+                no_load_speed,
+            } => {
+                let (t, w) = (symbol("T", Index::Mass(0)), symbol("ω", Index::Mass(0)));
+                section.entry(t.clone(), *stall_torque, "N m", "stall torque");
+                section.entry(w.clone(), *no_load_speed, "rad/s", "no-load speed");
+                t.expr().times(one().minus(rate.expr().over(w)))
+            }
+            LoadLaw::Kloss {
+                breakdown_torque,
+                breakdown_slip,
+                synchronous_speed,
+            } => {
+                let b = || Index::Word("b".into());
+                let (t, sb) = (symbol("T", b()), symbol("s", b()));
+                let (s, ws) = (
+                    symbol("s", Index::None),
+                    symbol("ω", Index::Word("s".into())),
+                );
+                section.line(s.clone(), one().minus(rate.expr().over(ws.clone())), "slip");
+                section.entry(t.clone(), *breakdown_torque, "N m", "breakdown torque");
+                section.entry(sb.clone(), *breakdown_slip, "", "breakdown slip");
+                section.entry(ws, *synchronous_speed, "rad/s", "synchronous speed");
+                let top = Expr::Number(2.0)
+                    .times(t)
+                    .times(s.clone())
+                    .times(sb.clone());
+                top.over(s.expr().squared().plus(sb.expr().squared()))
+            }
+            other => Expr::Words(summary(other, self.part().coordinate)),
+        }
+    }
+
+    /// Period of the axis that the load's pieces lie on.
+    fn track_period(&self) -> Option<f64> {
+        match self.load.law {
+            LoadLaw::Pieces { track, .. } => self.model.tracks.get(track)?.breaks.period,
+            _ => None,
+        }
+    }
+
+    /// A piecewise linear load over time or over a displacement.
+    fn pieces(&self, track: usize, pieces: &[LinearPiece]) -> Expr {
+        let Some(track) = self.model.tracks.get(track) else {
+            return Expr::Words("piecewise linear".into());
+        };
+        let axis = match track.source {
+            TrackSource::Time => symbol("t", Index::None),
+            TrackSource::Node(node) => {
+                let owner = self
+                    .model
+                    .objects
+                    .iter()
+                    .position(|o| o.nodes.contains(&node));
+                of_object("φ", self.model, owner.unwrap_or(self.object))
+            }
+        };
+        if pieces.len() > MOST_PIECES {
+            let count = pieces.len();
+            return Expr::Words(format!(
+                "piecewise linear over {}, {count} pieces",
+                axis.expr().unicode()
+            ));
+        }
+        let cases = pieces.iter().enumerate().map(|(index, piece)| {
+            let (from, to) = track.breaks.edges(index as i64);
+            (line(piece, &axis), between(from, &axis, to))
+        });
+        Expr::Cases(cases.collect())
+    }
+}
+
+/// value + slope·(z − start).
+fn line(piece: &LinearPiece, axis: &Symbol) -> Expr {
+    let value = Expr::Number(piece.value);
+    if piece.slope == 0.0 {
+        return value;
+    }
+    let distance = match piece.start {
+        0.0 => axis.clone().expr(),
+        start => axis.clone().expr().minus(Expr::Number(start)),
+    };
+    Expr::sum(vec![value, Expr::Number(piece.slope).times(distance)])
+}
+
+/// from ≤ z < to, open ends left out.
+fn between(from: f64, axis: &Symbol, to: f64) -> Expr {
+    let mut conditions = Vec::new();
+    if from.is_finite() {
+        conditions.push(Expr::Number(from).compare(Relation::AtMost, axis.clone()));
+    }
+    if to.is_finite() {
+        conditions.push(
+            axis.clone()
+                .expr()
+                .compare(Relation::Less, Expr::Number(to)),
+        );
+    }
+    if conditions.is_empty() {
+        Expr::Words("always".into())
+    } else {
+        Expr::All(conditions)
+    }
+}
+
+/// A load's law in a few words, for tables.
+pub fn summary(law: &LoadLaw, coordinate: Coordinate) -> String {
+    let unit = units(coordinate);
+    let show = |value: f64, unit: &str| with_unit(value, unit, 6);
+    match law {
+        LoadLaw::Constant(value) => format!("constant {}", show(*value, unit.force)),
+        LoadLaw::Pieces { pieces, .. } => format!("piecewise linear, {} pieces", pieces.len()),
+        LoadLaw::Spring { rate, preload } => format!(
+            "spring, rate {}, preload {}",
+            show(*rate, unit.stiffness),
+            show(*preload, unit.force)
+        ),
+        LoadLaw::Viscous(damping) => format!("viscous {}", show(*damping, unit.damping)),
+        LoadLaw::Friction { force, width } => format!(
+            "friction {}, regularised over {}",
+            show(*force, unit.force),
+            show(*width, unit.speed)
+        ),
+        LoadLaw::LinearMotor {
+            stall_torque,
+            no_load_speed,
+        } => format!(
+            "motor, {} at rest, none at {}",
+            show(*stall_torque, "N m"),
+            show(*no_load_speed, "rad/s")
+        ),
+        LoadLaw::Kloss {
+            breakdown_torque,
+            breakdown_slip,
+            synchronous_speed,
+        } => format!(
+            "asynchronous motor, breakdown {} at slip {}, synchronous {}",
+            show(*breakdown_torque, "N m"),
+            significant(*breakdown_slip, 4),
+            show(*synchronous_speed, "rad/s")
+        ),
+        LoadLaw::SpeedTable(points) => {
+            format!("table over speed, {} points", points.len())
+        }
+    }
+}

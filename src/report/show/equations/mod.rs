@@ -1,0 +1,243 @@
+//! The equations of motion of a scene, written out.
+//!
+//! One section an object, drivers first. Inside a section letters with a mass
+//! number belong to that object; letters with a word belong to the object (or
+//! the load) of that name: φ_shaft is the displacement of the last mass of
+//! `shaft`. Long chains are abbreviated: first, generic and last mass.
+
+mod chain;
+mod latex;
+mod loads;
+mod sources;
+mod text;
+
+pub use latex::latex;
+pub use loads::summary as load_summary;
+pub use text::text;
+
+use crate::model::{Model, NodeMotion};
+use crate::report::diagram::drivers_first;
+use crate::report::math::{Expr, Index, Symbol, symbol};
+
+/// Chains with more masses than this are abbreviated.
+const LONGEST_WRITTEN_OUT: usize = 4;
+
+/// How to read the letters, above the equations.
+const NOTATION: &str = "\
+Letters with a mass number belong to the object of their section, letters with a word to the
+object or load of that name: φ_shaft is the displacement of the last mass of shaft, F_rocker and
+U_rocker are F and U in the section of rocker. Dots: derivatives with respect to time; primes:
+with respect to the driver's displacement.";
+
+/// The equations of a model.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Equations {
+    /// One section an object, drivers first.
+    pub sections: Vec<Section>,
+}
+
+/// The equations of one object.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Section {
+    /// Id of the object.
+    pub object: String,
+    /// `rocker, 2 masses, driven by shaft`.
+    pub heading: String,
+    /// The equations.
+    pub lines: Vec<Line>,
+    /// What the letters stand for.
+    pub legend: Vec<Entry>,
+}
+
+/// One equation.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Line {
+    /// Left of the sign.
+    pub left: Expr,
+    /// Right of it.
+    pub right: Expr,
+    /// What else is to be said: `m = 2 … 9`; may be empty.
+    pub remark: String,
+}
+
+/// One entry of a legend.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Entry {
+    /// The letter, or the first and last of a row of them.
+    pub symbol: Expr,
+    /// The last of a row, if the entry stands for several.
+    pub until: Option<Expr>,
+    /// The values: one, or one each.
+    pub values: Vec<f64>,
+    /// Unit of the values.
+    pub unit: &'static str,
+    /// What the letter means.
+    pub meaning: &'static str,
+}
+
+impl Entry {
+    /// True when the entry stands for just two letters, which are both named.
+    fn adjacent(&self) -> bool {
+        let mass = |expr: &Expr| match expr {
+            Expr::Symbol(symbol) => match symbol.index {
+                Index::Mass(number) => Some(number),
+                _ => None,
+            },
+            _ => None,
+        };
+        mass(&self.symbol) == Some(1) && self.until.as_ref().and_then(mass) == Some(2)
+    }
+}
+
+impl Section {
+    fn line(&mut self, left: impl Into<Expr>, right: impl Into<Expr>, remark: impl Into<String>) {
+        self.lines.push(Line {
+            left: left.into(),
+            right: right.into(),
+            remark: remark.into(),
+        });
+    }
+
+    fn entry(&mut self, letter: Symbol, value: f64, unit: &'static str, meaning: &'static str) {
+        self.legend.push(Entry {
+            symbol: letter.expr(),
+            until: None,
+            values: vec![value],
+            unit,
+            meaning,
+        });
+    }
+}
+
+/// Writes out the equations of a model.
+pub fn equations(model: &Model) -> Equations {
+    let sections = drivers_first(model).into_iter().map(|object| {
+        let first = model.objects[object].nodes.first();
+        match first.map(|&node| &model.nodes[node].motion) {
+            Some(NodeMotion::Mass { .. }) => chain::section(model, object),
+            Some(NodeMotion::Rigid { law }) => sources::rigid(model, object, law),
+            Some(NodeMotion::Rotor { .. }) => sources::rotor(model, object),
+            Some(NodeMotion::Prescribed { motion, .. }) => {
+                sources::prescribed(model, object, motion)
+            }
+            None => Section::default(),
+        }
+    });
+    Equations {
+        sections: sections.collect(),
+    }
+}
+
+/// The letter with an object's id: φ_shaft.
+fn of_object(letter: &'static str, model: &Model, object: usize) -> Symbol {
+    symbol(letter, Index::Word(model.objects[object].id.clone()))
+}
+
+/// The letter with the number of a mass.
+fn of_mass(letter: &'static str, mass: usize) -> Symbol {
+    symbol(letter, Index::Mass(mass))
+}
+
+/// What the followers of a node add to its equation, moved to the node by the
+/// transfer functions of the rigid objects in between.
+struct Reflected {
+    /// Factors of φ̈ on the left: J·U′².
+    inertia: Vec<Expr>,
+    /// Factors of φ̇² on the left: J·U′·U″.
+    bias: Vec<Expr>,
+    /// Terms on the right: F·U′ of elastic followers, W·U′ of rigid ones.
+    force: Vec<Expr>,
+}
+
+/// Gathers what the followers of `object` add.
+fn reflected(model: &Model, object: usize) -> Reflected {
+    let mut out = Reflected {
+        inertia: Vec::new(),
+        bias: Vec::new(),
+        force: Vec::new(),
+    };
+    descend(model, object, None, &mut out);
+    out
+}
+
+/// First and second transfer function from the node to a rigid object below it.
+#[derive(Clone)]
+struct Transfer {
+    first: Expr,
+    second: Expr,
+}
+
+fn descend(model: &Model, driver: usize, above: Option<&Transfer>, out: &mut Reflected) {
+    let followers = (0..model.objects.len()).filter(|&o| model.objects[o].driver == Some(driver));
+    for follower in followers {
+        let object = &model.objects[follower];
+        let function = of_object("U", model, follower);
+        let (prime, double) = (function.clone().prime(), function.prime().prime());
+        let Some(NodeMotion::Rigid { .. }) = object.nodes.first().map(|&n| &model.nodes[n].motion)
+        else {
+            let pull = of_object("F", model, follower).expr().times(prime);
+            out.force.push(match above {
+                Some(transfer) => pull.times(transfer.first.clone()),
+                None => pull,
+            });
+            continue;
+        };
+        let transfer = match above {
+            None => Transfer {
+                first: prime.expr(),
+                second: double.expr(),
+            },
+            // The chain rule: (U(V))′ = U′V′, (U(V))″ = U′V″ + U″V′².
+            Some(above) => Transfer {
+                first: prime.clone().expr().times(above.first.clone()),
+                second: prime
+                    .expr()
+                    .times(above.second.clone())
+                    .plus(double.expr().times(above.first.clone().squared())),
+            },
+        };
+        let node = object.nodes[0];
+        if model.nodes[node].inertia > 0.0 {
+            let inertia = of_object("J", model, follower).expr();
+            let (first, second) = (transfer.first.clone(), transfer.second.clone());
+            out.inertia
+                .push(inertia.clone().times(first.clone().squared()));
+            out.bias.push(inertia.times(first).times(second));
+        }
+        if model.loads.iter().any(|load| load.node == node) {
+            let load = of_object("W", model, follower).expr();
+            out.force.push(load.times(transfer.first.clone()));
+        }
+        descend(model, follower, Some(&transfer), out);
+    }
+}
+
+/// The left side of a node's equation: (J + reflected)·φ̈ + bias·φ̇².
+fn inertia_side(own: Expr, displacement: &Symbol, reflected: &Reflected) -> Expr {
+    let rate = displacement.clone().rate();
+    let mut inertia = vec![own];
+    inertia.extend(reflected.inertia.iter().cloned());
+    let mut terms = vec![Expr::sum(inertia).times(rate.clone().rate())];
+    if !reflected.bias.is_empty() {
+        terms.push(Expr::sum(reflected.bias.clone()).times(rate.expr().squared()));
+    }
+    Expr::sum(terms)
+}
+
+/// A line that says which name the object's output has.
+fn output_name(model: &Model, object: usize, section: &mut Section, last: Symbol) {
+    if model
+        .objects
+        .iter()
+        .any(|other| other.driver == Some(object))
+    {
+        section.line(
+            of_object("φ", model, object),
+            last,
+            "what the followers see",
+        );
+    }
+}
+
+#[cfg(test)]
+mod tests;

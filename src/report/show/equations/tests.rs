@@ -1,0 +1,155 @@
+use super::{Index, equations, inertia_side, latex, reflected, symbol, text};
+use crate::model::{Coordinate, Law, LoadLaw, Model, Node, NodeMotion, ObjectPart};
+use crate::position::Position;
+use crate::report::fixture;
+use crate::report::math::{Expr, Symbol};
+
+#[test]
+fn texts_of_three_models() {
+    let golden = [
+        (fixture::rocker(2), include_str!("../golden/rocker_2.txt")),
+        (fixture::rocker(10), include_str!("../golden/rocker_10.txt")),
+        (fixture::fan_out(), include_str!("../golden/fan_out.txt")),
+    ];
+    for (model, expected) in golden {
+        let found = text(&equations(&model));
+        assert_eq!(found, expected, "found:\n{found}");
+    }
+    let found = latex(&equations(&fixture::fan_out()));
+    assert_eq!(
+        found,
+        include_str!("../golden/fan_out.tex"),
+        "found:\n{found}"
+    );
+}
+
+/// Rewrites the golden texts, to be read before they are committed.
+#[test]
+#[ignore = "rewrites the golden files"]
+fn rewrite_golden_texts() {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("src/report/show/golden");
+    let write = |name: &str, text: String| std::fs::write(folder.join(name), text).unwrap();
+    write("rocker_2.txt", text(&equations(&fixture::rocker(2))));
+    write("rocker_10.txt", text(&equations(&fixture::rocker(10))));
+    write("fan_out.txt", text(&equations(&fixture::fan_out())));
+    write("fan_out.tex", latex(&equations(&fixture::fan_out())));
+}
+
+#[test]
+fn latex_is_balanced_for_every_kind_of_load() {
+    let mut model = fixture::rocker(7);
+    for law in [
+        LoadLaw::Viscous(2.0),
+        LoadLaw::LinearMotor {
+            stall_torque: 3.0,
+            no_load_speed: 9.0,
+        },
+        LoadLaw::SpeedTable(vec![(0.0, 1.0), (3.0, 0.5)]),
+    ] {
+        for node in 2..5 {
+            let name = format!("rocker.loads.a_{node}%");
+            model.loads.push(crate::model::Load {
+                node,
+                name,
+                law: law.clone(),
+            });
+        }
+    }
+    let text = latex(&equations(&model));
+    let count = |pattern: &str| text.matches(pattern).count();
+    assert_eq!(count("{"), count("}"));
+    assert_eq!(count(r"\left"), count(r"\right"));
+    assert_eq!(count(r"\begin{"), count(r"\end{"));
+    assert_eq!(count("$") % 2, 0);
+    assert!(text.is_ascii(), "a letter without its command: {text}");
+    assert!(text.contains(r"a\_2\%"));
+}
+
+/// Value of a formula, given the values of its symbols.
+fn value(expr: &Expr, of: &dyn Fn(&Symbol) -> f64) -> f64 {
+    let all = |list: &[Expr]| list.iter().map(|e| value(e, of)).collect::<Vec<_>>();
+    match expr {
+        Expr::Number(number) | Expr::Angle(number) => *number,
+        Expr::Symbol(symbol) => of(symbol),
+        Expr::Sum(terms) => all(terms).iter().sum(),
+        Expr::Negative(inner) => -value(inner, of),
+        Expr::Product(factors) => all(factors).iter().product(),
+        Expr::Quotient(top, bottom) => value(top, of) / value(bottom, of),
+        Expr::Power(base, power) => value(base, of).powi(power.cast_signed()),
+        other => panic!("{other:?}"),
+    }
+}
+
+/// A rotor with a rigid object behind a rigid object.
+fn rigid_chain() -> Model {
+    let wave = |driver, amplitude, phase| Law {
+        driver,
+        position: Position::Sine {
+            amplitude,
+            harmonic: 1.0,
+            phase,
+            offset: 0.0,
+        },
+        lever: 1.0,
+        track: None,
+    };
+    let motions = [
+        NodeMotion::Rotor {
+            angle: 0.0,
+            speed: 0.0,
+        },
+        NodeMotion::Rigid {
+            law: wave(0, 0.8, 0.3),
+        },
+        NodeMotion::Rigid {
+            law: wave(1, 1.7, 0.9),
+        },
+    ];
+    let mut model = Model::default();
+    for (index, (motion, id)) in motions.into_iter().zip(["m", "a", "b"]).enumerate() {
+        let inertia = [0.4, 0.7, 1.1][index];
+        model.nodes.push(Node { inertia, motion });
+        model.objects.push(ObjectPart {
+            id: id.into(),
+            kind: "rocker",
+            coordinate: Coordinate::Turning,
+            nodes: vec![index],
+            driver: index.checked_sub(1),
+            links: vec![],
+            rigid_pair: None,
+        });
+    }
+    model
+}
+
+#[test]
+fn reflected_inertia_and_bias_follow_from_the_kinetic_energy() {
+    let (phi, rate, acceleration) = (0.6, 1.3, -2.1);
+    // T(φ, φ̇) = m(φ)·φ̇²/2 gives m·φ̈ + m′·φ̇²/2 (Lagrange).
+    let a = |phi: f64| 0.8 * (phi + 0.3).sin();
+    let b = |phi: f64| 1.7 * (a(phi) + 0.9).sin();
+    let slope = |f: &dyn Fn(f64) -> f64, x: f64| (f(x + 1e-5) - f(x - 1e-5)) / 2e-5;
+    let mass = |phi: f64| 0.4 + 0.7 * slope(&a, phi).powi(2) + 1.1 * slope(&b, phi).powi(2);
+    let expected = mass(phi) * acceleration + slope(&mass, phi) * rate * rate / 2.0;
+
+    let model = rigid_chain();
+    let own = symbol("J", Index::None).expr();
+    let side = inertia_side(own, &symbol("φ", Index::None), &reflected(&model, 0));
+    let jet = |symbol: &Symbol| match &symbol.index {
+        Index::Word(word) if word == "a" => (0.7, 0.8, phi + 0.3),
+        Index::Word(_) => (1.1, 1.7, a(phi) + 0.9),
+        _ => (0.4, 0.0, 0.0),
+    };
+    let found = value(&side, &|symbol| {
+        let (inertia, amplitude, argument): (f64, f64, f64) = jet(symbol);
+        match (symbol.letter, symbol.dots, symbol.primes) {
+            ("J", ..) => inertia,
+            ("φ", 1, _) => rate,
+            ("φ", 2, _) => acceleration,
+            ("U", _, 1) => amplitude * argument.cos(),
+            ("U", _, 2) => -amplitude * argument.sin(),
+            _ => panic!("{symbol:?}"),
+        }
+    });
+    approx::assert_relative_eq!(found, expected, max_relative = 1e-5);
+}

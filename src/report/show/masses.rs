@@ -1,0 +1,235 @@
+//! The dynamic model as aligned tables: masses, links, loads, natural frequencies.
+
+use super::table::Table;
+use super::{equations, load_word, units};
+use crate::model::{Closure, DampingLaw, LinkBase, Model, NodeMotion, ObjectPart, Pair};
+use crate::report::diagram::{drivers_first, pair};
+use crate::report::quantity::{significant, with_unit};
+use std::f64::consts::TAU;
+
+/// Undamped natural frequencies of a model (rad/s), ascending.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Frequencies {
+    /// All pairs engaged.
+    pub engaged: Vec<f64>,
+    /// All pairs that can open are open; a free chain has a zero among them.
+    pub open: Vec<f64>,
+}
+
+/// The dynamic model of a scene as text.
+pub fn text(model: &Model, frequencies: &Frequencies) -> String {
+    let mut out = String::new();
+    section(&mut out, "Masses", &masses(model));
+    section(&mut out, "Links", &links(model));
+    section(&mut out, "Driving pairs", &pairs(model));
+    section(&mut out, "Loads", &loads(model));
+    section(
+        &mut out,
+        "Natural frequencies, undamped",
+        &table_of(frequencies),
+    );
+    out
+}
+
+fn section(out: &mut String, title: &str, table: &Table) {
+    let text = table.text();
+    if text.is_empty() {
+        return;
+    }
+    if !out.is_empty() {
+        out.push('\n');
+    }
+    out.push_str(&format!("{title}\n{text}"));
+}
+
+fn objects(model: &Model) -> impl Iterator<Item = &ObjectPart> {
+    let order = drivers_first(model);
+    order.into_iter().map(|index| &model.objects[index])
+}
+
+fn masses(model: &Model) -> Table {
+    let mut table = Table::new(
+        vec!["object", "kind", "mass", "inertia J", "", "motion"],
+        &[2, 3],
+    );
+    for object in objects(model) {
+        let driver = object.driver.map_or("", |driver| &model.objects[driver].id);
+        for (place, &node) in object.nodes.iter().enumerate() {
+            let node = &model.nodes[node];
+            let (mass, motion) = match &node.motion {
+                NodeMotion::Prescribed { .. } => ("–".to_owned(), "prescribed".to_owned()),
+                NodeMotion::Rotor { .. } => {
+                    ("–".to_owned(), "free, turned by its torque".to_owned())
+                }
+                NodeMotion::Mass { .. } => ((place + 1).to_string(), "free".to_owned()),
+                NodeMotion::Rigid { .. } => ("–".to_owned(), format!("rigid, follows {driver}")),
+            };
+            table.push(vec![
+                object.id.clone(),
+                object.kind.to_owned(),
+                mass,
+                significant(node.inertia, 6),
+                units(object.coordinate).inertia.to_owned(),
+                motion,
+            ]);
+        }
+    }
+    table
+}
+
+fn links(model: &Model) -> Table {
+    let head = vec![
+        "object",
+        "link",
+        "between",
+        "stiffness c",
+        "",
+        "damping b",
+        "",
+    ];
+    let mut table = Table::new(head, &[1, 3, 5]);
+    for object in objects(model) {
+        let unit = units(object.coordinate);
+        for (place, &link) in object.links.iter().enumerate() {
+            let link = &model.links[link];
+            let between = match link.base {
+                LinkBase::Law { .. } => "law U and mass 1".to_owned(),
+                LinkBase::Mass(_) => format!("mass {place} and mass {}", place + 1),
+            };
+            table.push(vec![
+                object.id.clone(),
+                (place + 1).to_string(),
+                between,
+                significant(link.stiffness, 6),
+                unit.stiffness.to_owned(),
+                significant(link.damping, 6),
+                unit.damping.to_owned(),
+            ]);
+        }
+    }
+    table
+}
+
+fn pairs(model: &Model) -> Table {
+    let mut table = Table::new(
+        vec!["object", "closure", "gap", "opens", "contact law"],
+        &[2],
+    );
+    for object in objects(model).filter(|object| object.driver.is_some()) {
+        let bilateral = Pair {
+            closure: Closure::Bilateral,
+            gap: 0.0,
+            opens: 1.0,
+            law: DampingLaw::KelvinVoigt,
+        };
+        let pair = pair(model, object).copied().unwrap_or(bilateral);
+        let unit = units(object.coordinate).displacement;
+        let (closure, gap, opens) = match pair.closure {
+            Closure::Bilateral => ("bilateral", "–".to_owned(), "never"),
+            Closure::Force => (
+                "force",
+                "–".to_owned(),
+                if pair.opens >= 0.0 {
+                    "towards +"
+                } else {
+                    "towards −"
+                },
+            ),
+            Closure::Form => ("form", with_unit(pair.gap, unit, 6), "in the gap"),
+        };
+        let law = match (pair.law, object.links.is_empty()) {
+            (_, true) => "rigid".to_owned(),
+            (DampingLaw::KelvinVoigt, _) => "Kelvin–Voigt".to_owned(),
+            (DampingLaw::HuntCrossley { kappa: Some(kappa) }, _) => {
+                format!("Hunt–Crossley, κ = {} s/{unit}", significant(kappa, 6))
+            }
+            (DampingLaw::HuntCrossley { kappa: None }, _) => {
+                "Hunt–Crossley, κ from b and the static load".to_owned()
+            }
+        };
+        table.push(vec![
+            object.id.clone(),
+            closure.to_owned(),
+            gap,
+            opens.to_owned(),
+            law,
+        ]);
+    }
+    table
+}
+
+fn loads(model: &Model) -> Table {
+    let mut table = Table::new(vec!["object", "load", "mass", "law"], &[2]);
+    for object in objects(model) {
+        for (place, node) in object.nodes.iter().enumerate() {
+            for load in model.loads.iter().filter(|load| load.node == *node) {
+                table.push(vec![
+                    object.id.clone(),
+                    load_word(&load.name).to_owned(),
+                    (place + 1).to_string(),
+                    equations::load_summary(&load.law, object.coordinate),
+                ]);
+            }
+        }
+    }
+    table
+}
+
+fn table_of(frequencies: &Frequencies) -> Table {
+    let head = vec!["no.", "engaged, rad/s", "Hz", "open, rad/s", "Hz"];
+    let mut table = Table::new(head, &[0, 1, 2, 3, 4]);
+    let number = |list: &[f64], row: usize, factor: f64| {
+        list.get(row)
+            .map_or(String::new(), |omega| significant(omega * factor, 6))
+    };
+    for row in 0..frequencies.engaged.len().max(frequencies.open.len()) {
+        table.push(vec![
+            (row + 1).to_string(),
+            number(&frequencies.engaged, row, 1.0),
+            number(&frequencies.engaged, row, 1.0 / TAU),
+            number(&frequencies.open, row, 1.0),
+            number(&frequencies.open, row, 1.0 / TAU),
+        ]);
+    }
+    table
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Frequencies, text};
+    use crate::report::fixture;
+
+    #[test]
+    fn the_two_mass_rocker_in_tables() {
+        let frequencies = Frequencies {
+            engaged: vec![1e4, 4e4],
+            open: vec![0.0, 42761.8],
+        };
+        let expected = "\
+Masses
+  object  kind    mass  inertia J         motion
+  shaft   drive      –          0  kg m²  prescribed
+  rocker  rocker     1     0.0125  kg m²  free
+  rocker  rocker     2     0.0875  kg m²  free
+
+Links
+  object  link  between            stiffness c           damping b
+  rocker     1  law U and mass 1         2·10⁷  N m/rad    127.324  N m s/rad
+  rocker     2  mass 1 and mass 2        2·10⁷  N m/rad    127.324  N m s/rad
+
+Driving pairs
+  object  closure  gap  opens      contact law
+  rocker  force      –  towards +  Kelvin–Voigt
+
+Loads
+  object  load     mass  law
+  rocker  closing     2  constant −600 N m
+
+Natural frequencies, undamped
+  no.  engaged, rad/s       Hz  open, rad/s       Hz
+    1           10000  1591.55            0        0
+    2           40000   6366.2      42761.8  6805.75
+";
+        assert_eq!(text(&fixture::rocker(2), &frequencies), expected);
+    }
+}

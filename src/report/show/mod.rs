@@ -1,0 +1,54 @@
+//! The three models of a scene as text: the object graph, the dynamic model
+//! (masses, links, frequencies) and the equations of motion.
+
+pub mod equations;
+pub mod graph;
+pub mod masses;
+pub mod position;
+mod table;
+
+use crate::model::Coordinate;
+
+/// Units of an object's quantities, by its kind of coordinate.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct QuantityUnits {
+    /// Displacement.
+    pub displacement: &'static str,
+    /// Speed.
+    pub speed: &'static str,
+    /// Force or moment.
+    pub force: &'static str,
+    /// Inertia.
+    pub inertia: &'static str,
+    /// Stiffness.
+    pub stiffness: &'static str,
+    /// Damping.
+    pub damping: &'static str,
+}
+
+/// Units of an object's quantities.
+pub fn units(coordinate: Coordinate) -> QuantityUnits {
+    match coordinate {
+        Coordinate::Turning => QuantityUnits {
+            displacement: "rad",
+            speed: "rad/s",
+            force: "N m",
+            inertia: "kg m²",
+            stiffness: "N m/rad",
+            damping: "N m s/rad",
+        },
+        Coordinate::Sliding => QuantityUnits {
+            displacement: "m",
+            speed: "m/s",
+            force: "N",
+            inertia: "kg",
+            stiffness: "N/m",
+            damping: "N s/m",
+        },
+    }
+}
+
+/// The last part of a load's full name: `rocker.loads.closing` → `closing`.
+fn load_word(name: &str) -> &str {
+    name.rsplit('.').next().unwrap_or(name)
+}

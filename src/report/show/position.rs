@@ -1,0 +1,318 @@
+//! Position functions and prescribed motions as formulas.
+
+use crate::model::{Coordinate, Law};
+use crate::motion::DriveMotion;
+use crate::position::{Cam, FourBar, Position, SliderCrank, Table};
+use crate::report::math::{Expr, Index, Relation, symbol};
+use crate::report::quantity::{significant, with_unit};
+
+/// U at the displacement `phi`, the lever included, as a formula; functions
+/// without a closed formula are described in words.
+pub fn formula(law: &Law, phi: Expr) -> Expr {
+    match bare_formula(&law.position, phi) {
+        Expr::Words(words) if law.lever != 1.0 => {
+            Expr::Words(format!("{} times: {words}", significant(law.lever, 6)))
+        }
+        Expr::Words(words) => Expr::Words(words),
+        bare => Expr::Number(law.lever).times(bare),
+    }
+}
+
+/// The position function in a few words, for the edges of the object graph:
+/// `U = 0.25φ`, `slider-crank 50/200 mm`.
+pub fn summary(law: &Law, coordinate: Coordinate) -> String {
+    let lever = if law.lever == 1.0 {
+        String::new()
+    } else {
+        format!(", lever {}", significant(law.lever, 4))
+    };
+    let millimetres = |length: f64| significant(1e3 * length, 4);
+    match &law.position {
+        Position::SliderCrank(linkage) => {
+            let lengths = [linkage.crank, linkage.rod].map(millimetres);
+            format!("slider-crank {} mm{lever}", lengths.join("/"))
+        }
+        Position::FourBar(linkage) => {
+            let lengths = [
+                linkage.crank,
+                linkage.coupler,
+                linkage.rocker,
+                linkage.frame,
+            ];
+            format!("four-bar {} mm{lever}", lengths.map(millimetres).join("/"))
+        }
+        Position::Cam(cam) => {
+            let unit = match coordinate {
+                Coordinate::Turning => "rad",
+                Coordinate::Sliding => "m",
+            };
+            format!(
+                "cam, lift {}",
+                with_unit(cam.spec().lift * law.lever, unit, 4)
+            )
+        }
+        Position::Table(table) if table.is_periodic() => format!("periodic table{lever}"),
+        Position::Table(_) => format!("table{lever}"),
+        Position::Custom(_) => format!("own function{lever}"),
+        Position::Ratio { .. } | Position::Sine { .. } | Position::Polynomial(_) => {
+            let phi = symbol("φ", Index::None).expr();
+            format!("U = {}", formula(law, phi).unicode())
+        }
+    }
+}
+
+fn bare_formula(position: &Position, phi: Expr) -> Expr {
+    match position {
+        Position::Ratio { ratio, offset } => {
+            Expr::sum(vec![Expr::Number(*ratio).times(phi), Expr::Angle(*offset)])
+        }
+        Position::Sine {
+            amplitude,
+            harmonic,
+            phase,
+            offset,
+        } => {
+            let argument = Expr::sum(vec![
+                Expr::Number(*harmonic).times(phi),
+                Expr::Angle(*phase),
+            ]);
+            let wave = Expr::Angle(*amplitude).times(function("sin", argument));
+            Expr::sum(vec![wave, Expr::Angle(*offset)])
+        }
+        Position::Polynomial(coefficients) => polynomial(coefficients, &phi),
+        Position::SliderCrank(linkage) => slider_crank(linkage, phi),
+        Position::FourBar(linkage) => Expr::Words(four_bar(linkage)),
+        Position::Cam(cam) => Expr::Words(cam_words(cam)),
+        Position::Table(table) => Expr::Words(table_words(table)),
+        Position::Custom(_) => Expr::Words("own function of the driver's displacement".into()),
+    }
+}
+
+fn function(name: &'static str, argument: Expr) -> Expr {
+    Expr::Function(name, Box::new(argument))
+}
+
+/// Σ a_k φᵏ without the terms that are zero.
+fn polynomial(coefficients: &[f64], phi: &Expr) -> Expr {
+    let term = |(power, &factor): (usize, &f64)| match (power, factor) {
+        (_, 0.0) => Expr::Number(0.0),
+        (0, factor) => Expr::Number(factor),
+        (1, factor) => Expr::Number(factor.abs()).times(phi.clone()).signed(factor),
+        (power, factor) => {
+            let power = Expr::Power(Box::new(phi.clone()), power as u32);
+            Expr::Number(factor.abs()).times(power).signed(factor)
+        }
+    };
+    Expr::sum(coefficients.iter().enumerate().map(term).collect())
+}
+
+/// r·cos θ ± √(l² − (r·sin θ − e)²), lengths in metres.
+fn slider_crank(linkage: &SliderCrank, phi: Expr) -> Expr {
+    let theta = Expr::sum(vec![phi, Expr::Angle(linkage.phase)]);
+    let crank = || Expr::Number(linkage.crank);
+    let height = Expr::sum(vec![
+        crank().times(function("sin", theta.clone())),
+        Expr::Number(-linkage.offset),
+    ]);
+    let square = Expr::Number(linkage.rod).squared().minus(height.squared());
+    let root = Expr::Root(Box::new(square));
+    let across = crank().times(function("cos", theta));
+    if linkage.branch >= 0.0 {
+        across.plus(root)
+    } else {
+        across.minus(root)
+    }
+}
+
+fn four_bar(linkage: &FourBar) -> String {
+    let metres = |length: f64| significant(length, 6);
+    format!(
+        "angle of the rocker of a four-bar linkage: crank {} m, coupler {} m, rocker {} m, \
+         frame {} m, {}, crank at φ{}",
+        metres(linkage.crank),
+        metres(linkage.coupler),
+        metres(linkage.rocker),
+        metres(linkage.frame),
+        if linkage.branch >= 0.0 {
+            "open"
+        } else {
+            "crossed"
+        },
+        added(linkage.phase)
+    )
+}
+
+fn cam_words(cam: &Cam) -> String {
+    let spec = cam.spec();
+    let degrees = |angle: f64| significant(angle.to_degrees(), 6);
+    let laws = if spec.rise_law == spec.return_law {
+        format!("{} both ways", spec.rise_law.name())
+    } else {
+        format!(
+            "{} up, {} down",
+            spec.rise_law.name(),
+            spec.return_law.name()
+        )
+    };
+    format!(
+        "cam: lift {}, rise {}°, dwell {}°, return {}°, {laws}, at φ{}",
+        significant(spec.lift, 6),
+        degrees(spec.rise),
+        degrees(spec.dwell),
+        degrees(spec.return_angle),
+        added(spec.phase)
+    )
+}
+
+fn table_words(table: &Table) -> String {
+    let (from, to) = table.ends();
+    format!(
+        "{} cubic spline through a table from φ = {} to {}",
+        if table.is_periodic() {
+            "periodic"
+        } else {
+            "clamped"
+        },
+        significant(from, 6),
+        significant(to, 6)
+    )
+}
+
+/// " + phase", or nothing.
+fn added(phase: f64) -> String {
+    let text = Expr::Angle(phase.abs()).unicode();
+    match phase {
+        0.0 => String::new(),
+        phase if phase < 0.0 => format!(" − {text}"),
+        _ => format!(" + {text}"),
+    }
+}
+
+/// φ(t) of a prescribed drive as a formula.
+pub fn motion_formula(motion: &DriveMotion) -> Expr {
+    let time = || symbol("t", Index::None);
+    match motion {
+        DriveMotion::Constant { speed, angle } => {
+            Expr::sum(vec![Expr::Angle(*speed).times(time()), Expr::Angle(*angle)])
+        }
+        DriveMotion::RunUp {
+            speed,
+            time: duration,
+            angle,
+        } => {
+            // ∫ω(3τ² − 2τ³)dt = ω·T·(τ³ − τ⁴/2), and ω·(t − T/2) after that.
+            let tau = || time().expr().over(Expr::Number(*duration));
+            let power = |exponent| Expr::Power(Box::new(tau()), exponent);
+            let shape = power(3).minus(power(4).over(Expr::Number(2.0)));
+            let start = |moved: Expr| Expr::sum(vec![moved, Expr::Angle(*angle)]);
+            let early = Expr::Angle(speed * duration).times(shape);
+            let late = time().expr().minus(Expr::Number(duration / 2.0));
+            Expr::Cases(vec![
+                (
+                    start(early),
+                    time()
+                        .expr()
+                        .compare(Relation::Less, Expr::Number(*duration)),
+                ),
+                (
+                    start(Expr::Angle(*speed).times(late)),
+                    Expr::Words("after that".into()),
+                ),
+            ])
+        }
+        DriveMotion::Table(spline) => {
+            let (from, to) = spline.ends();
+            Expr::Words(format!(
+                "smooth spline through a table from t = {} s to {} s",
+                significant(from, 6),
+                significant(to, 6)
+            ))
+        }
+    }
+}
+
+/// A prescribed motion in a few words, for the box of the drive.
+pub fn motion_summary(motion: &DriveMotion) -> String {
+    match motion {
+        DriveMotion::Constant { speed, .. } => {
+            format!("{} rad/s", Expr::Angle(*speed).unicode())
+        }
+        DriveMotion::RunUp { speed, time, .. } => format!(
+            "to {} rad/s in {}",
+            Expr::Angle(*speed).unicode(),
+            with_unit(*time, "s", 4)
+        ),
+        DriveMotion::Table(_) => "table over time".into(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{formula, motion_formula, summary};
+    use crate::model::{Coordinate, Law};
+    use crate::motion::DriveMotion;
+    use crate::position::{Position, PositionSpec};
+    use crate::report::math::{Expr, Index, symbol};
+
+    /// Summary and formula as text.
+    fn shown(spec: &PositionSpec, lever: f64) -> (String, String) {
+        let law = Law {
+            driver: 0,
+            position: Position::new(spec).unwrap(),
+            lever,
+            track: None,
+        };
+        let phi = symbol("φ", Index::None).expr();
+        let text = formula(&law, phi).unicode();
+        (summary(&law, Coordinate::Sliding), text)
+    }
+
+    #[test]
+    fn position_functions_are_written_with_their_numbers() {
+        let linkage = |offset, branch| PositionSpec::SliderCrank {
+            crank: 0.05,
+            rod: 0.2,
+            offset,
+            branch,
+            phase: 0.0,
+        };
+        let (short, long) = shown(&linkage(0.0, 1.0), 1.0);
+        assert_eq!(short, "slider-crank 50/200 mm");
+        assert_eq!(long, "0.05·cos φ + √(0.2² − (0.05·sin φ)²)");
+        let (_, long) = shown(&linkage(-0.01, -1.0), 2.0);
+        assert_eq!(long, "2·(0.05·cos φ − √(0.2² − (0.05·sin φ + 0.01)²))");
+        let polynomial = PositionSpec::Polynomial {
+            coefficients: vec![0.5, -1.0, 0.0, 2.5],
+        };
+        assert_eq!(shown(&polynomial, 1.0).0, "U = 0.5 − φ + 2.5·φ³");
+        let four_bar = PositionSpec::FourBar {
+            crank: 0.04,
+            coupler: 0.12,
+            rocker: 0.08,
+            frame: 0.13,
+            branch: 1.0,
+            phase: 0.0,
+        };
+        let (short, long) = shown(&four_bar, 1.0);
+        assert_eq!(short, "four-bar 40/120/80/130 mm");
+        assert!(long.ends_with("open, crank at φ"), "{long}");
+    }
+
+    #[test]
+    fn a_run_up_is_written_in_both_parts() {
+        let motion = DriveMotion::RunUp {
+            speed: 10.0,
+            time: 2.0,
+            angle: 0.5,
+        };
+        let Expr::Cases(cases) = motion_formula(&motion) else {
+            panic!("no cases");
+        };
+        let jet = |t: f64| motion.jet(i64::from(t >= 2.0), t).value;
+        assert_eq!(cases[0].0.unicode(), "20·((t/2)³ − (t/2)⁴/2) + 0.5");
+        let early = |t: f64| 20.0 * ((t / 2.0).powi(3) - (t / 2.0).powi(4) / 2.0) + 0.5;
+        approx::assert_relative_eq!(early(1.3), jet(1.3), max_relative = 1e-12);
+        assert_eq!(cases[1].0.unicode(), "10·(t − 1) + 0.5");
+        approx::assert_relative_eq!(10.0 * (3.0 - 1.0) + 0.5, jet(3.0), max_relative = 1e-12);
+    }
+}

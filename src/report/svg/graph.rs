@@ -1,0 +1,227 @@
+//! The object graph as a picture: left to right, drive first.
+
+use super::{coordinate, fits};
+use crate::model::{Closure, Coordinate};
+use crate::report::diagram::{Diagram, ObjectBox, Place};
+use crate::report::quantity::{escape, shortened, with_unit};
+
+const BOX_WIDTH: f64 = 156.0;
+const BOX_HEIGHT: f64 = 74.0;
+const COLUMN: f64 = BOX_WIDTH + 212.0;
+const ROW: f64 = BOX_HEIGHT + 46.0;
+const MARGIN: f64 = 16.0;
+
+/// Colours and fonts; a page that embeds the picture may override them by
+/// giving the custom properties a value.
+const STYLE: &str = "\
+.dam-graph{font-family:system-ui,-apple-system,'Segoe UI',Roboto,'Helvetica Neue',Arial,sans-serif}\
+.dam-graph .frame{fill:var(--box,#fff);stroke:var(--ink-soft,#5b6673);stroke-width:1.4}\
+.dam-graph .drive .frame{fill:var(--box-drive,#eaf1f8)}\
+.dam-graph .id{font-weight:650;font-size:15px;fill:var(--ink,#17202a)}\
+.dam-graph .kind{font-size:12.5px;fill:var(--ink-soft,#5b6673)}\
+.dam-graph .edge{fill:none;stroke:var(--ink,#17202a);stroke-width:1.5}\
+.dam-graph .back{fill:none;stroke:var(--ink-soft,#5b6673);stroke-width:1.2;stroke-dasharray:5 3}\
+.dam-graph .head{fill:var(--ink,#17202a)}\
+.dam-graph .head-back{fill:var(--ink-soft,#5b6673)}\
+.dam-graph .law{font-size:12px;fill:var(--ink,#17202a)}\
+.dam-graph .port{font-size:11px;fill:var(--ink-soft,#5b6673)}\
+.dam-graph .pair{fill:var(--paper,#fff);stroke:var(--accent,#b4451f);stroke-width:1.5}\
+.dam-graph .pair-mark{fill:none;stroke:var(--accent,#b4451f);stroke-width:1.5}\
+.dam-graph a:hover .frame{stroke-width:2.4}";
+
+/// The picture as a complete SVG document. `links` makes every box a link to
+/// `#object-ID`, for a page that has such anchors.
+pub fn svg(diagram: &Diagram, links: bool) -> String {
+    let places = diagram.places();
+    let columns = places.iter().map(|p| p.column).max().unwrap_or(0) as f64;
+    let rows = places.iter().map(|p| p.row).fold(0.0, f64::max);
+    let width = 2.0 * MARGIN + columns * COLUMN + BOX_WIDTH;
+    let height = 2.0 * MARGIN + rows * ROW + BOX_HEIGHT;
+    let mut out = format!(
+        "<svg class=\"dam-graph\" xmlns=\"http://www.w3.org/2000/svg\" \
+         viewBox=\"0 0 {w} {h}\" width=\"{w}\" height=\"{h}\" role=\"img\" \
+         aria-label=\"Object graph\">\n<style>{STYLE}</style>\n",
+        w = coordinate(width),
+        h = coordinate(height),
+    );
+    for (index, one) in diagram.boxes.iter().enumerate() {
+        if let Some(driver) = one.driver {
+            out.push_str(&edge(one, places[driver], places[index]));
+        }
+    }
+    for (one, place) in diagram.boxes.iter().zip(&places) {
+        out.push_str(&object_box(one, *place, links));
+    }
+    out.push_str("</svg>\n");
+    out
+}
+
+/// Upper left corner of a box.
+fn corner(place: Place) -> (f64, f64) {
+    (
+        MARGIN + place.column as f64 * COLUMN,
+        MARGIN + place.row * ROW,
+    )
+}
+
+fn object_box(one: &ObjectBox, place: Place, links: bool) -> String {
+    let (x, y) = corner(place);
+    let turning = match one.coordinate {
+        Coordinate::Turning => "turning",
+        Coordinate::Sliding => "sliding",
+    };
+    let middle = coordinate(x + BOX_WIDTH / 2.0);
+    let text = |class: &str, dy: f64, text: &str, size: f64| {
+        format!(
+            "<text class=\"{class}\" x=\"{middle}\" y=\"{}\" text-anchor=\"middle\">{}</text>",
+            coordinate(y + dy),
+            escape(&shortened(text, fits(BOX_WIDTH - 12.0, size)))
+        )
+    };
+    let body = format!(
+        "<title>{title}</title><rect class=\"frame\" x=\"{x}\" y=\"{y}\" width=\"{BOX_WIDTH}\" \
+         height=\"{BOX_HEIGHT}\" rx=\"{radius}\"/>{id}{kind}{detail}",
+        title = escape(&format!(
+            "{}: {}, {turning}, {}",
+            one.id, one.kind, one.detail
+        )),
+        x = coordinate(x),
+        y = coordinate(y),
+        radius = if one.driver.is_none() { 22 } else { 5 },
+        id = text("id", 26.0, &one.id, 15.5),
+        kind = text(
+            "kind",
+            45.0,
+            &format!("{}, {turning}", one.kind.replace('_', " ")),
+            12.5
+        ),
+        detail = text("kind", 62.0, &one.detail, 12.5),
+    );
+    let class = if one.driver.is_none() {
+        "drive"
+    } else {
+        "driven"
+    };
+    let group = format!("<g class=\"{class}\">{body}</g>");
+    if links {
+        format!("<a href=\"#object-{}\">{group}</a>\n", escape(&one.id))
+    } else {
+        group + "\n"
+    }
+}
+
+/// The two arrows between a driver and what it drives: motion forward, force back.
+fn edge(one: &ObjectBox, from: Place, to: Place) -> String {
+    let (x1, y1) = corner(from);
+    let (x2, y2) = corner(to);
+    let (start, end) = (x1 + BOX_WIDTH, x2);
+    let (forward_from, forward_to) = (y1 + 28.0, y2 + 28.0);
+    let (back_from, back_to) = (y1 + 48.0, y2 + 48.0);
+    let bend = start + 34.0;
+    let path = |class: &str, from: f64, to: f64| {
+        let (s, e) = (coordinate(start), coordinate(end));
+        let (from, to) = (coordinate(from), coordinate(to));
+        let (b, after) = (coordinate(bend - 16.0), coordinate(bend + 16.0));
+        format!(
+            "<path class=\"{class}\" d=\"M{s} {from} C{after} {from} {b} {to} {} {to} H{e}\"/>",
+            coordinate(bend + 26.0)
+        )
+    };
+    let arrow = |class: &str, x: f64, y: f64, direction: f64| {
+        format!(
+            "<path class=\"{class}\" d=\"M{} {} l{} -4 v8 z\"/>",
+            coordinate(x),
+            coordinate(y),
+            coordinate(-9.0 * direction)
+        )
+    };
+    let label_x = (bend + 26.0 + end) / 2.0;
+    let room = fits(COLUMN - BOX_WIDTH - 14.0, 12.0);
+    format!(
+        "<g>{}{}{}{}<text class=\"law\" x=\"{}\" y=\"{}\" text-anchor=\"middle\">\
+         <title>{}</title>{}</text><text class=\"port\" x=\"{}\" y=\"{}\" \
+         text-anchor=\"middle\">φ, φ̇ →   ← Ω</text>{}</g>\n",
+        path("edge", forward_from, forward_to),
+        path("back", back_from, back_to),
+        arrow("head", end, forward_to, 1.0),
+        arrow("head-back", start, back_from, -1.0),
+        coordinate((bend + 10.0 + end) / 2.0),
+        coordinate(forward_to - 9.0),
+        escape(&one.position),
+        escape(&cut(&one.position, room.min(22))),
+        coordinate(label_x),
+        coordinate(back_to - 6.0),
+        pair_symbol(one, label_x - 40.0, back_to + 16.0),
+    )
+}
+
+/// A formula cut off at its end: its beginning says what kind it is.
+fn cut(text: &str, length: usize) -> String {
+    if text.chars().count() <= length {
+        return text.to_owned();
+    }
+    let start: String = text.chars().take(length - 1).collect();
+    format!("{}…", start.trim_end())
+}
+
+/// The symbol of the driving pair: a cam's roller on its flank for force
+/// closure, a pin in a slot for form closure; nothing for a bilateral pair.
+fn pair_symbol(one: &ObjectBox, x: f64, y: f64) -> String {
+    let (cx, cy) = (coordinate(x), coordinate(y));
+    let word = |text: &str| {
+        format!(
+            "<text class=\"port\" x=\"{}\" y=\"{}\">{text}</text>",
+            coordinate(x + 15.0),
+            coordinate(y + 4.0)
+        )
+    };
+    match one.closure {
+        Closure::Bilateral => String::new(),
+        Closure::Force => format!(
+            "<g><title>force-closed pair: can lift off</title>\
+             <circle class=\"pair\" cx=\"{cx}\" cy=\"{cy}\" r=\"5\"/>\
+             <path class=\"pair-mark\" d=\"M{} {} q10 6 20 0\"/>{}</g>",
+            coordinate(x - 10.0),
+            coordinate(y + 5.0),
+            word("force-closed")
+        ),
+        Closure::Form => {
+            let unit = match one.coordinate {
+                Coordinate::Turning => "rad",
+                Coordinate::Sliding => "m",
+            };
+            format!(
+                "<g><title>form-closed pair, gap {}</title>\
+                 <path class=\"pair-mark\" d=\"M{l} {t} h20 M{l} {b} h20\"/>\
+                 <circle class=\"pair\" cx=\"{cx}\" cy=\"{cy}\" r=\"5\"/>{}</g>",
+                with_unit(one.gap, unit, 4),
+                word("form-closed"),
+                l = coordinate(x - 10.0),
+                t = coordinate(y - 8.0),
+                b = coordinate(y + 8.0)
+            )
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::svg;
+    use crate::report::diagram::Diagram;
+    use crate::report::fixture;
+
+    #[test]
+    fn every_object_is_drawn_and_nothing_breaks_out() {
+        let mut diagram = Diagram::of(&fixture::fan_out());
+        diagram.boxes[1].kind = "<script>&".into();
+        let picture = svg(&diagram, true);
+        for one in &diagram.boxes {
+            assert!(picture.contains(&format!("href=\"#object-{}\"", one.id)));
+        }
+        assert!(!picture.contains("<script"));
+        assert_eq!(picture.matches("class=\"edge\"").count(), 3);
+        assert_eq!(picture.matches("force-closed pair").count(), 1);
+        assert_eq!(picture.matches("form-closed pair").count(), 1);
+        assert!(svg(&Diagram::default(), false).contains("</svg>"));
+    }
+}

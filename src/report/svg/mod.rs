@@ -1,0 +1,20 @@
+//! Stand-alone pictures: the object graph and line charts.
+
+pub mod chart;
+pub mod graph;
+
+/// Characters per line that fit `width` at a font size, for a sans-serif face.
+fn fits(width: f64, font_size: f64) -> usize {
+    (width / (0.56 * font_size)).max(3.0) as usize
+}
+
+/// A coordinate for an SVG attribute: two decimals, no negative zero.
+fn coordinate(value: f64) -> String {
+    let text = format!("{value:.2}");
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    if text == "-0" {
+        "0".into()
+    } else {
+        text.to_owned()
+    }
+}
