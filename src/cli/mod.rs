@@ -1,4 +1,46 @@
-//! Command line.
-pub(crate) fn main() -> std::process::ExitCode {
-    std::process::ExitCode::SUCCESS
+//! The command-line program: arguments, files, terminal. Everything else is in
+//! the library.
+
+mod args;
+mod check;
+mod compare;
+mod console;
+mod failure;
+mod input;
+mod interrupt;
+mod output;
+mod progress;
+mod run;
+mod show;
+mod tables;
+mod terminal;
+
+use args::{Cli, Command, SceneArgs};
+use clap::Parser;
+use std::process::ExitCode;
+
+/// Runs the program.
+pub(crate) fn main() -> ExitCode {
+    let cli = Cli::parse();
+    let (result, scene) = match &cli.command {
+        Command::Run(args) => (run::command(args), Some(&args.scene)),
+        Command::Check(args) => (check::command(args), Some(&args.scene)),
+        Command::Schema => (Ok(check::schema()), None),
+        Command::Show(args) => (show::command(args), Some(&args.scene)),
+        Command::Compare(args) => (compare::command(args), Some(&args.scene)),
+    };
+    match result {
+        Ok(status) => ExitCode::from(status.code()),
+        Err(failure) => {
+            report(&failure, scene);
+            ExitCode::from(2)
+        }
+    }
+}
+
+fn report(failure: &failure::Failure, scene: Option<&SceneArgs>) {
+    if scene.is_some_and(|args| args.json) && console::json(&failure.json()).is_ok() {
+        return;
+    }
+    console::talk(&failure.text(console::colour()));
 }

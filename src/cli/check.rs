@@ -1,0 +1,51 @@
+//! `dam check` and `dam schema`.
+
+use super::args::CheckArgs;
+use super::console;
+use super::failure::{Failure, Status};
+use super::input::Input;
+use serde_json::json;
+
+/// Checks a scene as far as is possible without running it.
+pub(crate) fn command(args: &CheckArgs) -> Result<Status, Failure> {
+    let ready = Input::load(&args.scene)?.prepare(&[])?;
+    let start = ready.system.initial_state();
+    let start = start.map_err(|faults| ready.reading.places.diagnose(&faults))?;
+    let warnings = &ready.reading.warnings;
+    let model = ready.system.model();
+    let said: Vec<&String> = model.warnings.iter().chain(&start.warnings).collect();
+    let scene = ready.scene();
+    if args.scene.json {
+        console::json(&json!({
+            "dam": 1,
+            "scene": scene.name,
+            "hash": scene.hash,
+            "errors": [],
+            "warnings": warnings.json(),
+            "remarks": said,
+        }))?;
+        return Ok(Status::Answered);
+    }
+    if !args.scene.quiet {
+        if !warnings.is_empty() {
+            console::talk(&warnings.render(console::colour()));
+        }
+        for text in said {
+            console::talk(&format!("warning: {text}"));
+        }
+    }
+    let coordinates = start.y.len() / 2;
+    console::data(&format!(
+        "{} is right: {} objects, {coordinates} coordinates, hash {}\n",
+        scene.name,
+        scene.objects.len(),
+        &scene.hash[..16]
+    ));
+    Ok(Status::Answered)
+}
+
+/// Prints the JSON Schema of scenes.
+pub(crate) fn schema() -> Status {
+    console::data(&dam::scene::schema_text());
+    Status::Answered
+}

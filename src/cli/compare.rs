@@ -1,0 +1,201 @@
+//! `dam compare`: the same scene for several values of a parameter.
+
+use super::args::CompareArgs;
+use super::console;
+use super::failure::{Failure, Status};
+use super::input::{Input, Ready};
+use super::output::{OutputFolder, ResultFile};
+use super::run::{control, run_with_progress};
+use super::tables;
+use dam::analysis::compare::{Comparison, compare};
+use dam::integrate::Stop;
+use dam::report::compare::{CompareReport, ComparedRun, chart, page};
+use dam::report::csv::{record_csv, table_csv};
+use dam::report::diagram::Diagram;
+
+/// Most values of one comparison.
+const MOST: usize = 50;
+
+/// Quantities drawn over each other.
+const DRAWN: [&str; 5] = [
+    "displacement",
+    "speed",
+    "acceleration",
+    "delta",
+    "contact_force",
+];
+
+/// Runs the command.
+pub(crate) fn command(args: &CompareArgs) -> Result<Status, Failure> {
+    let (path, labels) = parse_over(&args.over)?;
+    let input = Input::load(&args.scene)?;
+    let ready = prepare_all(&input, &path, &labels)?;
+    let scene = ready[0].scene().name.clone();
+    let folder = prepare_folder(args, &ready, labels.len())?;
+    let control = control(args.time_limit);
+    let mut next = ready.iter();
+    let comparison = compare(&path, &labels, |_| {
+        let Some(ready) = next.next() else {
+            return Err(Failure::Other("fewer systems than values".to_owned()));
+        };
+        run_with_progress(ready, &ready.settings, &control, args.scene.quiet)
+    })?;
+    if let Some(folder) = &folder {
+        let files = files(&input, &ready, &comparison)?;
+        folder.write("compare", &ready[0].scene().hash, &files)?;
+    }
+    if args.scene.json {
+        console::json(&tables::comparison_document(&scene, &comparison))?;
+    } else {
+        console::data(&tables::comparison(&scene, &comparison.table));
+    }
+    if !args.scene.quiet {
+        for run in &comparison.runs {
+            for warning in &run.result.figures.warnings {
+                console::talk(&format!("warning: {path} = {}: {warning}", run.label));
+            }
+        }
+        if let Some(folder) = &folder {
+            let report = folder.path("report.html");
+            console::talk(&format!("report: {}", report.display()));
+        }
+    }
+    Ok(status(&comparison))
+}
+
+fn status(comparison: &Comparison) -> Status {
+    let mut results = comparison.runs.iter().map(|run| &run.result);
+    if results
+        .clone()
+        .any(|result| result.outcome.stop == Stop::Interrupted)
+    {
+        Status::Interrupted
+    } else if results.all(|result| result.is_complete() && result.is_trusted()) {
+        Status::Answered
+    } else {
+        Status::NotTrusted
+    }
+}
+
+/// `rocker.masses=1,2,10` or `rocker.masses=[1, 2, 10]`.
+fn parse_over(over: &str) -> Result<(String, Vec<String>), Failure> {
+    let wrong = |what: &str| {
+        Failure::Other(format!(
+            "--over {over}: {what}; write PATH=LIST, for example rocker.masses=1,2,10"
+        ))
+    };
+    let (path, list) = over.split_once('=').ok_or_else(|| wrong("no `=`"))?;
+    let values: Vec<String> = match serde_json::from_str::<Vec<serde_json::Value>>(list) {
+        Ok(values) => values.iter().map(ToString::to_string).collect(),
+        Err(_) => list.split(',').map(|word| word.trim().to_owned()).collect(),
+    };
+    if path.trim().is_empty() || values.iter().any(String::is_empty) {
+        return Err(wrong("a name or a value is missing"));
+    }
+    if values.len() < 2 || values.len() > MOST {
+        return Err(wrong(&format!("between 2 and {MOST} values are compared")));
+    }
+    Ok((path.trim().to_owned(), values))
+}
+
+fn prepare_all(input: &Input, path: &str, labels: &[String]) -> Result<Vec<Ready>, Failure> {
+    labels
+        .iter()
+        .map(|label| input.prepare(&[format!("{path}={label}")]))
+        .collect()
+}
+
+fn record_name(index: usize) -> String {
+    format!("record-{}.csv", index + 1)
+}
+
+fn chart_name(object: &str, quantity: &str) -> String {
+    format!("{object}-{}.svg", quantity.replace('_', "-"))
+}
+
+fn prepare_folder(
+    args: &CompareArgs,
+    ready: &[Ready],
+    count: usize,
+) -> Result<Option<OutputFolder>, Failure> {
+    let Some(path) = &args.out.out else {
+        return Ok(None);
+    };
+    let mut names = vec!["comparison.json".to_owned(), "comparison.csv".to_owned()];
+    names.push("report.html".to_owned());
+    names.extend((0..count).map(record_name));
+    for object in &ready[0].system.model().objects {
+        names.extend(DRAWN.map(|quantity| chart_name(&object.id, quantity)));
+    }
+    let names: Vec<&str> = names.iter().map(String::as_str).collect();
+    let scene = &ready[0].scene().name;
+    Ok(Some(OutputFolder::prepare(
+        path,
+        scene,
+        &names,
+        args.out.force,
+    )?))
+}
+
+fn files(
+    input: &Input,
+    ready: &[Ready],
+    comparison: &Comparison,
+) -> Result<Vec<ResultFile>, Failure> {
+    let scene = &ready[0].scene().name;
+    let model = ready[0].system.model();
+    let runs: Vec<ComparedRun<'_>> = comparison
+        .runs
+        .iter()
+        .map(|run| ComparedRun {
+            label: format!("{} = {}", comparison.over, run.label),
+            figures: &run.result.figures,
+            record: &run.result.record,
+        })
+        .collect();
+    let document = tables::comparison_document(scene, comparison);
+    let csv = table_csv(&comparison.table).map_err(|error| error.to_string())?;
+    let report = page(&CompareReport {
+        title: scene,
+        runs: &runs,
+        diagram: &Diagram::of(model),
+        scene: input.text(),
+        version: env!("CARGO_PKG_VERSION"),
+    });
+    let mut files = vec![
+        ResultFile::new("comparison.json", format!("{document:#}\n")),
+        ResultFile::new("comparison.csv", csv),
+        ResultFile::new("report.html", report),
+    ];
+    for (index, run) in comparison.runs.iter().enumerate() {
+        let text = record_csv(&run.result.record).map_err(|error| error.to_string())?;
+        files.push(ResultFile::new(record_name(index), text));
+    }
+    for object in &model.objects {
+        for quantity in DRAWN {
+            if let Some(chart) = chart(&runs, &object.id, quantity) {
+                let name = chart_name(&object.id, quantity);
+                files.push(ResultFile::new(name, chart.svg(900.0, 420.0)));
+            }
+        }
+    }
+    Ok(files)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::parse_over;
+
+    #[test]
+    fn a_list_is_plain_or_json() {
+        let (path, values) = parse_over("rocker.masses=1, 2,10").unwrap();
+        assert_eq!(path, "rocker.masses");
+        assert_eq!(values, ["1", "2", "10"]);
+        let (_, values) = parse_over("a.pair=[{\"gap\": \"1 mm\"}, 3]").unwrap();
+        assert_eq!(values[1], "3");
+        assert!(values[0].contains("gap"));
+        for wrong in ["rocker.masses", "=1,2", "a=1", "a=1,,2", "a="] {
+            assert!(parse_over(wrong).is_err(), "{wrong}");
+        }
+    }
+}

@@ -1,0 +1,175 @@
+//! `dam run`: the motion of a scene and its figures.
+
+use super::args::RunArgs;
+use super::console;
+use super::failure::{Failure, Status};
+use super::input::{Input, Ready};
+use super::output::{OutputFolder, ResultFile};
+use super::progress::Progress;
+use super::{interrupt, tables, terminal};
+use dam::analysis::expectations::{Verdict, check};
+use dam::analysis::run::{RunResult, run};
+use dam::analysis::spread::{Spread, spread};
+use dam::analysis::{Control, RunSettings};
+use dam::integrate::{Sink, Stop};
+use dam::record::Figures;
+use dam::report::csv::record_csv;
+use dam::report::diagram::Diagram;
+use dam::report::html::{RunReport, page};
+use serde::Serialize;
+use std::time::{Duration, Instant};
+
+const FILES: [&str; 4] = ["summary.json", "record.csv", "report.html", "timing.json"];
+
+/// The document of a run: the figures, and what else was asked for.
+#[derive(Serialize)]
+struct Document<'a> {
+    #[serde(flatten)]
+    figures: &'a Figures,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    spread: Option<&'a Spread>,
+    #[serde(skip_serializing_if = "<[Verdict]>::is_empty")]
+    expect: &'a [Verdict],
+}
+
+/// Runs the command.
+pub(crate) fn command(args: &RunArgs) -> Result<Status, Failure> {
+    let input = Input::load(&args.scene)?;
+    let ready = input.prepare(&[])?;
+    let folder = match &args.out.out {
+        Some(path) => Some(OutputFolder::prepare(
+            path,
+            &ready.scene().name,
+            &FILES,
+            args.out.force,
+        )?),
+        None => None,
+    };
+    let quiet = args.scene.quiet;
+    if !quiet && !ready.reading.warnings.is_empty() {
+        console::talk(&ready.reading.warnings.render(console::colour()));
+    }
+    let control = control(args.time_limit);
+    let begun = Instant::now();
+    let result = run_with_progress(&ready, &ready.settings, &control, quiet)?;
+    let seconds = begun.elapsed().as_secs_f64();
+    let spread = if args.spread {
+        let found = spread(&ready.system, &ready.settings, &result, &control)
+            .map_err(|faults| ready.reading.places.diagnose(&faults))?;
+        Some(found)
+    } else {
+        None
+    };
+    // Another mechanism than the scene's has no expectations.
+    let changed = !args.scene.set.is_empty();
+    let verdicts = if changed {
+        Vec::new()
+    } else {
+        check(&ready.scene().expect, &result)
+    };
+    let document = Document {
+        figures: &result.figures,
+        spread: spread.as_ref(),
+        expect: &verdicts,
+    };
+    if let Some(folder) = &folder {
+        let files = files(&input, &ready, &result, &document, seconds)?;
+        folder.write("run", &ready.scene().hash, &files)?;
+    }
+    if args.scene.json {
+        console::json(&document)?;
+    } else {
+        console::data(&terminal::summary(&result.figures));
+        if let Some(spread) = &spread {
+            console::data(&tables::spread(spread));
+        }
+    }
+    if !quiet {
+        talk(&ready, &result, &verdicts, seconds);
+        if let Some(folder) = &folder {
+            let report = folder.path("report.html");
+            console::talk(&format!("report: {}", report.display()));
+        }
+    }
+    Ok(status(&result, &verdicts))
+}
+
+/// What may end a run from outside.
+pub(crate) fn control(time_limit: Option<f64>) -> Control<'static> {
+    Control {
+        wall_clock: time_limit.map(Duration::from_secs_f64),
+        interrupt: Some(interrupt::listen()),
+    }
+}
+
+/// A run with a progress bar.
+pub(crate) fn run_with_progress(
+    ready: &Ready,
+    settings: &RunSettings,
+    control: &Control<'_>,
+    quiet: bool,
+) -> Result<RunResult, Failure> {
+    let mut progress = Progress::new(&ready.scene().name, settings.duration, quiet);
+    let mut sinks: [&mut dyn Sink; 1] = [&mut progress];
+    let result = run(&ready.system, settings, control, &mut sinks);
+    progress.finish();
+    result.map_err(|faults| ready.reading.places.diagnose(&faults).into())
+}
+
+fn files(
+    input: &Input,
+    ready: &Ready,
+    result: &RunResult,
+    document: &Document<'_>,
+    seconds: f64,
+) -> Result<Vec<ResultFile>, Failure> {
+    let mut summary = serde_json::to_string_pretty(document).map_err(|e| e.to_string())?;
+    summary.push('\n');
+    let report = page(&RunReport {
+        figures: &result.figures,
+        record: &result.record,
+        diagram: &Diagram::of(ready.system.model()),
+        scene: input.text(),
+        version: env!("CARGO_PKG_VERSION"),
+    });
+    let record = record_csv(&result.record).map_err(|error| error.to_string())?;
+    let timing = serde_json::json!({ "dam": 1, "scene": ready.scene().name, "run_s": seconds });
+    Ok(vec![
+        ResultFile::new(FILES[0], summary),
+        ResultFile::new(FILES[1], record),
+        ResultFile::new(FILES[2], report),
+        ResultFile::new(FILES[3], format!("{timing:#}\n")),
+    ])
+}
+
+fn talk(ready: &Ready, result: &RunResult, verdicts: &[Verdict], seconds: f64) {
+    for warning in &result.figures.warnings {
+        console::talk(&format!("warning: {warning}"));
+    }
+    for verdict in verdicts.iter().filter(|verdict| !verdict.holds) {
+        console::talk(&format!("expectation failed: {}", verdict.message));
+    }
+    let held = verdicts.iter().filter(|verdict| verdict.holds).count();
+    if !verdicts.is_empty() {
+        console::talk(&format!("expectations: {held} of {} hold", verdicts.len()));
+    } else if !ready.scene().expect.is_empty() {
+        console::talk("expectations: not judged, --set changes the scene");
+    }
+    console::talk(&format!("computed in {seconds:.3} s"));
+}
+
+/// A run that ends as the scene expects, be it by a stop, has answered.
+fn status(result: &RunResult, verdicts: &[Verdict]) -> Status {
+    if result.outcome.stop == Stop::Interrupted {
+        return Status::Interrupted;
+    }
+    let all_hold = verdicts.iter().all(|verdict| verdict.holds);
+    let expected_stop = verdicts
+        .iter()
+        .any(|verdict| verdict.holds && verdict.what.starts_with("stops"));
+    if all_hold && result.is_trusted() && (result.is_complete() || expected_stop) {
+        Status::Answered
+    } else {
+        Status::NotTrusted
+    }
+}

@@ -1,0 +1,110 @@
+//! `dam show`: the three models of a scene.
+
+use super::args::{Form, ShowArgs, View};
+use super::console;
+use super::failure::{Failure, Status};
+use super::input::Input;
+use dam::model::Model;
+use dam::report::diagram::Diagram;
+use dam::report::show::equations::{equations, latex, text};
+use dam::report::show::masses::{self, Frequencies};
+use dam::report::show::graph;
+use dam::report::svg::graph::svg;
+use dam::system::{Regime, System};
+use serde_json::json;
+
+/// Runs the command.
+pub(crate) fn command(args: &ShowArgs) -> Result<Status, Failure> {
+    refuse(args.view, args.form)?;
+    let ready = Input::load(&args.scene)?.prepare(&[])?;
+    let (system, model) = (&ready.system, ready.system.model());
+    if args.scene.json {
+        console::json(&document(&ready.scene().name, system))?;
+        return Ok(Status::Answered);
+    }
+    let out = match args.form {
+        Form::Dot => graph::dot(&Diagram::of(model)),
+        Form::Svg => svg(&Diagram::of(model), false),
+        Form::Latex => latex(&equations(model)),
+        Form::Text => in_words(args.view, system),
+    };
+    console::data(&out);
+    Ok(Status::Answered)
+}
+
+fn refuse(view: View, form: Form) -> Result<(), Failure> {
+    let fits = match form {
+        Form::Text => true,
+        Form::Dot | Form::Svg => matches!(view, View::Graph | View::All),
+        Form::Latex => matches!(view, View::Equations | View::All),
+    };
+    if fits {
+        return Ok(());
+    }
+    Err(Failure::Other(
+        "the object graph comes as text, dot or svg (--view graph), the equations as text or \
+         latex (--view equations), the model as text"
+            .to_owned(),
+    ))
+}
+
+fn in_words(view: View, system: &System) -> String {
+    let model = system.model();
+    let parts = [
+        (View::Graph, "OBJECTS", graph::tree(&Diagram::of(model))),
+        (
+            View::Model,
+            "DYNAMIC MODEL",
+            masses::text(model, &frequencies(system)),
+        ),
+        (View::Equations, "EQUATIONS", text(&equations(model))),
+    ];
+    let chosen = parts
+        .iter()
+        .filter(|(part, ..)| view == View::All || view == *part);
+    let texts: Vec<String> = chosen
+        .map(|(_, title, text)| match view {
+            View::All => format!("{title}\n\n{}\n", text.trim_end()),
+            _ => format!("{}\n", text.trim_end()),
+        })
+        .collect();
+    texts.join("\n")
+}
+
+fn frequencies(system: &System) -> Frequencies {
+    let of = |regime| {
+        let modes = system.modes_of_vibration(regime);
+        modes.iter().map(|mode| mode.frequency).collect()
+    };
+    Frequencies {
+        engaged: of(Regime::Engaged),
+        open: of(Regime::Open),
+    }
+}
+
+fn document(scene: &str, system: &System) -> serde_json::Value {
+    let model: &Model = system.model();
+    let found = frequencies(system);
+    let objects: Vec<_> = model
+        .objects
+        .iter()
+        .map(|object| {
+            json!({
+                "id": object.id,
+                "kind": object.kind,
+                "coordinate": object.coordinate,
+                "driver": object.driver.map(|driver| &model.objects[driver].id),
+                "inertias": object.nodes.iter().map(|&node| model.nodes[node].inertia).collect::<Vec<_>>(),
+                "stiffnesses": object.links.iter().map(|&link| model.links[link].stiffness).collect::<Vec<_>>(),
+                "dampings": object.links.iter().map(|&link| model.links[link].damping).collect::<Vec<_>>(),
+            })
+        })
+        .collect();
+    json!({
+        "dam": 1,
+        "scene": scene,
+        "objects": objects,
+        "natural_frequencies": { "unit": "rad/s", "engaged": found.engaged, "open": found.open },
+        "equations": { "text": text(&equations(model)), "latex": latex(&equations(model)) },
+    })
+}

@@ -1,0 +1,113 @@
+//! Comparisons and spreads on the terminal.
+
+use super::terminal::number;
+use dam::analysis::compare::{Comparison, Table, TableRow};
+use dam::analysis::spread::Spread;
+use serde_json::{Value, json};
+use std::fmt::Write as _;
+
+/// Figures side by side, errors against the last.
+pub(crate) fn comparison(scene: &str, table: &Table) -> String {
+    let mut text = format!("{scene}\n");
+    let last = table.labels.last().map_or("", String::as_str);
+    let _ = writeln!(text, "{} compared; errors against {last}\n", table.over);
+    let name = width(table.rows.iter().map(|row| row.figure.as_str()), 6);
+    let _ = write!(text, "{:<name$}", "figure");
+    for label in &table.labels {
+        let _ = write!(text, "  {label:>14} {:>10}", "error");
+    }
+    text.push('\n');
+    for row in &table.rows {
+        comparison_row(&mut text, row, name);
+    }
+    text
+}
+
+fn comparison_row(text: &mut String, row: &TableRow, name: usize) {
+    let _ = write!(text, "{:<name$}", row.figure);
+    for (value, error) in row.values.iter().zip(&row.errors) {
+        let value = value.map_or("–".to_owned(), number);
+        let _ = write!(text, "  {value:>14} {:>10}", percent(*error));
+    }
+    text.push('\n');
+}
+
+fn percent(error: Option<f64>) -> String {
+    match error {
+        None => "–".to_owned(),
+        Some(0.0) => "0 %".to_owned(),
+        Some(error) if error.abs() < 1e-4 || error.abs() >= 100.0 => {
+            format!("{:.1e} %", 100.0 * error)
+        }
+        Some(error) => format!("{:.3} %", 100.0 * error),
+    }
+}
+
+fn width<'a>(words: impl Iterator<Item = &'a str>, least: usize) -> usize {
+    words
+        .map(|word| word.chars().count())
+        .max()
+        .unwrap_or(0)
+        .max(least)
+}
+
+/// The document of a comparison.
+pub(crate) fn comparison_document(scene: &str, comparison: &Comparison) -> Value {
+    let runs: Vec<Value> = comparison
+        .runs
+        .iter()
+        .map(|run| json!({ "value": run.label, "figures": run.result.figures }))
+        .collect();
+    json!({ "dam": 1, "scene": scene, "over": comparison.over, "table": comparison.table, "runs": runs })
+}
+
+/// How far figures move under a tiny change.
+pub(crate) fn spread(spread: &Spread) -> String {
+    let mut text = format!(
+        "\nspread: loads and gaps changed by {:e}, tolerance by {}\n",
+        spread.change, spread.tolerance_factor
+    );
+    let name = width(
+        spread.figures.iter().map(|figure| figure.figure.as_str()),
+        6,
+    );
+    let _ = writeln!(
+        text,
+        "{:<name$}  {:>14}  {:>10}  {:>12}",
+        "figure", "value", "by loads", "by tolerance"
+    );
+    for figure in &spread.figures {
+        let moved = |by: Option<f64>| by.map_or("gone".to_owned(), |by| format!("{by:.1e}"));
+        let mark = if figure.determined {
+            ""
+        } else {
+            "  NOT DETERMINED"
+        };
+        let _ = writeln!(
+            text,
+            "{:<name$}  {:>14}  {:>10}  {:>12}{mark}",
+            figure.figure,
+            number(figure.value),
+            moved(figure.by_loads),
+            moved(figure.by_tolerance)
+        );
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::percent;
+
+    #[test]
+    fn errors_read_as_percentages() {
+        for (error, text) in [
+            (None, "–"),
+            (Some(0.0), "0 %"),
+            (Some(-0.004), "-0.400 %"),
+            (Some(1e-9), "1.0e-7 %"),
+        ] {
+            assert_eq!(percent(error), text);
+        }
+    }
+}
