@@ -14,6 +14,7 @@ mod build;
 mod check;
 mod dynamics;
 mod energy;
+mod frequencies;
 mod frozen;
 mod loads;
 mod observe;
@@ -31,6 +32,8 @@ mod switches;
 mod testing;
 #[cfg(test)]
 mod tests;
+
+pub use frequencies::{Regime, VibrationMode};
 
 use crate::fault::Fault;
 use crate::integrate::Modes;

@@ -43,9 +43,7 @@ impl ObjectPlace {
             .iter()
             .find_map(|step| match step {
                 Step::Prescribed(drive) if drive.node == node => Some(Body::Prescribed),
-                Step::Rotor(rotor) if rotor.node == node => {
-                    Some(motor(frozen, model, part.nodes[0], node))
-                }
+                Step::Rotor(rotor) if rotor.node == node => Some(motor(frozen, model, part, node)),
                 Step::Rigid(index) if frozen.rigids[*index].node == node => Some(Body::Rigid(
                     frozen.rigids[*index],
                     part.rigid_pair.unwrap_or(BILATERAL),
@@ -69,15 +67,16 @@ const BILATERAL: Pair = Pair {
 };
 
 /// The torque of a motor: its characteristic over speed, or the constant load
-/// that is named `….torque`.
-fn motor(frozen: &Frozen, model: &Model, node: usize, internal: usize) -> Body {
+/// that bears the torque's own address.
+fn motor(frozen: &Frozen, model: &Model, part: &ObjectPart, internal: usize) -> Body {
+    let torque = format!("{}.torque", part.id);
     let loads = (0..frozen.loads.len())
         .filter(|&load| frozen.loads[load].node == internal && is_motor(&frozen.loads[load].law))
         .collect();
     let constant = model
         .loads
         .iter()
-        .filter(|load| load.node == node && load.name.ends_with(".torque"))
+        .filter(|load| load.node == part.nodes[0] && load.name == torque)
         .map(|load| match load.law {
             LoadLaw::Constant(torque) => torque,
             _ => 0.0,

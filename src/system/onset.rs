@@ -21,6 +21,16 @@ impl System {
         if frozen.pairs.is_empty() {
             return;
         }
+        let mut decided = true;
+        for (pair, mode) in modes[..frozen.pairs.len()].iter_mut().enumerate() {
+            match frozen.mode_of_state(pair, state, noise) {
+                Some(now) => *mode = now,
+                None => decided = false,
+            }
+        }
+        if decided {
+            return;
+        }
         let mut tried: Vec<Vec<i64>> = Vec::new();
         // Each round changes one pair; a supposition that comes back means that
         // no motion is free of contradiction, and the first is kept.
@@ -70,6 +80,31 @@ impl Frozen {
             }
         }
         motion
+    }
+
+    /// The mode that a pair has by its state alone, without looking ahead;
+    /// `None` when it just touches or just presses.
+    fn mode_of_state(&self, pair: usize, state: &[f64], noise: &[f64]) -> Option<i64> {
+        let chain = &self.chains[self.pairs[pair]];
+        let (x, v) = (
+            chain.first_coordinate,
+            chain.first_coordinate + self.coordinates,
+        );
+        let (x, v) = (
+            Series::constant(state[x], noise[x]),
+            Series::constant(state[v], noise[v]),
+        );
+        let mut mode = OPEN;
+        for &side in chain.contact.sides() {
+            let presses = chain.contact.presses(side, x, v);
+            let [depth, pressing] = presses.map(|guard| guard.sign());
+            if depth > 0.0 && pressing > 0.0 {
+                mode = side;
+            } else if depth >= 0.0 && pressing >= 0.0 {
+                return None;
+            }
+        }
+        Some(mode)
     }
 
     /// The mode that a pair has in a motion.

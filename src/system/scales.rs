@@ -17,6 +17,9 @@ use std::f64::consts::PI;
 const SAMPLES: usize = 1024;
 const TURNS: f64 = 8.0;
 
+/// Share of a limited reach at each end that is not sampled.
+const EDGE: f64 = 0.05;
+
 /// δ* of an object that nothing loads (rad or m).
 const FLOOR: f64 = 1e-6;
 
@@ -218,10 +221,19 @@ fn drive_sample(drive: &super::frozen::Prescribed, share: f64) -> [f64; 3] {
     at(last + share * span)
 }
 
-/// φ, φ̇ and φ̈ that a law asks for, and |U′|; NaN and 0 beyond its reach.
+/// φ, φ̇ and φ̈ that a law asks for, and |U′|; NaN and 0 beyond its reach, and
+/// near the ends of it, where U″ grows beyond all bounds.
 fn law_sample(frozen: &Frozen, law: &FrozenLaw, motion: &[[f64; 3]]) -> ([f64; 3], f64) {
     let [displacement, speed, acceleration] = motion[law.driver];
-    if !law.reaches(displacement) {
+    let inside = match law.position.reach_from(displacement) {
+        Ok(None) => displacement.is_finite(),
+        Ok(Some((low, high))) => {
+            let margin = EDGE * (high - low);
+            low + margin <= displacement && displacement <= high - margin
+        }
+        Err(_) => false,
+    };
+    if !inside {
         return ([f64::NAN; 3], 0.0);
     }
     let mut modes = vec![0; frozen.pairs.len() + frozen.tracks.len()];

@@ -440,7 +440,7 @@ impl Frozen {
     }
 
     /// Sets every track to the segment in which the state at t = 0 moves on.
-    fn locate_tracks(&self, state: &[f64], modes: &mut [i64]) {
+    pub(super) fn locate_tracks(&self, state: &[f64], modes: &mut [i64]) {
         if self.tracks.is_empty() {
             return;
         }

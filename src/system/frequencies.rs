@@ -1,0 +1,308 @@
+//! Natural frequencies of the linearised model, and how fast its fastest part is.
+//!
+//! Linearised about the position at t = 0, in absolute displacements of the
+//! free nodes: rigid objects move with their driver by U′, an elastic link
+//! stretches by φ₁ − U′·φ_driver. The stiffness that loaded laws add through U″
+//! and damping are left out of the natural frequencies.
+
+use super::System;
+use super::frozen::{Frozen, Step};
+use super::pairs::OPEN;
+use super::passes::{Extent, Work};
+use crate::integrate::{Dynamics, Modes};
+use crate::model::LoadLaw;
+use nalgebra::{DMatrix, DVector, Schur, SymmetricEigen};
+
+/// Which links count.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Regime {
+    /// All pairs engaged.
+    Engaged,
+    /// All pairs that can open are open.
+    Open,
+}
+
+/// One natural mode of vibration, without damping.
+#[derive(Clone, Debug, PartialEq)]
+pub struct VibrationMode {
+    /// ω (rad/s); 0 for a free motion of a rotor or of an open chain.
+    pub frequency: f64,
+    /// Absolute displacement of each coordinate, the largest +1 (angles in
+    /// rad against lengths in m as they stand).
+    pub shape: Vec<f64>,
+}
+
+/// Below this share of the highest frequency a mode is a free motion.
+const FREE: f64 = 1e-7;
+
+impl System {
+    /// Natural frequencies and shapes at the position at t = 0, lowest first;
+    /// one for each coordinate. With [`Regime::Open`] an open chain adds a free
+    /// motion.
+    pub fn modes_of_vibration(&self, regime: Regime) -> Vec<VibrationMode> {
+        let n = self.frozen.coordinates;
+        if n == 0 {
+            return Vec::new();
+        }
+        let (mass, stiffness) = self.frozen.linearised(regime, &self.start_modes());
+        let root: Vec<f64> = mass.iter().map(|mass| mass.sqrt()).collect();
+        let scaled = DMatrix::from_fn(n, n, |i, j| stiffness[(i, j)] / (root[i] * root[j]));
+        if scaled.iter().any(|entry| !entry.is_finite()) {
+            return Vec::new();
+        }
+        let eigen = SymmetricEigen::new(scaled);
+        let highest = eigen
+            .eigenvalues
+            .iter()
+            .fold(0.0, |a: f64, b| a.max(b.abs()));
+        let mut modes: Vec<VibrationMode> = (0..n)
+            .map(|k| {
+                let square = eigen.eigenvalues[k];
+                let free = square <= FREE * FREE * highest;
+                let shape = DVector::from_fn(n, |i, _| eigen.eigenvectors[(i, k)] / root[i]);
+                VibrationMode {
+                    frequency: if free { 0.0 } else { square.sqrt() },
+                    shape: normalised(&shape),
+                }
+            })
+            .collect();
+        modes.sort_by(|a, b| a.frequency.total_cmp(&b.frequency));
+        modes
+    }
+
+    /// The highest natural frequency with all pairs engaged (rad/s); 0 for a
+    /// model without elastic objects.
+    pub fn fastest_frequency(&self) -> f64 {
+        let modes = self.modes_of_vibration(Regime::Engaged);
+        modes.last().map_or(0.0, |mode| mode.frequency)
+    }
+
+    /// Highest natural frequency over the lowest that is not a free motion,
+    /// all pairs engaged; 1 without elastic objects.
+    pub fn stiffness_ratio(&self) -> f64 {
+        let modes = self.modes_of_vibration(Regime::Engaged);
+        let slowest = modes.iter().map(|mode| mode.frequency).find(|&w| w > 0.0);
+        match (slowest, modes.last()) {
+            (Some(slowest), Some(fastest)) => fastest.frequency / slowest,
+            _ => 1.0,
+        }
+    }
+
+    /// The fastest rate |λ| of the linearised system with all pairs engaged,
+    /// damping included (1/s): what an explicit method's step must resolve
+    /// (|λ|·h below 2 to 6). With stiffness-proportional damping it can exceed
+    /// the fastest frequency many times.
+    pub fn fastest_rate(&self) -> f64 {
+        let n = self.frozen.coordinates;
+        let modes = Modes(self.start_modes());
+        let y = self.frozen.law_state();
+        let mut scratch = self.scratch();
+        let mut jacobian = DMatrix::zeros(2 * n, 2 * n);
+        let (mut direction, mut column) = (vec![0.0; 2 * n], vec![0.0; 2 * n]);
+        // In units of the scales: numbers of one size, and no less exact.
+        for j in 0..2 * n {
+            direction[j] = self.scales[j];
+            self.tangent(0.0, &y, &modes, &direction, &mut scratch, &mut column);
+            direction[j] = 0.0;
+            for i in 0..2 * n {
+                jacobian[(i, j)] = column[i] / self.scales[i];
+            }
+        }
+        let norm = jacobian.norm();
+        if n == 0 || !norm.is_finite() {
+            return 0.0;
+        }
+        let largest = |schur: Schur<f64, nalgebra::Dyn>| {
+            let values = schur.complex_eigenvalues();
+            values.iter().fold(0.0, |a: f64, b| a.max(b.re.hypot(b.im)))
+        };
+        // The norm bounds every eigenvalue, should the iteration not converge.
+        Schur::try_new(jacobian, f64::EPSILON, 10_000).map_or(norm, largest)
+    }
+
+    /// Modes at t = 0 with every pair engaged on its first flank.
+    fn start_modes(&self) -> Vec<i64> {
+        let mut modes = self.frozen.no_modes();
+        self.frozen
+            .locate_tracks(&self.frozen.law_state(), &mut modes);
+        for (component, &chain) in self.frozen.pairs.iter().enumerate() {
+            let sides = self.frozen.chains[chain].contact.sides();
+            modes[component] = sides.first().copied().unwrap_or(OPEN);
+        }
+        modes
+    }
+}
+
+/// A shape with its largest entry +1.
+fn normalised(shape: &DVector<f64>) -> Vec<f64> {
+    let largest = shape
+        .iter()
+        .fold(0.0f64, |a, &b| if b.abs() > a.abs() { b } else { a });
+    let factor = if largest == 0.0 { 1.0 } else { 1.0 / largest };
+    shape.iter().map(|entry| entry * factor).collect()
+}
+
+impl Frozen {
+    /// Diagonal mass and stiffness at the position at t = 0, on the law.
+    fn linearised(&self, regime: Regime, modes: &[i64]) -> (Vec<f64>, DMatrix<f64>) {
+        let n = self.coordinates;
+        let mut work = Work::new(self);
+        self.motion(0.0, &self.law_state(), modes, Extent::Full, &mut work);
+        self.reduce_rigid(Extent::Full, &mut work);
+        // Every node's displacement is a factor times one free coordinate, or
+        // none: it is prescribed.
+        let mut moves: Vec<Option<(usize, f64)>> = vec![None; self.inertia.len()];
+        let mut mass = vec![1.0; n];
+        let mut stiffness = DMatrix::zeros(n, n);
+        for step in &self.steps {
+            match step {
+                Step::Prescribed(_) => {}
+                Step::Rotor(rotor) => {
+                    moves[rotor.node] = Some((rotor.coordinate, 1.0));
+                    mass[rotor.coordinate] = work.mass[rotor.node];
+                }
+                Step::Rigid(index) => {
+                    let rigid = self.rigids[*index];
+                    let slope = work.laws[rigid.law].first;
+                    moves[rigid.node] =
+                        moves[self.laws[rigid.law].driver].map(|(c, f)| (c, f * slope));
+                }
+                Step::Chain(index) => {
+                    let chain = &self.chains[*index];
+                    let slope = work.laws[chain.law].first;
+                    for (node, coordinate) in chain.nodes().zip(chain.coordinates()) {
+                        moves[node] = Some((coordinate, 1.0));
+                        mass[coordinate] = work.mass[node];
+                    }
+                    let base = moves[self.laws[chain.law].driver].map(|(c, f)| (c, f * slope));
+                    let first = chain.first_coordinate;
+                    if regime == Regime::Engaged || !chain.contact.can_open() {
+                        add_link(&mut stiffness, self.stiffness[first], first, base);
+                    }
+                    for c in chain.coordinates().skip(1) {
+                        add_link(&mut stiffness, self.stiffness[c], c, Some((c - 1, 1.0)));
+                    }
+                }
+            }
+        }
+        for load in &self.loads {
+            if let (LoadLaw::Spring { rate, .. }, Some((c, factor))) = (&load.law, moves[load.node])
+            {
+                stiffness[(c, c)] += rate * factor * factor;
+            }
+        }
+        (mass, stiffness)
+    }
+}
+
+/// A spring between coordinate `end` and a factor times another.
+fn add_link(stiffness: &mut DMatrix<f64>, c: f64, end: usize, base: Option<(usize, f64)>) {
+    stiffness[(end, end)] += c;
+    if let Some((base, factor)) = base {
+        stiffness[(base, base)] += c * factor * factor;
+        stiffness[(end, base)] -= c * factor;
+        stiffness[(base, end)] -= c * factor;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::testing::*;
+    use super::{Regime, System};
+    use crate::model::*;
+    use crate::position::Position;
+    use std::f64::consts::PI;
+
+    /// A uniform shaft of n equal masses; ψ by its damping list.
+    fn shaft(masses: usize, damping: f64, closure: Closure) -> Body {
+        let n = masses as f64;
+        Body {
+            position: Position::Ratio {
+                ratio: 2.0,
+                offset: 0.0,
+            },
+            inertias: vec![0.1 / n; masses],
+            stiffnesses: vec![n * 1e7; masses],
+            dampings: vec![damping; masses],
+            pair: pair(closure),
+        }
+    }
+
+    #[test]
+    fn a_uniform_shaft_has_the_frequencies_of_the_closed_form() {
+        for masses in [1, 2, 10] {
+            let mut model = Model::default();
+            let drive = add_drive(&mut model, 10.0, 0.0);
+            add_body(&mut model, drive, &shaft(masses, 0.0, Closure::Force));
+            let system = System::new(model).unwrap();
+            let modes = system.modes_of_vibration(Regime::Engaged);
+            let n = masses as f64;
+            let exact = |k: usize| {
+                2.0 * n * 1e4 * ((2 * k - 1) as f64 * PI / (2.0 * (2.0 * n + 1.0))).sin()
+            };
+            for (k, mode) in modes.iter().enumerate() {
+                approx::assert_relative_eq!(mode.frequency, exact(k + 1), max_relative = 1e-12);
+            }
+            approx::assert_relative_eq!(
+                system.fastest_rate(),
+                system.fastest_frequency(),
+                max_relative = 1e-9
+            );
+            approx::assert_relative_eq!(
+                system.stiffness_ratio(),
+                exact(masses) / exact(1),
+                max_relative = 1e-11
+            );
+            // Free at both ends: it drifts, then 2·n·ω₀·sin(kπ/2n).
+            let open = system.modes_of_vibration(Regime::Open);
+            assert_eq!(open[0].frequency, 0.0);
+            assert!(open[0].shape.iter().all(|entry| (entry - 1.0).abs() < 1e-9));
+            for (k, mode) in open.iter().enumerate().skip(1) {
+                let exact = 2.0 * n * 1e4 * (k as f64 * PI / (2.0 * n)).sin();
+                approx::assert_relative_eq!(mode.frequency, exact, max_relative = 1e-10);
+            }
+        }
+    }
+
+    #[test]
+    fn a_rotor_and_a_geared_mass_vibrate_against_each_other() {
+        // Behind a rigid gear of ratio 3, through a link with ratio 2.
+        let mut model = Model::default();
+        let motor = add_rotor(&mut model, 0.5, 0.0, 1.0);
+        let gear = Body {
+            position: Position::Ratio {
+                ratio: 3.0,
+                offset: 0.0,
+            },
+            inertias: vec![0.2],
+            stiffnesses: vec![],
+            dampings: vec![],
+            pair: pair(Closure::Bilateral),
+        };
+        let gear = add_body(&mut model, motor, &gear);
+        add_body(&mut model, gear, &shaft(1, 0.0, Closure::Bilateral));
+        let system = System::new(model).unwrap();
+        let modes = system.modes_of_vibration(Regime::Engaged);
+        // ω² = c·(1/J + (2·3)²/(J_r + 9·J_gear)).
+        let square: f64 = 1e7 * (1.0 / 0.1 + 36.0 / (0.5 + 9.0 * 0.2));
+        assert_eq!(modes[0].frequency, 0.0);
+        approx::assert_relative_eq!(
+            modes[0].shape[0] * 6.0,
+            modes[0].shape[1],
+            max_relative = 1e-9
+        );
+        approx::assert_relative_eq!(modes[1].frequency, square.sqrt(), max_relative = 1e-12);
+    }
+
+    #[test]
+    fn strong_damping_makes_a_system_faster_than_its_frequencies() {
+        let mut model = Model::default();
+        let drive = add_drive(&mut model, 10.0, 0.0);
+        let damping = 10.0 * 2.0 * (0.1f64 * 1e7).sqrt();
+        add_body(&mut model, drive, &shaft(1, damping, Closure::Force));
+        let system = System::new(model).unwrap();
+        // Damping ratio 10: λ = ω₀·(10 + √99).
+        let exact = 1e4 * (10.0 + 99.0f64.sqrt());
+        approx::assert_relative_eq!(system.fastest_rate(), exact, max_relative = 1e-9);
+    }
+}

@@ -1,0 +1,215 @@
+//! The right-hand side and everything called at every step allocate nothing.
+
+use dam::integrate::Dynamics;
+use dam::model::*;
+use dam::motion::DriveMotion;
+use dam::position::{Position, PositionSpec};
+use dam::system::{ObjectState, System};
+use std::alloc::{GlobalAlloc, Layout, System as SystemAllocator};
+use std::cell::Cell;
+
+thread_local! {
+    static ALLOCATIONS: Cell<u64> = const { Cell::new(0) };
+}
+
+/// Counts the allocations of each thread.
+struct Counting;
+
+// SAFETY: hands every call on to the system's allocator; the counter is a
+// constant-initialised thread-local, which allocates nothing itself.
+#[allow(unsafe_code)]
+unsafe impl GlobalAlloc for Counting {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        ALLOCATIONS.with(|count| count.set(count.get() + 1));
+        unsafe { SystemAllocator.alloc(layout) }
+    }
+
+    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
+        unsafe { SystemAllocator.dealloc(pointer, layout) }
+    }
+
+    unsafe fn realloc(&self, pointer: *mut u8, layout: Layout, size: usize) -> *mut u8 {
+        ALLOCATIONS.with(|count| count.set(count.get() + 1));
+        unsafe { SystemAllocator.realloc(pointer, layout, size) }
+    }
+}
+
+#[global_allocator]
+static ALLOCATOR: Counting = Counting;
+
+fn law(driver: usize, position: Position, track: Option<usize>) -> Law {
+    Law {
+        driver,
+        position,
+        lever: 1.0,
+        track,
+    }
+}
+
+fn part(id: &str, nodes: Vec<usize>, driver: Option<usize>, links: Vec<usize>) -> ObjectPart {
+    ObjectPart {
+        id: id.into(),
+        kind: "rocker",
+        coordinate: Coordinate::Turning,
+        nodes,
+        driver,
+        links,
+        rigid_pair: None,
+    }
+}
+
+/// A motor with a rigid slider-crank and a chain of three masses behind it, a
+/// gap, a table over the rotor's angle and one over time.
+fn model() -> Model {
+    let slider_crank = PositionSpec::SliderCrank {
+        crank: 0.1,
+        rod: 0.4,
+        offset: 0.01,
+        branch: 1.0,
+        phase: 0.0,
+    };
+    let table = Position::new(&PositionSpec::Table {
+        points: vec![(0.0, 0.0), (1.0, 0.5), (2.0, 0.2), (4.0, 0.9)],
+        periodic: false,
+        end_slopes: (0.0, 0.0),
+    })
+    .unwrap();
+    let breaks = table.breaks();
+    let mut model = Model::default();
+    let node = |inertia, motion| Node { inertia, motion };
+    model.nodes.push(node(
+        0.5,
+        NodeMotion::Rotor {
+            angle: 1.5,
+            speed: 10.0,
+        },
+    ));
+    let rigid = law(0, Position::new(&slider_crank).unwrap(), None);
+    model
+        .nodes
+        .push(node(2.0, NodeMotion::Rigid { law: rigid }));
+    for mass in 2..5 {
+        let law = law(0, table.clone(), Some(0));
+        model.nodes.push(node(0.1, NodeMotion::Mass { law }));
+        let pair = Pair {
+            closure: Closure::Form,
+            gap: 1e-4,
+            opens: 1.0,
+            law: DampingLaw::HuntCrossley { kappa: Some(0.1) },
+        };
+        model.links.push(Link {
+            mass,
+            base: if mass == 2 {
+                LinkBase::Law { pair }
+            } else {
+                LinkBase::Mass(mass - 1)
+            },
+            stiffness: 1e4,
+            damping: 1.0,
+        });
+    }
+    model.nodes.push(node(
+        0.0,
+        NodeMotion::Prescribed {
+            motion: DriveMotion::Constant {
+                speed: 3.0,
+                angle: 0.0,
+            },
+            track: None,
+        },
+    ));
+    model.objects = vec![
+        part("motor", vec![0], None, vec![]),
+        part("press", vec![1], Some(0), vec![]),
+        part("rocker", vec![2, 3, 4], Some(0), vec![0, 1, 2]),
+        part("drive", vec![5], None, vec![]),
+    ];
+    let track = |source, breaks| Track {
+        source,
+        breaks,
+        stops: false,
+        object: 2,
+    };
+    let steps = dam::breaks::Breaks {
+        points: vec![0.1, 0.2],
+        period: Some(0.5),
+    };
+    model.tracks.push(track(TrackSource::Node(0), breaks));
+    model.tracks.push(track(TrackSource::Time, steps));
+    let load = |node, law| Load {
+        node,
+        name: "some".into(),
+        law,
+    };
+    let pieces = vec![
+        LinearPiece {
+            start: 0.0,
+            value: 5.0,
+            slope: 1.0
+        };
+        2
+    ];
+    model.loads = vec![
+        load(4, LoadLaw::Constant(-2.0)),
+        load(4, LoadLaw::Pieces { track: 1, pieces }),
+        load(
+            3,
+            LoadLaw::Friction {
+                force: 1.0,
+                width: 0.1,
+            },
+        ),
+        load(
+            0,
+            LoadLaw::Kloss {
+                breakdown_torque: 30.0,
+                breakdown_slip: 0.2,
+                synchronous_speed: 100.0,
+            },
+        ),
+        load(0, LoadLaw::SpeedTable(vec![(0.0, 1.0), (50.0, 0.0)])),
+        load(
+            1,
+            LoadLaw::Spring {
+                rate: 10.0,
+                preload: 1.0,
+            },
+        ),
+    ];
+    model
+}
+
+#[test]
+fn nothing_that_a_step_calls_allocates() {
+    let system = System::new(model()).unwrap();
+    let start = system.initial_state().unwrap();
+    let (y, modes) = (start.y, start.modes);
+    let mut scratch = system.scratch();
+    let mut dy = vec![0.0; y.len()];
+    let direction = vec![0.5; y.len()];
+    let mut extra = vec![[0.0; 3]; system.signals() - system.coordinates()];
+    let mut states = vec![ObjectState::default(); system.model().objects.len()];
+    let mut watches = Vec::new();
+    let mut sum = 0.0;
+    let mut step = |time: f64, watches: &mut Vec<_>| {
+        system.derivatives(time, &y, &modes, &mut scratch, &mut dy);
+        system.extra_signals(time, &y, &dy, &modes, &mut scratch, &mut extra);
+        system.tangent(time, &y, &modes, &direction, &mut scratch, &mut dy);
+        system.observe(time, &y, &modes, &mut scratch, &mut states);
+        system.watches(&modes, watches);
+        sum += system.power(time, &y, &modes, &mut scratch).loads;
+        sum += system.energy(time, &y, &modes, &mut scratch).kinetic;
+        sum += system.next_break(time, &modes);
+    };
+    step(0.0, &mut watches);
+    let before = ALLOCATIONS.with(Cell::get);
+    for index in 0..100 {
+        step(1e-3 * f64::from(index), &mut watches);
+    }
+    let after = ALLOCATIONS.with(Cell::get);
+    assert_eq!(after - before, 0);
+    assert!(sum.is_finite() && !watches.is_empty());
+    // The counter counts.
+    let kept = vec![sum; 3];
+    assert!(ALLOCATIONS.with(Cell::get) > after && kept.len() == 3);
+}
