@@ -3,7 +3,8 @@
 use super::Lowering;
 use crate::fault::{Fault, Faults};
 use crate::model::{
-    Closure, DampingLaw, Law, Link, LinkBase, Node, NodeIndex, NodeMotion, Pair, TrackSource,
+    Closure, Coordinate, DampingLaw, Law, Link, LinkBase, Node, NodeIndex, NodeMotion, Pair,
+    TrackSource,
 };
 use crate::object::spec::{BodySpec, ChainSpec, InertiaSplit, PairSpec};
 use crate::position::Position;
@@ -184,7 +185,11 @@ impl<'a> Lowering<'a> {
         if !spec.lever.is_finite() || spec.lever == 0.0 {
             let message = format!("{} is no lever", spec.lever);
             let hint = "give a number other than zero";
-            self.faults.add(format!("{id}.lever"), message, hint);
+            let property = match spec.coordinate {
+                Coordinate::Turning => "lever_ratio",
+                Coordinate::Sliding => "lever_arm",
+            };
+            self.faults.add(format!("{id}.{property}"), message, hint);
         }
         let position = match Position::new(&spec.position) {
             Ok(position) => position,

@@ -32,9 +32,10 @@ impl<'a> Lowering<'a> {
 
     fn motor(&mut self, id: &'a str, spec: &MotorSpec) {
         let (angle, speed) = (spec.angle, spec.speed);
-        self.faults.positive(&format!("{id}.inertia"), spec.inertia);
-        self.faults.finite(&format!("{id}.angle"), angle);
-        self.faults.finite(&format!("{id}.speed"), speed);
+        self.faults
+            .positive(&format!("{id}.motor.inertia"), spec.inertia);
+        self.faults.finite(&format!("{id}.motor.angle"), angle);
+        self.faults.finite(&format!("{id}.motor.speed"), speed);
         self.courses.insert(id, reach::Course::motor(angle));
         let node = self.add_output(
             id,
@@ -46,7 +47,7 @@ impl<'a> Lowering<'a> {
         if let Some(law) = self.torque(id, &spec.torque) {
             self.model.loads.push(Load {
                 node,
-                name: format!("{id}.torque"),
+                name: format!("{id}.motor.torque"),
                 law,
             });
         }
@@ -60,14 +61,14 @@ impl<'a> Lowering<'a> {
         let faults = &mut self.faults;
         match *spec {
             TorqueSpec::Constant(torque) => {
-                faults.finite(&format!("{id}.torque.constant"), torque);
+                faults.finite(&format!("{id}.motor.torque.constant"), torque);
                 Some(LoadLaw::Constant(torque))
             }
             TorqueSpec::Linear {
                 stall_torque,
                 no_load_speed,
             } => {
-                let path = format!("{id}.torque.linear");
+                let path = format!("{id}.motor.torque.linear");
                 faults.finite(&format!("{path}.stall_torque"), stall_torque);
                 faults.not_zero(&format!("{path}.no_load_speed"), no_load_speed);
                 Some(LoadLaw::LinearMotor {
@@ -80,7 +81,7 @@ impl<'a> Lowering<'a> {
                 breakdown_slip,
                 synchronous_speed,
             } => {
-                let path = format!("{id}.torque.kloss");
+                let path = format!("{id}.motor.torque.kloss");
                 faults.finite(&format!("{path}.breakdown_torque"), breakdown_torque);
                 faults.positive(&format!("{path}.breakdown_slip"), breakdown_slip);
                 faults.not_zero(&format!("{path}.synchronous_speed"), synchronous_speed);
@@ -91,7 +92,7 @@ impl<'a> Lowering<'a> {
                 })
             }
             TorqueSpec::Table(ref points) => {
-                faults.points(&format!("{id}.torque.table"), points, 1);
+                faults.points(&format!("{id}.motor.torque.table"), points, 1);
                 Some(LoadLaw::SpeedTable(points.clone()))
             }
         }

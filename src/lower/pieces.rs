@@ -15,10 +15,10 @@ pub(super) struct Pieces {
 /// Straight lines between points, constant outside.
 ///
 /// # Errors
-/// Fewer than two points, or not ascending; paths relative to the points.
+/// No points, or not ascending; paths relative to the points.
 pub(super) fn table(points: &[(f64, f64)]) -> Result<Pieces, Vec<Fault>> {
     let mut faults = Faults::default();
-    faults.points("", points, 2);
+    faults.points("", points, 1);
     faults.check()?;
     let mut pieces = vec![flat(points[0])];
     pieces.extend(points.windows(2).map(|ends| line(ends[0], ends[1])));
@@ -37,12 +37,12 @@ pub(super) fn table(points: &[(f64, f64)]) -> Result<Pieces, Vec<Fault>> {
 /// paths relative to the position table.
 pub(super) fn repeating_table(points: &[(f64, f64)], period: f64) -> Result<Pieces, Vec<Fault>> {
     let mut faults = Faults::default();
-    faults.points("points", points, 2);
+    faults.points("points", points, 1);
     faults.positive("period", period);
     faults.check()?;
     let (first, last) = (points[0], points[points.len() - 1]);
     let span = last.0 - first.0;
-    let closed = (period - span).abs() <= 1e-9 * period;
+    let closed = (period - span).abs() <= 1e-12 * period;
     if span > period && !closed {
         let message = format!("the points reach over {span}, more than the period");
         faults.add("period", message, "give the points of one period");
@@ -143,7 +143,9 @@ mod tests {
         for (x, value) in [(0.0, 2.0), (1.0, 2.0), (2.0, 4.0), (3.5, 3.0), (9.0, 0.0)] {
             assert_eq!(force(&law, x), value);
         }
-        assert_eq!(table(&[(0.0, 1.0)]).unwrap_err()[0].path, "");
+        let constant = table(&[(1.0, 2.0)]).unwrap();
+        assert_eq!((force(&constant, 0.0), force(&constant, 5.0)), (2.0, 2.0));
+        assert_eq!(table(&[]).unwrap_err()[0].path, "");
     }
 
     #[test]
@@ -154,6 +156,8 @@ mod tests {
         for (x, value) in [(1.5, 2.0), (4.0, 2.0), (5.5, 0.5), (6.5, 2.0), (-1.0, 2.0)] {
             assert_eq!(force(&open, x), value);
         }
+        let constant = repeating_table(&[(1.0, 2.0)], 5.0).unwrap();
+        assert_eq!((force(&constant, -7.0), force(&constant, 5.0)), (2.0, 2.0));
         let jump = repeating_table(&[(1.0, 0.0), (6.0, 1.0)], 5.0).unwrap_err();
         assert_eq!(jump[0].path, "points[1]");
         let long = repeating_table(&[(1.0, 0.0), (7.0, 1.0)], 5.0).unwrap_err();

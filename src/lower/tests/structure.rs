@@ -51,13 +51,13 @@ fn drivers_come_before_what_they_drive_and_ids_decide_the_rest() {
 
 #[test]
 fn a_motor_has_its_rotor_its_torque_and_its_loads() {
-    let model = lowered(vec![("motor", None, motor(0.7))]);
+    let model = lowered(vec![("engine", None, motor(0.7))]);
     assert!(
         matches!(model.nodes[0].motion, NodeMotion::Rotor { angle, speed } if angle == 0.7 && speed == 3.0)
     );
     assert_eq!(model.nodes[0].inertia, 0.2);
     let names: Vec<_> = model.loads.iter().map(|load| load.name.as_str()).collect();
-    assert_eq!(names, ["motor.torque", "motor.loads.drag"]);
+    assert_eq!(names, ["engine.motor.torque", "engine.loads.drag"]);
 }
 
 #[test]
