@@ -24,6 +24,10 @@ pub use outcome::{Limits, Method, Outcome, Settings, Sink, Statistics, Stop, Swi
 use evaluator::Evaluator;
 use run::Run;
 
+/// Finest tolerance: below it the rounding of double precision would be taken
+/// for an error of the method.
+pub const FINEST_TOLERANCE: f64 = 1e-14;
+
 /// Integrates a system from (`start`, `y0`, `modes`) to `end` into a sink.
 ///
 /// `modes` are those just after `start`; breaks in time at `start` itself have
@@ -45,10 +49,14 @@ pub fn integrate<D: Dynamics>(
 ) -> Outcome {
     let evaluator = Evaluator::new(dynamics, modes);
     let mut run = Run::new(&evaluator, settings, limits, sink);
-    run.start(start, y0);
-    if let Some(reason) = refusal(start, end, settings) {
-        let method = settings.method;
-        run.end(Stop::Method { method, reason });
+    if y0.len() != 2 * dynamics.coordinates() {
+        let reason = format!("the initial state has {} entries", y0.len());
+        run.refuse(start, reason);
+    } else {
+        run.start(start, y0);
+        if let Some(reason) = refusal(start, end, settings) {
+            run.refuse(start, reason);
+        }
     }
     while run.stop.is_none() && run.from.time < end {
         let next = dynamics.next_break(run.from.time, &evaluator.modes.borrow());
@@ -88,9 +96,9 @@ fn refusal(start: f64, end: f64, settings: &Settings) -> Option<String> {
     if !(start.is_finite() && end.is_finite()) {
         return Some(format!("no run from {start} s to {end} s"));
     }
-    if !(settings.tolerance > 0.0 && settings.tolerance < 1.0) {
+    if !(settings.tolerance >= FINEST_TOLERANCE && settings.tolerance < 1.0) {
         return Some(format!(
-            "the tolerance {} is not between 0 and 1",
+            "the tolerance {:e} is not between {FINEST_TOLERANCE:e} and 1",
             settings.tolerance
         ));
     }

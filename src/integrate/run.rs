@@ -89,6 +89,13 @@ impl<'a, D: Dynamics> Run<'a, D> {
         self.sink.start(time, y, &modes);
     }
 
+    /// Ends the run before it has begun.
+    pub(super) fn refuse(&mut self, time: f64, reason: String) {
+        self.from.time = time;
+        let method = self.settings.method;
+        self.end(Stop::Method { method, reason });
+    }
+
     /// Takes an accepted step from where the run stands to (`time`, `y`), whose
     /// derivative is `dy`: looks for switches, tells the sink, moves on.
     ///
@@ -323,9 +330,13 @@ impl<'a, D: Dynamics> Run<'a, D> {
     fn check_limits(&mut self) -> Verdict {
         let limits = self.limits;
         let over = |limit| self.begun.elapsed() > limit;
-        let stop = if self.stop.is_some() {
+        if self.stop.is_some() {
             return Verdict::Stop;
-        } else if limits
+        }
+        if self.from.time >= self.target {
+            return Verdict::Continue; // whatever comes after is checked then
+        }
+        let stop = if limits
             .interrupt
             .is_some_and(|flag| flag.load(Ordering::Relaxed))
         {
@@ -333,7 +344,7 @@ impl<'a, D: Dynamics> Run<'a, D> {
         } else if self.switches > limits.switches {
             let bound = limits.switches;
             Stop::TooManySwitches { bound }
-        } else if self.steps >= limits.steps && self.from.time < self.target {
+        } else if self.steps >= limits.steps {
             let bound = limits.steps;
             Stop::TooManySteps { bound }
         } else if let Some(limit) = limits.wall_clock.filter(|&limit| over(limit)) {

@@ -1,101 +1,8 @@
-//! Small systems with known answers, for the tests of integration.
+//! The published test lever as a chain of n masses.
 
-use super::{Dynamics, Guard, Modes, PhysicalStop, Watch};
-use std::f64::consts::{FRAC_PI_2, PI, TAU};
-
-/// u″ = −ω²u − 2ζω·u′ + amplitude·sin(Ωt), one mass, no switches.
-pub(crate) struct Oscillator {
-    pub(crate) omega: f64,
-    pub(crate) damping: f64,
-    pub(crate) amplitude: f64,
-    pub(crate) driving: f64,
-    pub(crate) scales: [f64; 2],
-}
-
-impl Oscillator {
-    /// Undamped and free: u = cos ωt from [1, 0].
-    pub(crate) fn free(omega: f64) -> Self {
-        Self {
-            omega,
-            damping: 0.0,
-            amplitude: 0.0,
-            driving: 0.0,
-            scales: [1.0, omega],
-        }
-    }
-
-    /// Closed form from rest at u = 0, driven off resonance, without damping.
-    pub(crate) fn driven_exact(&self, t: f64) -> [f64; 2] {
-        let (w, v) = (self.omega, self.driving);
-        let gain = self.amplitude / (w * w - v * v);
-        [
-            gain * ((v * t).sin() - v / w * (w * t).sin()),
-            gain * v * ((v * t).cos() - (w * t).cos()),
-        ]
-    }
-}
-
-impl Dynamics for Oscillator {
-    type Scratch = ();
-
-    fn scratch(&self) {}
-
-    fn coordinates(&self) -> usize {
-        1
-    }
-
-    fn signals(&self) -> usize {
-        1
-    }
-
-    fn derivatives(&self, t: f64, y: &[f64], _: &Modes, (): &mut (), dy: &mut [f64]) {
-        dy[0] = y[1];
-        dy[1] = -self.omega * (self.omega * y[0] + 2.0 * self.damping * y[1])
-            + self.amplitude * (self.driving * t).sin();
-    }
-
-    fn tangent(&self, _: f64, _: &[f64], _: &Modes, d: &[f64], (): &mut (), out: &mut [f64]) {
-        out[0] = d[1];
-        out[1] = -self.omega * (self.omega * d[0] + 2.0 * self.damping * d[1]);
-    }
-
-    fn extra_signals(
-        &self,
-        _: f64,
-        _: &[f64],
-        _: &[f64],
-        _: &Modes,
-        (): &mut (),
-        _: &mut [[f64; 3]],
-    ) {
-    }
-
-    fn scales(&self) -> &[f64] {
-        &self.scales
-    }
-
-    fn state_name(&self, index: usize) -> String {
-        ["oscillator: displacement", "oscillator: speed"][index].to_owned()
-    }
-
-    fn watches(&self, _: &Modes, out: &mut Vec<Watch>) {
-        out.clear();
-    }
-
-    fn switch(&self, _: f64, _: &[f64], _: &Watch, _: &mut Modes) -> Result<(), PhysicalStop> {
-        Ok(())
-    }
-
-    fn next_break(&self, _: f64, _: &Modes) -> f64 {
-        f64::INFINITY
-    }
-
-    fn pass_break(&self, _: f64, _: &mut Modes) {}
-
-    fn is_pair(&self, _: usize) -> bool {
-        true
-    }
-}
+use super::plain_system;
+use crate::integrate::{Dynamics, Guard, Modes, Watch};
+use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// The rocker of n masses with force closure: coordinates u = φ_m − U, position
 /// function U = (π/2)·sin 2πνt. Component 0 of the modes: −1 engaged, 0 open.
@@ -113,12 +20,10 @@ impl Rocker {
     pub(crate) fn new(masses: usize, j: f64, c: f64, moment: f64, psi: f64, nu: f64) -> Self {
         let n = masses as f64;
         let cube = |m: usize| (m as f64 / n).powi(3);
-        let static_deflection = moment / c;
         let omega = TAU * nu;
         let load = moment + j * FRAC_PI_2 * omega * omega;
         let mut scales = vec![load / c; masses];
         scales.extend(vec![load / (c * j).sqrt(); masses]);
-        debug_assert!(static_deflection <= load / c);
         Self {
             inertia: (1..=masses).map(|m| j * (cube(m) - cube(m - 1))).collect(),
             stiffness: vec![n * c; masses],
@@ -176,15 +81,9 @@ impl Rocker {
 }
 
 impl Dynamics for Rocker {
-    type Scratch = ();
-
-    fn scratch(&self) {}
+    plain_system!();
 
     fn coordinates(&self) -> usize {
-        self.inertia.len()
-    }
-
-    fn signals(&self) -> usize {
         self.inertia.len()
     }
 
@@ -195,27 +94,6 @@ impl Dynamics for Rocker {
 
     fn tangent(&self, _: f64, _: &[f64], m: &Modes, d: &[f64], (): &mut (), out: &mut [f64]) {
         self.forces(m.0[0] != 0, d, 0.0, 0.0, out);
-    }
-
-    fn extra_signals(
-        &self,
-        _: f64,
-        _: &[f64],
-        _: &[f64],
-        _: &Modes,
-        (): &mut (),
-        _: &mut [[f64; 3]],
-    ) {
-    }
-
-    fn scales(&self) -> &[f64] {
-        &self.scales
-    }
-
-    fn state_name(&self, index: usize) -> String {
-        let n = self.inertia.len();
-        let quantity = if index < n { "displacement" } else { "speed" };
-        format!("rocker, mass {}: {quantity}", index % n + 1)
     }
 
     fn watches(&self, modes: &Modes, out: &mut Vec<Watch>) {
@@ -238,29 +116,9 @@ impl Dynamics for Rocker {
         });
     }
 
-    fn switch(
-        &self,
-        _: f64,
-        _: &[f64],
-        watch: &Watch,
-        modes: &mut Modes,
-    ) -> Result<(), PhysicalStop> {
-        modes.0[watch.component] = watch.target;
-        Ok(())
-    }
-
     fn next_break(&self, _: f64, _: &Modes) -> f64 {
         f64::INFINITY
     }
 
     fn pass_break(&self, _: f64, _: &mut Modes) {}
-
-    fn is_pair(&self, _: usize) -> bool {
-        true
-    }
-}
-
-/// Period of the oscillator.
-pub(crate) fn period(omega: f64) -> f64 {
-    2.0 * PI / omega
 }

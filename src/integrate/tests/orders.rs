@@ -1,0 +1,149 @@
+//! Orders of the methods and of the continuous output, measured.
+
+use super::super::problems::Oscillator;
+use super::*;
+
+/// Error at the end after steps of a fixed length: the scales are so great
+/// that the error control never speaks.
+fn error_of_fixed_steps(method: Method, damping: f64, steps: u32) -> f64 {
+    let system = Oscillator {
+        damping,
+        amplitude: 1.0,
+        driving: 0.7,
+        scales: [1e12, 1e12],
+        ..Oscillator::free(1.0)
+    };
+    let end = 4.0;
+    // First steps are estimated: not greater than the limit, so equal to it.
+    let fixed = settings(method, 0.5, Some(end / f64::from(steps)));
+    let (outcome, keeper) = run(&system, end, &[1.0, 0.0], &[], &fixed);
+    assert_eq!(outcome.stop, Stop::Complete);
+    assert_eq!(outcome.statistics.steps, u64::from(steps), "{method}");
+    let (w, g) = (
+        (1.0 - damping * damping).sqrt(),
+        exact_forced(damping, 0.7, end),
+    );
+    let g0 = exact_forced(damping, 0.7, 0.0);
+    let (a, b) = (1.0 - g0[0], (damping * (1.0 - g0[0]) - g0[1]) / w);
+    let free = (-damping * end).exp() * (a * (w * end).cos() + b * (w * end).sin());
+    (keeper.y[0] - free - g[0]).abs()
+}
+
+/// Steady answer of u″ + 2ζu′ + u = sin Ωt.
+fn exact_forced(damping: f64, driving: f64, t: f64) -> [f64; 2] {
+    let (p, q) = (1.0 - driving * driving, 2.0 * damping * driving);
+    let (sine, cosine) = (p / (p * p + q * q), -q / (p * p + q * q));
+    let (s, c) = (driving * t).sin_cos();
+    [sine * s + cosine * c, driving * (sine * c - cosine * s)]
+}
+
+fn slope(method: Method, damping: f64, steps: u32) -> f64 {
+    let coarse = error_of_fixed_steps(method, damping, steps);
+    let fine = error_of_fixed_steps(method, damping, 2 * steps);
+    (coarse / fine).log2()
+}
+
+#[test]
+fn rk4_is_of_order_four() {
+    for damping in [0.0, 0.1] {
+        let order = slope(Method::Rk4, damping, 40);
+        assert!((order - 4.0).abs() < 0.2, "{order}");
+    }
+}
+
+#[test]
+fn dopri5_is_of_order_five() {
+    for damping in [0.0, 0.1] {
+        let order = slope(Method::Dopri5, damping, 40);
+        assert!((order - 5.0).abs() < 0.3, "{order}");
+    }
+}
+
+/// With the wrong nodes of the inherited solver the order would be one here:
+/// the right-hand side depends on time.
+#[test]
+fn dop853_is_of_order_eight_also_where_the_right_hand_side_depends_on_time() {
+    for damping in [0.0, 0.1] {
+        let order = slope(Method::Dop853, damping, 8);
+        assert!((order - 8.0).abs() < 0.5, "{order}");
+    }
+}
+
+#[test]
+fn tr_bdf2_is_of_order_two_and_esdirk34_of_order_four() {
+    for damping in [0.0, 0.1] {
+        let order = slope(Method::TrBdf2, damping, 100);
+        assert!((order - 2.0).abs() < 0.2, "{order}");
+        let order = slope(Method::Esdirk34, damping, 60);
+        assert!((order - 4.0).abs() < 0.3, "{order}");
+    }
+}
+
+/// For every adaptive method the error follows the tolerance, and stays below
+/// a few times its size over five oscillations.
+#[test]
+fn the_error_follows_the_tolerance() {
+    let system = Oscillator::free(2.0);
+    let end = 5.3 * system.period();
+    for (method, bound, power) in [
+        (Method::Dopri5, 1.0, 1.0),
+        (Method::Dop853, 1.0, 1.0),
+        (Method::Bdf, 20.0, 0.9),
+        (Method::TrBdf2, 2000.0, 0.6),
+        (Method::Esdirk34, 200.0, 0.7),
+    ] {
+        let error = |tolerance: f64| {
+            let (outcome, keeper) = run(
+                &system,
+                end,
+                &[1.0, 0.0],
+                &[],
+                &settings(method, tolerance, None),
+            );
+            assert_eq!(outcome.stop, Stop::Complete);
+            (keeper.y[0] - (2.0 * end).cos()).abs()
+        };
+        let (coarse, fine) = (error(1e-4), error(1e-7));
+        assert!(fine <= bound * 1e-7, "{method}: {fine:e}");
+        let measured = (coarse / fine).log10() / 3.0;
+        assert!(measured > power - 0.15, "{method}: {measured}");
+    }
+}
+
+/// Between the ends of the steps the continuous output is as good as the
+/// method, over the whole range of tolerances, and without jumps.
+#[test]
+fn the_continuous_output_keeps_the_tolerance_too() {
+    let system = Oscillator {
+        amplitude: 30.0,
+        driving: 3.0,
+        ..Oscillator::free(7.0)
+    };
+    let end = 3.0;
+    for (method, factor) in [
+        (Method::Dopri5, 2.0),
+        (Method::Dop853, 2.0),
+        (Method::Bdf, 50.0),
+        (Method::Esdirk34, 500.0),
+    ] {
+        for tolerance in [1e-4, 1e-7, 1e-10] {
+            if tolerance < 1e-8 && matches!(method, Method::Bdf | Method::Esdirk34) {
+                continue;
+            }
+            let (_, keeper) = run(
+                &system,
+                end,
+                &[0.0, 0.0],
+                &[],
+                &settings(method, tolerance, None),
+            );
+            let error = |&(t, u): &(f64, f64)| (u - system.driven_exact(t)[0]).abs();
+            let worst = keeper.samples.iter().map(error).fold(0.0, f64::max);
+            assert!(
+                worst < factor * tolerance,
+                "{method} {tolerance:e}: {worst:e}"
+            );
+            assert!(keeper.gap < 1e-14, "{method}: jump of {:e}", keeper.gap);
+        }
+    }
+}
