@@ -37,11 +37,11 @@ impl EnergyAudit {
     }
 
     /// The error above which a run with this tolerance is not to be trusted:
-    /// 100 × tolerance + 1e-9, at most 1 %. The tolerance bounds the error of
-    /// one deflection in proportion to itself; the audit adds the errors of all
-    /// steps and of the quadrature, measured against the energy put in.
+    /// 30 × tolerance + 1e-10, at most 1 %. Runs that are right stay below some
+    /// 7 × tolerance, rounding and quadrature below 1e-10 (measured on the rocker
+    /// with one and two masses, damped and not, with lift-off and gap).
     pub fn bound(tolerance: f64) -> f64 {
-        (100.0 * tolerance + 1e-9).min(0.01)
+        (30.0 * tolerance + 1e-10).min(0.01)
     }
 }
 
@@ -149,7 +149,7 @@ mod tests {
 
     #[test]
     fn the_bound_follows_the_tolerance() {
-        assert_eq!(EnergyAudit::bound(0.0), 1e-9);
+        assert_eq!(EnergyAudit::bound(0.0), 1e-10);
         assert_eq!(EnergyAudit::bound(1e-2), 0.01);
     }
 }

@@ -3,6 +3,7 @@
 mod addresses;
 mod audit;
 mod figures;
+mod observer;
 mod pairs;
 mod peaks;
 mod recorder;
@@ -17,7 +18,7 @@ pub use audit::EnergyAudit;
 pub use figures::{Figures, FinalState, ObjectFigures, PairFigures, RunSummary, Units};
 pub use recorder::{Recorded, Recorder, RecorderSettings};
 pub use tee::Tee;
-pub use window::choose_window;
+pub use window::{choose_window, drive_cycle};
 
 /// A table over time.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -3,6 +3,7 @@
 use super::subdivision::{maximum, minimum};
 use super::{Interval, PairFigures, SwitchRow};
 use crate::model::{Closure, Pair};
+use crate::polynomial::{MAX_DEGREE, first_positive};
 use crate::system::ObjectState;
 
 /// Follows one pair that can open through a run.
@@ -49,6 +50,31 @@ impl PairTracker {
             let lift = &mut self.figures.max_lift;
             *lift = greatest_clearance(&self.pair, x, end, *lift);
         }
+    }
+
+    /// Where in an open step x leaves the flank that it still penetrates: the
+    /// power lost there has a kink. (A pair opens inside its flank when damping
+    /// takes the force to zero first.)
+    pub(crate) fn leaves_flank(&self, mode: i64, x: &[f64], end: f64) -> Option<f64> {
+        if mode != 0 {
+            return None;
+        }
+        // Clearance of a flank: sign·x + offset, negative inside.
+        let flanks: &[(f64, f64)] = match self.pair.closure {
+            Closure::Bilateral => &[],
+            Closure::Force => &[(self.pair.opens, 0.0)],
+            Closure::Form => &[(1.0, 0.5 * self.pair.gap), (-1.0, 0.5 * self.pair.gap)],
+        };
+        flanks.iter().find_map(|&(sign, offset)| {
+            let mut clearance = [0.0; MAX_DEGREE + 1];
+            for (value, x) in clearance.iter_mut().zip(x) {
+                *value = sign * x + offset;
+            }
+            if clearance[0] >= 0.0 {
+                return None;
+            }
+            first_positive(&clearance[..x.len()]).filter(|&s| 0.0 < s && s < end)
+        })
     }
 
     /// A change of mode at `time`; `state` is the object's state then. Rows and
@@ -166,6 +192,21 @@ mod tests {
         );
         assert_eq!(greatest_clearance(&form, &[0.5, 0.75, 1.0], 1.0, 0.0), 1.0);
         assert_eq!(greatest_clearance(&form, &[-1.0, 0.0, 1.0], 1.0, 0.0), 1.5);
+    }
+
+    #[test]
+    fn an_open_pair_leaves_its_flank_where_x_crosses_it() {
+        let tracker = |pair| PairTracker::new(0, 0, 0, pair);
+        let up = [-0.25, 0.25, 0.75]; // x = s − 1/4
+        let force = tracker(pair(Closure::Force, 0.0, 1.0));
+        assert_eq!(force.leaves_flank(0, &up, 1.0), Some(0.25));
+        assert_eq!(force.leaves_flank(0, &up, 0.2), None);
+        assert_eq!(force.leaves_flank(-1, &up, 1.0), None);
+        let turned = tracker(pair(Closure::Force, 0.0, -1.0));
+        assert_eq!(turned.leaves_flank(0, &up, 1.0), None);
+        let down = [1.25, 0.75, 0.25]; // x = 5/4 − s, upper flank at 1
+        let form = tracker(pair(Closure::Form, 2.0, 1.0));
+        assert_eq!(form.leaves_flank(0, &down, 1.0), Some(0.25));
     }
 
     #[test]

@@ -1,14 +1,16 @@
 //! The listener that turns a run into a record and figures.
 
 use super::audit::{EnergyAudit, Ledger};
+use super::observer::Observer;
 use super::pairs::PairTracker;
+use super::peaks::PLACES;
 use super::rows::Rows;
 use super::tracker::{ObjectTracker, StepView};
 use super::{Interval, ObjectFigures, PairFigures, Record, SwitchRow};
-use crate::integrate::{Dynamics as _, Modes, Sink, SwitchEvent};
+use crate::integrate::{Modes, Sink, SwitchEvent};
 use crate::model::{LinkBase, Model, Pair};
 use crate::polynomial::Step;
-use crate::system::{ObjectState, Scratch, System};
+use crate::system::{ObjectState, System};
 
 /// What to record.
 #[derive(Clone, Debug, PartialEq)]
@@ -56,36 +58,9 @@ pub struct Recorder<'s> {
     /// False at the start and after every switch: the state at the start of the
     /// next step is then not that at the end of the last one.
     continues: bool,
+    /// Ends of the parts of the present step between kinks of the powers.
+    kinks: Vec<f64>,
     not_finite: bool,
-}
-
-/// A system with the memory to observe it.
-struct Observer<'s> {
-    system: &'s System,
-    scratch: Scratch,
-    y: Vec<f64>,
-    states: Vec<ObjectState>,
-}
-
-impl Observer<'_> {
-    fn at(&mut self, step: &Step<'_>, s: f64, modes: &Modes) -> &[ObjectState] {
-        self.y.resize(2 * step.coordinates, 0.0);
-        step.state(s, &mut self.y);
-        self.system.observe(
-            step.time(s),
-            &self.y,
-            modes,
-            &mut self.scratch,
-            &mut self.states,
-        );
-        &self.states
-    }
-
-    fn state(&mut self, time: f64, y: &[f64], modes: &Modes) -> &[ObjectState] {
-        self.system
-            .observe(time, y, modes, &mut self.scratch, &mut self.states);
-        &self.states
-    }
 }
 
 impl<'s> Recorder<'s> {
@@ -102,12 +77,7 @@ impl<'s> Recorder<'s> {
             })
             .collect();
         Self {
-            observer: Observer {
-                system,
-                scratch: system.scratch(),
-                y: Vec::new(),
-                states: vec![ObjectState::default(); count],
-            },
+            observer: Observer::new(system),
             rows: Rows::new(model, settings.samples, settings.duration),
             objects: (0..count)
                 .map(|object| ObjectTracker::new(system, object, settings.window))
@@ -120,6 +90,7 @@ impl<'s> Recorder<'s> {
             time: 0.0,
             states: vec![ObjectState::default(); 7 * count],
             continues: false,
+            kinks: Vec::new(),
             not_finite: false,
             settings,
         }
@@ -137,7 +108,7 @@ impl<'s> Recorder<'s> {
             .collect();
         for tracker in std::mem::take(&mut self.pairs) {
             let object = tracker.object;
-            let id = &self.observer.system.model().objects[object].id;
+            let id = &self.observer.system().model().objects[object].id;
             let mut pair = tracker.finish(id, self.time, &mut self.separations);
             pair.max_contact_force = self.objects[object].contact_force();
             pair.in_working_order = self.window().map(|[from, to]| {
@@ -193,10 +164,31 @@ impl<'s> Recorder<'s> {
         margins
     }
 
-    /// States at all places, powers at the inner ones, energy at the end.
+    /// Works of the step, integrated between the kinks of the powers, and the
+    /// energy at its end.
+    fn balance_step(&mut self, step: &Step<'_>, modes: &Modes) {
+        self.kinks.clear();
+        self.kinks.extend(self.pairs.iter().filter_map(|pair| {
+            let x = step.signal(pair.coordinate());
+            pair.leaves_flank(modes.0[pair.component], x, step.end)
+        }));
+        self.kinks.sort_by(f64::total_cmp);
+        self.kinks.push(step.end);
+        let mut from = 0.0;
+        for &to in &self.kinks {
+            for (index, place) in PLACES.iter().enumerate().take(6).skip(1) {
+                let s = from + place * (to - from);
+                let power = self.observer.power(step, s, modes);
+                self.ledger.add(index, (to - from) * step.length, power);
+            }
+            from = to;
+        }
+        self.ledger.see(self.observer.energy(step, step.end, modes));
+    }
+
+    /// States of all objects at all places.
     fn observe_step(&mut self, step: &Step<'_>, places: &[f64; 7], modes: &Modes) {
         let count = self.objects.len();
-        let span = step.end * step.length;
         if self.continues {
             self.states.copy_within(6 * count.., 0);
         }
@@ -205,19 +197,7 @@ impl<'s> Recorder<'s> {
                 let states = self.observer.at(step, place, modes);
                 self.states[index * count..(index + 1) * count].copy_from_slice(states);
             }
-            let Observer {
-                system, scratch, y, ..
-            } = &mut self.observer;
-            if (1..6).contains(&index) {
-                let power = system.power(step.time(place), y, modes, scratch);
-                self.ledger.add(index, span, power);
-            }
         }
-        let Observer {
-            system, scratch, y, ..
-        } = &mut self.observer;
-        self.ledger
-            .see(system.energy(step.end_time(), y, modes, scratch));
         self.not_finite |= self.states.iter().any(|state| !is_finite(state));
     }
 
@@ -250,10 +230,7 @@ impl Sink for Recorder<'_> {
         for pair in &mut self.pairs {
             pair.start(time, modes.0[pair.component]);
         }
-        let Observer {
-            system, scratch, ..
-        } = &mut self.observer;
-        self.ledger.open(system.energy(time, y, modes, scratch));
+        self.ledger.open(self.observer.energy_of(time, y, modes));
     }
 
     fn step(&mut self, step: &Step<'_>, modes: &Modes) {
@@ -267,6 +244,7 @@ impl Sink for Recorder<'_> {
         }
         let places = StepView::places(step.end);
         self.see_window_edges(step, modes);
+        self.balance_step(step, modes);
         self.observe_step(step, &places, modes);
         let view = StepView {
             step,
@@ -298,7 +276,7 @@ impl Sink for Recorder<'_> {
             let state = self.observer.state(event.time, event.y, event.before)[pair.object];
             pair.switch(
                 (
-                    &self.observer.system.model().objects[pair.object].id,
+                    &self.observer.system().model().objects[pair.object].id,
                     event.time,
                 ),
                 (event.before.0[component], event.after.0[component]),

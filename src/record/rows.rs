@@ -15,6 +15,9 @@ const QUANTITIES: [(&str, &str, &str); 6] = [
     ("contact_force", "N m", "N"),
 ];
 
+/// Rows for which room is made at once; a longer record grows as it is filled.
+const MOST_ROOM: usize = 1 << 16;
+
 /// Rows on the way.
 #[derive(Clone, Debug)]
 pub(crate) struct Rows {
@@ -29,6 +32,7 @@ impl Rows {
     /// Room for `intervals` + 1 rows over [0, `duration`].
     pub(crate) fn new(model: &Model, intervals: usize, duration: f64) -> Self {
         let intervals = intervals.max(1);
+        let room = intervals.min(MOST_ROOM) + 1;
         let columns = model.objects.iter().flat_map(|part| {
             QUANTITIES.map(|(quantity, turning, sliding)| Column {
                 object: part.id.clone(),
@@ -37,12 +41,12 @@ impl Rows {
                     Coordinate::Turning => turning,
                     Coordinate::Sliding => sliding,
                 },
-                values: Vec::with_capacity(intervals + 1),
+                values: Vec::with_capacity(room),
             })
         });
         Self {
             columns: columns.collect(),
-            times: Vec::with_capacity(intervals + 1),
+            times: Vec::with_capacity(room),
             intervals,
             duration,
             next: 0,

@@ -37,8 +37,11 @@ pub fn choose_window(
     Ok([(cycles - 1.0) * cycle, (cycles * cycle).min(duration)])
 }
 
-/// Time of one turn of the drive, when its speed is prescribed and constant.
-fn drive_cycle(model: &Model) -> Result<f64, String> {
+/// Time of one turn of the drive (s), when its speed is prescribed and constant.
+///
+/// # Errors
+/// Why there is none, in words.
+pub fn drive_cycle(model: &Model) -> Result<f64, String> {
     let mut cycle = None;
     for object in model.objects.iter().filter(|part| part.driver.is_none()) {
         let NodeMotion::Prescribed {

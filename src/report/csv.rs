@@ -1,5 +1,6 @@
-//! `record.csv`: the samples of a record as a table.
+//! Tables as CSV: the samples of a record, the figures of a comparison.
 
+use crate::analysis::compare::Table;
 use crate::record::Record;
 
 /// The record as CSV (RFC 4180, UTF-8): a header `time [s],rocker.displacement [rad],…`
@@ -26,8 +27,30 @@ pub fn record_csv(record: &Record) -> Result<String, csv::Error> {
     )
 }
 
+/// The table of a comparison as CSV: `figure`, then a column of values and one
+/// of errors for every run; empty where there is none.
+///
+/// # Errors
+/// Rows of unequal length.
+pub fn table_csv(table: &Table) -> Result<String, csv::Error> {
+    let head = table.labels.iter().flat_map(|label| {
+        [
+            format!("{}={label}", table.over),
+            format!("error at {}={label}", table.over),
+        ]
+    });
+    let cell = |value: &Option<f64>| value.map(number).unwrap_or_default();
+    let rows = table.rows.iter().map(|row| {
+        let cells = row.values.iter().zip(&row.errors);
+        std::iter::once(row.figure.clone())
+            .chain(cells.flat_map(|(value, error)| [cell(value), cell(error)]))
+            .collect::<Vec<String>>()
+    });
+    write(std::iter::once("figure".to_owned()).chain(head), rows)
+}
+
 /// A header and rows as CSV.
-pub(crate) fn write<R>(
+fn write<R>(
     header: impl Iterator<Item = String>,
     rows: impl Iterator<Item = R>,
 ) -> Result<String, csv::Error>
@@ -46,7 +69,7 @@ where
 }
 
 /// The shortest decimal that reads back as the same double.
-pub(crate) fn number(value: f64) -> String {
+fn number(value: f64) -> String {
     let plain = value.to_string();
     let scientific = format!("{value:e}");
     if scientific.len() < plain.len() {
@@ -58,7 +81,8 @@ pub(crate) fn number(value: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{number, record_csv};
+    use super::{number, record_csv, table_csv};
+    use crate::analysis::compare::{Table, TableRow};
     use crate::record::{Column, Record};
 
     fn record(values: Vec<f64>) -> Record {
@@ -87,6 +111,24 @@ mod tests {
             .collect();
         assert_eq!(last, [0.1 + 0.2, 1.0 / 3.0]);
         assert_eq!(text.lines().count(), 3);
+    }
+
+    #[test]
+    fn a_comparison_has_values_and_errors_side_by_side() {
+        let table = Table {
+            over: "rocker.masses".to_owned(),
+            labels: vec!["1".to_owned(), "2".to_owned()],
+            rows: vec![TableRow {
+                figure: "rocker.sigma".to_owned(),
+                values: vec![Some(0.5), None],
+                errors: vec![Some(-0.25), None],
+            }],
+        };
+        assert_eq!(
+            table_csv(&table).unwrap(),
+            "figure,rocker.masses=1,error at rocker.masses=1,rocker.masses=2,error at rocker.masses=2\n\
+             rocker.sigma,0.5,-0.25,,\n"
+        );
     }
 
     #[test]

@@ -1,0 +1,216 @@
+//! The document of figures that a run gives, and what there is to say of it.
+
+use super::method::Choice;
+use super::settings::RunSettings;
+use super::warning::Warning;
+use crate::integrate::{Outcome, Stop};
+use crate::model::{Closure, Coordinate, DampingLaw, LinkBase, Model, ObjectPart};
+use crate::record::{
+    EnergyAudit, Figures, ObjectFigures, PairFigures, Recorded, RunSummary, Units,
+};
+
+/// Switches of an undamped contact from which on its figures are called undetermined.
+const MANY_SWITCHES: usize = 10;
+
+/// How the run went.
+pub(super) fn summary(
+    settings: &RunSettings,
+    outcome: &Outcome,
+    choice: &Choice,
+    recorded: &Recorded,
+    window: Result<[f64; 2], String>,
+) -> RunSummary {
+    let complete = outcome.stop == Stop::Complete;
+    let window = window.and_then(|[from, to]| {
+        if complete || outcome.time >= to {
+            Ok([from, to])
+        } else {
+            Err(format!(
+                "the run stopped at {} s, before the window ends at {to} s",
+                outcome.time
+            ))
+        }
+    });
+    let stopped = (!complete).then(|| stop_in_words(&outcome.stop));
+    RunSummary {
+        method: choice.name.to_owned(),
+        why: choice.why.clone(),
+        tolerance: settings.tolerance,
+        time: outcome.time,
+        complete,
+        stopped: stopped.as_ref().map(|(name, _)| (*name).to_owned()),
+        stopped_because: stopped.map(|(_, words)| words),
+        steps: outcome.statistics.steps,
+        rejected: outcome.statistics.rejected,
+        evaluations: outcome.statistics.evaluations,
+        switches: outcome.statistics.switches,
+        energy_error: recorded.audit.error(),
+        window: window.as_ref().ok().copied(),
+        window_missing: window.err(),
+    }
+}
+
+/// Short name and words for a run that did not reach its end.
+fn stop_in_words(stop: &Stop) -> (&'static str, String) {
+    match stop {
+        Stop::Complete => ("complete", "the end time was reached".to_owned()),
+        Stop::Physical(stop) => (stop.name, stop.message.clone()),
+        Stop::NotFinite { what } => ("not_finite", format!("{what} is no longer a finite number")),
+        Stop::StepFloor { step } => (
+            "step_floor",
+            format!(
+                "the step that the tolerance needs, {step:e} s, is below what the clock resolves"
+            ),
+        ),
+        Stop::TooManySwitches { bound } => (
+            "too_many_switches",
+            format!("more than {bound} switches; raise run.max_switches if they are meant"),
+        ),
+        Stop::TooManySteps { bound } => ("too_many_steps", format!("more than {bound} steps")),
+        Stop::WallClock { limit } => (
+            "wall_clock",
+            format!("the time limit of {} s was reached", limit.as_secs_f64()),
+        ),
+        Stop::Interrupted => ("interrupted", "interrupted".to_owned()),
+        Stop::Method { method, reason } => ("method_failed", format!("{method}: {reason}")),
+    }
+}
+
+/// What the user should know beside the figures.
+pub(super) fn warnings_of(
+    model: &Model,
+    settings: &RunSettings,
+    recorded: &Recorded,
+    run: &RunSummary,
+) -> Vec<Warning> {
+    let mut warnings = Vec::new();
+    if recorded.not_finite || !recorded.audit.error().is_finite() {
+        warnings.push(Warning::NotFinite);
+    }
+    let (error, bound) = (run.energy_error, EnergyAudit::bound(settings.tolerance));
+    if error > bound {
+        warnings.push(Warning::EnergyAudit { error, bound });
+    }
+    let has_pair = recorded
+        .figures
+        .iter()
+        .any(|figures| figures.pair.is_some());
+    if let (true, Some(reason)) = (has_pair, &run.window_missing) {
+        warnings.push(Warning::WindowMissing {
+            reason: reason.clone(),
+        });
+    }
+    for &(object, margin, time) in recorded.margins.iter().filter(|entry| entry.1 < 0.0) {
+        let part = &model.objects[object];
+        warnings.push(Warning::WouldLiftOff {
+            object: part.id.clone(),
+            margin,
+            unit: units(part.coordinate).force,
+            time,
+        });
+    }
+    for object in 0..model.objects.len() {
+        warnings.extend(pair_warnings(model, object, recorded, run.time));
+    }
+    warnings
+}
+
+fn pair_warnings(model: &Model, object: usize, recorded: &Recorded, time: f64) -> Vec<Warning> {
+    let mut warnings = Vec::new();
+    let part = &model.objects[object];
+    let Some(pair) = &recorded.figures[object].pair else {
+        return warnings;
+    };
+    if pair.separated_time > 0.0 {
+        warnings.push(Warning::Opens {
+            object: part.id.clone(),
+            separations: pair.separations,
+            separated_time: pair.separated_time,
+            share: pair.separated_time / time,
+        });
+    }
+    if is_undamped(model, part) && pair.switch_times.len() >= MANY_SWITCHES {
+        warnings.push(Warning::Undetermined {
+            object: part.id.clone(),
+            switches: pair.switch_times.len(),
+        });
+    }
+    warnings
+}
+
+/// The document of a run.
+pub(super) fn document(
+    model: &Model,
+    settings: &RunSettings,
+    figures: &[ObjectFigures],
+    run: RunSummary,
+    warnings: &[Warning],
+) -> Figures {
+    let parts = || model.objects.iter();
+    let with_id =
+        |(part, figures): (&ObjectPart, &ObjectFigures)| (part.id.clone(), figures.clone());
+    Figures {
+        dam: 1,
+        scene: settings.scene.clone(),
+        hash: settings.hash.clone(),
+        units: parts()
+            .map(|part| (part.id.clone(), units(part.coordinate)))
+            .collect(),
+        objects: parts().zip(figures).map(with_id).collect(),
+        run,
+        warnings: warnings.iter().map(ToString::to_string).collect(),
+    }
+}
+
+/// The document of a run that has not begun: every figure that a run of this
+/// model will have, at zero.
+pub(super) fn blank(model: &Model) -> Figures {
+    let figures: Vec<ObjectFigures> = model
+        .objects
+        .iter()
+        .map(|part| ObjectFigures {
+            pair: can_open(model, part).then(|| PairFigures {
+                margin: part.rigid_pair.map(|_| 0.0),
+                ..PairFigures::default()
+            }),
+            ..ObjectFigures::default()
+        })
+        .collect();
+    let settings = RunSettings::new(0.0);
+    document(model, &settings, &figures, RunSummary::default(), &[])
+}
+
+fn can_open(model: &Model, part: &ObjectPart) -> bool {
+    let elastic = part.links.first().is_some_and(|&link| {
+        matches!(&model.links[link].base,
+            LinkBase::Law { pair } if pair.closure != Closure::Bilateral)
+    });
+    let rigid = part
+        .rigid_pair
+        .is_some_and(|pair| pair.closure == Closure::Force);
+    elastic || rigid
+}
+
+/// True when nothing takes energy out of the object's links and contact.
+fn is_undamped(model: &Model, part: &ObjectPart) -> bool {
+    part.links.iter().all(|&link| {
+        let link = &model.links[link];
+        let lossy_contact = matches!(&link.base,
+            LinkBase::Law { pair } if matches!(pair.law, DampingLaw::HuntCrossley { .. }));
+        link.damping == 0.0 && !lossy_contact
+    })
+}
+
+/// Units of an object's figures.
+fn units(coordinate: Coordinate) -> Units {
+    match coordinate {
+        Coordinate::Turning => Units {
+            displacement: "rad",
+            force: "N m",
+        },
+        Coordinate::Sliding => Units {
+            displacement: "m",
+            force: "N",
+        },
+    }
+}

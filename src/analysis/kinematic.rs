@@ -1,0 +1,151 @@
+//! Runs of mechanisms without a coordinate: every object is rigid and every
+//! drive prescribed, so that the motion follows from the drives alone.
+//!
+//! There is nothing to integrate, but breaks of laws and tables are still to be
+//! found, and the recorder still wants steps. One idle coordinate, always zero,
+//! is put in front of the state for the integrator and taken away again before
+//! anyone listens.
+
+use crate::integrate::{Dynamics, Modes, PhysicalStop, Sink, SwitchEvent, Watch};
+use crate::polynomial::Step;
+use crate::system::{Scratch, System};
+
+/// Steps in a turn of the drive: continuous output of order 6 is then exact to
+/// rounding for smooth laws.
+const STEPS_IN_CYCLE: f64 = 256.0;
+/// Steps in a run at least.
+const STEPS_IN_RUN: f64 = 1024.0;
+
+/// Greatest step of a kinematic run (s).
+pub(super) fn greatest_step(duration: f64, cycle: Option<f64>) -> f64 {
+    let in_cycle = cycle.map_or(f64::INFINITY, |cycle| cycle / STEPS_IN_CYCLE);
+    in_cycle.min(duration / STEPS_IN_RUN)
+}
+
+/// A system without coordinates, with an idle one.
+pub(super) struct Idle<'s> {
+    system: &'s System,
+    scales: [f64; 2],
+}
+
+impl<'s> Idle<'s> {
+    /// Puts an idle coordinate before a system that has none.
+    pub(super) fn new(system: &'s System) -> Self {
+        debug_assert_eq!(system.coordinates(), 0);
+        Self {
+            system,
+            scales: [1.0, 1.0],
+        }
+    }
+}
+
+impl Dynamics for Idle<'_> {
+    type Scratch = Scratch;
+
+    fn scratch(&self) -> Scratch {
+        self.system.scratch()
+    }
+
+    fn coordinates(&self) -> usize {
+        1
+    }
+
+    fn signals(&self) -> usize {
+        1 + self.system.signals()
+    }
+
+    fn derivatives(&self, _: f64, y: &[f64], _: &Modes, _: &mut Scratch, dy: &mut [f64]) {
+        dy.copy_from_slice(&[y[1], 0.0]);
+    }
+
+    fn tangent(
+        &self,
+        _: f64,
+        _: &[f64],
+        _: &Modes,
+        direction: &[f64],
+        _: &mut Scratch,
+        out: &mut [f64],
+    ) {
+        out.copy_from_slice(&[direction[1], 0.0]);
+    }
+
+    fn extra_signals(
+        &self,
+        time: f64,
+        _: &[f64],
+        _: &[f64],
+        modes: &Modes,
+        scratch: &mut Scratch,
+        out: &mut [[f64; 3]],
+    ) {
+        self.system
+            .extra_signals(time, &[], &[], modes, scratch, out);
+    }
+
+    fn scales(&self) -> &[f64] {
+        &self.scales
+    }
+
+    fn state_name(&self, _: usize) -> String {
+        "idle coordinate".to_owned()
+    }
+
+    fn watches(&self, modes: &Modes, out: &mut Vec<Watch>) {
+        self.system.watches(modes, out);
+        for guard in out.iter_mut().flat_map(|watch| &mut watch.guards) {
+            guard.signal += 1;
+        }
+    }
+
+    fn switch(
+        &self,
+        time: f64,
+        _: &[f64],
+        watch: &Watch,
+        modes: &mut Modes,
+    ) -> Result<(), PhysicalStop> {
+        let mut own = *watch;
+        for guard in &mut own.guards {
+            guard.signal -= 1;
+        }
+        self.system.switch(time, &[], &own, modes)
+    }
+
+    fn next_break(&self, time: f64, modes: &Modes) -> f64 {
+        self.system.next_break(time, modes)
+    }
+
+    fn pass_break(&self, time: f64, modes: &mut Modes) {
+        self.system.pass_break(time, modes);
+    }
+
+    fn is_pair(&self, component: usize) -> bool {
+        self.system.is_pair(component)
+    }
+}
+
+/// Takes the idle coordinate away before passing everything on.
+pub(super) struct WithoutIdle<'a>(pub(super) &'a mut dyn Sink);
+
+impl Sink for WithoutIdle<'_> {
+    fn start(&mut self, time: f64, _: &[f64], modes: &Modes) {
+        self.0.start(time, &[], modes);
+    }
+
+    fn step(&mut self, step: &Step<'_>, modes: &Modes) {
+        let own = Step {
+            coordinates: 0,
+            coefficients: &step.coefficients[step.degree + 1..],
+            ..*step
+        };
+        self.0.step(&own, modes);
+    }
+
+    fn switch(&mut self, event: &SwitchEvent<'_>) {
+        self.0.switch(&SwitchEvent {
+            y: &[],
+            ..event.clone()
+        });
+    }
+}

@@ -1,0 +1,133 @@
+//! How to run a system.
+
+use crate::fault::Fault;
+use crate::integrate::{Limits, Method};
+use crate::scene::Scene;
+use serde::Serialize;
+use std::sync::atomic::AtomicBool;
+use std::time::Duration;
+
+/// Most steps of a run; a bound against runs that would never end.
+const MOST_STEPS: u64 = 1_000_000_000;
+
+/// Settings of a run: everything its results depend on beside the system.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct RunSettings {
+    /// Name of the scene.
+    pub scene: String,
+    /// Hash of the canonical scene.
+    pub hash: String,
+    /// Simulated time (s), from t = 0.
+    pub duration: f64,
+    /// The method; `None`: chosen for the system.
+    pub method: Option<Method>,
+    /// Error wanted, relative to the scales of the state.
+    pub tolerance: f64,
+    /// Fixed or greatest step (s).
+    pub step: Option<f64>,
+    /// Number of equal sample intervals.
+    pub samples: usize,
+    /// True: two rows (before, after) at each switch of a pair.
+    pub switch_rows: bool,
+    /// Window of steady figures (s); `None`: chosen.
+    pub window: Option<(f64, f64)>,
+    /// Most switches of pairs.
+    pub max_switches: u64,
+    /// Most steps.
+    pub max_steps: u64,
+}
+
+impl RunSettings {
+    /// The settings that a scene asks for.
+    ///
+    /// # Errors
+    /// The scene's method is not known.
+    pub fn of(scene: &Scene) -> Result<Self, Fault> {
+        let run = &scene.run;
+        Ok(Self {
+            scene: scene.name.clone(),
+            hash: scene.hash.clone(),
+            method: method_named(&run.method)?,
+            duration: run.duration,
+            tolerance: run.tolerance,
+            step: run.step,
+            samples: run.samples,
+            switch_rows: run.switch_rows,
+            window: run.window,
+            max_switches: run.max_switches,
+            max_steps: MOST_STEPS,
+        })
+    }
+
+    /// Settings of a run of a system that comes from no scene: method chosen,
+    /// tolerance 1e-6, 1000 samples, at most a million switches.
+    pub fn new(duration: f64) -> Self {
+        Self {
+            scene: String::new(),
+            hash: String::new(),
+            duration,
+            method: None,
+            tolerance: 1e-6,
+            step: None,
+            samples: 1000,
+            switch_rows: false,
+            window: None,
+            max_switches: 1_000_000,
+            max_steps: MOST_STEPS,
+        }
+    }
+}
+
+/// What may end a run from outside; results do not depend on it, except by
+/// being incomplete.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Control<'a> {
+    /// Longest wall-clock time.
+    pub wall_clock: Option<Duration>,
+    /// Set (by Ctrl-C) to end the run.
+    pub interrupt: Option<&'a AtomicBool>,
+}
+
+impl<'a> Control<'a> {
+    pub(crate) fn limits(&self, settings: &RunSettings) -> Limits<'a> {
+        Limits {
+            switches: settings.max_switches,
+            steps: settings.max_steps,
+            wall_clock: self.wall_clock,
+            interrupt: self.interrupt,
+        }
+    }
+}
+
+fn method_named(name: &str) -> Result<Option<Method>, Fault> {
+    if name == "auto" {
+        return Ok(None);
+    }
+    let known = || Method::ALL.into_iter();
+    known()
+        .find(|method| method.name() == name)
+        .map(Some)
+        .ok_or_else(|| {
+            let names: Vec<&str> = known().map(Method::name).collect();
+            Fault::new(
+                "run.method",
+                format!("unknown method `{name}`"),
+                format!("one of auto, {}", names.join(", ")),
+            )
+        })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::method_named;
+    use crate::integrate::Method;
+
+    #[test]
+    fn methods_are_known_by_name() {
+        assert_eq!(method_named("auto"), Ok(None));
+        for method in Method::ALL {
+            assert_eq!(method_named(method.name()), Ok(Some(method)));
+        }
+        assert!(method_named("euler").unwrap_err().hint.contains("dop853"));
+    }
+}

@@ -1,0 +1,139 @@
+//! What the user of a run should know beside its figures.
+
+use std::fmt;
+
+/// A warning; its text says what to do about it.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Warning {
+    /// Something about the start.
+    Start(String),
+    /// The energies do not balance: the figures are not to be trusted.
+    EnergyAudit {
+        /// Error of the balance.
+        error: f64,
+        /// What it may be at this tolerance.
+        bound: f64,
+    },
+    /// A force or an acceleration was not a finite number.
+    NotFinite,
+    /// There is no window in which the working order could be judged.
+    WindowMissing {
+        /// Why.
+        reason: String,
+    },
+    /// A force-closed pair of a rigid object would open: the motion needs a pull.
+    WouldLiftOff {
+        /// The object.
+        object: String,
+        /// Least contact force (negative).
+        margin: f64,
+        /// Its unit.
+        unit: &'static str,
+        /// When (s).
+        time: f64,
+    },
+    /// A pair opens: the mechanism is not in working order, the computation is.
+    Opens {
+        /// The object.
+        object: String,
+        /// How often.
+        separations: u64,
+        /// Total time open (s).
+        separated_time: f64,
+        /// Share of the run.
+        share: f64,
+    },
+    /// Contact without damping that switches often: the motion is chaotic.
+    Undetermined {
+        /// The object.
+        object: String,
+        /// Switches of its pair.
+        switches: usize,
+    },
+}
+
+impl Warning {
+    /// True when the figures are not to be trusted because of it.
+    pub fn spoils_figures(&self) -> bool {
+        matches!(self, Self::EnergyAudit { .. } | Self::NotFinite)
+    }
+}
+
+impl fmt::Display for Warning {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Start(text) => f.write_str(text),
+            Self::EnergyAudit { error, bound } => write!(
+                f,
+                "not to be trusted: the energies balance only to {error:.1e} of the work put in, \
+                 where {bound:.1e} is allowed; ask for a smaller tolerance, a smaller step or another method"
+            ),
+            Self::NotFinite => f.write_str(
+                "not to be trusted: a force or an acceleration was not a finite number; \
+                 look for the object whose column holds it",
+            ),
+            Self::WindowMissing { reason } => write!(
+                f,
+                "working order not judged: {reason}; give `run.window` or a longer `run.duration`"
+            ),
+            Self::WouldLiftOff {
+                object,
+                margin,
+                unit,
+                time,
+            } => write!(
+                f,
+                "{object} would lift off: at {time:.6} s its motion needs a contact force of \
+                 {margin:.6} {unit}; it is rigid and goes on as if it were held. \
+                 Give it at least one mass to see the flight, or close it harder by {:.6} {unit}",
+                -margin
+            ),
+            Self::Opens {
+                object,
+                separations,
+                separated_time,
+                share,
+            } => write!(
+                f,
+                "the pair of {object} is open for {separated_time:.6} s ({:.1} % of the run, \
+                 {separations} separations): loss of working order of the mechanism, \
+                 not a failure of the computation",
+                100.0 * share
+            ),
+            Self::Undetermined { object, switches } => write!(
+                f,
+                "the figures of {object} are not determined to the printed digits: \
+                 its contact has no damping and switches {switches} times, and every bounce \
+                 multiplies a small difference. Run with --spread to see how far they move, \
+                 or give it a `damping_capacity`"
+            ),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Warning;
+
+    #[test]
+    fn lift_off_and_numerical_failure_are_different_verdicts() {
+        let opens = Warning::Opens {
+            object: "rocker".to_owned(),
+            separations: 65,
+            separated_time: 0.15,
+            share: 0.3,
+        };
+        let audit = Warning::EnergyAudit {
+            error: 0.1,
+            bound: 1e-4,
+        };
+        assert!(!opens.spoils_figures() && audit.spoils_figures());
+        assert!(opens.to_string().contains("30.0 % of the run"));
+        assert!(
+            opens
+                .to_string()
+                .contains("not a failure of the computation")
+        );
+        assert!(audit.to_string().starts_with("not to be trusted"));
+    }
+}

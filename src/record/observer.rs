@@ -1,0 +1,65 @@
+//! A system and the memory to look at it anywhere in a step.
+
+use crate::integrate::{Dynamics, Modes};
+use crate::polynomial::Step;
+use crate::system::{Energy, ObjectState, Power, Scratch, System};
+
+/// Looks at a system between the ends of a step.
+pub(crate) struct Observer<'s> {
+    system: &'s System,
+    scratch: Scratch,
+    y: Vec<f64>,
+    states: Vec<ObjectState>,
+}
+
+impl<'s> Observer<'s> {
+    /// An observer with memory of its own.
+    pub(crate) fn new(system: &'s System) -> Self {
+        Self {
+            system,
+            scratch: system.scratch(),
+            y: vec![0.0; 2 * system.coordinates()],
+            states: vec![ObjectState::default(); system.model().objects.len()],
+        }
+    }
+
+    /// The system.
+    pub(crate) fn system(&self) -> &'s System {
+        self.system
+    }
+
+    /// What all objects are doing at s.
+    pub(crate) fn at(&mut self, step: &Step<'_>, s: f64, modes: &Modes) -> &[ObjectState] {
+        step.state(s, &mut self.y);
+        let time = step.time(s);
+        self.system
+            .observe(time, &self.y, modes, &mut self.scratch, &mut self.states);
+        &self.states
+    }
+
+    /// What all objects are doing at a state.
+    pub(crate) fn state(&mut self, time: f64, y: &[f64], modes: &Modes) -> &[ObjectState] {
+        self.system
+            .observe(time, y, modes, &mut self.scratch, &mut self.states);
+        &self.states
+    }
+
+    /// Powers at s.
+    pub(crate) fn power(&mut self, step: &Step<'_>, s: f64, modes: &Modes) -> Power {
+        step.state(s, &mut self.y);
+        self.system
+            .power(step.time(s), &self.y, modes, &mut self.scratch)
+    }
+
+    /// Energies at s.
+    pub(crate) fn energy(&mut self, step: &Step<'_>, s: f64, modes: &Modes) -> Energy {
+        step.state(s, &mut self.y);
+        self.system
+            .energy(step.time(s), &self.y, modes, &mut self.scratch)
+    }
+
+    /// Energies at a state.
+    pub(crate) fn energy_of(&mut self, time: f64, y: &[f64], modes: &Modes) -> Energy {
+        self.system.energy(time, y, modes, &mut self.scratch)
+    }
+}
