@@ -274,23 +274,23 @@ impl<'a> Run<'a> {
     fn acceleration(&self, time: f64) -> Vec<f64> {
         let second = -FRAC_PI_2 * SPEED * SPEED * (SPEED * time).sin();
         let n = self.u.len();
-        let mut force = vec![0.0; n + 1];
-        force[0] = self.force();
-        for m in 1..n {
+        let inner = |m: usize| {
             let link = &self.model.links[m];
-            force[m] = link.stiffness * (self.u[m] - self.u[m - 1])
-                + link.damping * (self.v[m] - self.v[m - 1]);
-        }
-        force[n] = -600.0;
+            link.stiffness * (self.u[m] - self.u[m - 1])
+                + link.damping * (self.v[m] - self.v[m - 1])
+        };
+        let mut force = vec![self.force()];
+        force.extend((1..n).map(inner));
+        force.push(-600.0);
         let of = |m: usize| (force[m + 1] - force[m]) / self.model.nodes[m + 1].inertia - second;
         (0..n).map(of).collect()
     }
 
     fn advance(&mut self, time: f64, step: f64) {
         let a = self.acceleration(time);
-        for m in 0..self.u.len() {
-            self.v[m] += step * a[m];
-            self.u[m] += step * self.v[m];
+        for ((u, v), a) in self.u.iter_mut().zip(&mut self.v).zip(a) {
+            *v += step * a;
+            *u += step * *v;
         }
         self.integral += step * self.u.last().unwrap().abs();
     }

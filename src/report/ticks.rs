@@ -23,7 +23,7 @@ pub fn ticks(low: f64, high: f64, count: usize) -> Ticks {
     let step = round_step(span / count.max(1) as f64);
     let (first, last) = ((low / step - 1e-9).ceil(), (high / step + 1e-9).floor());
     // Far from zero a tiny span is below the resolution of the numbers.
-    if !(step > 0.0) || last - first > 1000.0 {
+    if step <= 0.0 || last - first > 1000.0 {
         return none;
     }
     let values = (0..=(last - first).max(0.0) as usize)
