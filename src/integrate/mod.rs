@@ -5,6 +5,7 @@
 //! of continuous output, finds on it the earliest switch (none is skipped),
 //! cuts the step there, and begins the method anew from the located state.
 
+mod auto;
 mod continuous;
 mod diffsol_adapter;
 mod dynamics;
@@ -18,6 +19,7 @@ mod run;
 #[cfg(test)]
 mod tests;
 
+pub use auto::{Situation, choose, fastest_rate};
 pub use dynamics::{Dynamics, Guard, Modes, PhysicalStop, Watch};
 pub use outcome::{Limits, Method, Outcome, Settings, Sink, Statistics, Stop, SwitchEvent};
 

