@@ -4,7 +4,8 @@
 //! There is nothing to integrate, but breaks of laws and tables are still to be
 //! found, and the recorder still wants steps. One idle coordinate, always zero,
 //! is put in front of the state for the integrator and taken away again before
-//! anyone listens.
+//! anyone listens. Systems with coordinates pass through the same type
+//! unchanged, so that the methods are compiled for one type only.
 
 use crate::integrate::{Dynamics, Modes, PhysicalStop, Sink, SwitchEvent, Watch};
 use crate::polynomial::Step;
@@ -22,24 +23,29 @@ pub(super) fn greatest_step(duration: f64, cycle: Option<f64>) -> f64 {
     in_cycle.min(duration / STEPS_IN_RUN)
 }
 
-/// A system without coordinates, with an idle one.
-pub(super) struct Idle<'s> {
+/// A system as the integrator sees it: with an idle coordinate if it has none.
+pub(super) struct Driven<'s> {
     system: &'s System,
-    scales: [f64; 2],
+    /// True when the idle coordinate is there.
+    idle: bool,
 }
 
-impl<'s> Idle<'s> {
+impl<'s> Driven<'s> {
     /// Puts an idle coordinate before a system that has none.
     pub(super) fn new(system: &'s System) -> Self {
-        debug_assert_eq!(system.coordinates(), 0);
         Self {
             system,
-            scales: [1.0, 1.0],
+            idle: system.coordinates() == 0,
         }
+    }
+
+    /// The state of the system itself.
+    fn own<'a>(&self, y: &'a [f64]) -> &'a [f64] {
+        if self.idle { &[] } else { y }
     }
 }
 
-impl Dynamics for Idle<'_> {
+impl Dynamics for Driven<'_> {
     type Scratch = Scratch;
 
     fn scratch(&self) -> Scratch {
@@ -47,69 +53,92 @@ impl Dynamics for Idle<'_> {
     }
 
     fn coordinates(&self) -> usize {
-        1
+        self.system.coordinates().max(1)
     }
 
     fn signals(&self) -> usize {
-        1 + self.system.signals()
+        self.system.signals() + usize::from(self.idle)
     }
 
-    fn derivatives(&self, _: f64, y: &[f64], _: &Modes, _: &mut Scratch, dy: &mut [f64]) {
-        dy.copy_from_slice(&[y[1], 0.0]);
+    fn derivatives(
+        &self,
+        time: f64,
+        y: &[f64],
+        modes: &Modes,
+        scratch: &mut Scratch,
+        dy: &mut [f64],
+    ) {
+        if self.idle {
+            dy.copy_from_slice(&[y[1], 0.0]);
+        } else {
+            self.system.derivatives(time, y, modes, scratch, dy);
+        }
     }
 
     fn tangent(
         &self,
-        _: f64,
-        _: &[f64],
-        _: &Modes,
+        time: f64,
+        y: &[f64],
+        modes: &Modes,
         direction: &[f64],
-        _: &mut Scratch,
+        scratch: &mut Scratch,
         out: &mut [f64],
     ) {
-        out.copy_from_slice(&[direction[1], 0.0]);
+        if self.idle {
+            out.copy_from_slice(&[direction[1], 0.0]);
+        } else {
+            self.system.tangent(time, y, modes, direction, scratch, out);
+        }
     }
 
     fn extra_signals(
         &self,
         time: f64,
-        _: &[f64],
-        _: &[f64],
+        y: &[f64],
+        dy: &[f64],
         modes: &Modes,
         scratch: &mut Scratch,
         out: &mut [[f64; 3]],
     ) {
-        self.system
-            .extra_signals(time, &[], &[], modes, scratch, out);
+        let (y, dy) = (self.own(y), self.own(dy));
+        self.system.extra_signals(time, y, dy, modes, scratch, out);
     }
 
     fn scales(&self) -> &[f64] {
-        &self.scales
+        if self.idle {
+            &[1.0, 1.0]
+        } else {
+            self.system.scales()
+        }
     }
 
-    fn state_name(&self, _: usize) -> String {
-        "idle coordinate".to_owned()
+    fn state_name(&self, index: usize) -> String {
+        if self.idle {
+            "idle coordinate".to_owned()
+        } else {
+            self.system.state_name(index)
+        }
     }
 
     fn watches(&self, modes: &Modes, out: &mut Vec<Watch>) {
         self.system.watches(modes, out);
         for guard in out.iter_mut().flat_map(|watch| &mut watch.guards) {
-            guard.signal += 1;
+            guard.signal += usize::from(self.idle);
         }
     }
 
     fn switch(
         &self,
         time: f64,
-        _: &[f64],
+        y: &[f64],
         watch: &Watch,
         modes: &mut Modes,
     ) -> Result<(), PhysicalStop> {
         let mut own = *watch;
         for guard in &mut own.guards {
-            guard.signal -= 1;
+            guard.signal -= usize::from(self.idle);
         }
-        self.system.switch(time, &[], &own, modes)
+        self.system.switch(time, self.own(y), &own, modes)
     }
 
     fn next_break(&self, time: f64, modes: &Modes) -> f64 {

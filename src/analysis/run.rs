@@ -1,7 +1,7 @@
 //! One run: the motion of a mechanism and its figures.
 
 use super::document::{document, summary, warnings_of};
-use super::kinematic::{Idle, WithoutIdle, greatest_step};
+use super::kinematic::{Driven, WithoutIdle, greatest_step};
 use super::method::choose_method;
 use super::settings::{Control, RunSettings};
 use super::warning::Warning;
@@ -116,25 +116,19 @@ fn follow(
     limits: &Limits<'_>,
     sink: &mut dyn Sink,
 ) -> Outcome {
-    let (y, modes) = (&initial.y, &initial.modes);
+    let (driven, modes) = (Driven::new(system), &initial.modes);
     if system.coordinates() > 0 {
-        return integrate(system, 0.0, duration, y, modes, plan, limits, sink);
+        return integrate(
+            &driven, 0.0, duration, &initial.y, modes, plan, limits, sink,
+        );
     }
     let greatest = greatest_step(duration, drive_cycle(system.model()).ok());
     let plan = Settings {
         step: Some(plan.step.map_or(greatest, |step| step.min(greatest))),
-        method: Method::Dop853,
-        ..*plan
+        ..plan.clone()
     };
-    let (idle, mut sink) = (Idle::new(system), WithoutIdle(sink));
+    let mut sink = WithoutIdle(sink);
     integrate(
-        &idle,
-        0.0,
-        duration,
-        &[0.0, 0.0],
-        modes,
-        &plan,
-        limits,
-        &mut sink,
+        &driven, 0.0, duration, &[0.0; 2], modes, &plan, limits, &mut sink,
     )
 }

@@ -93,7 +93,9 @@ const LARGEST: u64 = 64 << 20;
 
 fn read_bounded(path: &Path) -> std::io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
-    fs::File::open(path)?.take(LARGEST).read_to_end(&mut bytes)?;
+    fs::File::open(path)?
+        .take(LARGEST)
+        .read_to_end(&mut bytes)?;
     Ok(bytes)
 }
 
@@ -135,7 +137,10 @@ fn collect(folder: &Path, prefix: &str, depth: usize, names: &mut Vec<String>) {
         };
         if path.is_dir() && depth < 3 {
             collect(&path, &format!("{prefix}{stem}/"), depth + 1, names);
-        } else if path.extension().is_some_and(|extension| extension == "json") {
+        } else if path
+            .extension()
+            .is_some_and(|extension| extension == "json")
+        {
             names.push(format!("{prefix}{stem}"));
         }
     }

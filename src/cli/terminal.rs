@@ -64,7 +64,11 @@ fn object_block(text: &mut String, id: &str, object: &ObjectFigures, units: Opti
         &rate("s²"),
     );
     row("peak reaction", number(object.peak_reaction), force);
-    row("final displacement", number(object.end.displacement), length);
+    row(
+        "final displacement",
+        number(object.end.displacement),
+        length,
+    );
     row("final speed", number(object.end.speed), &rate("s"));
     if let Some(pair) = &object.pair {
         pair_rows(&mut row, pair, length, force);
@@ -83,8 +87,16 @@ fn pair_rows(
     row("longest separation", number(pair.longest_separation), "s");
     row("greatest lift", number(pair.max_lift), length);
     let rate = format!("{length}/s");
-    row("greatest approach speed", number(pair.max_approach_speed), &rate);
-    row("greatest contact force", number(pair.max_contact_force), force);
+    row(
+        "greatest approach speed",
+        number(pair.max_approach_speed),
+        &rate,
+    );
+    row(
+        "greatest contact force",
+        number(pair.max_contact_force),
+        force,
+    );
     if let Some(margin) = pair.margin {
         row("least contact force needed", number(margin), force);
     }
