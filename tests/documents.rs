@@ -134,6 +134,60 @@ fn every_command_shown_in_a_document_runs() {
     assert!(failures.is_empty(), "{}", failures.join("\n\n"));
 }
 
+/// Blocks of a language in a document.
+fn blocks(document: &str, language: &str) -> Vec<String> {
+    let text = std::fs::read_to_string(root().join(document)).unwrap();
+    let open = format!("```{language}\n");
+    let mut found = Vec::new();
+    let mut rest = text.as_str();
+    while let Some(start) = rest.find(&open) {
+        rest = &rest[start + open.len()..];
+        let end = rest.find("```").unwrap();
+        found.push(rest[..end].to_owned());
+        rest = &rest[end..];
+    }
+    found
+}
+
+#[test]
+fn the_scene_in_the_readme_is_right() {
+    let scenes: Vec<String> = blocks("README.md", "json")
+        .into_iter()
+        .filter(|block| block.contains("\"dam\""))
+        .collect();
+    assert!(!scenes.is_empty());
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("scene.json");
+    for scene in scenes {
+        std::fs::write(&path, scene).unwrap();
+        let output = Command::new(env!("CARGO_BIN_EXE_dam"))
+            .arg("check")
+            .arg(&path)
+            .output()
+            .unwrap();
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert!(output.status.success(), "{said}");
+    }
+}
+
+#[test]
+fn the_figures_in_the_readme_are_those_that_are_printed() {
+    let output = Command::new(env!("CARGO_BIN_EXE_dam"))
+        .args(["run", "scenarios/rocker/two_masses.json"])
+        .current_dir(root())
+        .output()
+        .unwrap();
+    let printed = String::from_utf8(output.stdout).unwrap();
+    let shown = &blocks("README.md", "text")[0];
+    // The second line counts steps, which may differ from machine to machine.
+    let lines = |text: &str| -> Vec<String> {
+        let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
+        lines.remove(1);
+        lines
+    };
+    assert_eq!(lines(shown), lines(&printed));
+}
+
 #[test]
 fn the_readme_begins_with_the_two_commands() {
     let readme = std::fs::read_to_string(root().join("README.md")).unwrap();

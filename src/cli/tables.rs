@@ -17,7 +17,8 @@ pub(crate) fn comparison(scene: &str, table: &Table) -> String {
         let _ = write!(text, "  {label:>14} {:>10}", "error");
     }
     text.push('\n');
-    for row in &table.rows {
+    let rows = table.rows.iter();
+    for row in rows.filter(|row| row.values.iter().any(Option::is_some)) {
         comparison_row(&mut text, row, name);
     }
     text

@@ -51,12 +51,17 @@ fn object_block(text: &mut String, id: &str, object: &ObjectFigures, units: Opti
     let (length, force) = units.map_or(("", ""), |units| (units.displacement, units.force));
     let _ = writeln!(text, "{id}");
     let mut row = |name: &str, value: String, unit: &str| {
-        let _ = writeln!(text, "  {name:<26} {value:>15} {unit}");
+        let line = format!("  {name:<26} {value:>15} {unit}");
+        text.push_str(line.trim_end());
+        text.push('\n');
     };
     let rate = |order: &str| format!("{length}/{order}");
-    row("greatest deviation δ_max", number(object.delta_max), length);
-    row("least deviation δ_min", number(object.delta_min), length);
-    row("mean deviation σ", number(object.sigma), length);
+    // Drives and rigid objects do not deviate from their law.
+    if object.delta_max != 0.0 || object.delta_min != 0.0 {
+        row("greatest deviation δ_max", number(object.delta_max), length);
+        row("least deviation δ_min", number(object.delta_min), length);
+        row("mean deviation σ", number(object.sigma), length);
+    }
     row("peak speed", number(object.peak_speed), &rate("s"));
     row(
         "peak acceleration",
