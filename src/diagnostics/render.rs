@@ -1,12 +1,21 @@
 //! Diagnostics as text, with excerpts.
 
-use super::{Diagnostic, Diagnostics, Place, Severity, Source};
-use annotate_snippets::{Annotation, AnnotationKind, Group, Level, Renderer, Snippet};
+use super::{Diagnostic, Diagnostics, Severity, Source, SourceId};
+use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet};
 use std::ops::Range;
 
 /// Longest stretch of text shown on either side of a place: scenes written by
 /// programs may be one line of megabytes.
 const CONTEXT: usize = 400;
+
+/// Places further apart than this are shown in excerpts of their own.
+const NEAR: usize = 2000;
+
+/// Longest stretch that is marked.
+const LONGEST_MARK: usize = 1000;
+
+/// Most related places shown.
+const MOST_RELATED: usize = 8;
 
 /// Most diagnostics shown in full.
 const MOST: usize = 100;
@@ -33,9 +42,9 @@ fn group<'a>(diagnostics: &'a Diagnostics, item: &'a Diagnostic) -> Group<'a> {
     };
     let title = level.primary_title(printable(&item.message)).id(item.code);
     let mut group = Group::with_title(title);
-    for (source, marks) in marks_by_source(item) {
-        if let Some(source) = diagnostics.sources.get(source) {
-            group = group.element(snippet(source, &marks));
+    for excerpt in excerpts(item) {
+        if let Some(source) = diagnostics.sources.get(excerpt.source) {
+            group = show(group, source, &excerpt);
         }
     }
     for hint in &item.hints {
@@ -44,61 +53,95 @@ fn group<'a>(diagnostics: &'a Diagnostics, item: &'a Diagnostic) -> Group<'a> {
     group
 }
 
-/// A place with its word; the first is the primary one.
-type Mark<'a> = (&'a Place, &'a str, AnnotationKind);
+/// A stretch of a source with its word.
+struct Mark<'a> {
+    range: Range<usize>,
+    label: &'a str,
+    kind: AnnotationKind,
+}
 
-fn marks_by_source(item: &Diagnostic) -> Vec<(usize, Vec<Mark<'_>>)> {
-    let primary = item
-        .place
-        .iter()
-        .map(|place| (place, item.label.as_str(), AnnotationKind::Primary));
+/// Marks that are shown in one excerpt.
+struct Excerpt<'a> {
+    source: SourceId,
+    marks: Vec<Mark<'a>>,
+}
+
+impl Excerpt<'_> {
+    fn range(&self) -> Range<usize> {
+        let start = self.marks.iter().map(|mark| mark.range.start).min();
+        let end = self.marks.iter().map(|mark| mark.range.end).max();
+        start.unwrap_or(0)..end.unwrap_or(0)
+    }
+
+    /// Whether a range is near enough to be shown together with the others.
+    fn takes(&self, source: SourceId, range: &Range<usize>) -> bool {
+        let own = self.range();
+        self.source == source
+            && range.start + NEAR >= own.start
+            && range.end <= own.end.saturating_add(NEAR)
+    }
+}
+
+/// The primary place first, then the related ones, those near it with it.
+fn excerpts(item: &Diagnostic) -> Vec<Excerpt<'_>> {
+    let primary = item.place.iter().map(|place| (place, item.label.as_str()));
     let related = item
         .related
         .iter()
-        .map(|other| (&other.place, other.label.as_str(), AnnotationKind::Context));
-    let mut groups: Vec<(usize, Vec<Mark<'_>>)> = Vec::new();
-    for mark in primary.chain(related) {
-        let source = mark.0.source;
-        match groups.iter_mut().find(|group| group.0 == source) {
-            Some(group) => group.1.push(mark),
-            None => groups.push((source, vec![mark])),
+        .take(MOST_RELATED)
+        .map(|other| (&other.place, other.label.as_str()));
+    let mut excerpts: Vec<Excerpt<'_>> = Vec::new();
+    for (number, (place, label)) in primary.chain(related).enumerate() {
+        let kind = match number {
+            0 => AnnotationKind::Primary,
+            _ => AnnotationKind::Context,
+        };
+        let range = place.range.start..place.range.end.min(place.range.start + LONGEST_MARK);
+        let near = excerpts.iter_mut().find(|e| e.takes(place.source, &range));
+        let mark = Mark { range, label, kind };
+        match near {
+            Some(excerpt) => excerpt.marks.push(mark),
+            None => excerpts.push(Excerpt {
+                source: place.source,
+                marks: vec![mark],
+            }),
         }
     }
-    groups
+    excerpts
 }
 
-fn snippet<'a>(source: &'a Source, marks: &[Mark<'_>]) -> Snippet<'a, Annotation<'a>> {
-    let from = marks.iter().map(|mark| mark.0.range.start).min();
-    let to = marks.iter().map(|mark| mark.0.range.end).max();
-    let window = window(&source.text, from.unwrap_or(0)..to.unwrap_or(0));
-    let excerpt = &source.text[window.clone()];
+/// Adds an excerpt to the report of one diagnostic.
+fn show<'a>(group: Group<'a>, source: &'a Source, excerpt: &Excerpt<'_>) -> Group<'a> {
+    let range = excerpt.range();
+    let window = window(&source.text, range.clone());
+    let text = &source.text[window.clone()];
     let line = source.text[..window.start].matches('\n').count() + 1;
-    let mut snippet = Snippet::source(excerpt)
-        .line_start(line)
-        .path(printable(&source.name));
-    for (place, label, kind) in marks {
-        let range = fit(excerpt, window.start, &place.range);
-        let annotation = kind.span(range);
-        snippet = snippet.annotation(match label.is_empty() {
+    let mut snippet = Snippet::source(text).line_start(line);
+    for mark in &excerpt.marks {
+        let annotation = mark.kind.span(fit(text, window.start, &mark.range));
+        snippet = snippet.annotation(match mark.label.is_empty() {
             true => annotation,
-            false => annotation.label(printable(label)),
+            false => annotation.label(printable(mark.label)),
         });
     }
-    snippet
+    let cut = window.start > 0 && source.text.as_bytes()[window.start - 1] != b'\n';
+    if !cut {
+        return group.element(snippet.path(printable(&source.name)));
+    }
+    // The excerpt begins inside a line: its columns are not the file's.
+    let at = source.position(excerpt.marks.first().map_or(range.start, |m| m.range.start));
+    let origin = Origin::path(printable(&source.name))
+        .line(at.line)
+        .char_column(at.column);
+    group.element(origin).element(snippet)
 }
 
 /// The lines around a stretch, cut where they are too long.
 fn window(text: &str, range: Range<usize>) -> Range<usize> {
-    let start = range.start.min(text.len());
-    let end = range.end.clamp(start, text.len());
-    let mut from = start.saturating_sub(CONTEXT);
-    let mut to = (end + CONTEXT).min(text.len());
-    while !text.is_char_boundary(from) {
-        from -= 1;
-    }
-    while !text.is_char_boundary(to) {
-        to += 1;
-    }
+    let start = boundary_below(text, range.start);
+    let end = boundary_above(text, range.end.max(start));
+    let mut from = boundary_below(text, start.saturating_sub(CONTEXT));
+    let mut to = boundary_above(text, end + CONTEXT);
     // Whole lines where they fit, so that columns come out right.
     if from > 0
         && let Some(newline) = text[from..start].find('\n')
@@ -106,23 +149,33 @@ fn window(text: &str, range: Range<usize>) -> Range<usize> {
         from += newline + 1;
     }
     if to < text.len()
-        && let Some(newline) = text[end.max(from)..to].rfind('\n')
+        && let Some(newline) = text[end..to].rfind('\n')
     {
-        to = end.max(from) + newline;
+        to = end + newline;
     }
     from..to
 }
 
+fn boundary_below(text: &str, at: usize) -> usize {
+    let mut at = at.min(text.len());
+    while !text.is_char_boundary(at) {
+        at -= 1;
+    }
+    at
+}
+
+fn boundary_above(text: &str, at: usize) -> usize {
+    let mut at = at.min(text.len());
+    while !text.is_char_boundary(at) {
+        at += 1;
+    }
+    at
+}
+
 /// A stretch counted from the excerpt's start, on character boundaries.
 fn fit(excerpt: &str, from: usize, range: &Range<usize>) -> Range<usize> {
-    let mut start = range.start.saturating_sub(from).min(excerpt.len());
-    let mut end = range.end.saturating_sub(from).clamp(start, excerpt.len());
-    while !excerpt.is_char_boundary(start) {
-        start -= 1;
-    }
-    while !excerpt.is_char_boundary(end) {
-        end += 1;
-    }
+    let start = boundary_below(excerpt, range.start.saturating_sub(from));
+    let end = boundary_above(excerpt, range.end.saturating_sub(from).max(start));
     start..end
 }
 

@@ -200,10 +200,9 @@ fn rigid(fields: &mut Fields<'_>, written: &Written) -> Option<BodySpec> {
     match written.inertia.or(geometry) {
         Some(inertia) => Some(BodySpec::Rigid { inertia }),
         None => {
-            lacking(
-                fields,
+            fields.lack(
                 "inertia",
-                "give `inertia` (0 for a massless object) or `geometry`",
+                Some("give `inertia` (0 for a massless object) or `geometry`".to_owned()),
             );
             None
         }
@@ -271,16 +270,15 @@ fn check_elastic(
     let no_inertia = inertia.is_none() && written.inertias.is_none();
     let no_stiffness = stiffness.is_none() && written.stiffnesses.is_none();
     if no_inertia {
-        lacking(
-            fields,
+        fields.lack(
             "inertia",
-            "give `inertia`, `inertias` or `geometry`",
+            Some("give `inertia`, `inertias` or `geometry`".to_owned()),
         );
     }
     if no_stiffness {
         let hint =
             "give `stiffness`, `stiffnesses` or `geometry`, or `masses`: 0 for a rigid object";
-        lacking(fields, "stiffness", hint);
+        fields.lack("stiffness", Some(hint.to_owned()));
     }
     if inertia == Some(0.0) {
         let message = "`inertia` must be greater than 0 for an elastic object";
@@ -373,12 +371,4 @@ fn sound(fields: &mut Fields<'_>, body: BodySpec) -> Option<BodySpec> {
         .hints
         .push("inertia, stiffness and damping are in SI units".to_owned());
     None
-}
-
-fn lacking(fields: &mut Fields<'_>, name: &str, hint: &str) {
-    let owner = fields.path().rsplit('.').next().unwrap_or("").to_owned();
-    let message = format!("`{owner}` has no {name}");
-    let fault = fields.refuse(name, "missing-property", message);
-    fault.label = format!("`{name}` is missing");
-    fault.hints.push(hint.to_owned());
 }

@@ -220,7 +220,7 @@ fn window(slot: Slot<'_>, driver: Measures, force: Wanted) -> Option<LoadLawSpec
         let period = period(fields, driver, doc);
         let (from, to, force, once, period) = (from?, to?, force?, once?, period?);
         if to <= from {
-            let message = format!("`to` ({to}) must be greater than `from` ({from})");
+            let message = "`to` must be greater than `from`";
             fields
                 .refuse("to", "out-of-range", message)
                 .hints

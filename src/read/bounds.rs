@@ -1,5 +1,6 @@
 //! Bounds of numbers.
 
+use super::number::plain;
 use serde_json::{Map, Value, json};
 
 /// The interval a number must lie in.
@@ -69,11 +70,11 @@ impl Bounds {
         let mut parts = Vec::new();
         if let Some((end, included)) = self.lower {
             let word = if included { "at least" } else { "greater than" };
-            parts.push(format!("{word} {end}"));
+            parts.push(format!("{word} {}", plain(end)));
         }
         if let Some((end, included)) = self.upper {
             let word = if included { "at most" } else { "less than" };
-            parts.push(format!("{word} {end}"));
+            parts.push(format!("{word} {}", plain(end)));
         }
         if self.not_zero {
             parts.push("not 0".to_owned());

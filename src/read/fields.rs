@@ -28,6 +28,7 @@ pub struct Fields<'a> {
 struct Missing {
     names: Vec<&'static str>,
     what: &'static str,
+    hint: Option<String>,
 }
 
 impl<'a> Fields<'a> {
@@ -93,7 +94,7 @@ impl<'a> Fields<'a> {
         match self.maybe(name, doc, read)? {
             Some(value) => Some(value),
             None => {
-                self.missing(vec![name], "");
+                self.lack(name, None);
                 None
             }
         }
@@ -176,8 +177,20 @@ impl<'a> Fields<'a> {
     }
 
     /// Notes that one of these properties is missing.
-    pub(super) fn missing(&mut self, names: Vec<&'static str>, what: &'static str) {
-        self.missing.push(Missing { names, what });
+    pub(super) fn lack_one_of(&mut self, names: Vec<&'static str>, what: &'static str) {
+        let alternatives = quoted_list(names.iter().copied(), "or");
+        let hint = Some(format!("give {alternatives}"));
+        self.missing.push(Missing { names, what, hint });
+    }
+
+    /// Notes that a property is missing (unless a misspelled one stands for it).
+    pub fn lack(&mut self, name: &'static str, hint: Option<String>) {
+        let names = vec![name];
+        self.missing.push(Missing {
+            names,
+            what: "",
+            hint,
+        });
     }
 
     /// Notes that a property which is written must not be.
@@ -297,6 +310,7 @@ impl<'a> Fields<'a> {
             }
             let absent = self.known.iter().copied().filter(|name| !self.has(name));
             let suggestion = closest(&member.name, absent)
+                .or_else(|| closest(&member.name, self.known.iter().copied()))
                 .and_then(|found| self.known.iter().copied().find(|name| *name == found));
             let mut fault = Diagnostic::error(
                 "unknown-property",
@@ -307,7 +321,7 @@ impl<'a> Fields<'a> {
             fault = match suggestion {
                 Some(found) => fault.hint(format!("did you mean `{found}`?")),
                 None => fault.hint(format!(
-                    "`{}` has {}",
+                    "{} has {}",
                     last_name(&self.path),
                     quoted_list(self.known.iter().copied(), "and")
                 )),
@@ -320,17 +334,21 @@ impl<'a> Fields<'a> {
 
     fn report_missing(&mut self, missing: &Missing) {
         let owner = last_name(&self.path);
-        let message = match missing.names.as_slice() {
-            [name] => format!("`{owner}` has no `{name}`"),
-            _ => format!("`{owner}` does not say {}", missing.what),
+        let (message, label) = match missing.names.as_slice() {
+            [name] => (
+                format!("{owner} has no `{name}`"),
+                format!("`{name}` is missing"),
+            ),
+            _ => (
+                format!("{owner} does not say {}", missing.what),
+                String::new(),
+            ),
         };
-        let mut fault = Diagnostic::error("missing-property", message)
+        let fault = Diagnostic::error("missing-property", message)
             .at(self.place.clone())
-            .path(self.path.clone());
-        fault = match missing.names.as_slice() {
-            [name] => fault.label(format!("`{name}` is missing")),
-            names => fault.hint(format!("give {}", quoted_list(names.iter().copied(), "or"))),
-        };
+            .path(self.path.clone())
+            .label(label)
+            .maybe_hint(missing.hint.clone());
         self.reader.diagnostics.push(fault);
     }
 

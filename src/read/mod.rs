@@ -11,6 +11,7 @@
 //! decide afterwards.
 
 mod bounds;
+mod compound;
 mod fields;
 mod number;
 mod one_of;

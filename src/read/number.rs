@@ -94,7 +94,8 @@ impl Slot<'_> {
             Value::Number(value) => *value,
             Value::Text(text) => self.measure(text, &wanted)?,
             _ => {
-                self.wrong_type(&format!("a number ({})", wanted.words()));
+                let hint = wanted.words();
+                self.wrong_type("a number").hints.push(hint);
                 return None;
             }
         };
@@ -120,12 +121,12 @@ impl Slot<'_> {
         };
         let whole = value.fract() == 0.0 && (0.0..=9e15).contains(&value);
         if !whole || !range.contains(&(value as u64)) {
-            let name = last_name(&self.path).to_owned();
+            let name = last_name(&self.path);
             let (least, most) = (range.start(), range.end());
             let message = match least == most {
-                true => format!("`{name}` must be {least}, found {value}"),
+                true => format!("{name} must be {least}, found {value}"),
                 false => {
-                    format!("`{name}` must be a whole number from {least} to {most}, found {value}")
+                    format!("{name} must be a whole number from {least} to {most}, found {value}")
                 }
             };
             self.refuse("out-of-range", message);
@@ -136,9 +137,9 @@ impl Slot<'_> {
     }
 
     fn within(&mut self, value: f64, bounds: Bounds, unit: &str) -> Option<f64> {
-        let name = last_name(&self.path).to_owned();
+        let name = last_name(&self.path);
         if !value.is_finite() {
-            let message = format!("`{name}` is too large for a number");
+            let message = format!("{name} is too large for a number");
             self.refuse("not-finite", message)
                 .hints
                 .push("numbers go up to about 1.8e308".to_owned());
@@ -150,7 +151,8 @@ impl Slot<'_> {
             } else {
                 format!(" {unit}")
             };
-            let message = format!("`{name}` must be {}, found {value}{unit}", bounds.words());
+            let (wanted, found) = (bounds.words(), plain(value));
+            let message = format!("{name} must be {wanted}, found {found}{unit}");
             self.refuse("out-of-range", message);
             return None;
         }
@@ -172,15 +174,12 @@ impl Slot<'_> {
     }
 
     fn unit_fault(&mut self, text: &str, error: UnitError, wanted: &Wanted) {
-        let name = last_name(&self.path).to_owned();
+        let name = last_name(&self.path);
         let accepts = format!("write a number in SI units, or a text: {}", wanted.words());
         let (code, message, hint, offset) = match error {
             UnitError::NoNumber => (
                 "not-a-number",
-                format!(
-                    "`{name}` does not begin with a number: \"{}\"",
-                    shorten(text)
-                ),
+                format!("{name} does not begin with a number: \"{}\"", shorten(text)),
                 None,
                 None,
             ),
@@ -192,7 +191,7 @@ impl Slot<'_> {
             ),
             UnitError::NotFinite => (
                 "not-finite",
-                format!("`{name}` is too large for a number"),
+                format!("{name} is too large for a number"),
                 None,
                 None,
             ),
@@ -236,20 +235,21 @@ impl Slot<'_> {
     }
 
     fn mismatch(&mut self, text: &str, measure: Measure, mismatch: Mismatch, wanted: &Wanted) {
-        let name = last_name(&self.path).to_owned();
+        let name = last_name(&self.path);
         let value = measure.value;
         let (code, message, hint) = match mismatch {
             Mismatch::Bare => (
                 "missing-unit",
-                format!("`{name}` is a text without a unit: \"{}\"", shorten(text)),
+                format!("{name} is a text without a unit: \"{}\"", shorten(text)),
                 format!(
-                    "write {value} without quotes, or \"{value} {}\"",
+                    "write {0} without quotes, or \"{0} {1}\"",
+                    plain(value),
                     wanted.first.si()
                 ),
             ),
             Mismatch::FrequencyForSpeed => (
                 "wrong-unit",
-                format!("`{name}` is an angular speed, not a frequency"),
+                format!("{name} is an angular speed, not a frequency"),
                 format!(
                     "\"{value} rev/s\" or \"{} rad/s\"",
                     short_number(value * std::f64::consts::TAU)
@@ -257,12 +257,12 @@ impl Slot<'_> {
             ),
             Mismatch::SpeedForFrequency => (
                 "wrong-unit",
-                format!("`{name}` is a frequency, not an angular speed"),
+                format!("{name} is a frequency, not an angular speed"),
                 format!("\"{} Hz\"", short_number(value / std::f64::consts::TAU)),
             ),
             Mismatch::Dimension => (
                 "wrong-unit",
-                format!("`{name}` has the wrong unit: \"{}\"", shorten(text)),
+                format!("{name} has the wrong unit: \"{}\"", shorten(text)),
                 format!("it is {}", wanted.words()),
             ),
         };
@@ -273,6 +273,14 @@ impl Slot<'_> {
             _ => format!("this is in {found}"),
         };
         fault.hints.push(hint);
+    }
+}
+
+/// A number as people write it.
+pub(super) fn plain(value: f64) -> String {
+    match value == 0.0 || (1e-4..1e7).contains(&value.abs()) {
+        true => value.to_string(),
+        false => format!("{value:e}"),
     }
 }
 

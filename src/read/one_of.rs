@@ -49,7 +49,7 @@ impl<'f, 'a, T> OneOf<'f, 'a, T> {
         match self.found.as_slice() {
             [] if self.fields.describing() => None,
             [] => {
-                self.fields.missing(self.names, self.what);
+                self.fields.lack_one_of(self.names, self.what);
                 None
             }
             [_] => self.value,

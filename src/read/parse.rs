@@ -29,13 +29,16 @@ const STRICT: ParseOptions = ParseOptions {
 /// Not UTF-8, too large, too deep, not JSON, duplicate names; all duplicates
 /// at once.
 pub fn parse(name: &str, bytes: &[u8], sources: &mut Sources) -> Result<Node, Vec<Diagnostic>> {
-    let decoded = text::decode(bytes);
+    // What cannot be decoded is shown with replacement characters.
+    let shown = match bytes.len() > text::MAX_SIZE {
+        true => String::new(),
+        false => String::from_utf8_lossy(text::without_mark(bytes)).into_owned(),
+    };
     let id = sources.add(Arc::new(Source {
         name: name.to_owned(),
-        text: decoded
-            .as_ref()
-            .map_or_else(|_| String::new(), |text| (*text).to_owned()),
+        text: shown,
     }));
+    let decoded = text::decode(bytes, id);
     let at_start = |fault: Diagnostic| match fault.place {
         Some(_) => fault,
         None => fault.at(Place::new(id, 0..0)),
@@ -93,6 +96,9 @@ fn syntax_fault(error: &ParseError, text: &str, place: Place) -> Diagnostic {
         }
         Kind::ExpectedStringObjectProperty => fault("a property name without double quotes")
             .hint("write property names in double quotes: \"name\": …"),
+        Kind::ExpectedComma if second_digit(text, error.range().start) => {
+            fault("a number cannot begin with a 0 before other digits")
+        }
         Kind::ExpectedComma => fault("a comma is missing here"),
         Kind::ExpectedColonAfterObjectKey => fault("a colon is missing after the property name"),
         Kind::ExpectedObjectValue => fault("a value is missing after the colon"),
@@ -114,6 +120,12 @@ fn syntax_fault(error: &ParseError, text: &str, place: Place) -> Diagnostic {
             fault(&format!("not JSON: {message}"))
         }
     }
+}
+
+/// True between the digits of `05`, which JSON does not take for a number.
+fn second_digit(text: &str, at: usize) -> bool {
+    let digit = |at: usize| text.as_bytes().get(at).is_some_and(u8::is_ascii_digit);
+    at > 0 && digit(at) && digit(at - 1)
 }
 
 fn unexpected(rest: &str) -> String {

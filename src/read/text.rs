@@ -10,7 +10,7 @@ pub const MAX_DEPTH: usize = 64;
 
 /// Decodes a file: UTF-8, of reasonable size, without stray zero bytes. A
 /// leading byte-order mark is dropped.
-pub(super) fn decode(bytes: &[u8]) -> Result<&str, Diagnostic> {
+pub(super) fn decode(bytes: &[u8], source: SourceId) -> Result<&str, Diagnostic> {
     if bytes.len() > MAX_SIZE {
         let message = format!(
             "the file has {} bytes; at most {MAX_SIZE} (4 MiB) are read",
@@ -23,13 +23,20 @@ pub(super) fn decode(bytes: &[u8]) -> Result<&str, Diagnostic> {
             Diagnostic::error("not-utf8", "the file is UTF-16 text").hint("save it as UTF-8")
         );
     }
-    let bytes = bytes.strip_prefix(&[0xEF, 0xBB, 0xBF]).unwrap_or(bytes);
+    let bytes = without_mark(bytes);
     std::str::from_utf8(bytes).map_err(|error| {
         let offset = error.valid_up_to();
         let line = bytes[..offset].iter().filter(|&&b| b == b'\n').count() + 1;
         let message = format!("the file is not UTF-8: byte {offset} (line {line}) is invalid");
-        Diagnostic::error("not-utf8", message).hint("save it as UTF-8")
+        Diagnostic::error("not-utf8", message)
+            .at(Place::new(source, offset..offset + 1))
+            .hint("save it as UTF-8")
     })
+}
+
+/// The file without a leading UTF-8 byte-order mark.
+pub(super) fn without_mark(bytes: &[u8]) -> &[u8] {
+    bytes.strip_prefix(&[0xEF, 0xBB, 0xBF]).unwrap_or(bytes)
 }
 
 /// Checks that need no parser: emptiness, zero bytes, depth of nesting.

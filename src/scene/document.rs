@@ -145,8 +145,7 @@ fn copy_from_catalogue(
             }
             Err(mut found) => {
                 faults.append(&mut found);
-                // What is missing would be in the catalogue: say nothing of it.
-                members.retain(|member| member.name != "kind");
+                // Its reading sees by this that something is missing.
                 members.push(from);
             }
         }

@@ -60,7 +60,12 @@ fn object(mut slot: Slot<'_>, id: &str, known: &mut Known) -> Option<SceneObject
     let sound = check_id(&mut slot, id);
     let object = slot.record(|fields| {
         fields.remark("description", "Remarks for people.");
-        let Some(kind) = kind(fields) else {
+        // A `from` is still there only when nothing could be copied.
+        let kind = match fields.has("from") {
+            true => None,
+            false => kind(fields),
+        };
+        let Some(kind) = kind else {
             fields.ignore_others();
             return None;
         };
@@ -119,10 +124,11 @@ fn check_id(slot: &mut Slot<'_>, id: &str) -> bool {
     false
 }
 
+const INPUT: &str = "Id of the object that drives this one.";
+
 /// The id of the driver, which must exist.
 fn read_input(fields: &mut Fields<'_>, known: &Known) -> Option<String> {
-    let doc = "Id of the object that drives this one.";
-    fields.need("input", doc, |mut slot| {
+    let input = fields.maybe("input", INPUT, |mut slot| {
         let input = slot.look(|slot| slot.text())?;
         let (id, output) = match input.split_once('.') {
             Some((id, output)) => (id, Some(output)),
@@ -144,7 +150,17 @@ fn read_input(fields: &mut Fields<'_>, known: &Known) -> Option<String> {
             return None;
         }
         Some(input)
-    })
+    })?;
+    if input.is_none() {
+        let ids = known.objects.keys().map(String::as_str);
+        let others = ids.filter(|id| fields.path().rsplit('.').next() != Some(id));
+        let hint = format!(
+            "name what drives it: {}",
+            quoted_list(others.take(20), "or")
+        );
+        fields.lack("input", Some(hint));
+    }
+    input
 }
 
 /// Cycles, and whether there is a drive at all.
@@ -242,7 +258,7 @@ fn describe_kind(slot: Slot<'_>, kind: &Kind) -> Option<()> {
             |slot| slot.text(),
         );
         if kind.driven {
-            fields.need("input", "Id of the object that drives this one.", |slot| slot.text());
+            fields.need("input", INPUT, |slot| slot.text());
         }
         (kind.read)(fields, &Context::default());
         None
