@@ -1,6 +1,7 @@
 //! Which method for which system: `method: auto`.
 
 use super::{Dynamics, Method, Modes};
+use std::f64::consts::TAU;
 
 /// What the choice of a method depends on.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -93,6 +94,14 @@ impl Behaviour {
 /// larger steps must pay for the linear systems and for beginning anew after
 /// every switch.
 pub fn choose(situation: &Situation) -> (Method, String) {
+    // Something is to be seen at least once in the run, and a system without
+    // springs has no rate of its own.
+    let resolved = situation.resolved.max(TAU / situation.duration);
+    let situation = &Situation {
+        resolved,
+        fastest: situation.fastest.max(resolved),
+        ..*situation
+    };
     let implicit = if situation.damped {
         Method::Bdf
     } else {
@@ -217,6 +226,20 @@ mod tests {
             assert_eq!(rocker(1, tolerance).0, Method::Dop853);
             assert_eq!(rocker(2, tolerance).0, Method::Dop853);
         }
+    }
+
+    #[test]
+    fn a_system_at_rest_without_springs_has_a_method_and_a_readable_reason() {
+        let (method, why) = choose(&Situation {
+            fastest: 0.0,
+            resolved: 0.0,
+            damped: false,
+            tolerance: 1e-8,
+            coordinates: 1,
+            duration: 2.0,
+        });
+        assert_eq!(method, Method::Dop853);
+        assert!(!why.contains("NaN") && !why.contains("inf"), "{why}");
     }
 
     #[test]

@@ -4,6 +4,7 @@ mod ends;
 mod orders;
 mod reference;
 mod switches;
+mod traps;
 
 use super::*;
 use crate::polynomial::Step;
