@@ -180,7 +180,8 @@ pub(super) fn blank(model: &Model) -> Figures {
     document(model, &settings, &figures, RunSummary::default(), &[])
 }
 
-fn can_open(model: &Model, part: &ObjectPart) -> bool {
+/// True when the object's pair can open, or, of a rigid object, would open if it could.
+pub(super) fn can_open(model: &Model, part: &ObjectPart) -> bool {
     let elastic = part.links.first().is_some_and(|&link| {
         matches!(&model.links[link].base,
             LinkBase::Law { pair } if pair.closure != Closure::Bilateral)

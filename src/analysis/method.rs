@@ -1,8 +1,13 @@
 //! Which method a run takes, and why.
 
+use super::document::can_open;
 use super::settings::RunSettings;
-use crate::integrate::{Dynamics, Method};
+use crate::integrate::{Dynamics, Method, Situation, choose};
+use crate::model::{Model, NodeMotion, ObjectPart, Start};
 use crate::system::System;
+
+/// Instants at which the speed of a prescribed drive is looked at.
+const LOOKS: usize = 64;
 
 /// The method of a run.
 pub(super) struct Choice {
@@ -25,11 +30,73 @@ pub(super) fn choose_method(system: &System, settings: &RunSettings) -> Choice {
     }
     let (method, why) = match settings.method {
         Some(method) => (method, "asked for".to_owned()),
-        None => (Method::Dop853, "the default, of order 8".to_owned()),
+        None => choose(&situation(system, settings)),
     };
     Choice {
         method,
         name: method.name(),
         why,
     }
+}
+
+/// What the choice depends on.
+fn situation(system: &System, settings: &RunSettings) -> Situation {
+    let model = system.model();
+    let damped = |part: &ObjectPart| {
+        part.links
+            .iter()
+            .all(|&link| model.links[link].damping > 0.0)
+    };
+    // A run shorter than a turn shows at least its own duration.
+    let slowest = 1.0 / settings.duration;
+    Situation {
+        fastest: system.fastest_rate(),
+        resolved: driving_speeds(system, settings.duration)
+            .chain(shown_frequencies(system))
+            .fold(slowest, f64::max),
+        damped: model.objects.iter().all(damped),
+        tolerance: settings.tolerance,
+        coordinates: system.coordinates(),
+        duration: settings.duration,
+    }
+}
+
+/// Greatest speeds of turning drives (rad/s): the lowest harmonic of their laws.
+fn driving_speeds(system: &System, duration: f64) -> impl Iterator<Item = f64> {
+    let model = system.model();
+    let drives = model.objects.iter().enumerate();
+    drives
+        .filter(|(_, part)| part.driver.is_none())
+        .map(
+            move |(object, part)| match &model.nodes[part.nodes[0]].motion {
+                NodeMotion::Prescribed { motion, .. } => {
+                    let breaks = motion.breaks();
+                    (0..=LOOKS)
+                        .map(|look| duration * look as f64 / LOOKS as f64)
+                        .map(|time| motion.jet(breaks.locate(time, 1.0), time).first.abs())
+                        .fold(0.0, f64::max)
+                }
+                // The scale of a rotor's speed is its nominal speed.
+                _ => system
+                    .last_coordinate(object)
+                    .map_or(0.0, |rotor| system.scales()[system.coordinates() + rotor]),
+            },
+        )
+}
+
+/// Base frequencies √(c/J) (rad/s) of the objects whose vibration is part of
+/// the motion: those whose contact comes and goes, and all when the start is
+/// not the quiet one. (The scale of an object's speed is that of its deviation
+/// times its base frequency.)
+fn shown_frequencies(system: &System) -> impl Iterator<Item = f64> {
+    let model: &Model = system.model();
+    let quiet = model.start == Start::Kinetostatic;
+    let objects = model.objects.iter().enumerate();
+    objects
+        .filter(move |(_, part)| !quiet || can_open(model, part))
+        .filter_map(|(object, _)| {
+            let first = system.first_coordinate(object)?;
+            let scales = system.scales();
+            Some(scales[system.coordinates() + first] / scales[first])
+        })
 }
