@@ -43,7 +43,7 @@ fn probe() {
     for (name, objects) in cases.iter().filter(|c| c.0.contains(&only)) {
         for method in Method::ALL {
             let begun = std::time::Instant::now();
-            let r = solve(objects, 1.0, method, 1e-8, (method == Method::Rk4).then_some(1e-4));
+            let r = solve(objects, std::env::var("DUR").map_or(1.0, |d| d.parse().unwrap()), method, 1e-8, (method == Method::Rk4).then_some(1e-4));
             let s = r.outcome.statistics;
             println!("{name} {method}: {:.15} {:?} {:?} trusted {} energy {:.1e} steps {} rej {} ev {} peak {:e} rows {} {:?} in {:?}",
                 r.outcome.time, r.figures.run.stopped, r.figures.run.stopped_because.as_ref().map(|s| s.len()), r.is_trusted(), r.audit.error(), s.steps, s.rejected, s.evaluations,

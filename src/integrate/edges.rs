@@ -28,8 +28,8 @@ const MOST: f64 = 1e-3;
 
 /// Share of the span within which an edge is near: legs end at every
 /// [`RATIO`]-th part of the distance left, and errors count relative to it.
-const NEAR: f64 = 1e-2;
-const RATIO: f64 = 1.5;
+const NEAR: f64 = 0.05;
+const RATIO: f64 = 1.2;
 
 /// No step may bring an edge that is near closer than this share of the
 /// distance at its start.
@@ -91,6 +91,15 @@ impl Approach {
         } else {
             first_zero(distance - aim, rate, acceleration)
         }
+    }
+}
+
+impl Approach {
+    /// Time until z has fallen to `aim`, or, where it turns back before, that
+    /// it would take at the present rate (s).
+    fn time_or_less(&self, aim: f64) -> f64 {
+        let straight = (aim - self.distance) / self.rate;
+        self.time_to(aim).unwrap_or(straight)
     }
 }
 
@@ -157,15 +166,18 @@ impl<D: Dynamics> Run<'_, D> {
             if approach.distance >= near || !approach.is_approaching() {
                 continue;
             }
-            if approach.touches() {
-                let sharpness = (approach.distance / near).max(SHARPEST);
-                self.edges.sharpness = self.edges.sharpness.min(sharpness);
-            }
+            // A state z counts relative to itself, a rate that grows with 1/√z
+            // relative to what it was.
+            let share = approach.distance / near;
+            let sharpness = if approach.touches() {
+                share
+            } else {
+                share.sqrt()
+            };
+            self.edges.sharpness = self.edges.sharpness.min(sharpness.max(SHARPEST));
             let aim = (approach.distance / RATIO).max(0.9 * self.close(edge));
-            if let Some(time) = approach.time_to(aim) {
-                self.edges.near = true;
-                longest = longest.min(time);
-            }
+            self.edges.near = true;
+            longest = longest.min(approach.time_or_less(aim));
         }
         // Shorter than that, the clock would not move.
         let least = 64.0 * f64::EPSILON * self.from.time.abs();
@@ -280,10 +292,9 @@ impl<D: Dynamics> Run<'_, D> {
     pub(super) fn fail(&mut self, stop: Stop) -> Verdict {
         let mut next: Option<(f64, Edge)> = None;
         for edge in &self.edges.list {
-            let time = Approach::of(edge, &self.from).time_to(0.0);
-            if let Some(time) = time
-                && next.is_none_or(|(soonest, _)| time < soonest)
-            {
+            let approach = Approach::of(edge, &self.from);
+            let time = approach.time_or_less(0.0);
+            if approach.is_approaching() && next.is_none_or(|(soonest, _)| time < soonest) {
                 next = Some((time, *edge));
             }
         }
@@ -310,6 +321,15 @@ impl<D: Dynamics> Run<'_, D> {
         self.edges.longest = Some(time * 0.5f64.powi(self.edges.failures as i32 + 1));
         self.rejected += 1;
         Verdict::Restart
+    }
+
+    /// After a step: a leg that has led near an edge ends, to go on with care.
+    pub(super) fn is_to_slow_down(&self) -> bool {
+        let near = |edge: &Edge| {
+            let approach = Approach::of(edge, &self.from);
+            approach.is_approaching() && approach.distance < NEAR * edge.span
+        };
+        !self.edges.near && self.edges.list.iter().any(near)
     }
 
     /// A step has been taken.

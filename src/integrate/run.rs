@@ -146,7 +146,10 @@ impl<'a, D: Dynamics> Run<'a, D> {
         self.evaluator.take_not_finite();
         match (found, edge) {
             (Some(found), _) => self.cut(found),
-            (None, None) => self.pass(),
+            (None, None) => match self.pass() {
+                Verdict::Continue if self.is_to_slow_down() => Verdict::Restart,
+                verdict => verdict,
+            },
             (None, Some(edge)) => match self.pass() {
                 Verdict::Stop => Verdict::Stop,
                 _ => self.end_at(&edge),
