@@ -29,7 +29,7 @@ const MOST: f64 = 1e-3;
 /// Share of the span within which an edge is near: legs end at every
 /// [`RATIO`]-th part of the distance left, and errors count relative to it.
 const NEAR: f64 = 0.05;
-const RATIO: f64 = 1.2;
+const RATIO: f64 = 1.1;
 
 /// No step may bring an edge that is near closer than this share of the
 /// distance at its start.
