@@ -13,6 +13,7 @@ mod evaluator;
 mod locate;
 mod ode_solvers_adapter;
 mod outcome;
+mod pace;
 #[cfg(test)]
 pub(crate) mod problems;
 mod run;
