@@ -180,7 +180,10 @@ fn the_record_has_units_and_a_row_a_sample() {
     }
     assert_eq!(lines.count(), 101);
     let page = std::fs::read_to_string(folder.path().join("out/report.html")).unwrap();
-    assert!(!page.contains("http://") || !page.contains("<script src"), "self-contained");
+    assert!(
+        !page.contains("http://") || !page.contains("<script src"),
+        "self-contained"
+    );
 }
 
 #[test]
@@ -226,7 +229,10 @@ fn a_run_that_stops_early_says_so_with_status_one() {
     assert_eq!(document["run"]["complete"], false);
     assert_eq!(document["run"]["stopped"], "too_many_switches");
     let time = document["run"]["time"].as_f64().unwrap();
-    assert!(time > 0.02 && time < 0.5, "what was computed is kept: {time}");
+    assert!(
+        time > 0.02 && time < 0.5,
+        "what was computed is kept: {time}"
+    );
 }
 
 #[test]

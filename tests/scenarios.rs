@@ -22,7 +22,10 @@ fn scenes() -> Vec<PathBuf> {
             found.extend(files.map(|file| file.unwrap().path()));
         }
     }
-    found.retain(|path| path.extension().is_some_and(|extension| extension == "json"));
+    found.retain(|path| {
+        path.extension()
+            .is_some_and(|extension| extension == "json")
+    });
     found.sort();
     found
 }
