@@ -106,6 +106,18 @@ fn object() -> impl Strategy<Value = (Value, usize)> {
     let loads = prop::collection::vec(load(), 0..3);
     (kind, turning_position(), body(), pair(), loads, 0..100usize).prop_map(
         |(kind, position, body, pair, loads, driver)| {
+            // Most contradictions are left out; diagnostics have tests of their own.
+            let kind = if position.get("ratio").is_some() {
+                kind
+            } else {
+                "rocker"
+            };
+            let rigid = body["masses"] == 0;
+            let pair = if rigid && pair["closure"] == "form" {
+                json!({})
+            } else {
+                pair
+            };
             let mut object = json!({ "kind": kind, "position": position, "pair": pair });
             let members = object.as_object_mut().unwrap();
             members.extend(body.as_object().unwrap().clone());
@@ -201,13 +213,13 @@ fn most_random_scenes_run() {
     use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
     let rng = TestRng::from_seed(RngAlgorithm::ChaCha, &[7; 32]);
     let mut runner = TestRunner::new_with_rng(Config::default(), rng);
-    let mut ran = 0;
-    for _ in 0..40 {
+    let mut refused = Vec::new();
+    for _ in 0..60 {
         let scene = scene().new_tree(&mut runner).unwrap().current();
-        ran += u32::from(matches!(end_of(&scene), Ending::Ran(_)));
+        if let Ending::Refused(words) = end_of(&scene) {
+            refused.push(words.lines().next().unwrap_or_default().to_owned());
+        }
     }
-    assert!(
-        ran >= 15,
-        "only {ran} of 40 ran: the generator has gone stale"
-    );
+    let list = refused.join("\n");
+    assert!(refused.len() <= 30, "the generator has gone stale:\n{list}");
 }
