@@ -93,7 +93,7 @@ fn preview() {
         figures: &figures,
         record: &record,
         diagram: &Diagram::of(&fixture::rocker(2)),
-        scene: include_str!("../fixture.json"),
+        scene: include_str!("../fixture/scene.json"),
         version: "0.1.0",
     });
     std::fs::write(folder.join("report.html"), report).unwrap();
