@@ -179,11 +179,6 @@ fn run_case(case: &Case, method: Option<Method>, tolerance: f64) -> RunResult {
     let result = run(&system, &settings, &Control::default(), &mut []).expect("the run starts");
     assert!(result.is_complete(), "{:?}", result.outcome);
     assert!(result.is_trusted(), "{:?}", result.warnings);
-    println!(
-        "energy error {:.1e}, {:?}",
-        result.audit.error(),
-        result.outcome.statistics
-    );
     result
 }
 
@@ -200,7 +195,6 @@ fn compare(name: &str, method: Option<Method>, share: f64) {
         .max(expected.delta_min_rad.abs());
     let near = |what: &str, found: f64, wanted: f64, scale: f64| {
         let off = (found - wanted).abs() / scale;
-        println!("{name} {what}: {off:.1e}");
         assert!(
             off <= share,
             "{name} {what}: {found} for {wanted}, off {off:.1e}"

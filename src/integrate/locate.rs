@@ -76,6 +76,24 @@ impl Stretch<'_> {
         }
     }
 
+    /// On a step so short that the rate of a signal drowns in the rounding of
+    /// its values (a rest of a leg, 1e-10 of the time), a guard is as straight
+    /// as numbers can tell: the line between its exact ends.
+    fn straighten(&self, guard: &Guard, out: &mut [f64]) {
+        let degree = out.len() - 1;
+        let signal = self.step.signal(guard.signal);
+        let rate = degree as f64 / self.step.length;
+        let rounding = f64::EPSILON
+            * (guard.offset.abs()
+                + largest(signal) * (guard.displacement.abs() + guard.speed.abs() * rate));
+        let (from, to) = (out[0], out[degree]);
+        let line = |i: usize| from + (to - from) * i as f64 / degree as f64;
+        let bent = |(i, c): (usize, &f64)| (c - line(i)).abs() > ROUNDINGS * rounding;
+        if !out.iter().enumerate().any(bent) {
+            (1..degree).for_each(|i| out[i] = line(i));
+        }
+    }
+
     /// Coefficients of ±guard. Both ends are computed from the exact state, so
     /// that a sign seen at the end of one step is the sign at the start of the
     /// next; a guard known to be zero at the start is shifted to be so.
@@ -105,6 +123,7 @@ impl Stretch<'_> {
         };
         out[0] = exact(self.from);
         out[degree] = exact(self.to);
+        self.straighten(guard, &mut out[..=degree]);
         if self.zero_at_start.iter().any(|z| proportional(z, guard)) {
             let residue = out[0];
             out[..=degree].iter_mut().for_each(|c| *c -= residue);
@@ -112,6 +131,9 @@ impl Stretch<'_> {
         out
     }
 }
+
+/// Roundings of a signal's value that may add up in a coefficient of its rate.
+const ROUNDINGS: f64 = 256.0;
 
 /// True when a polynomial reaches zero exactly at its end, rising.
 fn crosses_at_end(coefficients: &[f64]) -> bool {

@@ -303,13 +303,14 @@ impl<'a> Fields<'a> {
     fn report_unknown(&mut self) -> Vec<Option<&'static str>> {
         let mut suggestions = Vec::new();
         let members = self.node.map_or(&[][..], Node::members);
+        let known = self.known.iter().copied();
+        let absent: Vec<&'static str> = known.filter(|name| !self.has(name)).collect();
         for member in members {
             let known = self.known.contains(&member.name.as_str());
             if known || self.free {
                 continue;
             }
-            let absent = self.known.iter().copied().filter(|name| !self.has(name));
-            let suggestion = closest(&member.name, absent)
+            let suggestion = closest(&member.name, absent.iter().copied())
                 .or_else(|| closest(&member.name, self.known.iter().copied()))
                 .and_then(|found| self.known.iter().copied().find(|name| *name == found));
             let mut fault = Diagnostic::error(

@@ -115,8 +115,8 @@ mod tests {
         ledger.open(energy(0.0));
         let (steps, span) = (40, 0.25);
         for step in 0..steps {
-            for index in 1..6 {
-                let t = span * (f64::from(step) + PLACES[index]);
+            for (index, place) in PLACES.iter().enumerate().take(6).skip(1) {
+                let t = span * (f64::from(step) + place);
                 let power = Power {
                     drives: 0.0,
                     loads: t.cos() * v(t),

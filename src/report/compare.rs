@@ -321,7 +321,7 @@ mod tests {
             title: "The paper's <figures>",
             runs: &runs,
             diagram: &Diagram::of(&fixture::rocker(2)),
-            scene: include_str!("fixture.json"),
+            scene: include_str!("fixture/scene.json"),
             version: "0.1.0",
         });
         assert!(page.contains("errors against rocker.masses = 10"));

@@ -51,7 +51,7 @@ pub fn scale(magnitude: f64, unit: &str) -> Scale {
 /// Units that take no prefix above themselves: a kilosecond or a kilometre
 /// says less than the plain number. (A plain `rad` keeps counting turns.)
 fn bare(unit: &str) -> bool {
-    matches!(unit, "s" | "m" | "rad" | "m/s" | "rad/s") || unit.starts_with("kg")
+    matches!(unit, "s" | "m" | "rad" | "m/s" | "m/s²" | "rad/s") || unit.starts_with("kg")
 }
 
 /// A value with its unit, to `digits` significant digits: `7.50086 mrad`.

@@ -5,7 +5,7 @@
 //!
 //! `check` and `build` make the `frozen` layout of a model; `passes` are the
 //! equations of motion; `pairs`, `loads` and `switches` what enters them;
-//! `balance`, `start` and `onset` the state at t = 0; `observe` and `energy`
+//! `balance`, `placing`, `start` and `onset` the state at t = 0; `observe` and `energy`
 //! what is read off; `scales` and `frequencies` what the methods are chosen and
 //! steered by.
 
@@ -16,20 +16,25 @@ mod dynamics;
 mod energy;
 mod frequencies;
 mod frozen;
+mod kappa;
 mod loads;
 mod observe;
 mod onset;
 mod pairs;
 mod passes;
+mod placing;
 mod quantity;
 mod scales;
 mod series;
 mod start;
+mod start_messages;
 #[cfg(test)]
 mod start_tests;
 mod switches;
 #[cfg(test)]
 mod testing;
+#[cfg(test)]
+mod testing_random;
 #[cfg(test)]
 mod tests;
 

@@ -1,6 +1,7 @@
 //! Tests of the state at t = 0.
 
 use super::testing::*;
+use super::testing_random::*;
 use super::{InitialState, System};
 use crate::integrate::Dynamics;
 use crate::model::*;

@@ -99,6 +99,63 @@ def pump(rtol, duration=2.0):
     }
 
 
+def measured_cam():
+    """A follower on a cam measured every 30 deg: periodic cubic spline, rigid, with a spring.
+
+    U'' is linear between the points, so the acceleration is greatest at one of
+    them; the contact force m U'' w^2 + preload + rate U is stationary at the
+    roots of a quadratic in each interval, or extreme at a point.
+    """
+    import numpy as np
+    from scipy.interpolate import CubicSpline
+
+    lifts = [0, 0.4, 2.6, 6.8, 10.4, 12.0, 12.2, 12.0, 10.4, 6.8, 2.6, 0.4, 0]
+    angles = np.radians(np.arange(0, 361, 30))
+    spline = CubicSpline(angles, np.array(lifts) * 1e-3, bc_type="periodic")
+    mass, rate, preload, w = 0.8, 6000.0, 90.0, 1200 * 2 * math.pi / 60
+    force = lambda phi: mass * w**2 * spline(phi, 2) + preload + rate * spline(phi)
+    places = list(angles)
+    for a, b, k in zip(angles[:-1], angles[1:], range(12)):
+        c3, c2, c1, _ = spline.c[:, k]
+        stationary = np.roots([3 * rate * c3, 2 * rate * c2, rate * c1 + 6 * mass * w**2 * c3])
+        places += [a + r.real for r in stationary if abs(r.imag) < 1e-12 and 0 < r.real < b - a]
+    values = [float(force(place)) for place in places]
+    speeds = list(angles)
+    for a, b, k in zip(angles[:-1], angles[1:], range(12)):
+        c3, c2, _, _ = spline.c[:, k]
+        if c3 and 0 < -c2 / (3 * c3) < b - a:
+            speeds.append(a - c2 / (3 * c3))
+    return {
+        "follower.peak_speed": max(abs(float(spline(p, 1))) for p in speeds) * w,
+        "follower.peak_acceleration": max(abs(float(spline(p, 2))) for p in angles) * w**2,
+        "follower.peak_reaction": max(abs(v) for v in values),
+        "follower.pair.margin": min(values),
+        "follower.pair.max_contact_force": max(values),
+    }
+
+
+def spiral():
+    """A slide on a widening spiral, x = a p + b p^2, while the disc runs up to w in T.
+
+    Acceleration (a + 2 b p) alpha + 2 b w(t)^2: greatest where its derivative
+    vanishes during the run-up.
+    """
+    a, b, speed, rise, end, mass = (mp.mpf(x) for x in ("0.002", "0.0001", "40", "0.5", "1", "3"))
+    angle = lambda t: speed * rise * ((t / rise) ** 3 - (t / rise) ** 4 / 2)
+    rate = lambda t: mp.diff(angle, t)
+    acceleration = lambda t: (a + 2 * b * angle(t)) * mp.diff(angle, t, 2) + 2 * b * rate(t) ** 2
+    top = mp.findroot(lambda t: mp.diff(acceleration, t), mp.mpf("0.35"))
+    peak = max(acceleration(top), 2 * b * speed**2)
+    last = speed * rise / 2 + speed * (end - rise)
+    return {
+        "slide.peak_speed": (a + 2 * b * last) * speed,
+        "slide.peak_acceleration": peak,
+        "slide.peak_reaction": mass * peak,
+        "slide.final.displacement": a * last + b * last**2,
+        "slide.final.speed": (a + 2 * b * last) * speed,
+    }
+
+
 def dead_positions():
     """Times at which the linkage cannot be carried further by its crank."""
     # rod 0.08 m shorter than the crank 0.1 m: sin(phi) = l/r, from phi = 0 at 2 rad/s
@@ -120,6 +177,8 @@ if __name__ == "__main__":
             "engine_slider": exact(engine_slider()),
             "rocker_in_order": exact(rocker_margin(mp.mpf("0.09"))),
             "rocker_beyond_edge": exact(rocker_margin(mp.mpf("0.1"))),
+            "measured_cam": exact(measured_cam()),
+            "spiral": exact(spiral()),
             "pump": twice(pump),
             "short_rod": exact({"stops": stops["short_rod"]}),
             "four_bar": exact({"stops": stops["four_bar"]}),

@@ -1,7 +1,7 @@
 """Reference figures of scenarios/shafts.
 
-run_up and two_rotors in closed form (mpmath), vertical_feed in absolute
-coordinates with DOP853.
+run_up, two_rotors and free_vibration in closed form (mpmath), the others in
+absolute coordinates with DOP853.
 """
 
 import math
@@ -164,14 +164,130 @@ def vertical_feed(rtol, duration=0.3):
     return figures
 
 
+def free_vibration():
+    """A turned and released wheel behind a turning shaft: logarithmic decrement psi/2 a cycle.
+
+    d'' + 2 zeta k d' + k^2 d = 0 with b = psi sqrt(cJ)/(2 pi), so zeta = psi/(4 pi).
+    """
+    inertia, stiffness, psi, start, speed, end = (mp.mpf(x) for x in ("0.02", "8000", "0.25", "0.01", "30", "0.1"))
+    k, zeta = mp.sqrt(stiffness / inertia), psi / (4 * mp.pi)
+    w, decay = k * mp.sqrt(1 - zeta**2), zeta * k
+    d = lambda t: start * mp.exp(-decay * t) * (mp.cos(w * t) + decay / w * mp.sin(w * t))
+    v = lambda t: -start * mp.exp(-decay * t) * (k**2 / w) * mp.sin(w * t)
+    first = mp.pi / w  # first trough; the greatest is the start itself
+    fastest = (mp.pi + mp.atan(w / decay)) / w  # second root of v' = 0: on the way back
+    return {
+        "wheel.delta_max": start,
+        "wheel.delta_min": d(first),
+        "wheel.sigma": (mp.quad(lambda t: abs(d(t)), crossings(d, end)) / end),
+        "wheel.peak_speed": speed + v(fastest),
+        "wheel.peak_acceleration": k**2 * start,
+        "wheel.peak_reaction": stiffness * start,
+        "wheel.final.displacement": speed * end + d(end),
+        "wheel.final.speed": speed + v(end),
+    }
+
+
+def crossings(function, end, points=400):
+    """0, the roots of the function, and the end."""
+    grid = [end * k / points for k in range(points + 1)]
+    roots = [
+        mp.findroot(function, (a, b), solver="anderson")
+        for a, b in zip(grid, grid[1:]) if function(a) * function(b) < 0
+    ]
+    return [mp.mpf(0), *roots, end]
+
+
+def fan_on_line(rtol, duration=0.3):
+    """Asynchronous motor, tubular shaft of four equal masses, fan fixed to its end."""
+    rotor, breakdown, slip_b, synchronous = 0.028, 138.0, 0.181, 50 * math.pi
+    polar = math.pi * (0.06**4 - 0.05**4) / 32
+    n, psi = 4, 0.1
+    whole_j, whole_c = 7850 * polar * 0.8, 80e9 * polar / 0.8
+    j, c = whole_j / n, whole_c * n
+    b = psi * c / (2 * math.pi * math.sqrt(whole_c / whole_j))
+    fan, drag = 0.35, 0.25
+
+    def links(y):
+        x, s = y[: n + 1], y[n + 1 :]
+        return [c * (x[i + 1] - x[i]) + b * (s[i + 1] - s[i]) for i in range(n)]
+
+    def rhs(t, y, mode):
+        pull, s = links(y), y[n + 1 :]
+        slip = 1 - s[0] / synchronous
+        torque = 2 * breakdown * slip * slip_b / (slip**2 + slip_b**2)
+        a = [(torque + pull[0]) / rotor]
+        a += [(pull[i + 1] - pull[i]) / j for i in range(n - 1)]
+        a += [(-drag * s[n] - pull[n - 1]) / (j + fan)]
+        return [*s, *a]
+
+    motion = simulate(
+        rhs, lambda mode: [], [0.0] * (2 * n + 2), "on", duration, max_step=4e-5, rtol=rtol,
+        atol=[1e-5 * rtol] * (n + 1) + [1e-2 * rtol] * (n + 1),
+    )
+    figures = {"motor.final.displacement": motion.end[0], "motor.final.speed": motion.end[n + 1]}
+    figures |= object_figures(
+        "tube", motion, duration,
+        delta=lambda t, y, m: y[n] - y[0], speed=lambda t, y, m: y[-1],
+        acceleration=lambda t, y, m: rhs(t, y, m)[-1], reaction=lambda t, y, m: links(y)[0],
+    )
+    figures["fan.peak_reaction"] = motion.peak(lambda t, y, m: -drag * y[-1] - fan * rhs(t, y, m)[-1])
+    figures["fan.final.displacement"], figures["fan.final.speed"] = motion.end[n], motion.end[-1]
+    return figures
+
+
+def slewing(rtol, duration=0.9):
+    """A boom behind a slewing gear whose angle is given as a table over time.
+
+    Cubic spline; end slopes of the polynomials through the four points nearest
+    each end; beyond the table the drive turns on with its last speed.
+    """
+    import numpy as np
+    from scipy.interpolate import CubicSpline
+
+    times = np.array([0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7])
+    angles = np.array([0, 0.05, 0.25, 0.6, 1.0, 1.35, 1.55, 1.6])
+    first = np.polyfit(times[:4], angles[:4], 3)
+    last = np.polyfit(times[-4:], angles[-4:], 3)
+    slopes = float(np.polyval(np.polyder(first), 0)), float(np.polyval(np.polyder(last), 0.7))
+    spline = CubicSpline(times, angles, bc_type=((1, slopes[0]), (1, slopes[1])))
+    inertia, stiffness, psi = 2.5, 2.0e4, 0.2
+    b = psi * math.sqrt(inertia * stiffness) / (2 * math.pi)
+
+    def law(t):
+        if t >= 0.7:
+            return 1.6 + slopes[1] * (t - 0.7), slopes[1]
+        return float(spline(t)), float(spline(t, 1))
+
+    def link(t, y):
+        u, v = law(t)
+        return stiffness * (y[0] - u) + b * (y[1] - v)
+
+    rhs = lambda t, y, mode: [y[1], -link(t, y) / inertia]
+    motion = simulate(
+        rhs, lambda mode: [], [0.0, slopes[0]], "on", duration, breaks=[float(t) for t in times],
+        max_step=1e-3, rtol=rtol, atol=[1e-3 * rtol, rtol],
+    )
+    figures = object_figures(
+        "boom", motion, duration,
+        delta=lambda t, y, m: y[0] - law(t)[0], speed=lambda t, y, m: y[1],
+        acceleration=lambda t, y, m: rhs(t, y, m)[1], reaction=lambda t, y, m: link(t, y),
+    )
+    figures["boom.final.displacement"], figures["boom.final.speed"] = motion.end
+    return figures
+
+
 if __name__ == "__main__":
     write(
         "shafts",
-        "Shafts: closed forms at 40 digits (run_up, two_rotors); vertical_feed in absolute coordinates, "
+        "Shafts: closed forms at 40 digits (run_up, two_rotors, free_vibration); the others in absolute coordinates, "
         "DOP853 at rtol 1e-12, spread against rtol 1e-10. Script: shafts.py.",
         {
             "run_up": exact(run_up()),
             "two_rotors": exact(two_rotors()),
+            "free_vibration": exact(free_vibration()),
             "vertical_feed": twice(vertical_feed),
+            "fan_on_line": twice(fan_on_line),
+            "slewing": twice(slewing),
         },
     )

@@ -7,7 +7,7 @@
   const LEFT = 64, RIGHT = 14, TOP = 28, BOTTOM = 24;
   const DASHES = ["", "7 3", "2 2.5", "9 3 2 3", "4 2", "12 4", "1.5 3.5", "6 2 1 2 1 2"];
   const PREFIXES = { "-12": "p", "-9": "n", "-6": "µ", "-3": "m", 0: "", 3: "k", 6: "M", 9: "G" };
-  const BARE = ["s", "m", "rad", "m/s", "rad/s"];
+  const BARE = ["s", "m", "rad", "m/s", "m/s²", "rad/s"];
   let printing = false;
 
   // ---- numbers -------------------------------------------------------------

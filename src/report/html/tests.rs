@@ -77,26 +77,3 @@ fn long_lists_of_switches_fold_away_and_short_ones_do_not() {
         rendered(|_, record| record.switches = (0..5000).map(|i| row(f64::from(i))).collect());
     assert!(many.contains("<summary>5000 switches between 0 s and 4999 s</summary>"));
 }
-
-/// Writes pages to look at: `cargo test preview -- --ignored`, then open
-/// `target/preview/*.html`.
-#[test]
-#[ignore = "writes files to look at"]
-fn preview() {
-    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("target/preview");
-    std::fs::create_dir_all(&folder).unwrap();
-    let (mut figures, record) = fixture::run(2, 0.5, 1000);
-    figures
-        .warnings
-        .push("a warning with a longer text, to see how it stands on the page".into());
-    let report = page(&RunReport {
-        figures: &figures,
-        record: &record,
-        diagram: &Diagram::of(&fixture::rocker(2)),
-        scene: include_str!("../fixture.json"),
-        version: "0.1.0",
-    });
-    std::fs::write(folder.join("report.html"), report).unwrap();
-    let graph = crate::report::svg::graph::svg(&Diagram::of(&fixture::fan_out()), false);
-    std::fs::write(folder.join("graph.svg"), graph).unwrap();
-}

@@ -7,7 +7,7 @@ use crate::report::quantity::{escape, shortened, with_unit};
 
 const BOX_WIDTH: f64 = 156.0;
 const BOX_HEIGHT: f64 = 74.0;
-const COLUMN: f64 = BOX_WIDTH + 212.0;
+const COLUMN: f64 = BOX_WIDTH + 236.0;
 const ROW: f64 = BOX_HEIGHT + 46.0;
 const MARGIN: f64 = 16.0;
 
@@ -78,6 +78,10 @@ fn object_box(one: &ObjectBox, place: Place, links: bool) -> String {
             escape(&shortened(text, fits(BOX_WIDTH - 12.0, size)))
         )
     };
+    let detail = match one.driver {
+        None => one.detail.clone(),
+        Some(_) => format!("{turning}, {}", one.detail),
+    };
     let body = format!(
         "<title>{title}</title><rect class=\"frame\" x=\"{x}\" y=\"{y}\" width=\"{BOX_WIDTH}\" \
          height=\"{BOX_HEIGHT}\" rx=\"{radius}\"/>{id}{kind}{detail}",
@@ -89,13 +93,8 @@ fn object_box(one: &ObjectBox, place: Place, links: bool) -> String {
         y = coordinate(y),
         radius = if one.driver.is_none() { 22 } else { 5 },
         id = text("id", 26.0, &one.id, 15.5),
-        kind = text(
-            "kind",
-            45.0,
-            &format!("{}, {turning}", one.kind.replace('_', " ")),
-            12.5
-        ),
-        detail = text("kind", 62.0, &one.detail, 12.5),
+        kind = text("kind", 45.0, &one.kind.replace('_', " "), 12.5),
+        detail = text("kind", 62.0, &detail, 12.5),
     );
     let class = if one.driver.is_none() {
         "drive"
@@ -148,7 +147,7 @@ fn edge(one: &ObjectBox, from: Place, to: Place) -> String {
         coordinate((bend + 10.0 + end) / 2.0),
         coordinate(forward_to - 9.0),
         escape(&one.position),
-        escape(&cut(&one.position, room.min(22))),
+        escape(&cut(&one.position, room.min(26))),
         coordinate(label_x),
         coordinate(back_to - 6.0),
         pair_symbol(one, label_x - 40.0, back_to + 16.0),

@@ -4,35 +4,26 @@ use crate::position::Position;
 use crate::report::fixture;
 use crate::report::math::{Expr, Symbol};
 
+/// The golden texts. `DAM_BLESS=1 cargo test --lib golden` writes them anew;
+/// read them before committing.
 #[test]
-fn texts_of_three_models() {
-    let golden = [
-        (fixture::rocker(2), include_str!("../golden/rocker_2.txt")),
-        (fixture::rocker(10), include_str!("../golden/rocker_10.txt")),
-        (fixture::fan_out(), include_str!("../golden/fan_out.txt")),
-    ];
-    for (model, expected) in golden {
-        let found = text(&equations(&model));
-        assert_eq!(found, expected, "found:\n{found}");
-    }
-    let found = latex(&equations(&fixture::fan_out()));
-    assert_eq!(
-        found,
-        include_str!("../golden/fan_out.tex"),
-        "found:\n{found}"
-    );
-}
-
-/// Rewrites the golden texts, to be read before they are committed.
-#[test]
-#[ignore = "rewrites the golden files"]
-fn rewrite_golden_texts() {
+fn golden_texts_of_three_models() {
     let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("src/report/show/golden");
-    let write = |name: &str, text: String| std::fs::write(folder.join(name), text).unwrap();
-    write("rocker_2.txt", text(&equations(&fixture::rocker(2))));
-    write("rocker_10.txt", text(&equations(&fixture::rocker(10))));
-    write("fan_out.txt", text(&equations(&fixture::fan_out())));
-    write("fan_out.tex", latex(&equations(&fixture::fan_out())));
+    let fan_out = equations(&fixture::fan_out());
+    let found = [
+        ("rocker_2.txt", text(&equations(&fixture::rocker(2)))),
+        ("rocker_10.txt", text(&equations(&fixture::rocker(10)))),
+        ("fan_out.txt", text(&fan_out)),
+        ("fan_out.tex", latex(&fan_out)),
+    ];
+    for (name, found) in found {
+        let path = folder.join(name);
+        if std::env::var_os("DAM_BLESS").is_some() {
+            std::fs::write(&path, &found).unwrap();
+        }
+        let expected = std::fs::read_to_string(&path).unwrap();
+        assert_eq!(found, expected, "{name}, found:\n{found}");
+    }
 }
 
 #[test]

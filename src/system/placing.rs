@@ -1,0 +1,119 @@
+//! Where everything is at t = 0: nodes, segments of tracks, flanks of pairs.
+
+use super::balance::{Balance, Balanced, resting_mode};
+use super::frozen::{Chain, Frozen, Step};
+use super::passes::{Extent, Work};
+
+impl Frozen {
+    /// Modes with every pair open and every track in segment 0.
+    pub(super) fn no_modes(&self) -> Vec<i64> {
+        vec![0; self.pairs.len() + self.tracks.len()]
+    }
+
+    /// The state on the law: u = 0, u̇ = 0, rotors at their start.
+    pub(super) fn law_state(&self) -> Vec<f64> {
+        let mut state = vec![0.0; 2 * self.coordinates];
+        for step in &self.steps {
+            if let Step::Rotor(rotor) = step {
+                state[rotor.coordinate] = rotor.angle;
+                state[self.coordinates + rotor.coordinate] = rotor.speed;
+            }
+        }
+        state
+    }
+
+    /// The law that a node follows.
+    pub(super) fn law_of_node(&self, node: usize) -> Option<usize> {
+        let rigid = self.rigids.iter().find(|rigid| rigid.node == node);
+        let of_chain = |chain: &&Chain| chain.nodes().contains(&node);
+        rigid
+            .map(|rigid| rigid.law)
+            .or_else(|| self.chains.iter().find(of_chain).map(|chain| chain.law))
+    }
+
+    /// Balance from the law on, with the modes that belong to it.
+    pub(super) fn settle(&self, kind: Balance, modes: &mut [i64]) -> Option<Balanced> {
+        let mut state = self.law_state();
+        self.locate_tracks(&state, modes);
+        // Each round may change flanks and segments; a balance that depends on
+        // them so that it never settles is none.
+        for _ in 0..8 + 2 * modes.len() {
+            let balanced = self.balance(kind, &state, modes)?;
+            let before = modes.to_vec();
+            for (component, &chain) in self.pairs.iter().enumerate() {
+                modes[component] = resting_mode(&self.chains[chain], balanced.reactions[chain]);
+            }
+            self.locate_tracks(&balanced.state, modes);
+            if *modes == before {
+                return Some(balanced);
+            }
+            state = balanced.state;
+        }
+        None
+    }
+
+    /// Turns given absolute displacements and speeds of nodes into a state.
+    pub(super) fn place_given(
+        &self,
+        given: &[Option<(f64, f64)>],
+        modes: &[i64],
+        state: &mut [f64],
+    ) {
+        let mut work = Work::new(self);
+        let n = self.coordinates;
+        for step in &self.steps {
+            // Everything before this step is in its place by now.
+            match step {
+                Step::Prescribed(_) | Step::Rigid(_) => {}
+                Step::Rotor(rotor) => {
+                    if let Some((displacement, speed)) = given[rotor.node] {
+                        state[rotor.coordinate] = displacement;
+                        state[n + rotor.coordinate] = speed;
+                    }
+                }
+                Step::Chain(index) => {
+                    let chain = &self.chains[*index];
+                    self.motion(0.0, state, modes, Extent::Full, &mut work);
+                    let law = work.laws[chain.law];
+                    for (node, coordinate) in chain.nodes().zip(chain.coordinates()) {
+                        if let Some((displacement, speed)) = given[node] {
+                            state[coordinate] = displacement - law.value;
+                            state[n + coordinate] = speed - law.speed;
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    /// Sets every track to the segment in which the state at t = 0 moves on.
+    pub(super) fn locate_tracks(&self, state: &[f64], modes: &mut [i64]) {
+        if self.tracks.is_empty() {
+            return;
+        }
+        let mut work = Work::new(self);
+        let mut out = vec![0.0; self.coordinates];
+        // Each round gives the right segments one driver further on.
+        for _ in 0..=self.tracks.len() {
+            self.evaluate(0.0, state, modes, Extent::Full, &mut work, &mut out);
+            for (index, track) in self.tracks.iter().enumerate() {
+                let (place, sense) = match track.node {
+                    None => (0.0, 1.0),
+                    Some(node) => {
+                        let speed = work.speed[node];
+                        let moving = if speed == 0.0 {
+                            work.acceleration[node]
+                        } else {
+                            speed
+                        };
+                        (work.displacement[node], moving)
+                    }
+                };
+                let component = self.track_component(index);
+                if place.is_finite() {
+                    modes[component] = track.breaks.locate(place, sense);
+                }
+            }
+        }
+    }
+}
