@@ -138,7 +138,10 @@ pub trait Dynamics: Sync {
         PhysicalStop {
             name: "dead_position",
             object: String::new(),
-            message: format!("signal {} cannot pass {} at t = {time} s", edge.signal, edge.place),
+            message: format!(
+                "signal {} cannot pass {} at t = {time} s",
+                edge.signal, edge.place
+            ),
         }
     }
 

@@ -166,15 +166,8 @@ impl<D: Dynamics> Run<'_, D> {
             if approach.distance >= near || !approach.is_approaching() {
                 continue;
             }
-            // A state z counts relative to itself, a rate that grows with 1/√z
-            // relative to what it was.
-            let share = approach.distance / near;
-            let sharpness = if approach.touches() {
-                share
-            } else {
-                share.sqrt()
-            };
-            self.edges.sharpness = self.edges.sharpness.min(sharpness.max(SHARPEST));
+            let share = (approach.distance / near).max(SHARPEST);
+            self.edges.sharpness = self.edges.sharpness.min(share);
             let aim = (approach.distance / RATIO).max(0.9 * self.close(edge));
             self.edges.near = true;
             longest = longest.min(approach.time_or_less(aim));

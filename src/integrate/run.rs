@@ -5,7 +5,9 @@ use super::edges::Edges;
 use super::evaluator::Evaluator;
 use super::locate::{Located, Stretch};
 use super::pace::Pace;
-use super::{Dynamics, Edge, Guard, Limits, Method, Modes, Settings, Sink, Stop, SwitchEvent, Watch};
+use super::{
+    Dynamics, Edge, Guard, Limits, Method, Modes, Settings, Sink, Stop, SwitchEvent, Watch,
+};
 use std::sync::atomic::Ordering;
 use std::time::Instant;
 

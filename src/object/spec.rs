@@ -220,7 +220,8 @@ pub enum LoadLawSpec {
     /// `{ "viscous": b }`: W = −b·φ̇.
     Viscous(f64),
     /// `{ "weight": { "inclination" } }` (sliders): W = −m·g·sin(inclination) with
-    /// the mass m that it acts on, each by itself; the inclination of the positive direction above the horizontal.
+    /// the mass m that it acts on (each its own where there are several), the
+    /// inclination of the positive direction above the horizontal.
     Weight {
         /// Angle above the horizontal (rad).
         inclination: f64,

@@ -109,12 +109,7 @@ fn leaving(signal: usize, edge: f64, side: i64, component: usize, segment: i64) 
 
 impl System {
     /// Changes the modes for a switch located at a state.
-    pub(super) fn pass_switch(
-        &self,
-        y: &[f64],
-        watch: &Watch,
-        modes: &mut Modes,
-    ) {
+    pub(super) fn pass_switch(&self, y: &[f64], watch: &Watch, modes: &mut Modes) {
         if watch.component >= self.frozen.pairs.len() {
             modes.0[watch.component] = watch.target;
             return;
