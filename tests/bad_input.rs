@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 const SEEDS: [&str; 2] = [
     include_str!("schema_scene.json"),
-    include_str!("../scenarios/rocker/two_masses.json"),
+    include_str!("rocker_scene.json"),
 ];
 
 /// Numbers and texts that break careless readers.

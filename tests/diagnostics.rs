@@ -100,7 +100,7 @@ fn every_fault_is_said_in_the_agreed_words() {
 
 #[test]
 fn faults_from_later_stages_find_their_place() {
-    let text = include_str!("../scenarios/rocker/two_masses.json");
+    let text = include_str!("rocker_scene.json");
     let document = Document::parse("scene.json", text.as_bytes()).expect("JSON");
     let reading = document
         .scene(&TestCatalogue, &Overrides::none())

@@ -101,7 +101,7 @@ fn names(schema: &serde_json::Value, found: &mut Vec<String>) {
 fn the_schema_refuses_plain_slips() {
     let validator = jsonschema::draft202012::new(&schema()).expect("a sound schema");
     let sound: serde_json::Value =
-        serde_json::from_str(include_str!("../scenarios/rocker/two_masses.json")).expect("JSON");
+        serde_json::from_str(include_str!("rocker_scene.json")).expect("JSON");
     assert!(validator.is_valid(&sound));
     type Slip = fn(&mut serde_json::Value);
     let slips: [(&str, Slip); 10] = [

@@ -72,7 +72,7 @@ fn stop_in_words(stop: &Stop) -> (&'static str, String) {
             format!("the time limit of {} s was reached", limit.as_secs_f64()),
         ),
         Stop::Interrupted => ("interrupted", "interrupted".to_owned()),
-        Stop::Method { method, reason } => ("method_failed", format!("{method}: {reason}")),
+        Stop::Method { method, reason } => ("method", format!("{method}: {reason}")),
     }
 }
 

@@ -286,13 +286,12 @@ impl<'a> Fields<'a> {
             return (false, self.schema());
         }
         let suggestions = self.report_unknown();
-        let before = suggestions.len();
-        let mut complete = before == 0;
+        let mut complete = suggestions.is_empty();
         for missing in std::mem::take(&mut self.missing) {
             complete = false;
             // A misspelled name has already been reported.
-            let misspelled = |name: &&str| suggestions.contains(&Some(*name));
-            if !missing.names.iter().any(|name| misspelled(&name)) {
+            let misspelled = |name: &&'static str| suggestions.contains(&Some(*name));
+            if !missing.names.iter().any(misspelled) {
                 self.report_missing(&missing);
             }
         }

@@ -43,8 +43,9 @@ pub fn parse(name: &str, bytes: &[u8], sources: &mut Sources) -> Result<Node, Ve
         Some(_) => fault,
         None => fault.at(Place::new(id, 0..0)),
     };
-    let text = decoded.map_err(|fault| vec![at_start(fault)])?;
-    parse_fragment(text, id, 0).map_err(|faults| faults.into_iter().map(at_start).collect())
+    let at_start = |faults: Vec<Diagnostic>| faults.into_iter().map(at_start).collect();
+    let text = decoded.map_err(at_start)?;
+    parse_fragment(text, id, 0).map_err(at_start)
 }
 
 /// Parses a part of a source that starts `offset` bytes into it.
@@ -56,7 +57,7 @@ pub fn parse_fragment(
     source: SourceId,
     offset: usize,
 ) -> Result<Node, Vec<Diagnostic>> {
-    text::check(text, source, offset).map_err(|fault| vec![fault])?;
+    text::check(text, source, offset)?;
     let place = |range: jsonc_parser::common::Range| {
         Place::new(source, range.start + offset..range.end + offset)
     };

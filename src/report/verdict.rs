@@ -77,7 +77,7 @@ fn stopped(figures: &Figures) -> Verdict {
     let reason = figures.run.stopped_because.as_deref().unwrap_or("");
     let (sort, headline) = match name {
         "interrupted" | "wall_clock" | "too_many_steps" => (Sort::Unfinished, "Not finished"),
-        "not_finite" | "step_floor" | "too_many_switches" | "method_failed" | "" => {
+        "not_finite" | "step_floor" | "too_many_switches" | "method" | "" => {
             (Sort::Numerical, "The computation stopped")
         }
         _ => (Sort::Mechanism, "The mechanism stops"),

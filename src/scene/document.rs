@@ -104,11 +104,19 @@ impl Document {
         let (early, late): (Vec<_>, Vec<_>) =
             changes.iter().partition(|change| change.chooses_from());
         for change in early {
-            faults.extend(overrides::apply(&mut tree, change).err());
+            faults.extend(
+                overrides::apply(&mut tree, change)
+                    .err()
+                    .map(|fault| *fault),
+            );
         }
         copy_from_catalogue(&mut tree, catalogue, sources, faults);
         for change in late {
-            faults.extend(overrides::apply(&mut tree, change).err());
+            faults.extend(
+                overrides::apply(&mut tree, change)
+                    .err()
+                    .map(|fault| *fault),
+            );
         }
         tree
     }

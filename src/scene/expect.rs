@@ -17,8 +17,11 @@ const STOPS: [&str; 7] = [
     "method",
 ];
 
+/// A figure's name and what it measures.
+type Figure = (&'static str, fn(Measures) -> Wanted);
+
 /// Figures of an object.
-const OBJECT_FIGURES: &[(&str, fn(Measures) -> Wanted)] = &[
+const OBJECT_FIGURES: &[Figure] = &[
     ("delta_max", Measures::displacement),
     ("delta_min", Measures::displacement),
     ("sigma", Measures::displacement),

@@ -101,18 +101,16 @@ fn read_one(argument: &str, sources: &mut Sources) -> Result<Override, Vec<Diagn
 }
 
 /// Changes the tree.
-pub(super) fn apply(root: &mut Node, change: &Override) -> Result<(), Diagnostic> {
+pub(super) fn apply(root: &mut Node, change: &Override) -> Result<(), Box<Diagnostic>> {
     let Step::Name(first) = &change.parts[0].step else {
         return Ok(());
     };
     let fixed = ["expect", "objects", "dam"].contains(&first.as_str());
     if fixed {
-        return Err(Diagnostic::error(
-            "bad-override",
-            format!("`{first}` cannot be overridden as a whole"),
-        )
-        .at(change.place(0))
-        .hint("override properties of objects or of `run`"));
+        let message = format!("`{first}` cannot be overridden as a whole");
+        let fault = Diagnostic::error("bad-override", message).at(change.place(0));
+        let hint = "override properties of objects or of `run`";
+        return Err(Box::new(fault.hint(hint)));
     }
     if RESERVED.contains(&first.as_str()) {
         return descend(root, change, 0);
@@ -131,13 +129,13 @@ pub(super) fn apply(root: &mut Node, change: &Override) -> Result<(), Diagnostic
         let fault = Diagnostic::error("unknown-object", format!("there is no object `{first}`"))
             .at(change.place(0))
             .maybe_hint(did_you_mean(first, ids.iter().copied().chain(["run"])));
-        return Err(match ids.is_empty() {
+        return Err(Box::new(match ids.is_empty() {
             true => fault,
             false => fault.hint(format!(
                 "the objects are {}",
                 crate::read::quoted_list(ids, "and")
             )),
-        });
+        }));
     }
     descend(&mut objects.value, change, 0)
 }
@@ -151,7 +149,7 @@ fn member_mut<'a>(node: &'a mut Node, name: &str) -> Option<&'a mut Member> {
 
 /// Goes down from part to part; objects on the way are made where they are
 /// missing, so that what is wrong with them is said by the reading.
-fn descend(node: &mut Node, change: &Override, part: usize) -> Result<(), Diagnostic> {
+fn descend(node: &mut Node, change: &Override, part: usize) -> Result<(), Box<Diagnostic>> {
     let last = part + 1 == change.parts.len();
     let child = match (&change.parts[part].step, &mut node.value) {
         (Step::Name(name), Value::Object(members)) => {
@@ -176,7 +174,7 @@ fn descend(node: &mut Node, change: &Override, part: usize) -> Result<(), Diagno
         _ => None,
     };
     match child {
-        None => Err(no_such_part(node, change, part)),
+        None => Err(Box::new(no_such_part(node, change, part))),
         Some(child) if last => {
             *child = change.value.clone();
             Ok(())

@@ -9,7 +9,7 @@ import math
 
 import numpy as np
 from laws import four_bar
-from piecewise import object_figures, simulate, twice, write
+from piecewise import Motion, object_figures, simulate, twice, write
 from scipy.optimize import brentq
 
 CRANK, COUPLER, ROCKER, FRAME = 0.04, 0.12, 0.1, 0.13
@@ -54,8 +54,6 @@ def run(rtol, duration=0.8):
     breaks = [brentq(edge, p, q, xtol=1e-16) for p, q, u, v in zip(grid, grid[1:], values, values[1:]) if u * v < 0]
 
     mode, times, time, state = ("beat" if edge(0.0) > 0 else "free"), breaks + [duration], 0.0, start
-    from piecewise import Motion
-
     motion = Motion()
     for stop in times:
         shift = time

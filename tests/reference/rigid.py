@@ -1,6 +1,7 @@
 """Reference figures of scenarios/rigid and scenarios/limits: no elastic object at all.
 
-Closed forms with mpmath at 40 digits; the pump by its Lagrange equation.
+Closed forms (mpmath at 40 digits, roots of polynomials); the pump by its
+Lagrange equation.
 """
 
 import math
