@@ -293,7 +293,7 @@ fn switches_before_the_edge_are_found_though_what_follows_is_no_number_beyond() 
 #[test]
 fn rigid_mechanisms_behind_given_drives_are_the_same_by_every_method() {
     let table = r#""d": { "kind": "drive", "motion": { "table":
-        [[0, 0], [0.3, "40 deg"], [0.5, "-20 deg"], [1, "10 deg"]] } }"#;
+        [[0, 0], [0.3, "40 deg"], [0.6, "15 deg"], [1, "10 deg"]] } }"#;
     let loaded = r#""inertia": 1, "masses": 0, "pair": { "closure": "force" }, "loads": {
         "closing": { "constant": -50 },
         "work": { "window": { "from": "10 deg", "to": "20 deg", "force": -80, "once": true } } }"#;

@@ -224,3 +224,32 @@ fn lists_and_totals_agree() {
     };
     approx::assert_relative_eq!(damping_capacity, capacity, max_relative = 1e-14);
 }
+
+#[test]
+fn a_weight_acts_on_every_mass_and_other_loads_on_the_last() {
+    let text = r#"{ "dam": 1, "name": "weights", "objects": {
+        "d": { "kind": "drive", "motion": { "speed": 1 } },
+        "s": { "kind": "slider", "input": "d", "position": { "ratio": 1 },
+          "inertia": 3, "stiffness": 1e5, "masses": 3, "loads": {
+            "own": { "weight": { "inclination": "90 deg" } },
+            "hung": { "mass": "last", "weight": { "inclination": "90 deg" } },
+            "push": { "constant": 5 } } } },
+        "run": { "duration": 1 } }"#;
+    let reading = read(text, &[]);
+    let masses: Vec<_> = chain(&reading, "s")
+        .loads
+        .iter()
+        .map(|load| (load.name.as_str(), load.mass))
+        .collect();
+    assert_eq!(
+        masses,
+        [
+            ("hung", MassChoice::Last),
+            ("own", MassChoice::All),
+            ("push", MassChoice::Last)
+        ]
+    );
+    // Said or not, it is the same scene.
+    let said = text.replace("\"own\": {", "\"own\": { \"mass\": \"all\",");
+    assert_eq!(reading.scene.hash, read(&said, &[]).scene.hash);
+}

@@ -42,8 +42,9 @@ pub struct Watch {
 
 /// A place that a signal cannot pass, because the equations end there: they hold
 /// the square root of the distance to it, and are not numbers beyond. A run
-/// ends a little before (a millionth of the span, more for loose tolerances),
-/// with the time at which the place itself would be reached.
+/// ends a little before (a millionth of the span, or ten times the tolerance in
+/// shares of the span), with the time at which the place itself is reached.
+/// What would turn back within that last bit counts as having reached it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Edge {
     /// Which signal.

@@ -163,8 +163,9 @@ impl<D: Dynamics> Run<'_, D> {
         for edge in &self.edges.list {
             let approach = Approach::of(edge, &self.from);
             let near = NEAR * edge.span;
-            if approach.distance >= near || !approach.is_approaching() {
-                continue;
+            let far = approach.distance >= near || approach.distance <= self.close(edge);
+            if far || !approach.is_approaching() {
+                continue; // or so close that the first step will end the run
             }
             let share = (approach.distance / near).max(SHARPEST);
             self.edges.sharpness = self.edges.sharpness.min(share);
@@ -173,7 +174,7 @@ impl<D: Dynamics> Run<'_, D> {
             longest = longest.min(approach.time_or_less(aim));
         }
         // Shorter than that, the clock would not move.
-        let least = 64.0 * f64::EPSILON * self.from.time.abs();
+        let least = 64.0 * f64::EPSILON * self.from.time.abs().max(self.target.abs());
         self.target = self.target.min(self.from.time + longest.max(least));
     }
 
@@ -336,4 +337,45 @@ fn put<D: Dynamics>(end: &mut End, evaluator: &Evaluator<'_, D>, time: f64, y: &
     let mut dy = vec![0.0; y.len()];
     evaluator.derivatives(time, y, &mut dy);
     end.set(evaluator, time, y, &dy);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Approach;
+
+    fn approach(distance: f64, rate: f64, acceleration: f64) -> Approach {
+        Approach {
+            distance,
+            rate,
+            acceleration,
+        }
+    }
+
+    #[test]
+    fn the_time_of_the_edge_is_exact_for_both_kinds_of_approach() {
+        // z = (0.3 − t)·(2 + t) at t = 0 falls through zero at 0.3.
+        let through = approach(0.6, -1.7, -2.0);
+        assert!(!through.touches());
+        approx::assert_relative_eq!(through.time_to(0.0).unwrap(), 0.3, max_relative = 1e-15);
+        // √z = (0.3 − t)·(2 + 0.1·t) touches zero at 0.3: z = w², ż = 2wẇ, z̈ = 2ẇ² + 2wẅ.
+        let (w, slope, bend) = (0.6, 0.03 - 2.0, -0.2);
+        let touching = approach(w * w, 2.0 * w * slope, 2.0 * (slope * slope + w * bend));
+        assert!(touching.touches());
+        approx::assert_relative_eq!(touching.time_to(0.0).unwrap(), 0.3, max_relative = 1e-14);
+        // On the way, at t = 0.16, √z = 0.14·2.016.
+        let aim = (0.14 * 2.016f64).powi(2);
+        approx::assert_relative_eq!(touching.time_to(aim).unwrap(), 0.16, max_relative = 1e-13);
+    }
+
+    #[test]
+    fn what_turns_back_or_moves_away_has_no_time() {
+        // √z = 0.1 + (1 − t)²/2 turns back at 0.1.
+        let (w, slope, bend) = (0.6, -1.0, 1.0);
+        let turning = approach(w * w, 2.0 * w * slope, 2.0 * (slope * slope + w * bend));
+        assert_eq!(turning.time_to(0.0), None);
+        assert!(turning.time_to(0.04).is_some());
+        assert!(turning.time_or_less(0.0) > 0.0);
+        assert_eq!(approach(0.1, 1.0, -5.0).time_to(0.0), None);
+        assert_eq!(approach(0.1, -1.0, 0.0).time_to(0.2), None);
+    }
 }

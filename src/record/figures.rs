@@ -33,6 +33,12 @@ pub struct Units {
 
 /// Figures of one object; peaks are the greatest absolute values at its last
 /// mass, extremes between samples and both sides of a switch included.
+///
+/// Speeds, accelerations and forces grow beyond all bounds at a dead position
+/// that a given drive runs into. Figures of a run that stops in one are those
+/// up to the last instant at which everything is regular: a millionth of the
+/// reach of the linkage before the edge (ten times the tolerance, at most a
+/// thousandth, where that is more); samples and the energy audit likewise.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct ObjectFigures {
     /// Greatest δ.
@@ -47,7 +53,7 @@ pub struct ObjectFigures {
     pub peak_acceleration: f64,
     /// Greatest |F| of link 1.
     pub peak_reaction: f64,
-    /// State at the end.
+    /// State at the end; before a dead position, the last regular one.
     #[serde(rename = "final")]
     pub end: FinalState,
     /// The driving pair; null for a bilateral one.
@@ -99,7 +105,7 @@ pub struct RunSummary {
     pub why: String,
     /// Tolerance.
     pub tolerance: f64,
-    /// Time reached (s).
+    /// Time reached (s); of a dead position, the time of the position itself.
     pub time: f64,
     /// True when the end time was reached.
     pub complete: bool,
