@@ -80,7 +80,7 @@ fn assert_dead(result: &RunResult, what: &str) {
         .map(|(name, _)| name)
         .collect();
     let expected = |name: &&String| name.ends_with(".pair") || *name == "run.window";
-    assert!(nulls.iter().all(|name| expected(name)), "{what}: {nulls:?}");
+    assert!(nulls.iter().all(expected), "{what}: {nulls:?}");
     // Every sample before the edge is kept; the last instants may fall on one.
     let whole = result.outcome.time * 100.0;
     let rows = result.record.times.len() as f64;
