@@ -7,7 +7,7 @@
 //! anyone listens. Systems with coordinates pass through the same type
 //! unchanged, so that the methods are compiled for one type only.
 
-use crate::integrate::{Dynamics, Modes, PhysicalStop, Sink, SwitchEvent, Watch};
+use crate::integrate::{Dynamics, Edge, Modes, PhysicalStop, Sink, SwitchEvent, Watch};
 use crate::polynomial::Step;
 use crate::system::{Scratch, System};
 
@@ -125,6 +125,17 @@ impl Dynamics for Driven<'_> {
         for guard in out.iter_mut().flat_map(|watch| &mut watch.guards) {
             guard.signal += usize::from(self.idle);
         }
+    }
+
+    fn edges(&self, modes: &Modes, out: &mut Vec<Edge>) {
+        self.system.edges(modes, out);
+        for edge in out {
+            edge.signal += usize::from(self.idle);
+        }
+    }
+
+    fn stop_at(&self, time: f64, edge: &Edge) -> PhysicalStop {
+        self.system.stop_at(time, edge)
     }
 
     fn switch(

@@ -45,7 +45,7 @@ fn try_leg<D: Dynamics>(run: &mut Run<'_, D>) -> Result<(), DiffsolError> {
         Method::TrBdf2 => run.first_length(2),
         _ => run.first_length(4),
     };
-    let tolerance = SAFETY * run.settings.tolerance;
+    let tolerance = SAFETY * run.tolerance();
     let initial: Vec<f64> = run.from.y.iter().zip(scales).map(|(y, s)| y / s).collect();
     let count = initial.len();
     let work = RefCell::new([vec![0.0; count], vec![0.0; count], vec![0.0; count]]);

@@ -40,6 +40,24 @@ pub struct Watch {
     pub target: i64,
 }
 
+/// A place that a signal cannot pass, because the equations end there: they hold
+/// the square root of the distance to it, and are not numbers beyond. A run
+/// ends a little before (a millionth of the span, more for loose tolerances),
+/// with the time at which the place itself would be reached.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Edge {
+    /// Which signal.
+    pub signal: usize,
+    /// Its value there.
+    pub place: f64,
+    /// +1: reached from below; −1: from above.
+    pub side: f64,
+    /// Size of the range that the edge belongs to, > 0.
+    pub span: f64,
+    /// Component of [`Modes`] that it belongs to.
+    pub component: usize,
+}
+
 /// The mechanism itself cannot go on; not a failure of the method.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PhysicalStop {
@@ -109,6 +127,23 @@ pub trait Dynamics: Sync {
 
     /// All watches for the present modes; clears `out` first.
     fn watches(&self, modes: &Modes, out: &mut Vec<Watch>);
+
+    /// All edges for the present modes; clears `out` first. Default: none.
+    fn edges(&self, _modes: &Modes, out: &mut Vec<Edge>) {
+        out.clear();
+    }
+
+    /// What happens at an edge, reached at `time`.
+    fn stop_at(&self, time: f64, edge: &Edge) -> PhysicalStop {
+        PhysicalStop {
+            name: "dead_position",
+            object: String::new(),
+            message: format!(
+                "signal {} cannot pass {} at t = {time} s",
+                edge.signal, edge.place
+            ),
+        }
+    }
 
     /// Changes the modes for a switch located at (`time`, `y`).
     ///

@@ -9,6 +9,7 @@ mod auto;
 mod continuous;
 mod diffsol_adapter;
 mod dynamics;
+mod edges;
 mod evaluator;
 mod locate;
 mod ode_solvers_adapter;
@@ -21,7 +22,7 @@ mod run;
 mod tests;
 
 pub use auto::{Situation, choose, fastest_rate};
-pub use dynamics::{Dynamics, Guard, Modes, PhysicalStop, Watch};
+pub use dynamics::{Dynamics, Edge, Guard, Modes, PhysicalStop, Watch};
 pub use outcome::{Limits, Method, Outcome, Settings, Sink, Statistics, Stop, SwitchEvent};
 
 use evaluator::Evaluator;
@@ -52,6 +53,7 @@ pub fn integrate<D: Dynamics>(
 ) -> Outcome {
     let evaluator = Evaluator::new(dynamics, modes);
     let mut run = Run::new(&evaluator, settings, limits, sink);
+    run.edges.end = end;
     if y0.len() != 2 * dynamics.coordinates() {
         let reason = format!("the initial state has {} entries", y0.len());
         run.refuse(start, reason);
@@ -68,6 +70,7 @@ pub fn integrate<D: Dynamics>(
         } else {
             end
         };
+        run.aim();
         let rest = run.target - run.from.time;
         if rest <= 16.0 * f64::EPSILON * run.from.time.abs().max(run.target.abs()) {
             run.skip_to_target();

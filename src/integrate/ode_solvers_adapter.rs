@@ -50,7 +50,7 @@ fn rk4<D: Dynamics>(run: &mut Run<'_, D>) {
     let (start, span) = (run.from.time, run.target - run.from.time);
     let step = run.settings.step.unwrap_or(span);
     // A whole number of steps; a rest below a millionth of one is rounding.
-    let count = (span / step - 1e-6).ceil().max(1.0);
+    let count = (span / step - 1e-6).ceil().max(run.fewest_steps());
     let step = span / count;
     if step <= 4.0 * f64::EPSILON * start.abs().max(run.target.abs()) {
         run.end(Stop::StepFloor { step });
@@ -68,7 +68,7 @@ fn rk4<D: Dynamics>(run: &mut Run<'_, D>) {
 fn dopri5<D: Dynamics>(run: &mut Run<'_, D>) {
     let first = run.first_length(5);
     let (start, target) = (run.from.time, run.target);
-    let tolerance = SAFETY * run.settings.tolerance;
+    let tolerance = SAFETY * run.tolerance();
     let longest = run.settings.step.unwrap_or(target - start);
     let counters = Counters::default();
     let problem = Problem::new(run, &counters, rounding(start, target));
@@ -104,7 +104,7 @@ fn dop853<D: Dynamics>(run: &mut Run<'_, D>) {
     let (start, target) = (run.from.time, run.target);
     let dimension = run.from.y.len() as f64;
     // The norm divides by the number of states, time included.
-    let tolerance = SAFETY * run.settings.tolerance * (dimension / (dimension + 1.0)).sqrt();
+    let tolerance = SAFETY * run.tolerance() * (dimension / (dimension + 1.0)).sqrt();
     let longest = run.settings.step.unwrap_or(target - start);
     let counters = Counters::default();
     let mut problem = Problem::new(run, &counters, rounding(start, target));

@@ -1,10 +1,13 @@
 //! One run: what happens at every accepted step, whatever the method.
 
 use super::continuous::{End, Output};
+use super::edges::Edges;
 use super::evaluator::Evaluator;
 use super::locate::{Located, Stretch};
 use super::pace::Pace;
-use super::{Dynamics, Guard, Limits, Method, Modes, Settings, Sink, Stop, SwitchEvent, Watch};
+use super::{
+    Dynamics, Edge, Guard, Limits, Method, Modes, Settings, Sink, Stop, SwitchEvent, Watch,
+};
 use std::sync::atomic::Ordering;
 use std::time::Instant;
 
@@ -36,9 +39,13 @@ pub(super) struct Run<'a, D: Dynamics> {
     pub(super) steps: u64,
     pub(super) rejected: u64,
     pub(super) switches: u64,
-    to: End,
-    output: Output,
+    /// Places that signals cannot pass.
+    pub(super) edges: Edges,
+    /// End of the step under way.
+    pub(super) to: End,
+    pub(super) output: Output,
     middle: Vec<f64>,
+    shorter_middle: Vec<f64>,
     watches: Vec<Watch>,
     zero_at_start: Vec<Guard>,
     switches_at_once: u32,
@@ -68,9 +75,11 @@ impl<'a, D: Dynamics> Run<'a, D> {
             steps: 0,
             rejected: 0,
             switches: 0,
+            edges: Edges::default(),
             to: End::new(coordinates, signals),
             output: Output::new(coordinates, signals),
             middle: vec![0.0; 2 * coordinates],
+            shorter_middle: vec![0.0; 2 * coordinates],
             watches: Vec::new(),
             zero_at_start: Vec::new(),
             switches_at_once: 0,
@@ -82,6 +91,7 @@ impl<'a, D: Dynamics> Run<'a, D> {
     /// Puts the run to its start.
     pub(super) fn start(&mut self, time: f64, y: &[f64]) {
         self.move_to(time, y);
+        self.find_edges();
         let modes = self.evaluator.modes.borrow();
         self.evaluator.dynamics.watches(&modes, &mut self.watches);
         self.sink.start(time, y, &modes);
@@ -108,10 +118,26 @@ impl<'a, D: Dynamics> Run<'a, D> {
     ) -> Verdict {
         self.to.set(self.evaluator, time, y, dy);
         if let Some(index) = self.to.not_finite() {
-            return self.end(self.not_finite(index));
+            return self.fail(self.not_finite(index));
+        }
+        let mut shorter = std::mem::take(&mut self.shorter_middle);
+        let edge = self.look_at_edges(&mut shorter);
+        let verdict = edge.map(|edge| match (middle, edge) {
+            (Some(_), Some(edge)) => self.take_step(time, Some(&shorter), Some(edge)),
+            (middle, edge) => self.take_step(time, middle, edge),
+        });
+        self.shorter_middle = shorter;
+        verdict.unwrap_or_else(|verdict| verdict)
+    }
+
+    /// The step from `from` to `to`, which ends at an `edge` or at `time`.
+    fn take_step(&mut self, time: f64, middle: Option<&[f64]>, edge: Option<Edge>) -> Verdict {
+        if let Some(index) = self.to.not_finite() {
+            return self.fail(self.not_finite(index));
         }
         self.steps += 1;
-        if time < self.target {
+        self.forget_failures();
+        if time < self.target && edge.is_none() {
             self.pace.last_length = Some(time - self.from.time);
         }
         let found = match middle {
@@ -120,9 +146,16 @@ impl<'a, D: Dynamics> Run<'a, D> {
         };
         // Trial points beyond a switch may leave the domain; that is no failure.
         self.evaluator.take_not_finite();
-        match found {
-            Some(found) => self.cut(found),
-            None => self.pass(),
+        match (found, edge) {
+            (Some(found), _) => self.cut(found),
+            (None, None) => match self.pass() {
+                Verdict::Continue if self.is_to_slow_down() => Verdict::Restart,
+                verdict => verdict,
+            },
+            (None, Some(edge)) => match self.pass() {
+                Verdict::Stop => Verdict::Stop,
+                _ => self.end_at(&edge),
+            },
         }
     }
 
@@ -270,6 +303,7 @@ impl<'a, D: Dynamics> Run<'a, D> {
     fn enter(&mut self, time: f64, y: &[f64], before: Modes, after: Modes, watch: Option<&Watch>) {
         *self.evaluator.modes.borrow_mut() = after.clone();
         self.evaluator.dynamics.watches(&after, &mut self.watches);
+        self.find_edges();
         self.move_to(time, y);
         self.sink.switch(&SwitchEvent {
             time,
@@ -320,8 +354,8 @@ impl<'a, D: Dynamics> Run<'a, D> {
     /// that is the reason.
     pub(super) fn end_with_reason(&mut self, stop: Stop) -> Verdict {
         match self.evaluator.take_not_finite() {
-            Some(index) => self.end(self.not_finite(index)),
-            None => self.end(stop),
+            Some(index) => self.fail(self.not_finite(index)),
+            None => self.fail(stop),
         }
     }
 

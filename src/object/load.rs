@@ -57,12 +57,7 @@ fn read(slot: Slot<'_>, name: &str, on: On) -> Option<LoadSpec> {
     slot.record(|fields| {
         let mass = match on {
             On::Rotor => Some(MassChoice::Last),
-            On::Chain { masses, .. } => fields.or(
-                "mass",
-                "Mass it acts on: `last`, `first`, `all`, or its number from 1.",
-                json!("last"),
-                |slot| mass(slot, masses),
-            ),
+            On::Chain { masses, .. } => chosen_mass(fields, masses),
         };
         let law = law(fields, on);
         Some(LoadSpec {
@@ -71,6 +66,22 @@ fn read(slot: Slot<'_>, name: &str, on: On) -> Option<LoadSpec> {
             law: law?,
         })
     })
+}
+
+/// `mass`: a weight acts on every mass unless said otherwise, all other loads
+/// on the last.
+fn chosen_mass(fields: &mut Fields<'_>, masses: Option<usize>) -> Option<MassChoice> {
+    let doc = "Mass it acts on: `last`, `first`, `all`, or its number from 1; \
+               default `all` for a weight, `last` for everything else.";
+    let given = fields.maybe("mass", doc, |slot| mass(slot, masses))?;
+    let (name, usual) = match fields.has("weight") {
+        true => ("all", MassChoice::All),
+        false => ("last", MassChoice::Last),
+    };
+    if given.is_none() {
+        fields.fill_in("mass", json!(name));
+    }
+    Some(given.unwrap_or(usual))
 }
 
 fn mass(slot: Slot<'_>, masses: Option<usize>) -> Option<MassChoice> {

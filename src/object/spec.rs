@@ -172,13 +172,13 @@ pub struct LoadSpec {
 /// Which masses of an object a load acts on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MassChoice {
-    /// The last mass (default).
+    /// The last mass (default, except for a weight).
     Last,
     /// The first mass.
     First,
     /// Mass m, counted from 1.
     Number(usize),
-    /// Every mass.
+    /// Every mass (default of a weight).
     All,
 }
 
@@ -219,8 +219,9 @@ pub enum LoadLawSpec {
     },
     /// `{ "viscous": b }`: W = −b·φ̇.
     Viscous(f64),
-    /// `{ "weight": { "inclination" } }` (sliders): W = −m·g·sin(inclination),
-    /// the inclination of the positive direction above the horizontal.
+    /// `{ "weight": { "inclination" } }` (sliders): W = −m·g·sin(inclination) with
+    /// the mass m that it acts on (each its own where there are several), the
+    /// inclination of the positive direction above the horizontal.
     Weight {
         /// Angle above the horizontal (rad).
         inclination: f64,

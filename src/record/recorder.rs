@@ -4,7 +4,7 @@ use super::audit::{EnergyAudit, Ledger};
 use super::observer::Observer;
 use super::pairs::PairTracker;
 use super::peaks::PLACES;
-use super::rows::Rows;
+use super::rows::{Rows, is_finite};
 use super::tracker::{ObjectTracker, StepView};
 use super::{Interval, ObjectFigures, PairFigures, Record, SwitchRow};
 use crate::integrate::{Modes, Sink, SwitchEvent};
@@ -37,7 +37,8 @@ pub struct Recorded {
     /// Rigid force-closed pairs: object, least contact force, when (s).
     pub margins: Vec<(usize, f64, f64)>,
     /// True when a force or an acceleration was not a finite number at a state
-    /// that was.
+    /// that was. Nothing of such a step or sample is in the figures, the audit
+    /// and the record.
     pub not_finite: bool,
 }
 
@@ -198,7 +199,6 @@ impl<'s> Recorder<'s> {
                 self.states[index * count..(index + 1) * count].copy_from_slice(states);
             }
         }
-        self.not_finite |= self.states.iter().any(|state| !is_finite(state));
     }
 
     /// The edges of the window that lie in the step count for the margins.
@@ -222,11 +222,13 @@ impl Sink for Recorder<'_> {
     fn start(&mut self, time: f64, y: &[f64], modes: &Modes) {
         (self.start, self.time) = (time, time);
         let states = self.observer.state(time, y, modes);
-        for (tracker, state) in self.objects.iter_mut().zip(states) {
-            tracker.see(time, state);
+        let finite = self.rows.sample_at(time, states);
+        self.not_finite |= !finite;
+        if finite {
+            for (tracker, state) in self.objects.iter_mut().zip(states) {
+                tracker.see(time, state);
+            }
         }
-        self.not_finite |= states.iter().any(|state| !is_finite(state));
-        self.rows.sample_at(time, states);
         for pair in &mut self.pairs {
             pair.start(time, modes.0[pair.component]);
         }
@@ -240,12 +242,18 @@ impl Sink for Recorder<'_> {
         while let Some(time) = self.rows.due(step.end_time()) {
             let s = ((time - step.start) / step.length).clamp(0.0, step.end);
             let states = self.observer.at(step, s, modes);
-            self.rows.sample_at(time, states);
+            self.not_finite |= !self.rows.sample_at(time, states);
         }
         let places = StepView::places(step.end);
+        self.time = step.end_time();
+        self.observe_step(step, &places, modes);
+        self.continues = self.states.iter().all(is_finite);
+        if !self.continues {
+            self.not_finite = true;
+            return;
+        }
         self.see_window_edges(step, modes);
         self.balance_step(step, modes);
-        self.observe_step(step, &places, modes);
         let view = StepView {
             step,
             places,
@@ -260,8 +268,6 @@ impl Sink for Recorder<'_> {
             let mode = modes.0[pair.component];
             pair.step(mode, step.signal(pair.coordinate()), step.end);
         }
-        self.time = step.end_time();
-        self.continues = true;
     }
 
     fn switch(&mut self, event: &SwitchEvent<'_>) {
@@ -288,7 +294,7 @@ impl Sink for Recorder<'_> {
         if any && self.settings.switch_rows {
             for modes in [event.before, event.after] {
                 let states = self.observer.state(event.time, event.y, modes);
-                self.rows.push(event.time, states);
+                self.not_finite |= !self.rows.push(event.time, states);
             }
         }
     }
@@ -301,17 +307,4 @@ fn elastic_pair(model: &Model, object: usize) -> Option<Pair> {
         LinkBase::Law { pair } => Some(pair),
         LinkBase::Mass(_) => None,
     }
-}
-
-fn is_finite(state: &ObjectState) -> bool {
-    [
-        state.displacement,
-        state.speed,
-        state.acceleration,
-        state.delta,
-        state.reaction,
-        state.contact_force,
-    ]
-    .iter()
-    .all(|value| value.is_finite())
 }

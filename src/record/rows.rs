@@ -60,14 +60,17 @@ impl Rows {
             .filter(|&time| time <= until)
     }
 
-    /// The sample that was due.
-    pub(crate) fn sample_at(&mut self, time: f64, states: &[ObjectState]) {
+    /// The sample that was due; see [`Self::push`].
+    pub(crate) fn sample_at(&mut self, time: f64, states: &[ObjectState]) -> bool {
         self.next += 1;
-        self.push(time, states);
+        self.push(time, states)
     }
 
-    /// A row out of turn.
-    pub(crate) fn push(&mut self, time: f64, states: &[ObjectState]) {
+    /// A row out of turn. False, and no row, when a value is not a finite number.
+    pub(crate) fn push(&mut self, time: f64, states: &[ObjectState]) -> bool {
+        if !states.iter().all(is_finite) {
+            return false;
+        }
         self.times.push(time);
         for (columns, state) in self.columns.chunks_mut(QUANTITIES.len()).zip(states) {
             let values = [
@@ -82,6 +85,7 @@ impl Rows {
                 column.values.push(value);
             }
         }
+        true
     }
 
     /// The run ended at `time` with `last`: the sample due there may have been
@@ -105,6 +109,20 @@ impl Rows {
             self.duration * (index as f64 / self.intervals as f64)
         }
     }
+}
+
+/// True when everything that goes into figures and rows is a number.
+pub(crate) fn is_finite(state: &ObjectState) -> bool {
+    [
+        state.displacement,
+        state.speed,
+        state.acceleration,
+        state.delta,
+        state.reaction,
+        state.contact_force,
+    ]
+    .iter()
+    .all(|value| value.is_finite())
 }
 
 #[cfg(test)]
@@ -153,5 +171,20 @@ mod tests {
         rows.sample_at(0.0, &[ObjectState::default()]);
         rows.finish(0.05, &[ObjectState::default()]);
         assert_eq!(rows.into_columns().0, [0.0]);
+    }
+
+    #[test]
+    fn what_is_no_number_makes_no_row() {
+        let mut rows = Rows::new(&one_slider(), 10, 1.0);
+        let endless = ObjectState {
+            acceleration: f64::INFINITY,
+            ..ObjectState::default()
+        };
+        assert!(rows.sample_at(0.0, &[ObjectState::default()]));
+        assert!(!rows.sample_at(0.1, &[endless]));
+        assert!(rows.sample_at(0.2, &[ObjectState::default()]));
+        let (times, columns) = rows.into_columns();
+        assert_eq!(times, [0.0, 0.2]);
+        assert!(columns.iter().all(|column| column.values.len() == 2));
     }
 }

@@ -3,7 +3,7 @@
 use super::frozen::Frozen;
 use super::passes::{Extent, Work};
 use super::{Scratch, System};
-use crate::integrate::{Dynamics, Modes, PhysicalStop, Watch};
+use crate::integrate::{Dynamics, Edge, Modes, PhysicalStop, Watch};
 use crate::number::Dual;
 
 impl Scratch {
@@ -115,12 +115,21 @@ impl Dynamics for System {
 
     fn switch(
         &self,
-        time: f64,
+        _time: f64,
         y: &[f64],
         watch: &Watch,
         modes: &mut Modes,
     ) -> Result<(), PhysicalStop> {
-        self.pass_switch(time, y, watch, modes)
+        self.pass_switch(y, watch, modes);
+        Ok(())
+    }
+
+    fn edges(&self, modes: &Modes, out: &mut Vec<Edge>) {
+        self.frozen.edges(&modes.0, out);
+    }
+
+    fn stop_at(&self, time: f64, edge: &Edge) -> PhysicalStop {
+        self.dead_position(time, edge)
     }
 
     fn next_break(&self, time: f64, modes: &Modes) -> f64 {

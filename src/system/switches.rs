@@ -2,8 +2,11 @@
 
 use super::System;
 use super::frozen::Frozen;
-use crate::integrate::{Dynamics, Guard, Modes, PhysicalStop, Watch};
+use crate::integrate::{Edge, Guard, Modes, PhysicalStop, Watch};
 use crate::model::Coordinate;
+
+/// Span of a range that has one end only (rad or m).
+const ONE_SIDED_SPAN: f64 = 1.0;
 
 impl Frozen {
     /// All switches to look for in the present modes.
@@ -16,7 +19,7 @@ impl Frozen {
                 .watches(modes[component], chain.first_coordinate, component, out);
         }
         for (index, track) in self.tracks.iter().enumerate() {
-            let Some(signal) = track.signal else {
+            let Some(signal) = track.signal.filter(|_| !track.stops) else {
                 continue;
             };
             let component = self.track_component(index);
@@ -25,6 +28,34 @@ impl Frozen {
             for (edge, side) in [(low, -1), (high, 1)] {
                 if edge.is_finite() {
                     out.push(leaving(signal, edge, side, component, segment));
+                }
+            }
+        }
+    }
+
+    /// The places that the drivers of linkages cannot pass.
+    pub(super) fn edges(&self, modes: &[i64], out: &mut Vec<Edge>) {
+        out.clear();
+        for (index, track) in self.tracks.iter().enumerate() {
+            let Some(signal) = track.signal.filter(|_| track.stops) else {
+                continue;
+            };
+            let component = self.track_component(index);
+            let (low, high) = track.breaks.edges(modes[component]);
+            let span = if (high - low).is_finite() {
+                high - low
+            } else {
+                ONE_SIDED_SPAN
+            };
+            for (place, side) in [(low, -1.0), (high, 1.0)] {
+                if place.is_finite() {
+                    out.push(Edge {
+                        signal,
+                        place,
+                        side,
+                        span,
+                        component,
+                    });
                 }
             }
         }
@@ -77,21 +108,11 @@ fn leaving(signal: usize, edge: f64, side: i64, component: usize, segment: i64) 
 }
 
 impl System {
-    /// Changes the modes for a switch located at (`time`, `y`).
-    pub(super) fn pass_switch(
-        &self,
-        time: f64,
-        y: &[f64],
-        watch: &Watch,
-        modes: &mut Modes,
-    ) -> Result<(), PhysicalStop> {
-        let pairs = self.frozen.pairs.len();
-        if let Some(track) = watch.component.checked_sub(pairs) {
-            if self.frozen.tracks[track].stops {
-                return Err(self.dead_position(track, time, y, modes));
-            }
+    /// Changes the modes for a switch located at a state.
+    pub(super) fn pass_switch(&self, y: &[f64], watch: &Watch, modes: &mut Modes) {
+        if watch.component >= self.frozen.pairs.len() {
             modes.0[watch.component] = watch.target;
-            return Ok(());
+            return;
         }
         let chain = &self.frozen.chains[self.frozen.pairs[watch.component]];
         let before = modes.0[watch.component];
@@ -102,22 +123,16 @@ impl System {
         } else {
             watch.target
         };
-        Ok(())
     }
 
-    fn dead_position(&self, track: usize, time: f64, y: &[f64], modes: &Modes) -> PhysicalStop {
-        let track = &self.frozen.tracks[track];
+    /// The end of a run at an edge: a dead position.
+    pub(super) fn dead_position(&self, time: f64, edge: &Edge) -> PhysicalStop {
+        let track = &self.frozen.tracks[edge.component - self.frozen.pairs.len()];
         let part = &self.model.objects[track.object];
         let driver = part.driver.map(|driver| &self.model.objects[driver]);
-        let place = track.node.map_or(time, |node| {
-            let mut work = self.scratch().work;
-            let extent = super::passes::Extent::Needed;
-            self.frozen.motion(time, y, &modes.0, extent, &mut work);
-            work.displacement[node]
-        });
         let place = match driver.map(|driver| driver.coordinate) {
-            Some(Coordinate::Sliding) => format!("{place:.9} m"),
-            _ => format!("{:.6}°", place.to_degrees()),
+            Some(Coordinate::Sliding) => format!("{:.9} m", edge.place),
+            _ => format!("{:.6}°", edge.place.to_degrees()),
         };
         let driver = driver.map_or("its driver", |driver| driver.id.as_str());
         PhysicalStop {

@@ -1,0 +1,339 @@
+//! Edges: places that a signal cannot pass because the equations end there (a
+//! dead position of a linkage).
+//!
+//! With z the distance left to an edge, the equations hold √z: their right-hand
+//! side grows without bound as z falls. Two kinds of approach occur. Driven by
+//! something that cannot be turned back, z falls through zero like any smooth
+//! function while forces grow beyond all bounds. Driven by a free mass, z
+//! touches zero like a parabola, z ∝ (t* − t)²: what the mass drives takes up all
+//! of its motion, √z falls evenly, and behind t* the mechanism would be on its
+//! other branch. A method that knows nothing of it may step right over t*.
+//!
+//! So a run ends where z has fallen to a small share of the span, the last
+//! instant at which everything is still a number, and the time of the edge is
+//! extrapolated from there. On the way steps get shorter in proportion to z,
+//! whatever the method makes of its error.
+
+use super::continuous::End;
+use super::evaluator::Evaluator;
+use super::locate::Stretch;
+use super::run::{Run, Verdict};
+use super::{Dynamics, Edge, Guard, Method, Stop, Watch};
+
+/// A run ends at this share of the span before the edge, or at
+/// [`TOLERANCES`] times the tolerance if that is more, at most [`MOST`].
+const LEAST: f64 = 1e-6;
+const TOLERANCES: f64 = 10.0;
+const MOST: f64 = 1e-3;
+
+/// Share of the span within which an edge is near: legs end at every
+/// [`RATIO`]-th part of the distance left, and errors count relative to it.
+const NEAR: f64 = 0.05;
+const RATIO: f64 = 1.1;
+
+/// No step may bring an edge that is near closer than this share of the
+/// distance at its start.
+const CLOSER: f64 = 0.5;
+
+/// The most that the tolerance is sharpened near an edge.
+const SHARPEST: f64 = 1e-4;
+
+/// Least number of steps of a method of fixed step in a leg near an edge.
+const FEWEST: f64 = 8.0;
+
+/// Attempts at a step that fails before an edge, each shorter than the last.
+const ATTEMPTS: u32 = 40;
+
+/// The distance left to an edge, with its rates (z, ż, z̈).
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Approach {
+    distance: f64,
+    rate: f64,
+    acceleration: f64,
+}
+
+impl Approach {
+    fn of(edge: &Edge, end: &End) -> Self {
+        let [s, rate, acceleration] = end.signals[edge.signal];
+        Self {
+            distance: edge.side * (edge.place - s),
+            rate: -edge.side * rate,
+            acceleration: -edge.side * acceleration,
+        }
+    }
+
+    fn is_approaching(&self) -> bool {
+        self.rate < 0.0 && self.distance > 0.0
+    }
+
+    /// True when z touches zero rather than falls through it: 2z·z̈/ż² is 1 for
+    /// a parabola with its vertex at zero, and 0 for a straight line.
+    fn touches(&self) -> bool {
+        2.0 * self.distance * self.acceleration >= 0.5 * self.rate * self.rate
+    }
+
+    /// Time until z has fallen to `aim` (s): z, or √z where z touches zero,
+    /// continued as a parabola. `None`: it turns back before.
+    fn time_to(&self, aim: f64) -> Option<f64> {
+        let Self {
+            distance,
+            rate,
+            acceleration,
+        } = *self;
+        if !self.is_approaching() || aim > distance {
+            return None;
+        }
+        if self.touches() {
+            let root = distance.sqrt();
+            let slope = 0.5 * rate / root;
+            let bend = 0.5 * (acceleration - 2.0 * slope * slope) / root;
+            first_zero(root - aim.sqrt(), slope, bend)
+        } else {
+            first_zero(distance - aim, rate, acceleration)
+        }
+    }
+}
+
+impl Approach {
+    /// Time until z has fallen to `aim`, or, where it turns back before, that
+    /// it would take at the present rate (s).
+    fn time_or_less(&self, aim: f64) -> f64 {
+        let straight = (aim - self.distance) / self.rate;
+        self.time_to(aim).unwrap_or(straight)
+    }
+}
+
+/// First zero after 0 of value + slope·t + bend·t²/2 with value ≥ 0 > slope.
+fn first_zero(value: f64, slope: f64, bend: f64) -> Option<f64> {
+    let square = slope * slope - 2.0 * value * bend;
+    let time = 2.0 * value / (square.sqrt() - slope);
+    time.is_finite().then_some(time)
+}
+
+/// What a step does to the edges.
+enum Meeting {
+    /// It keeps away from them.
+    None,
+    /// It comes too near in one go: to be taken anew, at most this long (s).
+    TooLong(f64),
+    /// It reaches one at this place of the step.
+    Reached(Edge, f64),
+}
+
+/// The edges of a run, and how it goes about them.
+#[derive(Debug, Default)]
+pub(super) struct Edges {
+    /// The edges in the present modes.
+    list: Vec<Edge>,
+    /// Longest next leg after one that failed or went too far (s).
+    longest: Option<f64>,
+    /// Failures since the last step.
+    failures: u32,
+    /// End of the run (s).
+    pub(super) end: f64,
+    /// True while the present leg was shortened on account of an edge.
+    pub(super) near: bool,
+    /// Factor on the tolerance of the present leg.
+    pub(super) sharpness: f64,
+}
+
+impl<D: Dynamics> Run<'_, D> {
+    /// Asks for the edges anew: the modes have changed.
+    pub(super) fn find_edges(&mut self) {
+        let modes = self.evaluator.modes.borrow();
+        self.evaluator.dynamics.edges(&modes, &mut self.edges.list);
+    }
+
+    /// The tolerance of the present leg.
+    pub(super) fn tolerance(&self) -> f64 {
+        let sharp = self.settings.tolerance * self.edges.sharpness;
+        sharp.max(super::FINEST_TOLERANCE.min(self.settings.tolerance))
+    }
+
+    /// Steps that a method of fixed step takes in the present leg at least.
+    pub(super) fn fewest_steps(&self) -> f64 {
+        if self.edges.near { FEWEST } else { 1.0 }
+    }
+
+    /// Ends the coming leg before it gets much nearer to an edge.
+    pub(super) fn aim(&mut self) {
+        let mut longest = self.edges.longest.take().unwrap_or(f64::INFINITY);
+        self.edges.near = longest.is_finite();
+        self.edges.sharpness = 1.0;
+        for edge in &self.edges.list {
+            let approach = Approach::of(edge, &self.from);
+            let near = NEAR * edge.span;
+            if approach.distance >= near || !approach.is_approaching() {
+                continue;
+            }
+            let share = (approach.distance / near).max(SHARPEST);
+            self.edges.sharpness = self.edges.sharpness.min(share);
+            let aim = (approach.distance / RATIO).max(0.9 * self.close(edge));
+            self.edges.near = true;
+            longest = longest.min(approach.time_or_less(aim));
+        }
+        // Shorter than that, the clock would not move.
+        let least = 64.0 * f64::EPSILON * self.from.time.abs();
+        self.target = self.target.min(self.from.time + longest.max(least));
+    }
+
+    /// Distance from an edge at which the run ends.
+    fn close(&self, edge: &Edge) -> f64 {
+        edge.span * (TOLERANCES * self.settings.tolerance).clamp(LEAST, MOST)
+    }
+
+    /// Looks at the edges on the step between `from` and `to`, before anything
+    /// else does. Where one is reached, `to` is drawn in to that place, with the
+    /// state in the `middle` of what is left.
+    pub(super) fn look_at_edges(&mut self, middle: &mut [f64]) -> Result<Option<Edge>, Verdict> {
+        if self.edges.list.is_empty() {
+            return Ok(None);
+        }
+        self.output.quintic(&self.from, &self.to);
+        match self.meeting() {
+            Meeting::None => Ok(None),
+            Meeting::TooLong(longest) => {
+                self.edges.longest = Some(longest);
+                self.rejected += 1;
+                self.evaluator.take_not_finite();
+                Err(Verdict::Restart)
+            }
+            Meeting::Reached(edge, 0.0) => Err(self.end_at(&edge)),
+            Meeting::Reached(edge, s) => {
+                let step = self.output.step(1.0);
+                step.state(0.5 * s, middle);
+                let (time, mut y) = (step.time(s), self.to.y.clone());
+                step.state(s, &mut y);
+                put(&mut self.to, self.evaluator, time, &y);
+                Ok(Some(edge))
+            }
+        }
+    }
+
+    fn meeting(&self) -> Meeting {
+        let length = self.to.time - self.from.time;
+        let mut reached = Meeting::None;
+        let mut first = 1.0;
+        for edge in &self.edges.list {
+            let start = Approach::of(edge, &self.from);
+            let close = self.close(edge);
+            let aim = (CLOSER * start.distance).min(NEAR * edge.span).max(close);
+            let below = self.falls_below(edge, aim);
+            if aim > close {
+                let limit = start.time_to(start.distance / RATIO);
+                if let Some(s) = below.filter(|&s| s < 1.0) {
+                    let time = limit.filter(|_| start.distance < NEAR * edge.span);
+                    return Meeting::TooLong(0.9 * (s * length).min(time.unwrap_or(length)));
+                }
+                let turned = Approach::of(edge, &self.to).rate >= 0.0 && start.touches();
+                let touched = start.time_to(0.0).is_some_and(|time| time <= length);
+                if let (true, true, Some(limit)) = (turned, touched, limit) {
+                    return Meeting::TooLong(limit.min(0.5 * length));
+                }
+            } else if let Some(s) = below.filter(|&s| s <= first) {
+                // An edge that comes after the end of the run is none.
+                let within = |time: f64| self.from.time + time <= self.edges.end;
+                if start.distance > close || start.time_to(0.0).is_none_or(within) {
+                    (reached, first) = (Meeting::Reached(*edge, s), s);
+                }
+            }
+        }
+        reached
+    }
+
+    /// Where on the step the distance to an edge is below `aim`, and falling.
+    fn falls_below(&self, edge: &Edge, aim: f64) -> Option<f64> {
+        let guard = |offset, displacement, speed| Guard {
+            signal: edge.signal,
+            offset,
+            displacement,
+            speed,
+        };
+        let nearer = guard(aim - edge.side * edge.place, edge.side, 0.0);
+        let watch = Watch {
+            guards: [nearer, guard(0.0, 0.0, edge.side)],
+            rising: true,
+            component: edge.component,
+            target: 0,
+        };
+        let stretch = Stretch {
+            step: self.output.step(1.0),
+            from: &self.from,
+            to: &self.to,
+            zero_at_start: &[],
+        };
+        stretch.earliest(&[watch]).map(|found| found.s)
+    }
+
+    /// The run stands close to an edge, which ends it.
+    pub(super) fn end_at(&mut self, edge: &Edge) -> Verdict {
+        let approach = Approach::of(edge, &self.from);
+        let even = -2.0 * approach.distance / approach.rate;
+        let time = self.from.time + approach.time_to(0.0).unwrap_or(even);
+        if time > self.edges.end {
+            // It is not reached any more.
+            self.edges.list.retain(|other| other != edge);
+            return Verdict::Restart;
+        }
+        self.from.time = time;
+        let stop = self.evaluator.dynamics.stop_at(time, edge);
+        self.end(Stop::Physical(stop))
+    }
+
+    /// A method cannot go on, for the reason `stop`. Before an edge, that is
+    /// why: the rest of the way is taken in shorter legs.
+    pub(super) fn fail(&mut self, stop: Stop) -> Verdict {
+        let mut next: Option<(f64, Edge)> = None;
+        for edge in &self.edges.list {
+            let approach = Approach::of(edge, &self.from);
+            let time = approach.time_or_less(0.0);
+            if approach.is_approaching() && next.is_none_or(|(soonest, _)| time < soonest) {
+                next = Some((time, *edge));
+            }
+        }
+        let Some((time, edge)) = next else {
+            return self.end(stop);
+        };
+        let approach = Approach::of(&edge, &self.from);
+        let fixed = match self.settings.method {
+            Method::Rk4 => self.settings.step.unwrap_or(0.0),
+            _ => 0.0,
+        };
+        let near = approach.distance < NEAR * edge.span || time <= 2.0 * fixed;
+        if !near {
+            return self.end(stop);
+        }
+        let clock = 1024.0 * f64::EPSILON * self.from.time.abs();
+        if approach.distance <= self.close(&edge) || time <= clock {
+            return self.end_at(&edge);
+        }
+        self.edges.failures += 1;
+        if self.edges.failures > ATTEMPTS {
+            return self.end(stop);
+        }
+        self.edges.longest = Some(time * 0.5f64.powi(self.edges.failures as i32 + 1));
+        self.rejected += 1;
+        Verdict::Restart
+    }
+
+    /// After a step: a leg that has led near an edge ends, to go on with care.
+    pub(super) fn is_to_slow_down(&self) -> bool {
+        let near = |edge: &Edge| {
+            let approach = Approach::of(edge, &self.from);
+            approach.is_approaching() && approach.distance < NEAR * edge.span
+        };
+        !self.edges.near && self.edges.list.iter().any(near)
+    }
+
+    /// A step has been taken.
+    pub(super) fn forget_failures(&mut self) {
+        self.edges.failures = 0;
+    }
+}
+
+/// Moves an end to (`time`, `y`).
+fn put<D: Dynamics>(end: &mut End, evaluator: &Evaluator<'_, D>, time: f64, y: &[f64]) {
+    let mut dy = vec![0.0; y.len()];
+    evaluator.derivatives(time, y, &mut dy);
+    end.set(evaluator, time, y, &dy);
+}
