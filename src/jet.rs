@@ -33,6 +33,7 @@ impl Jet {
 
     /// The same function times a constant.
     #[must_use]
+    #[inline(always)]
     pub fn scaled(self, factor: f64) -> Self {
         Self {
             value: self.value * factor,

@@ -75,8 +75,17 @@ impl DriveMotion {
     }
 
     /// Displacement, speed, acceleration and jerk at `time`, by the formula of `segment`.
-    #[inline]
+    #[inline(always)]
     pub fn jet(&self, segment: i64, time: f64) -> Jet {
+        match self {
+            Self::Constant { speed, angle } => uniform(*angle, *speed, time),
+            _ => self.longer_jet(segment, time),
+        }
+    }
+
+    /// [`Self::jet`] of all but constant speed.
+    #[inline(never)]
+    fn longer_jet(&self, segment: i64, time: f64) -> Jet {
         match self {
             Self::Constant { speed, angle } => uniform(*angle, *speed, time),
             Self::RunUp {
@@ -124,6 +133,7 @@ impl DriveMotion {
 }
 
 /// Motion with constant speed.
+#[inline(always)]
 fn uniform(start: f64, speed: f64, elapsed: f64) -> Jet {
     Jet {
         value: start + speed * elapsed,

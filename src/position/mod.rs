@@ -143,7 +143,9 @@ impl Position {
     /// U and its first three derivatives at `phi`, by the formula of `segment`.
     ///
     /// Not numbers where a linkage cannot be assembled ([`Self::reach_from`]).
-    #[inline]
+    // The two shortest formulas stand in the caller's loop: a call would cost
+    // as much as they do.
+    #[inline(always)]
     pub fn jet(&self, segment: i64, phi: f64) -> Jet {
         match self {
             Self::Ratio { ratio, offset } => Jet {
@@ -167,6 +169,15 @@ impl Position {
                     third: -second * harmonic * cos,
                 }
             }
+            _ => self.longer_jet(segment, phi),
+        }
+    }
+
+    /// [`Self::jet`] of all but the shortest formulas.
+    #[inline(never)]
+    fn longer_jet(&self, segment: i64, phi: f64) -> Jet {
+        match self {
+            Self::Ratio { .. } | Self::Sine { .. } => self.jet(segment, phi),
             Self::Polynomial(coefficients) => horner(coefficients, phi),
             Self::Table(table) => table.jet(segment, phi),
             Self::SliderCrank(linkage) => linkage.jet(phi),

@@ -1,6 +1,8 @@
 //! From the model to the frozen layout, with every check on its numbers.
 
-use super::frozen::{Chain, Frozen, FrozenLaw, FrozenTrack, Prescribed, Rigid, Rotor, Step};
+use super::frozen::{
+    Branch, Chain, Frozen, FrozenLaw, FrozenTrack, Prescribed, Rigid, Rotor, Step,
+};
 use super::loads::{Argument, FrozenLoad};
 use super::pairs::Contact;
 use crate::fault::Fault;
@@ -19,6 +21,7 @@ pub(super) fn freeze(model: &Model) -> Result<Frozen, Vec<Fault>> {
     builder.place_tracks();
     builder.place_loads();
     builder.mark_chains();
+    builder.separate();
     if builder.faults.is_empty() {
         Ok(builder.frozen)
     } else {
@@ -251,6 +254,50 @@ impl<'a> Builder<'a> {
             chain.watched = watched.iter().any(|node| chain.nodes().contains(node));
             chain.carries = carrying.iter().any(|node| chain.nodes().contains(node));
         }
+    }
+
+    /// Takes apart what hangs on a prescribed drive alone.
+    fn separate(&mut self) {
+        let frozen = &mut self.frozen;
+        let drive_of = |chain: &Chain| {
+            frozen.steps.iter().find_map(|step| match step {
+                Step::Prescribed(drive) if drive.node == frozen.laws[chain.law].driver => {
+                    Some(drive.clone())
+                }
+                _ => None,
+            })
+        };
+        let mut branches = Vec::new();
+        let mut coupled = Vec::new();
+        for step in &frozen.steps {
+            let alone = match step {
+                Step::Chain(index) => {
+                    let chain = frozen.chains[*index];
+                    let drive = drive_of(&chain).filter(|_| !chain.watched);
+                    drive.map(|drive| Branch {
+                        drive,
+                        law: frozen.laws[chain.law].clone(),
+                        chain,
+                        stiffness: frozen.stiffness[chain.coordinates()].into(),
+                        damping: frozen.damping[chain.coordinates()].into(),
+                        inverse_inertia: frozen.inverse_inertia[chain.coordinates()].into(),
+                        constant_force: frozen.constant_force[chain.nodes()].into(),
+                    })
+                }
+                _ => None,
+            };
+            match alone {
+                Some(branch) => branches.push(branch),
+                None => coupled.push(step.clone()),
+            }
+        }
+        // Drives alone need no evaluation, unless their displacement is a signal.
+        let drive = |step: &Step| matches!(step, Step::Prescribed(_));
+        if frozen.extra.is_empty() && coupled.iter().all(drive) {
+            coupled.clear();
+        }
+        frozen.branches = branches;
+        frozen.coupled = coupled;
     }
 }
 

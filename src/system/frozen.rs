@@ -23,6 +23,10 @@ pub(super) struct Frozen {
     pub(super) coordinate: Vec<Option<usize>>,
     /// What to evaluate, drivers before driven.
     pub(super) steps: Vec<Step>,
+    /// Chains that are systems of their own behind a prescribed drive.
+    pub(super) branches: Vec<Branch>,
+    /// The steps that the right-hand side needs besides the branches.
+    pub(super) coupled: Vec<Step>,
     /// Laws, one for each chain and each rigid node.
     pub(super) laws: Vec<FrozenLaw>,
     /// Chains.
@@ -127,6 +131,26 @@ impl Chain {
     pub(super) fn nodes(&self) -> std::ops::Range<usize> {
         self.first_node..self.first_node + self.masses
     }
+}
+
+/// A chain that nothing but its links and constant loads acts on, behind a
+/// prescribed drive: all that its right-hand side needs, side by side.
+#[derive(Clone, Debug)]
+pub(super) struct Branch {
+    /// The drive.
+    pub(super) drive: Prescribed,
+    /// The law over the drive's displacement.
+    pub(super) law: FrozenLaw,
+    /// The chain.
+    pub(super) chain: Chain,
+    /// c of its links.
+    pub(super) stiffness: Box<[f64]>,
+    /// b of its links.
+    pub(super) damping: Box<[f64]>,
+    /// 1/J of its masses.
+    pub(super) inverse_inertia: Box<[f64]>,
+    /// Constant loads on its masses.
+    pub(super) constant_force: Box<[f64]>,
 }
 
 /// U(φ_driver), frozen.

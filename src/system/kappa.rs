@@ -44,7 +44,12 @@ impl System {
                 ));
                 continue;
             }
-            chain.contact.kappa = Some(link.damping / force.abs());
+            let kappa = Some(link.damping / force.abs());
+            chain.contact.kappa = kappa;
+            let mut branches = self.frozen.branches.iter_mut();
+            if let Some(branch) = branches.find(|branch| branch.chain.first_node == node) {
+                branch.chain.contact.kappa = kappa;
+            }
         }
         if faults.is_empty() {
             Ok(())

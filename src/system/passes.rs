@@ -1,14 +1,16 @@
 //! The equations of motion, in passes over flat arrays.
 //!
 //! Forward: displacements and speeds of all nodes, each law evaluated once.
-//! Forces: loads, and the links with the reaction of link 1 on its driver.
+//! Forces: loads, and the reaction of each link 1 on its driver.
 //! Backward: rigid nodes hand their inertia and forces to their drivers.
-//! Forward: accelerations, a driver's before those of what it drives.
+//! Forward: the links' forces and the accelerations, a driver's before those of
+//! what it drives.
 //!
 //! Written once for every kind of number.
 
-use super::frozen::{Chain, Frozen, Step, segment};
+use super::frozen::{Branch, Chain, Frozen, Step, segment};
 use super::quantity::Quantity;
+use crate::motion::DriveMotion;
 
 /// A law at an instant.
 #[derive(Clone, Copy, Debug)]
@@ -32,7 +34,8 @@ pub(super) struct Work<N> {
     pub(super) speed: Vec<N>,
     /// φ̈ (k), likewise.
     pub(super) acceleration: Vec<N>,
-    /// Q: sum of the forces on each node, rigid followers' included (k).
+    /// Q: loads, reactions of followers and forces of rigid followers on each
+    /// node (k); not the forces of a mass's own links.
     pub(super) force: Vec<N>,
     /// M: inertia of each node with that of its rigid followers (k).
     pub(super) mass: Vec<N>,
@@ -76,6 +79,7 @@ pub(super) enum Extent {
 
 impl Frozen {
     /// u¨ of every coordinate, and everything in `work` on the way to it.
+    #[inline(always)]
     pub(super) fn evaluate<N: Quantity>(
         &self,
         time: N,
@@ -85,11 +89,67 @@ impl Frozen {
         work: &mut Work<N>,
         out: &mut [N],
     ) {
+        if extent == Extent::Needed {
+            for branch in &self.branches {
+                self.evaluate_branch(branch, time, state, modes, out);
+            }
+            if self.coupled.is_empty() {
+                return;
+            }
+        }
         self.motion(time, state, modes, extent, work);
         self.apply_loads(time, modes, work);
-        self.apply_links(state, modes, work);
+        self.apply_reactions(state, modes, extent, work);
         self.reduce_rigid(extent, work);
-        self.accelerate(extent, work, out);
+        self.accelerate(state, extent, work, out);
+    }
+
+    /// u¨ of a branch: a chain on its own behind a prescribed drive, which
+    /// nothing else has a say in. The same equations, in one go.
+    #[inline(always)]
+    fn evaluate_branch<N: Quantity>(
+        &self,
+        branch: &Branch,
+        time: N,
+        state: &[N],
+        modes: &[i64],
+        out: &mut [N],
+    ) {
+        let chain = &branch.chain;
+        let piece = segment(modes, branch.drive.component);
+        let base = match branch.drive.motion {
+            // φ̈ = 0: U′ is not needed, nor its cosine computed.
+            DriveMotion::Constant { .. } => {
+                let [place, speed, _] = time.lift(|time| branch.drive.motion.jet(piece, time));
+                let [_, _, second] = place.lift(|phi| branch.law.jet(modes, phi));
+                second * speed * speed
+            }
+            _ => {
+                let [place, speed, acceleration] =
+                    time.lift(|time| branch.drive.motion.jet(piece, time));
+                let [_, first, second] = place.lift(|phi| branch.law.jet(modes, phi));
+                first * acceleration + second * speed * speed
+            }
+        };
+        let (u, v) = self.deviations(chain, state);
+        let mode = self.pair_mode(chain, modes);
+        let links = LinkForces {
+            u,
+            v,
+            stiffness: &branch.stiffness,
+            damping: &branch.damping,
+            reaction: chain.contact.force(mode, u[0], v[0]),
+        };
+        accelerate_alone(&links, branch, base, &mut out[chain.coordinates()]);
+    }
+
+    /// The steps that an evaluation goes through.
+    #[inline(always)]
+    fn steps_of(&self, extent: Extent) -> &[Step] {
+        match extent {
+            Extent::Needed => &self.coupled,
+            Extent::Full => &self.steps,
+        }
     }
 
     /// Displacements and speeds; the acceleration of prescribed nodes.
@@ -102,7 +162,7 @@ impl Frozen {
         work: &mut Work<N>,
     ) {
         let (u, v) = state.split_at(self.coordinates);
-        for step in &self.steps {
+        for step in self.steps_of(extent) {
             match step {
                 Step::Prescribed(drive) => {
                     let piece = segment(modes, drive.component);
@@ -152,7 +212,8 @@ impl Frozen {
         values
     }
 
-    /// Sets every node's force to its loads.
+    /// Sets the force of the nodes to their loads.
+    #[inline]
     pub(super) fn apply_loads<N: Quantity>(&self, time: N, modes: &[i64], work: &mut Work<N>) {
         for (force, &constant) in work.force.iter_mut().zip(&self.constant_force) {
             *force = N::from(constant);
@@ -180,20 +241,26 @@ impl Frozen {
         })
     }
 
-    /// Adds the forces of the links.
-    fn apply_links<N: Quantity>(&self, state: &[N], modes: &[i64], work: &mut Work<N>) {
-        for (index, chain) in self.chains.iter().enumerate() {
+    /// F of every link 1, and what it does to the driver.
+    #[inline]
+    fn apply_reactions<N: Quantity>(
+        &self,
+        state: &[N],
+        modes: &[i64],
+        extent: Extent,
+        work: &mut Work<N>,
+    ) {
+        for step in self.steps_of(extent) {
+            let Step::Chain(index) = *step else {
+                continue;
+            };
+            let chain = &self.chains[index];
             let (u, v) = self.deviations(chain, state);
-            let reaction = chain
-                .contact
-                .force(self.pair_mode(chain, modes), u[0], v[0]);
+            let mode = self.pair_mode(chain, modes);
+            let reaction = chain.contact.force(mode, u[0], v[0]);
             work.reaction[index] = reaction;
-            let law = work.laws[chain.law];
-            work.force[self.laws[chain.law].driver] += reaction * law.first;
-            let stiffness = &self.stiffness[chain.coordinates()];
-            let damping = &self.damping[chain.coordinates()];
-            let force = &mut work.force[chain.nodes()];
-            apply_chain(u, v, stiffness, damping, reaction, force);
+            let first = work.laws[chain.law].first;
+            work.force[self.laws[chain.law].driver] += reaction * first;
         }
     }
 
@@ -230,13 +297,15 @@ impl Frozen {
     }
 
     /// Accelerations, drivers before driven; u¨ into `out` (n).
-    pub(super) fn accelerate<N: Quantity>(
+    #[inline]
+    fn accelerate<N: Quantity>(
         &self,
+        state: &[N],
         extent: Extent,
         work: &mut Work<N>,
         out: &mut [N],
     ) {
-        for step in &self.steps {
+        for step in self.steps_of(extent) {
             match step {
                 Step::Prescribed(_) => {}
                 Step::Rotor(rotor) => {
@@ -256,7 +325,8 @@ impl Frozen {
                 Step::Chain(index) => {
                     let chain = &self.chains[*index];
                     let base = self.law_acceleration(chain.law, work);
-                    self.accelerate_chain(chain, base, extent, work, out);
+                    let reaction = work.reaction[*index];
+                    self.accelerate_chain(chain, state, [base, reaction], work, out);
                 }
             }
         }
@@ -265,7 +335,7 @@ impl Frozen {
     /// Accelerations of the nodes from u¨ of the coordinates, as far as
     /// somebody looks at them; needs [`Frozen::motion`] done.
     pub(super) fn known_accelerations<N: Quantity>(&self, deviations: &[N], work: &mut Work<N>) {
-        for step in &self.steps {
+        for step in &self.coupled {
             match step {
                 Step::Prescribed(_) => {}
                 Step::Rotor(rotor) => {
@@ -293,55 +363,86 @@ impl Frozen {
         values.first * work.acceleration[self.laws[law].driver] + values.bias
     }
 
+    /// u¨ of a chain's masses, from the acceleration `base` that its law asks
+    /// for and F of link 1.
     #[inline(always)]
     fn accelerate_chain<N: Quantity>(
         &self,
         chain: &Chain,
-        base: N,
-        extent: Extent,
+        state: &[N],
+        [base, reaction]: [N; 2],
         work: &mut Work<N>,
         out: &mut [N],
     ) {
+        let (u, v) = self.deviations(chain, state);
+        let links = LinkForces {
+            u,
+            v,
+            stiffness: &self.stiffness[chain.coordinates()],
+            damping: &self.damping[chain.coordinates()],
+            reaction,
+        };
         let out = &mut out[chain.coordinates()];
-        let force = &work.force[chain.nodes()];
+        let inverse = &self.inverse_inertia[chain.coordinates()];
+        let other = &work.force[chain.nodes()];
         if chain.carries {
             let mass = &work.mass[chain.nodes()];
-            for ((out, &force), &mass) in out.iter_mut().zip(force).zip(mass) {
-                *out = force / mass - base;
-            }
+            links.each(out, |m, out, force| {
+                *out = (other[m] + force) / mass[m] - base
+            });
         } else {
-            let inverse = &self.inverse_inertia[chain.coordinates()];
-            for ((out, &force), &inverse) in out.iter_mut().zip(force).zip(inverse) {
-                *out = force.scale(inverse) - base;
-            }
+            links.each(out, |m, out, force| {
+                *out = (other[m] + force).scale(inverse[m]) - base;
+            });
         }
-        if chain.watched || extent == Extent::Full {
-            let acceleration = &mut work.acceleration[chain.nodes()];
-            for (acceleration, &deviation) in acceleration.iter_mut().zip(out.iter()) {
-                *acceleration = deviation + base;
-            }
+        let acceleration = &mut work.acceleration[chain.nodes()];
+        for (acceleration, &deviation) in acceleration.iter_mut().zip(out.iter()) {
+            *acceleration = deviation + base;
         }
     }
 }
 
-/// Adds the forces of a chain's links to its masses; `reaction` is F of link 1.
-#[inline(always)]
-fn apply_chain<N: Quantity>(
-    u: &[N],
-    v: &[N],
-    stiffness: &[f64],
-    damping: &[f64],
-    reaction: N,
-    force: &mut [N],
+/// u¨ of masses on which only their links and constant loads act. On its own,
+/// so that the compiler knows that `out` overlaps nothing.
+#[inline(never)]
+fn accelerate_alone<N: Quantity>(
+    links: &LinkForces<'_, N>,
+    branch: &Branch,
+    base: N,
+    out: &mut [N],
 ) {
-    let masses = force.len();
-    let (u, v) = (&u[..masses], &v[..masses]);
-    let (stiffness, damping) = (&stiffness[..masses], &damping[..masses]);
-    let mut below = reaction;
-    for m in 1..masses {
-        let above = (u[m] - u[m - 1]).scale(stiffness[m]) + (v[m] - v[m - 1]).scale(damping[m]);
-        force[m - 1] += above - below;
-        below = above;
+    let constant = &branch.constant_force[..out.len()];
+    let inverse = &branch.inverse_inertia[..out.len()];
+    links.each(out, |m, out, force| {
+        *out = (N::from(constant[m]) + force).scale(inverse[m]) - base;
+    });
+}
+
+/// The links of one chain at an instant.
+struct LinkForces<'a, N> {
+    u: &'a [N],
+    v: &'a [N],
+    stiffness: &'a [f64],
+    damping: &'a [f64],
+    /// F of link 1.
+    reaction: N,
+}
+
+impl<N: Quantity> LinkForces<'_, N> {
+    /// Calls `each` with every mass, its entry of `out`, and the force of the
+    /// links above and below on it.
+    #[inline(always)]
+    fn each(&self, out: &mut [N], each: impl Fn(usize, &mut N, N)) {
+        let last = out.len() - 1;
+        let (u, v) = (&self.u[..=last], &self.v[..=last]);
+        let (stiffness, damping) = (&self.stiffness[..=last], &self.damping[..=last]);
+        let mut below = self.reaction;
+        for m in 0..last {
+            let stretch = (u[m + 1] - u[m]).scale(stiffness[m + 1]);
+            let above = stretch + (v[m + 1] - v[m]).scale(damping[m + 1]);
+            each(m, &mut out[m], above - below);
+            below = above;
+        }
+        each(last, &mut out[last], -below);
     }
-    force[masses - 1] -= below;
 }

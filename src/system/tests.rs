@@ -54,6 +54,23 @@ fn the_tangent_agrees_with_differences() {
 }
 
 #[test]
+fn branches_taken_apart_move_as_in_the_whole() {
+    let mut random = Random(7);
+    let mut branches = 0;
+    for _ in 0..300 {
+        let system = System::new(random_model(&mut random)).unwrap();
+        let y = random_state(&system, &mut random);
+        let modes = random_modes(&system, &mut random);
+        let dy = derivatives(&system, 0.2, &y, &modes);
+        let mut scratch = system.scratch();
+        system.evaluate_fully(0.2, &y, &modes, &mut scratch);
+        assert_eq!(dy[system.coordinates()..], scratch.accelerations);
+        branches += system.frozen.branches.len();
+    }
+    assert!(branches > 50, "{branches}");
+}
+
+#[test]
 fn energy_changes_by_the_power_of_drives_loads_and_dampers() {
     let mut random = Random(2);
     for _ in 0..1000 {
