@@ -3,6 +3,8 @@
 //!
 //! `cargo bench --bench right_hand_side`; the ratio of the two is printed first.
 
+#![allow(clippy::print_stdout)] // the ratio is what it is run for
+
 use criterion::{Criterion, criterion_group, criterion_main};
 use dam::integrate::{Dynamics, Modes};
 use dam::model::*;

@@ -3,11 +3,11 @@
 //! Immutable and `Sync`. State enters as slices, results leave through
 //! `&mut` slices; nothing here allocates, hashes or walks a graph once built.
 //!
-//! `check` and `build` make the `frozen` layout of a model; `passes` are the
-//! equations of motion; `pairs`, `loads` and `switches` what enters them;
-//! `balance`, `placing`, `start` and `onset` the state at t = 0; `observe` and `energy`
-//! what is read off; `scales` and `frequencies` what the methods are chosen and
-//! steered by.
+//! `check` and `build` make the `frozen` layout of a model; `passes` and
+//! `links` are the equations of motion; `pairs`, `loads` and `switches` what
+//! enters them; `balance`, `placing`, `start` and `onset` the state at t = 0;
+//! `observe` and `energy` what is read off; `scales` and `frequencies` what the
+//! methods are chosen and steered by.
 
 mod balance;
 mod build;
@@ -17,6 +17,7 @@ mod energy;
 mod frequencies;
 mod frozen;
 mod kappa;
+mod links;
 mod loads;
 mod observe;
 mod onset;

@@ -8,9 +8,9 @@
 //!
 //! Written once for every kind of number.
 
-use super::frozen::{Branch, Chain, Frozen, Step, segment};
+use super::frozen::{Chain, Frozen, Step, segment};
+use super::links::LinkForces;
 use super::quantity::Quantity;
-use crate::motion::DriveMotion;
 
 /// A law at an instant.
 #[derive(Clone, Copy, Debug)]
@@ -102,45 +102,6 @@ impl Frozen {
         self.apply_reactions(state, modes, extent, work);
         self.reduce_rigid(extent, work);
         self.accelerate(state, extent, work, out);
-    }
-
-    /// u¨ of a branch: a chain on its own behind a prescribed drive, which
-    /// nothing else has a say in. The same equations, in one go.
-    #[inline(always)]
-    fn evaluate_branch<N: Quantity>(
-        &self,
-        branch: &Branch,
-        time: N,
-        state: &[N],
-        modes: &[i64],
-        out: &mut [N],
-    ) {
-        let chain = &branch.chain;
-        let piece = segment(modes, branch.drive.component);
-        let base = match branch.drive.motion {
-            // φ̈ = 0: U′ is not needed, nor its cosine computed.
-            DriveMotion::Constant { .. } => {
-                let [place, speed, _] = time.lift(|time| branch.drive.motion.jet(piece, time));
-                let [_, _, second] = place.lift(|phi| branch.law.jet(modes, phi));
-                second * speed * speed
-            }
-            _ => {
-                let [place, speed, acceleration] =
-                    time.lift(|time| branch.drive.motion.jet(piece, time));
-                let [_, first, second] = place.lift(|phi| branch.law.jet(modes, phi));
-                first * acceleration + second * speed * speed
-            }
-        };
-        let (u, v) = self.deviations(chain, state);
-        let mode = self.pair_mode(chain, modes);
-        let links = LinkForces {
-            u,
-            v,
-            stiffness: &branch.stiffness,
-            damping: &branch.damping,
-            reaction: chain.contact.force(mode, u[0], v[0]),
-        };
-        accelerate_alone(&links, branch, base, &mut out[chain.coordinates()]);
     }
 
     /// The steps that an evaluation goes through.
@@ -399,50 +360,5 @@ impl Frozen {
         for (acceleration, &deviation) in acceleration.iter_mut().zip(out.iter()) {
             *acceleration = deviation + base;
         }
-    }
-}
-
-/// u¨ of masses on which only their links and constant loads act. On its own,
-/// so that the compiler knows that `out` overlaps nothing.
-#[inline(never)]
-fn accelerate_alone<N: Quantity>(
-    links: &LinkForces<'_, N>,
-    branch: &Branch,
-    base: N,
-    out: &mut [N],
-) {
-    let constant = &branch.constant_force[..out.len()];
-    let inverse = &branch.inverse_inertia[..out.len()];
-    links.each(out, |m, out, force| {
-        *out = (N::from(constant[m]) + force).scale(inverse[m]) - base;
-    });
-}
-
-/// The links of one chain at an instant.
-struct LinkForces<'a, N> {
-    u: &'a [N],
-    v: &'a [N],
-    stiffness: &'a [f64],
-    damping: &'a [f64],
-    /// F of link 1.
-    reaction: N,
-}
-
-impl<N: Quantity> LinkForces<'_, N> {
-    /// Calls `each` with every mass, its entry of `out`, and the force of the
-    /// links above and below on it.
-    #[inline(always)]
-    fn each(&self, out: &mut [N], each: impl Fn(usize, &mut N, N)) {
-        let last = out.len() - 1;
-        let (u, v) = (&self.u[..=last], &self.v[..=last]);
-        let (stiffness, damping) = (&self.stiffness[..=last], &self.damping[..=last]);
-        let mut below = self.reaction;
-        for m in 0..last {
-            let stretch = (u[m + 1] - u[m]).scale(stiffness[m + 1]);
-            let above = stretch + (v[m + 1] - v[m]).scale(damping[m + 1]);
-            each(m, &mut out[m], above - below);
-            below = above;
-        }
-        each(last, &mut out[last], -below);
     }
 }

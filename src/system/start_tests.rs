@@ -143,14 +143,13 @@ fn a_load_that_pulls_a_force_pair_open_is_named() {
 #[test]
 fn inertia_that_a_static_start_leaves_out_is_warned_of() {
     let mut model = rocker(2, 0.4, -900.0, pair(FORCE), Start::Static);
-    let turn = |angle| NodeMotion::Prescribed {
+    model.nodes[0].motion = NodeMotion::Prescribed {
         motion: crate::motion::DriveMotion::Constant {
             speed: 20.0 * PI,
-            angle,
+            angle: PI / 2.0,
         },
         track: None,
     };
-    model.nodes[0].motion = turn(PI / 2.0);
     let start = started(model.clone());
     assert_eq!(start.warnings.len(), 1);
     assert!(

@@ -57,7 +57,7 @@ fn the_tangent_agrees_with_differences() {
 fn branches_taken_apart_move_as_in_the_whole() {
     let mut random = Random(7);
     let mut branches = 0;
-    for _ in 0..300 {
+    for _ in 0..2000 {
         let system = System::new(random_model(&mut random)).unwrap();
         let y = random_state(&system, &mut random);
         let modes = random_modes(&system, &mut random);
