@@ -1,0 +1,430 @@
+//! The run: phases and switches in turn.
+
+use super::basis::Basis;
+use super::lanes::{Arith, Fused, Plain};
+use super::phase::{Phase, Steady};
+use super::problem::{PairState, Refusal, TreeProblem};
+use super::sample::Sampler;
+use super::search::{Search, Step};
+use super::signal::{Functional, Signal, Weights};
+use super::start;
+
+/// What is asked of a run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Request {
+    /// End time (s), > 0.
+    pub end: f64,
+    /// Number of equal intervals at whose ends samples are taken (t = 0 is not
+    /// one of them); 0: none.
+    pub samples: usize,
+    /// Samples of every mass, q and q̇; otherwise of the last mass's q alone.
+    pub all_masses: bool,
+    /// Most switches.
+    pub switches: u64,
+}
+
+impl Request {
+    /// A run to `end` with `samples` samples of the last mass.
+    pub fn new(end: f64, samples: usize) -> Self {
+        Self { end, samples, all_masses: false, switches: 1_000_000 }
+    }
+}
+
+/// A switch of a pair.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ExactSwitch {
+    /// When (s).
+    pub time: f64,
+    /// The mass whose link holds the pair.
+    pub mass: usize,
+    /// State before.
+    pub before: PairState,
+    /// State after.
+    pub after: PairState,
+    /// Ẋ at the switch: speed of parting (> 0) or of approach (< 0).
+    pub speed: f64,
+}
+
+/// What a run leaves behind.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct ExactRun {
+    /// Time reached (s).
+    pub time: f64,
+    /// True when the end was reached.
+    pub complete: bool,
+    /// Every switch.
+    pub switches: Vec<ExactSwitch>,
+    /// Samples: one row an interval end; one column (δ of the last mass), or
+    /// q then q̇ of every mass.
+    pub samples: Vec<f64>,
+    /// Columns of `samples`.
+    pub columns: usize,
+    /// q at the end.
+    pub displacement: Vec<f64>,
+    /// q̇ at the end.
+    pub speed: Vec<f64>,
+    /// Phases, search steps, evaluations.
+    pub phases: u64,
+    /// Steps of the search.
+    pub steps: u64,
+    /// Evaluations of the exponentials in the search.
+    pub evaluations: u64,
+    /// Steps over which a watched signal could not be told from zero.
+    pub grazing: u64,
+}
+
+/// One combination of engaged pairs, ready for use.
+#[derive(Clone, Debug)]
+pub(crate) struct Regime {
+    key: Vec<PairState>,
+    pub(crate) basis: Basis,
+    steady: Option<Steady>,
+    pub(crate) weights: Vec<Weights>,
+}
+
+/// Most combinations kept.
+const REGIMES: usize = 256;
+
+/// A watched pair function.
+#[derive(Clone, Copy, Debug)]
+struct Watch {
+    mass: usize,
+    functional: usize,
+    sign: f64,
+    target: PairState,
+}
+
+/// Working memory of a run.
+struct Workspace<'a> {
+    problem: &'a TreeProblem,
+    functionals: &'a [Functional],
+    first: &'a [usize],
+    regimes: Vec<Regime>,
+    states: Vec<PairState>,
+    key: Vec<PairState>,
+    watches: Vec<Watch>,
+    watched: Vec<usize>,
+    signals: Vec<Signal>,
+    phase: Phase,
+    search: Search,
+    q: Vec<f64>,
+    v: Vec<f64>,
+    q_end: Vec<f64>,
+    v_end: Vec<f64>,
+    /// Number of leading derivatives known to vanish, by functional.
+    zeros: Vec<usize>,
+    sampler: Sampler,
+    out: ExactRun,
+}
+
+/// The functions of every pair: for flank f of mass i the clearance X at
+/// `first[i] + 2f` and the pull c·X + b·Ẋ after it.
+pub(crate) fn pair_functionals(problem: &TreeProblem) -> (Vec<Functional>, Vec<usize>) {
+    let mut functionals = Vec::new();
+    let mut first = Vec::new();
+    for (i, mass) in problem.masses.iter().enumerate() {
+        first.push(functionals.len());
+        let (flanks, count) = mass.pair.flanks();
+        for flank in &flanks[..count] {
+            let linear = |c: f64, b: f64| {
+                let s = flank.sign;
+                let mut terms = vec![(i, c * s, b * s)];
+                if let Some(p) = mass.parent {
+                    terms.push((p, -c * s * mass.lever, -b * s * mass.lever));
+                }
+                Functional { terms, constant: c * flank.offset }
+            };
+            functionals.push(linear(1.0, 0.0));
+            functionals.push(linear(mass.stiffness, mass.damping));
+        }
+    }
+    (functionals, first)
+}
+
+/// Runs with the best arithmetic of this processor.
+pub(crate) fn run(
+    problem: &TreeProblem,
+    functionals: &[Functional],
+    first: &[usize],
+    request: &Request,
+) -> Result<ExactRun, Refusal> {
+    #[cfg(target_arch = "x86_64")]
+    if std::is_x86_feature_detected!("avx2") && std::is_x86_feature_detected!("fma") {
+        // SAFETY: the processor has the features the function is compiled for.
+        #[allow(unsafe_code)]
+        return unsafe { run_fused(problem, functionals, first, request) };
+    }
+    run_plain(problem, functionals, first, request)
+}
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx2,fma")]
+fn run_fused(
+    problem: &TreeProblem,
+    functionals: &[Functional],
+    first: &[usize],
+    request: &Request,
+) -> Result<ExactRun, Refusal> {
+    Workspace::new(problem, functionals, first, request)?.run::<Fused>(request)
+}
+
+/// The run without special instructions.
+pub(crate) fn run_plain(
+    problem: &TreeProblem,
+    functionals: &[Functional],
+    first: &[usize],
+    request: &Request,
+) -> Result<ExactRun, Refusal> {
+    Workspace::new(problem, functionals, first, request)?.run::<Plain>(request)
+}
+
+impl<'a> Workspace<'a> {
+    fn new(
+        problem: &'a TreeProblem,
+        functionals: &'a [Functional],
+        first: &'a [usize],
+        request: &Request,
+    ) -> Result<Self, Refusal> {
+        let n = problem.masses.len();
+        let harmonics = problem.law.frequencies().len();
+        // Overdamped modes take two lanes a mass.
+        let blocks = (2 * n + harmonics).div_ceil(super::lanes::WIDTH);
+        let (states, zeros) = start::states(problem, functionals, first)?;
+        Ok(Self {
+            problem,
+            functionals,
+            first,
+            regimes: Vec::new(),
+            key: states.clone(),
+            states,
+            watches: Vec::with_capacity(2 * n),
+            watched: Vec::with_capacity(2 * n),
+            signals: vec![Signal::new(blocks, n * harmonics); functionals.len()],
+            phase: Phase::new(problem, blocks),
+            search: Search::new(blocks),
+            q: problem.displacement.clone(),
+            v: problem.speed.clone(),
+            q_end: vec![0.0; n],
+            v_end: vec![0.0; n],
+            zeros,
+            sampler: Sampler::new(problem, request, blocks),
+            out: ExactRun {
+                switches: Vec::with_capacity(256),
+                columns: if request.all_masses { 2 * n } else { 1 },
+                ..ExactRun::default()
+            },
+        })
+    }
+
+    #[inline(always)]
+    fn run<A: Arith>(mut self, request: &Request) -> Result<ExactRun, Refusal> {
+        let mut at = (0.0, 0.0);
+        let mut stalled = 0;
+        loop {
+            let regime = self.regime()?;
+            self.out.phases += 1;
+            let entry = &self.regimes[regime];
+            let (q, v) = (&mut self.q, &mut self.v);
+            self.phase.begin::<A>(self.problem, &entry.basis, entry.steady.as_ref(), at, q, v);
+            let horizon = self.phase.local(request.end).min(self.phase.reach);
+            let event = self.pass::<A>(regime, horizon)?;
+            let entry = &self.regimes[regime];
+            let s = self.search.e.s;
+            self.phase.state::<A>(
+                &entry.basis,
+                &self.search.e,
+                &mut self.q_end,
+                &mut self.v_end,
+            );
+            self.sampler.phase::<A>(&entry.basis, &self.phase, s, &mut self.out.samples);
+            at = self.phase.time(s);
+            std::mem::swap(&mut self.q, &mut self.q_end);
+            std::mem::swap(&mut self.v, &mut self.v_end);
+            self.zeros.fill(0);
+            if let Some(number) = event {
+                stalled = if s > 0.0 { 0 } else { stalled + 1 };
+                if stalled > 8 * self.states.len() {
+                    return Err(Refusal::new("", "pairs switch without end at one instant"));
+                }
+                self.switch(number, at.0);
+            }
+            if at.0 + at.1 >= request.end || self.out.switches.len() as u64 > request.switches {
+                break;
+            }
+        }
+        self.out.time = at.0;
+        self.out.complete = at.0 + at.1 >= request.end;
+        self.out.displacement = self.q;
+        self.out.speed = self.v;
+        self.out.steps = self.search.steps;
+        self.out.evaluations = self.search.evaluations;
+        self.out.grazing = self.search.grazing;
+        Ok(self.out)
+    }
+
+    /// Number of the regime for the present states, made when first met.
+    #[inline(always)]
+    fn regime(&mut self) -> Result<usize, Refusal> {
+        for (key, state) in self.key.iter_mut().zip(&self.states) {
+            *key = if state.engaged() { *state } else { PairState::Free };
+        }
+        match self.regimes.iter().position(|regime| regime.key == self.key) {
+            Some(index) => Ok(index),
+            None => self.make_regime(),
+        }
+    }
+
+    #[inline(never)]
+    fn make_regime(&mut self) -> Result<usize, Refusal> {
+        if self.regimes.len() >= REGIMES {
+            self.regimes.clear();
+        }
+        let basis = Basis::new(self.problem, &self.key).map_err(|e| Refusal::new("", e.0))?;
+        let weights = self.functionals.iter().map(|f| Weights::new(&basis, f)).collect();
+        let steady = Steady::new(self.problem, &basis);
+        self.regimes.push(Regime { key: self.key.clone(), basis, steady, weights });
+        Ok(self.regimes.len() - 1)
+    }
+
+    /// What has to be watched in the present states.
+    #[inline(always)]
+    fn watch(&mut self) {
+        self.watches.clear();
+        self.watched.clear();
+        for i in 0..self.states.len() {
+            let (_, count) = self.problem.masses[i].pair.flanks();
+            for f in 0..count {
+                let clear = self.first[i] + 2 * f;
+                let flank = f as u8;
+                let (functional, sign, target) = match self.states[i] {
+                    PairState::Engaged(own) if own == flank => {
+                        (clear + 1, -1.0, PairState::Pressed(flank))
+                    }
+                    PairState::Pressed(own) if own == flank => {
+                        (clear + 1, 1.0, PairState::Engaged(flank))
+                    }
+                    PairState::Engaged(_) => continue,
+                    _ => (clear, 1.0, PairState::Engaged(flank)),
+                };
+                self.watches.push(Watch { mass: i, functional, sign, target });
+                self.watched.push(functional);
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn take_signals<A: Arith>(&mut self, regime: usize) {
+        let entry = &self.regimes[regime];
+        for watch in &self.watches {
+            let f = watch.functional;
+            let signal = &mut self.signals[f];
+            signal.take::<A>(
+                &entry.basis,
+                &self.phase,
+                &self.functionals[f],
+                &entry.weights[f],
+                watch.sign,
+            );
+            signal.zeros = self.zeros[f];
+            signal.leaving = self.zeros[f] > 0;
+        }
+    }
+
+    /// Follows the phase to its end: the number of the watch that fired, or
+    /// none at the horizon.
+    #[inline(always)]
+    fn pass<A: Arith>(&mut self, regime: usize, horizon: f64) -> Result<Option<usize>, Refusal> {
+        self.watch();
+        self.take_signals::<A>(regime);
+        self.search.restart(&self.phase);
+        if horizon <= 0.0 {
+            return Ok(None);
+        }
+        loop {
+            let entry = &self.regimes[regime];
+            let step = self.search.step::<A>(
+                &entry.basis,
+                &mut self.phase,
+                &mut self.signals,
+                &self.watched,
+                horizon,
+            );
+            match step {
+                Step::NotFinite => {
+                    return Err(Refusal::new("", "the motion is no longer a finite number"));
+                }
+                Step::Reached => return Ok(None),
+                Step::Root(number) => {
+                    if self.comes_clear::<A>(regime, Some(number)) {
+                        self.watch();
+                        self.take_signals::<A>(regime);
+                        continue;
+                    }
+                    return Ok(Some(number));
+                }
+                Step::Free => {
+                    if self.comes_clear::<A>(regime, None) {
+                        self.watch();
+                        self.take_signals::<A>(regime);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Pressed pairs that have come clear of their flank become free: from
+    /// X > 0 the next event can only be the root of X itself (Ẋ < 0 there, so
+    /// the pull is negative too).
+    #[inline(always)]
+    fn comes_clear<A: Arith>(&mut self, regime: usize, fired: Option<usize>) -> bool {
+        let mut changed = false;
+        for number in 0..self.watches.len() {
+            let watch = self.watches[number];
+            let PairState::Pressed(f) = self.states[watch.mass] else { continue };
+            if watch.target != PairState::Engaged(f) || fired.is_some_and(|k| k != number) {
+                continue;
+            }
+            let clear = watch.functional - 1;
+            let entry = &self.regimes[regime];
+            let signal = &mut self.signals[clear];
+            signal.take::<A>(
+                &entry.basis,
+                &self.phase,
+                &self.functionals[clear],
+                &entry.weights[clear],
+                1.0,
+            );
+            let x = signal.value::<A>(&entry.basis, self.phase.active, &self.search.e);
+            if x > signal.noise {
+                self.states[watch.mass] = PairState::Free;
+                changed = true;
+            }
+        }
+        changed
+    }
+
+    /// Takes the switch of a watch at the state now in q, v.
+    fn switch(&mut self, number: usize, time: f64) {
+        let watch = self.watches[number];
+        let i = watch.mass;
+        let before = self.states[i];
+        let (PairState::Pressed(f) | PairState::Engaged(f)) = watch.target else { return };
+        let clear = self.first[i] + 2 * usize::from(f);
+        let rate = Functional { constant: 0.0, ..self.functionals[clear].clone() };
+        let speed = rate.value(&self.v, &self.v);
+        let undamped = self.problem.masses[i].damping == 0.0;
+        let after = match watch.target {
+            // Without damping the force vanishes with the penetration.
+            PairState::Pressed(_) if undamped => PairState::Free,
+            target => target,
+        };
+        match (before, after) {
+            (_, PairState::Free) => self.zeros[clear] = 1,
+            (_, PairState::Pressed(_)) | (PairState::Pressed(_), _) => self.zeros[clear + 1] = 1,
+            _ if undamped => self.zeros[clear + 1] = 1,
+            _ => {}
+        }
+        self.states[i] = after;
+        self.out.switches.push(ExactSwitch { time, mass: i, before, after, speed });
+    }
+}

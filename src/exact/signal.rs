@@ -1,0 +1,280 @@
+//! Linear functionals of the motion over a phase: what is watched, bounded and reported.
+
+use super::basis::Basis;
+use super::lanes::{Arith, V, WIDTH, reduced};
+use super::pencil::C;
+use super::phase::{Exponentials, POLY, Phase, scalar_sin_cos};
+
+/// g = Σ (a·q_i + b·q̇_i) + constant.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Functional {
+    /// (mass, a, b).
+    pub(crate) terms: Vec<(usize, f64, f64)>,
+    pub(crate) constant: f64,
+}
+
+impl Functional {
+    /// Value at a state.
+    #[inline(always)]
+    pub(crate) fn value(&self, q: &[f64], v: &[f64]) -> f64 {
+        let mut sum = self.constant;
+        for &(i, a, b) in &self.terms {
+            sum += a * q[i] + b * v[i];
+        }
+        sum
+    }
+
+    /// The same with the opposite sign.
+    pub(crate) fn negated(&self) -> Self {
+        let terms = self.terms.iter().map(|&(i, a, b)| (i, -a, -b)).collect();
+        Self { terms, constant: -self.constant }
+    }
+}
+
+/// A functional in a basis: weight of each lane in g, ġ, g̈, g⃛.
+#[derive(Clone, Debug)]
+pub(crate) struct Weights {
+    /// [order][re/im][block].
+    pub(crate) w: Vec<V>,
+    /// |weight| in g.
+    pub(crate) size: Vec<V>,
+    /// Weight of each floating part's η and η̇.
+    pub(crate) rigid: Vec<(f64, f64)>,
+}
+
+impl Weights {
+    pub(crate) fn new(basis: &Basis, functional: &Functional) -> Self {
+        let blocks = basis.blocks;
+        let mut w = vec![V::ZERO; 8 * blocks];
+        let mut size = vec![V::ZERO; blocks];
+        for (k, lane) in basis.lanes.iter().enumerate() {
+            let mut weight: C = functional
+                .terms
+                .iter()
+                .map(|&(i, a, b)| lane.shape[i] * (lane.lambda * b + a))
+                .sum();
+            size[k / WIDTH].0[k % WIDTH] = weight.norm();
+            for order in 0..4 {
+                w[2 * order * blocks + k / WIDTH].0[k % WIDTH] = weight.re;
+                w[(2 * order + 1) * blocks + k / WIDTH].0[k % WIDTH] = weight.im;
+                weight *= lane.lambda;
+            }
+        }
+        let rigid = basis
+            .rigid
+            .iter()
+            .map(|part| {
+                functional.terms.iter().fold((0.0, 0.0), |(x, y), &(i, a, b)| {
+                    (x + a * part.shape[i], y + b * part.shape[i])
+                })
+            })
+            .collect();
+        Self { w, size, rigid }
+    }
+}
+
+/// Rigid flight in a signal: Re(α·E₂(iΩs) + β·E₁(iΩs)), E_k the exponential
+/// without its first k Taylor terms.
+#[derive(Clone, Copy, Debug)]
+struct Arc {
+    omega: f64,
+    alpha: C,
+    beta: C,
+}
+
+/// A functional over the present phase.
+#[derive(Clone, Debug)]
+pub(crate) struct Signal {
+    /// Amplitude of each lane in g … g⃛: [order][re/im][block].
+    c: Vec<V>,
+    /// |amplitude| in g at the start.
+    size: Vec<V>,
+    poly: [f64; POLY],
+    degree: usize,
+    arcs: Vec<Arc>,
+    /// Bound on |fourth derivative| of the polynomial and the arcs.
+    slow4: f64,
+    /// Rounding of g: what cannot be told from zero.
+    pub(crate) noise: f64,
+    /// g and its next derivatives known to be zero at the start.
+    pub(crate) zeros: usize,
+    /// Started at zero and has not yet been seen clearly positive.
+    pub(crate) leaving: bool,
+}
+
+/// Value and three derivatives, with the lanes' own contributions left in the scratch.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Terms {
+    /// Lane contributions to g … g⃛, and |amplitude| now: [5][block].
+    pub(crate) lane: Vec<V>,
+    /// Polynomial and arcs.
+    pub(crate) slow: [f64; 4],
+}
+
+impl Signal {
+    pub(crate) fn new(blocks: usize, flights: usize) -> Self {
+        Self {
+            c: vec![V::ZERO; 8 * blocks],
+            size: vec![V::ZERO; blocks],
+            poly: [0.0; POLY],
+            degree: 0,
+            arcs: Vec::with_capacity(flights),
+            slow4: 0.0,
+            noise: 0.0,
+            zeros: 0,
+            leaving: false,
+        }
+    }
+
+    /// Takes up `functional` over `phase`; `sign` ±1 turns it round.
+    #[inline(always)]
+    pub(crate) fn take<A: Arith>(
+        &mut self,
+        basis: &Basis,
+        phase: &Phase,
+        functional: &Functional,
+        weights: &Weights,
+        sign: f64,
+    ) {
+        let blocks = basis.blocks;
+        let turn = V::splat(sign);
+        let mut total = V::ZERO;
+        for b in 0..blocks {
+            let (zr, zi) = (phase.re[b] * turn, phase.im[b] * turn);
+            for order in 0..4 {
+                let at = 2 * order * blocks + b;
+                let (wr, wi) = (weights.w[at], weights.w[at + blocks]);
+                self.c[at] = wr.fma::<A>(zr, -(wi * zi));
+                self.c[at + blocks] = wr.fma::<A>(zi, wi * zr);
+            }
+            let (cr, ci) = (self.c[b], self.c[b + blocks]);
+            self.size[b] = cr.fma::<A>(cr, ci * ci).map(f64::sqrt);
+            total = total + self.size[b];
+        }
+        self.take_slow::<A>(phase, functional, weights, sign, total.sum());
+    }
+
+    #[inline(always)]
+    fn take_slow<A: Arith>(
+        &mut self,
+        phase: &Phase,
+        functional: &Functional,
+        weights: &Weights,
+        sign: f64,
+        total: f64,
+    ) {
+        self.degree = phase.degree;
+        let constant = sign * functional.constant;
+        self.poly[..=phase.degree].fill(0.0);
+        let mut scale = total + constant.abs();
+        for &(i, a, b) in &functional.terms {
+            let (a, b) = (sign * a, sign * b);
+            let p = &phase.poly[i * POLY..i * POLY + phase.degree + 1];
+            for (k, c) in p.iter().enumerate() {
+                self.poly[k] += a * c;
+            }
+            for k in 1..p.len() {
+                self.poly[k - 1] += b * k as f64 * p[k];
+            }
+            scale += (a * p[0]).abs();
+        }
+        self.poly[0] += constant;
+        self.slow4 = if phase.degree > 3 { self.fourth(phase.reach) } else { 0.0 };
+        self.arcs.clear();
+        for flight in &phase.flights {
+            let (x, y) = weights.rigid[flight.rigid];
+            let alpha = flight.amplitude * (sign * x);
+            let beta = flight.amplitude * C::new(0.0, flight.omega * sign * y);
+            let square = flight.omega * flight.omega;
+            // Orders ≥ 2 see the two together, as (α + β)e^{iΩs}.
+            self.slow4 += (alpha + beta).norm() * square * square;
+            self.arcs.push(Arc { omega: flight.omega, alpha, beta });
+        }
+        self.noise = 4.0 * f64::EPSILON * scale;
+        self.zeros = 0;
+        self.leaving = false;
+    }
+
+    /// Bound on the fourth derivative of the polynomial over the phase.
+    #[inline(never)]
+    fn fourth(&self, reach: f64) -> f64 {
+        let mut sum = 0.0;
+        for k in (4..=self.degree).rev() {
+            let factor = (k * (k - 1) * (k - 2) * (k - 3)) as f64;
+            sum = sum * reach + factor * self.poly[k].abs();
+        }
+        sum
+    }
+
+    /// Evaluates at the instant of `e`.
+    #[inline(always)]
+    pub(crate) fn terms<A: Arith>(
+        &self,
+        basis: &Basis,
+        active: usize,
+        e: &Exponentials,
+        out: &mut Terms,
+    ) {
+        let blocks = basis.blocks;
+        for b in 0..active {
+            for order in 0..4 {
+                let at = 2 * order * blocks + b;
+                out.lane[order * blocks + b] =
+                    e.re[b].fma::<A>(self.c[at], -(e.im[b] * self.c[at + blocks]));
+            }
+            out.lane[4 * blocks + b] = self.size[b] * e.size[b];
+        }
+        out.slow = self.slow::<A>(e.s);
+    }
+
+    /// Polynomial and arcs at s: value and three derivatives.
+    #[inline(always)]
+    fn slow<A: Arith>(&self, s: f64) -> [f64; 4] {
+        let c = &self.poly[..=self.degree];
+        let mut d = [c[self.degree], 0.0, 0.0, 0.0];
+        for k in (0..self.degree).rev() {
+            d[3] = A::fma(d[3], s, d[2]);
+            d[2] = A::fma(d[2], s, d[1]);
+            d[1] = A::fma(d[1], s, d[0]);
+            d[0] = A::fma(d[0], s, c[k]);
+        }
+        d[2] *= 2.0;
+        d[3] *= 6.0;
+        for arc in &self.arcs {
+            let w = arc.omega;
+            let x = w * s;
+            let (sin, cos) = scalar_sin_cos::<A>(x);
+            let (c, l) = reduced::<A>(x, sin, cos);
+            let (a, b) = (arc.alpha, arc.beta);
+            let sum = a + b;
+            d[0] += (a.re * c - a.im * l) + (b.re * c - b.im * sin);
+            d[1] -= w * ((a.re * sin + a.im * c) + (b.re * sin + b.im * cos));
+            d[2] -= w * w * (sum.re * cos - sum.im * sin);
+            d[3] += w * w * w * (sum.re * sin + sum.im * cos);
+        }
+        d
+    }
+
+    /// Value alone at the instant of `e`.
+    #[inline(always)]
+    pub(crate) fn value<A: Arith>(&self, basis: &Basis, active: usize, e: &Exponentials) -> f64 {
+        let blocks = basis.blocks;
+        let mut sum = V::ZERO;
+        for b in 0..active {
+            sum = e.re[b].fma::<A>(self.c[b], sum) - e.im[b] * self.c[b + blocks];
+        }
+        sum.sum() + self.slow::<A>(e.s)[0]
+    }
+
+    /// Bound on the fourth derivative of the polynomial and the arcs.
+    #[inline(always)]
+    pub(crate) fn slow4(&self) -> f64 {
+        self.slow4
+    }
+
+    /// Greatest Ω of the arcs and whether they exist.
+    #[inline(always)]
+    pub(crate) fn swing(&self) -> f64 {
+        self.arcs.iter().fold(0.0, |m, arc| if arc.omega > m { arc.omega } else { m })
+    }
+}
