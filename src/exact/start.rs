@@ -4,8 +4,8 @@ use super::pencil::C;
 use super::problem::{Flank, PairState, Refusal, TreeProblem};
 use super::signal::Functional;
 
-/// Highest derivative looked at where a pair starts exactly on its flank.
-const ORDERS: usize = 60;
+/// Derivatives looked at where a pair starts exactly on its flank, a few at first.
+const ORDERS: [usize; 3] = [4, 16, 64];
 
 /// States of all pairs just after t = 0, and for every pair function how many
 /// of its leading derivatives are exactly zero there.
@@ -26,7 +26,7 @@ pub(crate) fn states(
     let mut zeros = vec![0; functionals.len()];
     let mut open: Vec<(usize, usize)> = Vec::new();
     for i in 0..n {
-        let (flanks, count) = problem.masses[i].pair.flanks();
+        let (_, count) = problem.masses[i].pair.flanks();
         for f in 0..count {
             let clear = &functionals[first[i] + 2 * f];
             let pull = &functionals[first[i] + 2 * f + 1];
@@ -39,12 +39,19 @@ pub(crate) fn states(
                 open.push((i, f));
             }
         }
-        let _ = flanks;
     }
     while !open.is_empty() {
-        let derivatives = derivatives(problem, &states);
-        let lead = |&(i, f): &(usize, usize)| leading(problem, i, f, &derivatives);
-        let Some(order) = open.iter().filter_map(|p| lead(p).map(|l| l.0)).min() else {
+        let mut found = (Vec::new(), None);
+        for orders in ORDERS {
+            let d = derivatives(problem, &states, orders);
+            let least = open.iter().filter_map(|&(i, f)| leading(problem, i, f, &d)).map(|l| l.0).min();
+            found = (d, least);
+            if least.is_some() {
+                break;
+            }
+        }
+        let lead = |&(i, f): &(usize, usize)| leading(problem, i, f, &found.0);
+        let Some(order) = found.1 else {
             // Nothing moves them: they rest on their flank, unloaded.
             for (i, f) in open.drain(..) {
                 states[i] = PairState::Engaged(f as u8);
@@ -89,17 +96,13 @@ fn leading(problem: &TreeProblem, i: usize, f: usize, d: &[Vec<f64>]) -> Option<
 }
 
 /// q and its derivatives at t = 0⁺.
-fn derivatives(problem: &TreeProblem, states: &[PairState]) -> Vec<Vec<f64>> {
+fn derivatives(problem: &TreeProblem, states: &[PairState], orders: usize) -> Vec<Vec<f64>> {
     let n = problem.masses.len();
     let mut forcing = problem.law.forcing();
     problem.law.start(0.0, 0.0, &mut None, &mut forcing);
     let frequencies = problem.law.frequencies();
     let mut d = vec![problem.displacement.clone(), problem.speed.clone()];
-    let mut factorial = 1.0;
-    for order in 0..ORDERS {
-        if order > 0 {
-            factorial *= order as f64;
-        }
+    for order in 0..orders {
         let law = |k: usize| -> f64 {
             // The k-th derivative of the law at t = 0.
             let mut sum = 0.0;
