@@ -89,6 +89,11 @@ impl V {
     pub(crate) fn min(self, o: Self) -> Self {
         self.zip(o, |a, b| if a < b { a } else { b })
     }
+
+    #[inline(always)]
+    pub(crate) fn max(self, o: Self) -> Self {
+        self.zip(o, |a, b| if a > b { a } else { b })
+    }
 }
 
 impl Add for V {

@@ -4,6 +4,7 @@ mod basis;
 mod bound;
 mod lanes;
 mod law;
+mod panel;
 mod pencil;
 mod phase;
 mod problem;
@@ -12,12 +13,14 @@ mod sample;
 mod search;
 mod signal;
 mod start;
+mod track;
 #[cfg(test)]
 mod tests;
 
 pub use law::{Law, PolynomialSpan, Sine, SpanSource};
-pub use problem::{Flank, PairState, Refusal, TimeLoad, TreeMass, TreePair, TreeProblem};
+pub use problem::{Flank, PairState, Refusal, TimeLoad, TreeMass, TreeObject, TreePair, TreeProblem};
 pub use run::{ExactRun, ExactSwitch, Request};
+pub use track::TreeFigures;
 
 /// A problem ready to be run.
 #[derive(Clone, Debug)]

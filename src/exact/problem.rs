@@ -24,6 +24,20 @@ pub struct TreeProblem {
     pub displacement: Vec<f64>,
     /// q̇ at t = 0 (rad/s).
     pub speed: Vec<f64>,
+    /// The objects the masses belong to, for figures.
+    pub objects: Vec<TreeObject>,
+}
+
+/// One of the scene's objects: a chain of masses within the tree.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TreeObject {
+    /// Its first mass, whose link holds the driving pair.
+    pub first: usize,
+    /// Its last mass: the output.
+    pub last: usize,
+    /// The mass that drives it and U′ between them (every rigid object on the
+    /// way included); `None`: the law.
+    pub driver: Option<(usize, f64)>,
 }
 
 /// A mass, the link that joins it to its parent, and what acts on it.

@@ -3,11 +3,13 @@
 use super::basis::Basis;
 use super::lanes::{Arith, Fused, Plain};
 use super::phase::{Phase, Steady};
-use super::problem::{PairState, Refusal, TreeProblem};
+use super::panel::Panel;
+use super::problem::{PairState, Refusal, TreeObject, TreePair, TreeProblem};
 use super::sample::Sampler;
 use super::search::{Search, Step};
 use super::signal::{Functional, Signal, Weights};
 use super::start;
+use super::track::{Track, TreeFigures};
 
 /// What is asked of a run.
 #[derive(Clone, Debug, PartialEq)]
@@ -21,12 +23,14 @@ pub struct Request {
     pub all_masses: bool,
     /// Most switches.
     pub switches: u64,
+    /// Figures between samples, wanted or not.
+    pub figures: bool,
 }
 
 impl Request {
     /// A run to `end` with `samples` samples of the last mass.
     pub fn new(end: f64, samples: usize) -> Self {
-        Self { end, samples, all_masses: false, switches: 1_000_000 }
+        Self { end, samples, all_masses: false, switches: 1_000_000, figures: false }
     }
 }
 
@@ -63,6 +67,8 @@ pub struct ExactRun {
     pub displacement: Vec<f64>,
     /// q̇ at the end.
     pub speed: Vec<f64>,
+    /// Figures of every object, when asked for.
+    pub figures: Vec<TreeFigures>,
     /// Phases, search steps, evaluations.
     pub phases: u64,
     /// Steps of the search.
@@ -80,6 +86,8 @@ pub(crate) struct Regime {
     pub(crate) basis: Basis,
     steady: Option<Steady>,
     pub(crate) weights: Vec<Weights>,
+    /// Panels of every object: one, or one a flank while open.
+    panels: Vec<Vec<Panel>>,
 }
 
 /// Most combinations kept.
@@ -114,6 +122,9 @@ struct Workspace<'a> {
     /// Number of leading derivatives known to vanish, by functional.
     zeros: Vec<usize>,
     sampler: Sampler,
+    tracks: Vec<Track>,
+    /// Panel in use and whether the object's link transmits force.
+    variants: Vec<(usize, bool)>,
     out: ExactRun,
 }
 
@@ -128,17 +139,78 @@ pub(crate) fn pair_functionals(problem: &TreeProblem) -> (Vec<Functional>, Vec<u
         for flank in &flanks[..count] {
             let linear = |c: f64, b: f64| {
                 let s = flank.sign;
-                let mut terms = vec![(i, c * s, b * s)];
+                let mut terms = vec![(i, [c * s, b * s, 0.0])];
                 if let Some(p) = mass.parent {
-                    terms.push((p, -c * s * mass.lever, -b * s * mass.lever));
+                    terms.push((p, [-c * s * mass.lever, -b * s * mass.lever, 0.0]));
                 }
-                Functional { terms, constant: c * flank.offset }
+                Functional { terms, law: [0.0; 3], constant: c * flank.offset }
             };
             functionals.push(linear(1.0, 0.0));
             functionals.push(linear(mass.stiffness, mass.damping));
         }
     }
     (functionals, first)
+}
+
+/// One track an object, when figures are asked for.
+fn tracks(problem: &TreeProblem, request: &Request, blocks: usize) -> Vec<Track> {
+    if !request.figures {
+        return Vec::new();
+    }
+    let flights = problem.masses.len() * problem.law.frequencies().len();
+    let make = |object: &TreeObject| {
+        let base = object.driver.map_or(0.0, |(d, ratio)| ratio * problem.displacement[d]);
+        let cap = match problem.masses[object.first].pair {
+            TreePair::Form { gap } => gap / 2.0,
+            _ => f64::INFINITY,
+        };
+        Track::new(blocks, flights, problem.displacement[object.last] - base, cap)
+    };
+    problem.objects.iter().map(make).collect()
+}
+
+/// The four functionals of every object in a regime: δ, φ̇, φ̈, and the link's
+/// force (engaged) or the clearance to either flank (open).
+fn panels(
+    problem: &TreeProblem,
+    functionals: &[Functional],
+    first: &[usize],
+    key: &[PairState],
+    basis: &Basis,
+) -> Vec<Vec<Panel>> {
+    let make = |object: &TreeObject| {
+        let mass = &problem.masses[object.first];
+        let ratio = problem.masses[object.last].ratio;
+        let moving = |order: usize| {
+            let mut one = [0.0; 3];
+            one[order] = 1.0;
+            let law = one.map(|x| x * ratio);
+            Functional { terms: vec![(object.last, one)], law, constant: 0.0 }
+        };
+        let mut delta = Functional { terms: vec![(object.last, [1.0, 0.0, 0.0])], ..moving(0) };
+        delta.law = [0.0; 3];
+        if let Some((driver, ratio)) = object.driver {
+            delta.terms.push((driver, [-ratio, 0.0, 0.0]));
+        }
+        let at = first[object.first];
+        let fourth = match (mass.pair.flanks().1, key[object.first]) {
+            (0, _) => {
+                let [c, b] = [mass.stiffness, mass.damping];
+                let mut terms = vec![(object.first, [c, b, 0.0])];
+                if let Some(p) = mass.parent {
+                    terms.push((p, [-c * mass.lever, -b * mass.lever, 0.0]));
+                }
+                vec![Functional { terms, ..Functional::default() }]
+            }
+            (_, PairState::Engaged(f)) => vec![functionals[at + 2 * usize::from(f) + 1].clone()],
+            (count, _) => (0..count).map(|f| functionals[at + 2 * f].clone()).collect(),
+        };
+        let panel = |last: Functional| {
+            Panel::new(basis, [delta.clone(), moving(1), moving(2), last])
+        };
+        fourth.into_iter().map(panel).collect()
+    };
+    problem.objects.iter().map(make).collect()
 }
 
 /// Runs with the best arithmetic of this processor.
@@ -204,10 +276,12 @@ impl<'a> Workspace<'a> {
             search: Search::new(blocks),
             q: problem.displacement.clone(),
             v: problem.speed.clone(),
-            q_end: vec![0.0; n],
-            v_end: vec![0.0; n],
+            q_end: problem.displacement.clone(),
+            v_end: problem.speed.clone(),
             zeros,
             sampler: Sampler::new(problem, request, blocks),
+            tracks: tracks(problem, request, blocks),
+            variants: vec![(0, true); problem.objects.len()],
             out: ExactRun {
                 switches: Vec::with_capacity(256),
                 columns: if request.all_masses { 2 * n } else { 1 },
@@ -224,9 +298,13 @@ impl<'a> Workspace<'a> {
             let regime = self.regime()?;
             self.out.phases += 1;
             let entry = &self.regimes[regime];
+            // The projection uses q, v up; the tracks look at the copy.
+            self.q_end.copy_from_slice(&self.q);
+            self.v_end.copy_from_slice(&self.v);
             let (q, v) = (&mut self.q, &mut self.v);
             self.phase.begin::<A>(self.problem, &entry.basis, entry.steady.as_ref(), at, q, v);
             let horizon = self.phase.local(request.end).min(self.phase.reach);
+            self.begin_tracks::<A>(regime);
             let event = self.pass::<A>(regime, horizon)?;
             let entry = &self.regimes[regime];
             let s = self.search.e.s;
@@ -237,6 +315,7 @@ impl<'a> Workspace<'a> {
                 &mut self.v_end,
             );
             self.sampler.phase::<A>(&entry.basis, &self.phase, s, &mut self.out.samples);
+            self.end_tracks::<A>(regime);
             at = self.phase.time(s);
             std::mem::swap(&mut self.q, &mut self.q_end);
             std::mem::swap(&mut self.v, &mut self.v_end);
@@ -251,6 +330,11 @@ impl<'a> Workspace<'a> {
             if at.0 + at.1 >= request.end || self.out.switches.len() as u64 > request.switches {
                 break;
             }
+        }
+        let length = at.0;
+        for track in &mut self.tracks {
+            track.figures.sigma = track.area / length;
+            self.out.figures.push(track.figures);
         }
         self.out.time = at.0;
         self.out.complete = at.0 + at.1 >= request.end;
@@ -282,7 +366,12 @@ impl<'a> Workspace<'a> {
         let basis = Basis::new(self.problem, &self.key).map_err(|e| Refusal::new("", e.0))?;
         let weights = self.functionals.iter().map(|f| Weights::new(&basis, f)).collect();
         let steady = Steady::new(self.problem, &basis);
-        self.regimes.push(Regime { key: self.key.clone(), basis, steady, weights });
+        let panels = if self.tracks.is_empty() {
+            Vec::new()
+        } else {
+            panels(self.problem, self.functionals, self.first, &self.key, &basis)
+        };
+        self.regimes.push(Regime { key: self.key.clone(), basis, steady, weights, panels });
         Ok(self.regimes.len() - 1)
     }
 
@@ -330,6 +419,38 @@ impl<'a> Workspace<'a> {
         }
     }
 
+    /// Takes the tracks into the phase: engaged, or open near the flank that is
+    /// nearer at its start.
+    #[inline(always)]
+    fn begin_tracks<A: Arith>(&mut self, regime: usize) {
+        for (o, track) in self.tracks.iter_mut().enumerate() {
+            let first = self.problem.objects[o].first;
+            let count = self.problem.masses[first].pair.flanks().1;
+            let engaged = count == 0 || self.states[first].engaged();
+            let variant = match (engaged, count) {
+                (false, 2) => {
+                    let x = |f: usize| {
+                        self.functionals[self.first[first] + 2 * f].value(&self.q_end, &self.v_end)
+                    };
+                    usize::from(x(1) < x(0))
+                }
+                _ => 0,
+            };
+            self.variants[o] = (variant, engaged);
+            let entry = &self.regimes[regime];
+            track.begin::<A>(&entry.basis, &entry.panels[o][variant], &self.phase, engaged);
+        }
+    }
+
+    #[inline(always)]
+    fn end_tracks<A: Arith>(&mut self, regime: usize) {
+        for (o, track) in self.tracks.iter_mut().enumerate() {
+            let entry = &self.regimes[regime];
+            let panel = &entry.panels[o][self.variants[o].0];
+            track.end::<A>(&entry.basis, panel, &self.phase, &self.search.e);
+        }
+    }
+
     /// Follows the phase to its end: the number of the watch that fired, or
     /// none at the horizon.
     #[inline(always)]
@@ -342,12 +463,19 @@ impl<'a> Workspace<'a> {
         }
         loop {
             let entry = &self.regimes[regime];
-            let step = self.search.step::<A>(
+            let (tracks, phase, variants) = (&mut self.tracks, &self.phase, &self.variants);
+            let step = self.search.step_seen::<A>(
                 &entry.basis,
-                &mut self.phase,
+                phase,
                 &mut self.signals,
                 &self.watched,
                 horizon,
+                |e, h| {
+                    for (o, track) in tracks.iter_mut().enumerate() {
+                        let panel = &entry.panels[o][variants[o].0];
+                        track.step::<A>(&entry.basis, panel, phase, e, h);
+                    }
+                },
             );
             match step {
                 Step::NotFinite => {

@@ -31,8 +31,6 @@ pub(crate) enum Step {
 pub(crate) struct Search {
     pub(crate) e: Exponentials,
     pub(crate) terms: Terms,
-    /// e at the beginning of the step just taken.
-    pub(crate) from: f64,
     /// Steps taken.
     pub(crate) steps: u64,
     /// Evaluations of the exponentials.
@@ -46,7 +44,6 @@ impl Search {
         Self {
             e: Exponentials::new(blocks),
             terms: Terms { lane: vec![V::ZERO; 5 * blocks], slow: [0.0; 4] },
-            from: 0.0,
             steps: 0,
             evaluations: 0,
             grazing: 0,
@@ -75,14 +72,28 @@ impl Search {
     pub(crate) fn step<A: Arith>(
         &mut self,
         basis: &Basis,
-        phase: &mut Phase,
+        phase: &Phase,
         signals: &mut [Signal],
         watched: &[usize],
         horizon: f64,
     ) -> Step {
+        self.step_seen::<A>(basis, phase, signals, watched, horizon, |_, _| {})
+    }
+
+    /// One step towards `horizon`; `see` is told the exponentials at its start
+    /// and a length that covers it.
+    #[inline(always)]
+    pub(crate) fn step_seen<A: Arith>(
+        &mut self,
+        basis: &Basis,
+        phase: &Phase,
+        signals: &mut [Signal],
+        watched: &[usize],
+        horizon: f64,
+        mut see: impl FnMut(&Exponentials, f64),
+    ) -> Step {
         let s = self.e.s;
         let left = horizon - s;
-        self.from = s;
         if left <= 0.0 {
             return Step::Reached;
         }
@@ -115,8 +126,10 @@ impl Search {
         if let Some((number, bracket)) = root
             && (second >= bracket.high || second >= left)
         {
+            see(&self.e, bracket.high);
             return self.polish::<A>(basis, phase, &signals[watched[number]], bracket, left, number);
         }
+        see(&self.e, length.min(left));
         let target = if length >= left { horizon } else { s + length };
         self.evaluate::<A>(basis, phase, target);
         if length >= left { Step::Reached } else { Step::Free }

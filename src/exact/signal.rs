@@ -1,33 +1,77 @@
 //! Linear functionals of the motion over a phase: what is watched, bounded and reported.
 
-use super::basis::Basis;
+use super::basis::{Basis, Lane, LaneKind, Rigid};
 use super::lanes::{Arith, V, WIDTH, reduced};
 use super::pencil::C;
 use super::phase::{Exponentials, POLY, Phase, scalar_sin_cos};
 
-/// g = Σ (a·q_i + b·q̇_i) + constant.
-#[derive(Clone, Debug, PartialEq)]
+/// g = Σ (a·q_i + b·q̇_i + c·q̈_i) + l·(L, L̇, L̈) + constant.
+#[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Functional {
-    /// (mass, a, b).
-    pub(crate) terms: Vec<(usize, f64, f64)>,
+    /// (mass, [a, b, c]).
+    pub(crate) terms: Vec<(usize, [f64; 3])>,
+    /// Factors of the law and its first two derivatives.
+    pub(crate) law: [f64; 3],
     pub(crate) constant: f64,
 }
 
 impl Functional {
-    /// Value at a state.
+    /// Value at a state, of a functional without accelerations and law.
     #[inline(always)]
     pub(crate) fn value(&self, q: &[f64], v: &[f64]) -> f64 {
         let mut sum = self.constant;
-        for &(i, a, b) in &self.terms {
+        for &(i, [a, b, _]) in &self.terms {
             sum += a * q[i] + b * v[i];
         }
         sum
     }
 
-    /// The same with the opposite sign.
-    pub(crate) fn negated(&self) -> Self {
-        let terms = self.terms.iter().map(|&(i, a, b)| (i, -a, -b)).collect();
-        Self { terms, constant: -self.constant }
+    /// Weight of a lane in g.
+    pub(crate) fn weight(&self, lane: &Lane) -> C {
+        let factor = |[a, b, c]: [f64; 3]| lane.lambda * (lane.lambda * c + b) + a;
+        let mut sum = match lane.kind {
+            LaneKind::Mode => C::default(),
+            LaneKind::Harmonic(_) => factor(self.law),
+        };
+        for &(i, abc) in &self.terms {
+            sum += lane.shape[i] * factor(abc);
+        }
+        sum
+    }
+
+    /// The polynomial part of g over a phase, `phase.degree` + 1 coefficients
+    /// (and as many as the law needs); returns its degree.
+    #[inline(always)]
+    pub(crate) fn polynomial(&self, phase: &Phase, out: &mut [f64; POLY]) -> usize {
+        let law = self.law != [0.0; 3];
+        let degree = if law { phase.degree.max(phase.forcing.degree) } else { phase.degree };
+        out[..=degree].fill(0.0);
+        let mut add = |p: &[f64], [a, b, c]: [f64; 3]| {
+            for (k, x) in p.iter().enumerate() {
+                out[k] += a * x;
+            }
+            for k in 1..p.len() {
+                out[k - 1] += b * k as f64 * p[k];
+            }
+            for k in 2..p.len() {
+                out[k - 2] += c * (k * (k - 1)) as f64 * p[k];
+            }
+        };
+        for &(i, abc) in &self.terms {
+            add(&phase.poly[i * POLY..i * POLY + phase.degree + 1], abc);
+        }
+        if law {
+            add(&phase.forcing.law[..=phase.forcing.degree], self.law);
+        }
+        out[0] += self.constant;
+        degree
+    }
+
+    /// Factors of a floating part's η, η̇, η̈.
+    pub(crate) fn rigid(&self, part: &Rigid) -> [f64; 3] {
+        self.terms.iter().fold([0.0; 3], |sum, &(i, abc)| {
+            [0, 1, 2].map(|k| sum[k] + abc[k] * part.shape[i])
+        })
     }
 }
 
@@ -36,50 +80,35 @@ impl Functional {
 pub(crate) struct Weights {
     /// [order][re/im][block].
     pub(crate) w: Vec<V>,
-    /// |weight| in g.
-    pub(crate) size: Vec<V>,
-    /// Weight of each floating part's η and η̇.
-    pub(crate) rigid: Vec<(f64, f64)>,
+    /// Weight of each floating part's η, η̇ and η̈.
+    pub(crate) rigid: Vec<[f64; 3]>,
 }
 
 impl Weights {
     pub(crate) fn new(basis: &Basis, functional: &Functional) -> Self {
         let blocks = basis.blocks;
         let mut w = vec![V::ZERO; 8 * blocks];
-        let mut size = vec![V::ZERO; blocks];
         for (k, lane) in basis.lanes.iter().enumerate() {
-            let mut weight: C = functional
-                .terms
-                .iter()
-                .map(|&(i, a, b)| lane.shape[i] * (lane.lambda * b + a))
-                .sum();
-            size[k / WIDTH].0[k % WIDTH] = weight.norm();
+            let mut weight = functional.weight(lane);
             for order in 0..4 {
                 w[2 * order * blocks + k / WIDTH].0[k % WIDTH] = weight.re;
                 w[(2 * order + 1) * blocks + k / WIDTH].0[k % WIDTH] = weight.im;
                 weight *= lane.lambda;
             }
         }
-        let rigid = basis
-            .rigid
-            .iter()
-            .map(|part| {
-                functional.terms.iter().fold((0.0, 0.0), |(x, y), &(i, a, b)| {
-                    (x + a * part.shape[i], y + b * part.shape[i])
-                })
-            })
-            .collect();
-        Self { w, size, rigid }
+        let rigid = basis.rigid.iter().map(|part| functional.rigid(part)).collect();
+        Self { w, rigid }
     }
 }
 
-/// Rigid flight in a signal: Re(α·E₂(iΩs) + β·E₁(iΩs)), E_k the exponential
-/// without its first k Taylor terms.
+/// Rigid flight in a signal: Re(α·E₂(iΩs) + β·E₁(iΩs) + γ·e^{iΩs}), E_k the
+/// exponential without its first k Taylor terms.
 #[derive(Clone, Copy, Debug)]
 struct Arc {
     omega: f64,
     alpha: C,
     beta: C,
+    gamma: C,
 }
 
 /// A functional over the present phase.
@@ -163,36 +192,69 @@ impl Signal {
         sign: f64,
         total: f64,
     ) {
-        self.degree = phase.degree;
-        let constant = sign * functional.constant;
-        self.poly[..=phase.degree].fill(0.0);
-        let mut scale = total + constant.abs();
-        for &(i, a, b) in &functional.terms {
-            let (a, b) = (sign * a, sign * b);
-            let p = &phase.poly[i * POLY..i * POLY + phase.degree + 1];
-            for (k, c) in p.iter().enumerate() {
-                self.poly[k] += a * c;
-            }
-            for k in 1..p.len() {
-                self.poly[k - 1] += b * k as f64 * p[k];
-            }
-            scale += (a * p[0]).abs();
+        self.degree = functional.polynomial(phase, &mut self.poly);
+        let mut scale = total + functional.constant.abs() + self.poly[0].abs();
+        for &(i, abc) in &functional.terms {
+            scale += (abc[0] * phase.poly[i * POLY]).abs();
         }
-        self.poly[0] += constant;
-        self.slow4 = if phase.degree > 3 { self.fourth(phase.reach) } else { 0.0 };
+        if sign != 1.0 {
+            for c in &mut self.poly[..=self.degree] {
+                *c *= sign;
+            }
+        }
+        self.slow4 = if self.degree > 3 { self.fourth(phase.reach) } else { 0.0 };
         self.arcs.clear();
         for flight in &phase.flights {
-            let (x, y) = weights.rigid[flight.rigid];
+            let [x, y, z] = weights.rigid[flight.rigid];
+            let drive = C::new(0.0, flight.omega);
             let alpha = flight.amplitude * (sign * x);
-            let beta = flight.amplitude * C::new(0.0, flight.omega * sign * y);
+            let beta = flight.amplitude * drive * (sign * y);
+            let gamma = flight.amplitude * drive * drive * (sign * z);
             let square = flight.omega * flight.omega;
-            // Orders ≥ 2 see the two together, as (α + β)e^{iΩs}.
-            self.slow4 += (alpha + beta).norm() * square * square;
-            self.arcs.push(Arc { omega: flight.omega, alpha, beta });
+            // Orders ≥ 2 see the three together, as (α + β + γ)e^{iΩs}.
+            self.slow4 += (alpha + beta + gamma).norm() * square * square;
+            self.arcs.push(Arc { omega: flight.omega, alpha, beta, gamma });
         }
         self.noise = 4.0 * f64::EPSILON * scale;
         self.zeros = 0;
         self.leaving = false;
+    }
+
+    /// Adds a constant.
+    #[inline(always)]
+    pub(crate) fn add(&mut self, constant: f64) {
+        self.poly[0] += constant;
+        self.noise += 4.0 * f64::EPSILON * constant.abs();
+    }
+
+    /// Turns the signal into its own derivative.
+    pub(crate) fn differentiate(&mut self, basis: &Basis, reach: f64) {
+        let blocks = basis.blocks;
+        let mut scale = 0.0;
+        for b in 0..blocks {
+            let (lr, li) = (basis.re[b], basis.im[b]);
+            for order in 0..4 {
+                let at = 2 * order * blocks + b;
+                let (cr, ci) = (self.c[at], self.c[at + blocks]);
+                self.c[at] = cr * lr - ci * li;
+                self.c[at + blocks] = cr * li + ci * lr;
+            }
+            self.size[b] = self.size[b] * (lr * lr + li * li).map(f64::sqrt);
+            scale += self.size[b].sum();
+        }
+        for k in 1..=self.degree {
+            self.poly[k - 1] = k as f64 * self.poly[k];
+        }
+        self.poly[self.degree] = 0.0;
+        self.slow4 = if self.degree > 3 { self.fourth(reach) } else { 0.0 };
+        for arc in &mut self.arcs {
+            let drive = C::new(0.0, arc.omega);
+            let (alpha, rest) = (arc.alpha, arc.beta + arc.gamma);
+            (arc.alpha, arc.beta, arc.gamma) = (C::default(), drive * alpha, drive * rest);
+            self.slow4 += (arc.beta + arc.gamma).norm() * arc.omega.powi(4);
+            scale += (arc.beta + arc.gamma).norm();
+        }
+        self.noise = 4.0 * f64::EPSILON * (scale + self.poly[0].abs());
     }
 
     /// Bound on the fourth derivative of the polynomial over the phase.
@@ -246,9 +308,11 @@ impl Signal {
             let (sin, cos) = scalar_sin_cos::<A>(x);
             let (c, l) = reduced::<A>(x, sin, cos);
             let (a, b) = (arc.alpha, arc.beta);
-            let sum = a + b;
-            d[0] += (a.re * c - a.im * l) + (b.re * c - b.im * sin);
-            d[1] -= w * ((a.re * sin + a.im * c) + (b.re * sin + b.im * cos));
+            let g = arc.gamma;
+            let rest = b + g;
+            let sum = a + rest;
+            d[0] += (a.re * c - a.im * l) + (b.re * c - b.im * sin) + (g.re * cos - g.im * sin);
+            d[1] -= w * ((a.re * sin + a.im * c) + (rest.re * sin + rest.im * cos));
             d[2] -= w * w * (sum.re * cos - sum.im * sin);
             d[3] += w * w * w * (sum.re * sin + sum.im * cos);
         }

@@ -27,7 +27,7 @@ pub(crate) fn peer(n: usize, load: f64, psi: f64) -> TreeProblem {
             phase: 0.0,
         }],
     };
-    TreeProblem { masses, law, displacement: vec![0.0; n], speed: vec![0.0; n] }
+    TreeProblem { masses, law, displacement: vec![0.0; n], speed: vec![0.0; n], objects: vec![TreeObject { first: 0, last: n - 1, driver: None }] }
 }
 
 #[test]
