@@ -51,6 +51,8 @@ pub(crate) struct Rigid {
     pub(crate) row: Vec<f64>,
     /// η̈ = row_f·f.
     pub(crate) row_f: Vec<f64>,
+    /// η̈ per unit of each harmonic of the law.
+    pub(crate) push: Vec<C>,
 }
 
 /// The modes of one combination of engaged pairs, and the lanes that carry them.
@@ -92,12 +94,17 @@ impl Basis {
     pub(crate) fn new(problem: &TreeProblem, states: &[PairState]) -> Result<Self, NoBasis> {
         let n = problem.masses.len();
         let mut lanes = Vec::new();
-        let mut rigid = Vec::new();
+        let mut rigid: Vec<Rigid> = Vec::new();
         for part in parts(problem, states) {
             part.modes(n, &mut lanes)?;
             rigid.extend(part.rigid(n));
         }
         for (j, omega) in problem.law.frequencies().into_iter().enumerate() {
+            for part in &mut rigid {
+                let drive = C::new(0.0, omega);
+                let push = (0..n).map(|i| law_force(problem, i, drive) * part.row_f[i]).sum();
+                part.push.push(push);
+            }
             let response = response(problem, &lanes, &rigid, omega)?;
             lanes.push(Lane {
                 kind: LaneKind::Harmonic(j),
@@ -257,7 +264,12 @@ impl Part {
         let local = self.pencil.rigid_shape();
         let total: f64 =
             self.pencil.nodes.iter().zip(&local).map(|(node, x)| node.inertia * x * x).sum();
-        let mut out = Rigid { shape: vec![0.0; n], row: vec![0.0; n], row_f: vec![0.0; n] };
+        let mut out = Rigid {
+            shape: vec![0.0; n],
+            row: vec![0.0; n],
+            row_f: vec![0.0; n],
+            push: Vec::new(),
+        };
         for (k, &i) in self.members.iter().enumerate() {
             out.shape[i] = local[k];
             out.row[i] = local[k] * self.pencil.nodes[k].inertia / total;

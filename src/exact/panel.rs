@@ -24,7 +24,8 @@ pub(crate) struct Panel {
     sizes: Vec<[V; 2]>,
     /// Weight/λ of the first functional: its primitive.
     primitive: Vec<C>,
-    /// Factors of η, η̇, η̈ of every floating part.
+    /// Factors of η, η̇ of every floating part, and 1 where the speed is folded
+    /// into the harmonic's lane.
     rigid: Vec<[V; 3]>,
     /// The same four one by one, for climbing to an extreme.
     pub(crate) single: [Weights; WIDTH],
@@ -34,8 +35,8 @@ pub(crate) struct Panel {
 #[derive(Clone, Copy, Debug)]
 struct Arc {
     omega: f64,
-    /// α, β, γ: re, im each.
-    c: [V; 6],
+    /// α, β: re, im each.
+    c: [V; 4],
 }
 
 /// The panel over the present phase.
@@ -63,7 +64,7 @@ impl Panel {
         let mut sizes = Vec::new();
         let mut primitive = Vec::new();
         for lane in &basis.lanes {
-            let w = [0, 1, 2, 3].map(|f| functionals[f].weight(lane));
+            let w = [0, 1, 2, 3].map(|f| functionals[f].weight(&basis.rigid, lane));
             let mut power = C::new(1.0, 0.0);
             for _ in 0..4 {
                 weights.push(V(w.map(|x| (x * power).re)));
@@ -80,7 +81,8 @@ impl Panel {
             .iter()
             .map(|part| {
                 let f = [0, 1, 2, 3].map(|f| functionals[f].rigid(part));
-                [0, 1, 2].map(|k| V(f.map(|x| x[k])))
+                let folds = [0, 1, 2, 3].map(|f| f64::from(u8::from(functionals[f].folds())));
+                [V(f.map(|x| x[0])), V(f.map(|x| x[1])), V(folds)]
             })
             .collect();
         let single = [0, 1, 2, 3].map(|f| Weights::new(basis, &functionals[f]));
@@ -110,19 +112,14 @@ impl PanelPhase {
         self.slow4 = if self.degree > 3 { self.fourth(phase.reach) } else { V::ZERO };
         self.arcs.clear();
         for flight in &phase.flights {
-            let [x, y, z] = panel.rigid[flight.rigid];
+            let [x, y, folded] = panel.rigid[flight.rigid];
             let drive = C::new(0.0, flight.omega);
             let (a, b) = (flight.amplitude, flight.amplitude * drive);
-            let g = b * drive;
-            let c = [
-                x * V::splat(a.re),
-                x * V::splat(a.im),
-                y * V::splat(b.re),
-                y * V::splat(b.im),
-                z * V::splat(g.re),
-                z * V::splat(g.im),
-            ];
-            let (re, im) = (c[0] + c[2] + c[4], c[1] + c[3] + c[5]);
+            let (re, im) = (y * V::splat(b.re), y * V::splat(b.im));
+            self.poly[0] = self.poly[0] - re * folded;
+            let whole = V::splat(1.0) - folded;
+            let c = [x * V::splat(a.re), x * V::splat(a.im), re * whole, im * whole];
+            let (re, im) = (c[0] + c[2], c[1] + c[3]);
             let square = flight.omega * flight.omega;
             let size = (re * re + im * im).map(f64::sqrt);
             self.slow4 = self.slow4 + size * V::splat(square * square);
@@ -209,12 +206,10 @@ impl PanelPhase {
             let w = arc.omega;
             let (sin, cos) = scalar_sin_cos::<A>(w * s);
             let (c, l) = reduced::<A>(w * s, sin, cos);
-            let [ar, ai, br, bi, gr, gi] = arc.c;
-            let (rr, ri) = (br + gr, bi + gi);
-            let (sr, si) = (ar + rr, ai + ri);
+            let [ar, ai, br, bi] = arc.c;
+            let (sr, si) = (ar + br, ai + bi);
             d[0] = d[0] + (ar * f(c) - ai * f(l)) + (br * f(c) - bi * f(sin));
-            d[0] = d[0] + (gr * f(cos) - gi * f(sin));
-            d[1] = d[1] - f(w) * (ar * f(sin) + ai * f(c) + rr * f(sin) + ri * f(cos));
+            d[1] = d[1] - f(w) * (ar * f(sin) + ai * f(c) + br * f(sin) + bi * f(cos));
             d[2] = d[2] - f(w * w) * (sr * f(cos) - si * f(sin));
             d[3] = d[3] + f(w * w * w) * (sr * f(sin) + si * f(cos));
         }
@@ -253,11 +248,11 @@ impl PanelPhase {
             let x = arc.omega * e.s;
             let (sin, cos) = scalar_sin_cos::<A>(x);
             let (c, l) = reduced::<A>(x, sin, cos);
-            let [ar, ai, br, bi, gr, gi] = arc.c.map(|v| v.0[0]);
+            let [ar, ai, br, bi] = arc.c.map(|v| v.0[0]);
             // ∫E_k ds = E_{k+1}/(iΩ).
             let third = c + 0.5 * x * x;
             sum += (ar * l + ai * third) / arc.omega;
-            sum += (br * l + bi * c) / arc.omega + (gr * sin + gi * c) / arc.omega;
+            sum += (br * l + bi * c) / arc.omega;
         }
         sum
     }

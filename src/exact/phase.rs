@@ -9,7 +9,7 @@
 //! Amplitudes are those at the start of the phase and e^{λs} is evaluated with
 //! the local s; the start is a double-double.
 
-use super::basis::{Basis, law_force};
+use super::basis::Basis;
 use super::lanes::{Arith, V, WIDTH, exp, reduced, sin_cos};
 use super::law::{Forcing, PolynomialSpan};
 use super::pencil::C;
@@ -163,7 +163,7 @@ impl Phase {
             None => self.moving_polynomials(problem, basis, q, v),
         }
         self.reach = self.reach.min(basis.longest);
-        self.take_flights(problem, basis);
+        self.take_flights(basis);
         self.project::<A>(basis, q, v);
     }
 
@@ -299,17 +299,12 @@ impl Phase {
     }
 
     #[inline(always)]
-    fn take_flights(&mut self, problem: &TreeProblem, basis: &Basis) {
+    fn take_flights(&mut self, basis: &Basis) {
         self.flights.clear();
         for (index, part) in basis.rigid.iter().enumerate() {
             for (j, &lane) in basis.harmonic.iter().enumerate() {
-                let drive = basis.lanes[lane].lambda;
-                let mut push = C::default();
-                for i in 0..basis.masses {
-                    push += law_force(problem, i, drive) * part.row_f[i];
-                }
-                let omega = drive.im;
-                let amplitude = -push * self.forcing.harmonics[j] / (omega * omega);
+                let omega = basis.lanes[lane].lambda.im;
+                let amplitude = -part.push[j] * self.forcing.harmonics[j] / (omega * omega);
                 self.flights.push(Flight { rigid: index, omega, amplitude });
             }
         }

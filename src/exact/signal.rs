@@ -27,16 +27,33 @@ impl Functional {
     }
 
     /// Weight of a lane in g.
-    pub(crate) fn weight(&self, lane: &Lane) -> C {
+    ///
+    /// Where a part floats, the law's own motion and the flight's cancel in φ̇
+    /// and φ̈: what the flight has of e^{iΩs} itself is taken into the lane of
+    /// the harmonic, so that they cancel here and not in every bound. (In φ̇
+    /// only when the law is in it: small speeds of clearances need E₁ whole.)
+    pub(crate) fn weight(&self, basis_rigid: &[Rigid], lane: &Lane) -> C {
         let factor = |[a, b, c]: [f64; 3]| lane.lambda * (lane.lambda * c + b) + a;
-        let mut sum = match lane.kind {
-            LaneKind::Mode => C::default(),
-            LaneKind::Harmonic(_) => factor(self.law),
-        };
+        let mut sum = C::default();
+        if let LaneKind::Harmonic(j) = lane.kind {
+            sum += factor(self.law);
+            for part in basis_rigid {
+                let [_, y, z] = self.rigid(part);
+                sum += part.push[j] * z;
+                if self.folds() {
+                    sum += part.push[j] / lane.lambda * y;
+                }
+            }
+        }
         for &(i, abc) in &self.terms {
             sum += lane.shape[i] * factor(abc);
         }
         sum
+    }
+
+    /// True when e^{iΩs} of the flight's speed rides in the harmonic's lane.
+    pub(crate) fn folds(&self) -> bool {
+        self.law[1] != 0.0
     }
 
     /// The polynomial part of g over a phase, `phase.degree` + 1 coefficients
@@ -89,7 +106,7 @@ impl Weights {
         let blocks = basis.blocks;
         let mut w = vec![V::ZERO; 8 * blocks];
         for (k, lane) in basis.lanes.iter().enumerate() {
-            let mut weight = functional.weight(lane);
+            let mut weight = functional.weight(&basis.rigid, lane);
             for order in 0..4 {
                 w[2 * order * blocks + k / WIDTH].0[k % WIDTH] = weight.re;
                 w[(2 * order + 1) * blocks + k / WIDTH].0[k % WIDTH] = weight.im;
@@ -205,11 +222,15 @@ impl Signal {
         self.slow4 = if self.degree > 3 { self.fourth(phase.reach) } else { 0.0 };
         self.arcs.clear();
         for flight in &phase.flights {
-            let [x, y, z] = weights.rigid[flight.rigid];
+            let [x, y, _] = weights.rigid[flight.rigid];
             let drive = C::new(0.0, flight.omega);
             let alpha = flight.amplitude * (sign * x);
-            let beta = flight.amplitude * drive * (sign * y);
-            let gamma = flight.amplitude * drive * drive * (sign * z);
+            let mut beta = flight.amplitude * drive * (sign * y);
+            if functional.folds() {
+                self.poly[0] -= beta.re;
+                beta = C::default();
+            }
+            let gamma = C::default();
             let square = flight.omega * flight.omega;
             // Orders ≥ 2 see the three together, as (α + β + γ)e^{iΩs}.
             self.slow4 += (alpha + beta + gamma).norm() * square * square;

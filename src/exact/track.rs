@@ -219,7 +219,8 @@ impl Track {
         slope.differentiate(basis, phase.reach);
         for _ in 0..10_000 {
             value.take::<A>(basis, phase, functional, weights, -sign);
-            value.add(best + 1e-14 * best.abs());
+            let margin = (1e-14 * best.abs()).max(4.0 * value.noise);
+            value.add(best + margin);
             let rises = loop {
                 match self.search.step::<A>(basis, phase, std::slice::from_mut(value), &[0], to) {
                     Step::Free => {}
