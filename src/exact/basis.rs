@@ -102,7 +102,9 @@ impl Basis {
         for (j, omega) in problem.law.frequencies().into_iter().enumerate() {
             for part in &mut rigid {
                 let drive = C::new(0.0, omega);
-                let push = (0..n).map(|i| law_force(problem, i, drive) * part.row_f[i]).sum();
+                let push = (0..n)
+                    .map(|i| law_force(problem, i, drive) * part.row_f[i])
+                    .sum();
                 part.push.push(push);
             }
             let response = response(problem, &lanes, &rigid, omega)?;
@@ -165,7 +167,21 @@ impl Basis {
                 harmonic[j] = k;
             }
         }
-        Self { masses: n, blocks, re, im, modulus, fourth, longest, harmonic, shape, row, rigid, lanes, flank_force }
+        Self {
+            masses: n,
+            blocks,
+            re,
+            im,
+            modulus,
+            fourth,
+            longest,
+            harmonic,
+            shape,
+            row,
+            rigid,
+            lanes,
+            flank_force,
+        }
     }
 }
 
@@ -200,7 +216,10 @@ fn parts(problem: &TreeProblem, states: &[PairState]) -> Vec<Part> {
             }
             None => {
                 place.push((parts.len(), 0));
-                parts.push(Part { pencil: Pencil { nodes: vec![node] }, members: vec![i] });
+                parts.push(Part {
+                    pencil: Pencil { nodes: vec![node] },
+                    members: vec![i],
+                });
             }
         }
     }
@@ -241,7 +260,9 @@ impl Part {
                 size += term.norm() + (x[k] * damping[k]).norm();
             }
             if norm.norm() < 1e-7 * size || !size.is_finite() {
-                return Err(NoBasis("two of its modes coincide (critical damping)".into()));
+                return Err(NoBasis(
+                    "two of its modes coincide (critical damping)".into(),
+                ));
             }
             let factor = norm.inv() * if lambda.im == 0.0 { 1.0 } else { 2.0 };
             let inertia = |k: usize| x[k] * (factor * pencil.nodes[k].inertia);
@@ -262,8 +283,13 @@ impl Part {
             return None;
         }
         let local = self.pencil.rigid_shape();
-        let total: f64 =
-            self.pencil.nodes.iter().zip(&local).map(|(node, x)| node.inertia * x * x).sum();
+        let total: f64 = self
+            .pencil
+            .nodes
+            .iter()
+            .zip(&local)
+            .map(|(node, x)| node.inertia * x * x)
+            .sum();
         let mut out = Rigid {
             shape: vec![0.0; n],
             row: vec![0.0; n],
@@ -330,7 +356,9 @@ fn response(
     if out.iter().all(|c| c.re.is_finite() && c.im.is_finite()) {
         Ok(out)
     } else {
-        Err(NoBasis("the law excites an undamped mode at its own frequency".into()))
+        Err(NoBasis(
+            "the law excites an undamped mode at its own frequency".into(),
+        ))
     }
 }
 

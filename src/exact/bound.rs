@@ -47,12 +47,11 @@ pub(crate) fn assess<A: Arith>(
     active: usize,
     signal: &Signal,
     terms: &Terms,
-    at_start: bool,
+    s: f64,
     left: f64,
 ) -> Assessment {
     let blocks = basis.blocks;
     let lanes = basis.lanes.len().min(active * WIDTH);
-    let lift = if signal.leaving { signal.noise } else { 0.0 };
     let mut a = terms.slow;
     let mut rest = 0.0;
     for b in 0..active {
@@ -64,7 +63,11 @@ pub(crate) fn assess<A: Arith>(
         left
     } else {
         let swing = signal.swing();
-        if swing > 0.0 { left.min(FOLLOW / swing) } else { left }
+        if swing > 0.0 {
+            left.min(FOLLOW / swing)
+        } else {
+            left
+        }
     };
     for k in 0..lanes {
         // All lanes before k followed, k and later enveloped.
@@ -86,11 +89,22 @@ pub(crate) fn assess<A: Arith>(
         reach = reach.min(FOLLOW / basis.modulus[k]);
     }
     if best >= left {
-        return Assessment { jet: a, remainder: r, free: best, root: None };
+        return Assessment {
+            jet: a,
+            remainder: r,
+            free: best,
+            root: None,
+        };
     }
-    if at_start {
+    if s == 0.0 {
         a[..signal.zeros].fill(0.0);
     }
+    let clock = 2.0 * f64::EPSILON * s * a[1].abs();
+    let lift = if signal.leaving {
+        2.0 * signal.noise + clock
+    } else {
+        0.0
+    };
     let root = certify::<A>(a, r, lift, left);
     let free = match root {
         Some(bracket) => bracket.low,
@@ -99,7 +113,12 @@ pub(crate) fn assess<A: Arith>(
             best.max(longest::<A>(lifted, r, reach, left))
         }
     };
-    Assessment { jet: a, remainder: r, free, root }
+    Assessment {
+        jet: a,
+        remainder: r,
+        free,
+        root,
+    }
 }
 
 /// The longest trial h ≤ `left`, found from `reach` downwards or upwards, on
@@ -179,7 +198,11 @@ fn predict<A: Arith>(a: [f64; 4]) -> f64 {
     let square = A::fma(a[1], a[1], -2.0 * a[0] * a[2]);
     // NaN where the parabola stays positive: no prediction.
     let root = square.sqrt();
-    let mut u = if a[1] < 0.0 { 2.0 * a[0] / (root - a[1]) } else { -(a[1] + root) / a[2] };
+    let mut u = if a[1] < 0.0 {
+        2.0 * a[0] / (root - a[1])
+    } else {
+        -(a[1] + root) / a[2]
+    };
     for _ in 0..2 {
         let value = A::fma(u, A::fma(u, A::fma(u, a[3] / 6.0, a[2] * 0.5), a[1]), a[0]);
         let slope = A::fma(u, A::fma(u, a[3] * 0.5, a[2]), a[1]);
@@ -204,10 +227,14 @@ fn certify<A: Arith>(a: [f64; 4], r: f64, lift: f64, left: f64) -> Option<Bracke
     let (first, last) = (slope(low), slope(high));
     let middle = first + bend * (high - low) * 0.5;
     let steepest = first.max(last).max(middle) + fast;
-    let end = a[0] + high * (a[1] + high * (a[2] * 0.5 + high * (a[3] / 6.0)))
-        + fast * high * 0.25;
-    (steepest < 0.0 && end < 0.0 && passes([a[0] + lift, a[1], a[2], a[3]], r, low))
-        .then_some(Bracket { low, guess: u, high })
+    let end = a[0] + high * (a[1] + high * (a[2] * 0.5 + high * (a[3] / 6.0))) + fast * high * 0.25;
+    (steepest < 0.0 && end < 0.0 && passes([a[0] + lift, a[1], a[2], a[3]], r, low)).then_some(
+        Bracket {
+            low,
+            guess: u,
+            high,
+        },
+    )
 }
 
 /// Correction to the root from a point close to it: the reversed cubic series

@@ -212,7 +212,11 @@ pub(crate) fn sin_cos<A: Arith>(x: V) -> (V, V) {
     for i in 0..WIDTH {
         let bits = shifted.0[i].to_bits();
         let odd = bits & 1 == 1;
-        let (a, b) = if odd { (cos.0[i], sin.0[i]) } else { (sin.0[i], cos.0[i]) };
+        let (a, b) = if odd {
+            (cos.0[i], sin.0[i])
+        } else {
+            (sin.0[i], cos.0[i])
+        };
         // Quadrants 2, 3 turn the sine round, 1, 2 the cosine.
         let sign_sin = (bits & 2) << 62;
         let sign_cos = (bits.wrapping_add(1) & 2) << 62;
@@ -229,8 +233,16 @@ pub(crate) fn sin_cos<A: Arith>(x: V) -> (V, V) {
 /// 10⁻¹⁸), a difference above.
 #[inline(always)]
 pub(crate) fn reduced<A: Arith>(x: f64, sin: f64, cos: f64) -> (f64, f64) {
-    let cos_less = if cos > 0.0 { -sin * sin / (1.0 + cos) } else { cos - 1.0 };
-    let sin_less = if x.abs() < 1.8 { sin_minus::<A>(x) } else { sin - x };
+    let cos_less = if cos > 0.0 {
+        -sin * sin / (1.0 + cos)
+    } else {
+        cos - 1.0
+    };
+    let sin_less = if x.abs() < 1.8 {
+        sin_minus::<A>(x)
+    } else {
+        sin - x
+    };
     (cos_less, sin_less)
 }
 

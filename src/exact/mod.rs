@@ -13,12 +13,14 @@ mod sample;
 mod search;
 mod signal;
 mod start;
-mod track;
 #[cfg(test)]
 mod tests;
+mod track;
 
 pub use law::{Law, PolynomialSpan, Sine, SpanSource};
-pub use problem::{Flank, PairState, Refusal, TimeLoad, TreeMass, TreeObject, TreePair, TreeProblem};
+pub use problem::{
+    Flank, PairState, Refusal, TimeLoad, TreeMass, TreeObject, TreePair, TreeProblem,
+};
 pub use run::{ExactRun, ExactSwitch, Request};
 pub use track::TreeFigures;
 
@@ -34,7 +36,11 @@ impl ExactTree {
     /// Prepares a problem.
     pub fn new(problem: TreeProblem) -> Self {
         let (functionals, first) = run::pair_functionals(&problem);
-        Self { problem, functionals, first }
+        Self {
+            problem,
+            functionals,
+            first,
+        }
     }
 
     /// Runs it.

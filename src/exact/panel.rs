@@ -14,6 +14,10 @@ use super::signal::{Functional, Weights};
 /// Lanes are followed over steps of up to this many radians of theirs.
 const FOLLOW: f64 = 2.0;
 
+/// In a second bound lanes are enveloped beyond this many radians: over half a
+/// swing the envelope is nearer to the truth than the quartic.
+const CLOSE: f64 = 0.4;
+
 /// The four functionals of an object in a basis.
 #[derive(Clone, Debug)]
 pub(crate) struct Panel {
@@ -74,7 +78,11 @@ impl Panel {
             let size = V(w.map(|x| x.norm()));
             sizes.push([size, size * V::splat(lane.lambda.norm().powi(4))]);
             let zero = lane.lambda.norm() == 0.0;
-            primitive.push(if zero { C::default() } else { w[0] / lane.lambda });
+            primitive.push(if zero {
+                C::default()
+            } else {
+                w[0] / lane.lambda
+            });
         }
         let rigid = basis
             .rigid
@@ -86,7 +94,14 @@ impl Panel {
             })
             .collect();
         let single = [0, 1, 2, 3].map(|f| Weights::new(basis, &functionals[f]));
-        Self { single, functionals, weights, sizes, primitive, rigid }
+        Self {
+            single,
+            functionals,
+            weights,
+            sizes,
+            primitive,
+            rigid,
+        }
     }
 }
 
@@ -109,7 +124,11 @@ impl PanelPhase {
             self.size[b] = re.fma::<A>(re, im * im).map(f64::sqrt);
         }
         self.take_polynomials(panel, phase);
-        self.slow4 = if self.degree > 3 { self.fourth(phase.reach) } else { V::ZERO };
+        self.slow4 = if self.degree > 3 {
+            self.fourth(phase.reach)
+        } else {
+            V::ZERO
+        };
         self.arcs.clear();
         for flight in &phase.flights {
             let [x, y, folded] = panel.rigid[flight.rigid];
@@ -118,12 +137,20 @@ impl PanelPhase {
             let (re, im) = (y * V::splat(b.re), y * V::splat(b.im));
             self.poly[0] = self.poly[0] - re * folded;
             let whole = V::splat(1.0) - folded;
-            let c = [x * V::splat(a.re), x * V::splat(a.im), re * whole, im * whole];
+            let c = [
+                x * V::splat(a.re),
+                x * V::splat(a.im),
+                re * whole,
+                im * whole,
+            ];
             let (re, im) = (c[0] + c[2], c[1] + c[3]);
             let square = flight.omega * flight.omega;
             let size = (re * re + im * im).map(f64::sqrt);
             self.slow4 = self.slow4 + size * V::splat(square * square);
-            self.arcs.push(Arc { omega: flight.omega, c });
+            self.arcs.push(Arc {
+                omega: flight.omega,
+                c,
+            });
         }
     }
 
@@ -162,6 +189,8 @@ impl PanelPhase {
     ) -> Bounds {
         let mut a = self.slow::<A>(e.s);
         let (mut r, mut rest) = (self.slow4, V::ZERO);
+        let mut close: Option<([V; 4], V)> = None;
+        let mut beyond = V::ZERO;
         let lanes = basis.lanes.len().min(phase.active * WIDTH);
         for b in 0..phase.active {
             let (zr, zi) = (phase.re[b], phase.im[b]);
@@ -174,6 +203,10 @@ impl PanelPhase {
                     break;
                 }
                 let [plain, fourth] = panel.sizes[k];
+                if basis.modulus[k] * h > CLOSE {
+                    close.get_or_insert((a, r));
+                    beyond = plain.fma::<A>(V::splat(size.0[i]), beyond);
+                }
                 if basis.modulus[k] * h > FOLLOW {
                     rest = plain.fma::<A>(V::splat(size.0[i]), rest);
                     continue;
@@ -186,7 +219,13 @@ impl PanelPhase {
                 }
             }
         }
-        enclose::<A>(a, r, rest, h)
+        let mut bounds = enclose::<A>(a, r, rest, h);
+        if let Some((a, r)) = close {
+            let second = enclose::<A>(a, r, beyond, h);
+            bounds.low = bounds.low.max(second.low);
+            bounds.high = bounds.high.min(second.high);
+        }
+        bounds
     }
 
     #[inline(always)]

@@ -297,7 +297,9 @@ impl Pencil {
         let mut up = vec![k[0]; n];
         let mut rest = vec![C::new(0.0, 0.0); n];
         for i in 1..n {
-            let Some(p) = self.nodes[i].parent else { continue };
+            let Some(p) = self.nodes[i].parent else {
+                continue;
+            };
             let own = &self.nodes[p];
             let mut sum = lambda * lambda * own.inertia
                 + lambda * own.ground_damping
@@ -380,7 +382,9 @@ mod tests {
                 ground_damping: 0.0,
             }
         });
-        Pencil { nodes: nodes.collect() }
+        Pencil {
+            nodes: nodes.collect(),
+        }
     }
 
     fn residual(p: &Pencil, lambda: C) -> f64 {
@@ -428,7 +432,11 @@ mod tests {
             ground_stiffness: 0.0,
             ground_damping: 0.0,
         });
-        let roots = Pencil { nodes: nodes.collect() }.eigenvalues().expect("found");
+        let roots = Pencil {
+            nodes: nodes.collect(),
+        }
+        .eigenvalues()
+        .expect("found");
         for (k, root) in roots.iter().enumerate() {
             let angle = (2 * k + 1) as f64 * std::f64::consts::PI / (2.0 * (2 * n + 1) as f64);
             let exact = 2.0 * n as f64 * 1e4 * angle.sin();

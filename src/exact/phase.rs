@@ -87,9 +87,8 @@ impl Steady {
         let constant = |m: &super::problem::TreeMass| {
             m.loads.iter().all(|l| matches!(l, TimeLoad::Constant(_)))
         };
-        let grounded = |m: &super::problem::TreeMass| {
-            m.ground_stiffness != 0.0 || m.ground_damping != 0.0
-        };
+        let grounded =
+            |m: &super::problem::TreeMass| m.ground_stiffness != 0.0 || m.ground_damping != 0.0;
         let law = match &problem.law {
             Law::Harmonic { mean, slope, .. } => {
                 (*slope == 0.0 && *mean == 0.0) || !problem.masses.iter().any(grounded)
@@ -156,7 +155,9 @@ impl Phase {
         v: &mut [f64],
     ) {
         (self.start, self.low) = at;
-        problem.law.start(at.0, at.1, &mut self.span, &mut self.forcing);
+        problem
+            .law
+            .start(at.0, at.1, &mut self.span, &mut self.forcing);
         self.reach = f64::INFINITY;
         match steady {
             Some(steady) => self.steady_polynomials(basis, steady, q, v),
@@ -190,13 +191,7 @@ impl Phase {
     }
 
     #[inline(never)]
-    fn moving_polynomials(
-        &mut self,
-        problem: &TreeProblem,
-        basis: &Basis,
-        q: &[f64],
-        v: &[f64],
-    ) {
+    fn moving_polynomials(&mut self, problem: &TreeProblem, basis: &Basis, q: &[f64], v: &[f64]) {
         self.clear();
         self.reach = self.forces(problem, basis);
         self.elastic_polynomials(basis, self.reach);
@@ -240,13 +235,19 @@ impl Phase {
     fn elastic_polynomials(&mut self, basis: &Basis, length: f64) {
         let n = basis.masses;
         let top = (0..n)
-            .filter_map(|i| self.force[i * POLY..(i + 1) * POLY].iter().rposition(|c| *c != 0.0))
+            .filter_map(|i| {
+                self.force[i * POLY..(i + 1) * POLY]
+                    .iter()
+                    .rposition(|c| *c != 0.0)
+            })
             .max()
             .unwrap_or(0);
         for lane in &basis.lanes {
             let mut y = [C::new(0.0, 0.0); POLY];
             let force = |k: usize| -> C {
-                (0..n).map(|i| lane.row_f[i] * self.force[i * POLY + k]).sum()
+                (0..n)
+                    .map(|i| lane.row_f[i] * self.force[i * POLY + k])
+                    .sum()
             };
             if lane.row_f.iter().all(|r| r.re == 0.0 && r.im == 0.0) {
                 continue;
@@ -254,12 +255,20 @@ impl Phase {
             let slow = lane.lambda.norm() * length < SLOW || lane.lambda.norm() == 0.0;
             let last = if !slow {
                 for k in (0..=top).rev() {
-                    let next = if k < top { y[k + 1] * (k + 1) as f64 } else { C::default() };
+                    let next = if k < top {
+                        y[k + 1] * (k + 1) as f64
+                    } else {
+                        C::default()
+                    };
                     y[k] = (next - force(k)) / lane.lambda;
                 }
                 top
             } else {
-                let last = if lane.lambda.norm() == 0.0 { top + 1 } else { POLY - 1 };
+                let last = if lane.lambda.norm() == 0.0 {
+                    top + 1
+                } else {
+                    POLY - 1
+                };
                 for k in 0..last {
                     let push = if k <= top { force(k) } else { C::default() };
                     y[k + 1] = (lane.lambda * y[k] + push) / (k + 1) as f64;
@@ -305,7 +314,11 @@ impl Phase {
             for (j, &lane) in basis.harmonic.iter().enumerate() {
                 let omega = basis.lanes[lane].lambda.im;
                 let amplitude = -part.push[j] * self.forcing.harmonics[j] / (omega * omega);
-                self.flights.push(Flight { rigid: index, omega, amplitude });
+                self.flights.push(Flight {
+                    rigid: index,
+                    omega,
+                    amplitude,
+                });
             }
         }
     }
@@ -432,6 +445,17 @@ pub(crate) fn scalar_sin_cos<A: Arith>(x: f64) -> (f64, f64) {
 }
 
 impl Exponentials {
+    /// Takes over the first `active` vectors of another.
+    #[inline(always)]
+    pub(crate) fn copy(&mut self, other: &Self, active: usize) {
+        self.s = other.s;
+        for b in 0..active {
+            self.re[b] = other.re[b];
+            self.im[b] = other.im[b];
+            self.size[b] = other.size[b];
+        }
+    }
+
     pub(crate) fn new(blocks: usize) -> Self {
         Self {
             s: 0.0,

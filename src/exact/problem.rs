@@ -184,6 +184,9 @@ pub struct Refusal {
 
 impl Refusal {
     pub(crate) fn new(object: impl Into<String>, reason: impl Into<String>) -> Self {
-        Self { object: object.into(), reason: reason.into() }
+        Self {
+            object: object.into(),
+            reason: reason.into(),
+        }
     }
 }

@@ -2,8 +2,8 @@
 
 use super::basis::Basis;
 use super::lanes::{Arith, Fused, Plain};
-use super::phase::{Phase, Steady};
 use super::panel::Panel;
+use super::phase::{Phase, Steady};
 use super::problem::{PairState, Refusal, TreeObject, TreePair, TreeProblem};
 use super::sample::Sampler;
 use super::search::{Search, Step};
@@ -30,7 +30,13 @@ pub struct Request {
 impl Request {
     /// A run to `end` with `samples` samples of the last mass.
     pub fn new(end: f64, samples: usize) -> Self {
-        Self { end, samples, all_masses: false, switches: 1_000_000, figures: false }
+        Self {
+            end,
+            samples,
+            all_masses: false,
+            switches: 1_000_000,
+            figures: false,
+        }
     }
 }
 
@@ -143,7 +149,11 @@ pub(crate) fn pair_functionals(problem: &TreeProblem) -> (Vec<Functional>, Vec<u
                 if let Some(p) = mass.parent {
                     terms.push((p, [-c * s * mass.lever, -b * s * mass.lever, 0.0]));
                 }
-                Functional { terms, law: [0.0; 3], constant: c * flank.offset }
+                Functional {
+                    terms,
+                    law: [0.0; 3],
+                    constant: c * flank.offset,
+                }
             };
             functionals.push(linear(1.0, 0.0));
             functionals.push(linear(mass.stiffness, mass.damping));
@@ -159,12 +169,19 @@ fn tracks(problem: &TreeProblem, request: &Request, blocks: usize) -> Vec<Track>
     }
     let flights = problem.masses.len() * problem.law.frequencies().len();
     let make = |object: &TreeObject| {
-        let base = object.driver.map_or(0.0, |(d, ratio)| ratio * problem.displacement[d]);
+        let base = object
+            .driver
+            .map_or(0.0, |(d, ratio)| ratio * problem.displacement[d]);
         let cap = match problem.masses[object.first].pair {
             TreePair::Form { gap } => gap / 2.0,
             _ => f64::INFINITY,
         };
-        Track::new(blocks, flights, problem.displacement[object.last] - base, cap)
+        Track::new(
+            blocks,
+            flights,
+            problem.displacement[object.last] - base,
+            cap,
+        )
     };
     problem.objects.iter().map(make).collect()
 }
@@ -185,9 +202,16 @@ fn panels(
             let mut one = [0.0; 3];
             one[order] = 1.0;
             let law = one.map(|x| x * ratio);
-            Functional { terms: vec![(object.last, one)], law, constant: 0.0 }
+            Functional {
+                terms: vec![(object.last, one)],
+                law,
+                constant: 0.0,
+            }
         };
-        let mut delta = Functional { terms: vec![(object.last, [1.0, 0.0, 0.0])], ..moving(0) };
+        let mut delta = Functional {
+            terms: vec![(object.last, [1.0, 0.0, 0.0])],
+            ..moving(0)
+        };
         delta.law = [0.0; 3];
         if let Some((driver, ratio)) = object.driver {
             delta.terms.push((driver, [-ratio, 0.0, 0.0]));
@@ -200,14 +224,18 @@ fn panels(
                 if let Some(p) = mass.parent {
                     terms.push((p, [-c * mass.lever, -b * mass.lever, 0.0]));
                 }
-                vec![Functional { terms, ..Functional::default() }]
+                vec![Functional {
+                    terms,
+                    ..Functional::default()
+                }]
             }
             (_, PairState::Engaged(f)) => vec![functionals[at + 2 * usize::from(f) + 1].clone()],
-            (count, _) => (0..count).map(|f| functionals[at + 2 * f].clone()).collect(),
+            (count, _) => (0..count)
+                .map(|f| functionals[at + 2 * f].clone())
+                .collect(),
         };
-        let panel = |last: Functional| {
-            Panel::new(basis, [delta.clone(), moving(1), moving(2), last])
-        };
+        let panel =
+            |last: Functional| Panel::new(basis, [delta.clone(), moving(1), moving(2), last]);
         fourth.into_iter().map(panel).collect()
     };
     problem.objects.iter().map(make).collect()
@@ -302,7 +330,8 @@ impl<'a> Workspace<'a> {
             self.q_end.copy_from_slice(&self.q);
             self.v_end.copy_from_slice(&self.v);
             let (q, v) = (&mut self.q, &mut self.v);
-            self.phase.begin::<A>(self.problem, &entry.basis, entry.steady.as_ref(), at, q, v);
+            self.phase
+                .begin::<A>(self.problem, &entry.basis, entry.steady.as_ref(), at, q, v);
             let horizon = self.phase.local(request.end).min(self.phase.reach);
             self.begin_tracks::<A>(regime);
             let event = self.pass::<A>(regime, horizon)?;
@@ -314,7 +343,8 @@ impl<'a> Workspace<'a> {
                 &mut self.q_end,
                 &mut self.v_end,
             );
-            self.sampler.phase::<A>(&entry.basis, &self.phase, s, &mut self.out.samples);
+            self.sampler
+                .phase::<A>(&entry.basis, &self.phase, s, &mut self.out.samples);
             self.end_tracks::<A>(regime);
             at = self.phase.time(s);
             std::mem::swap(&mut self.q, &mut self.q_end);
@@ -350,9 +380,17 @@ impl<'a> Workspace<'a> {
     #[inline(always)]
     fn regime(&mut self) -> Result<usize, Refusal> {
         for (key, state) in self.key.iter_mut().zip(&self.states) {
-            *key = if state.engaged() { *state } else { PairState::Free };
+            *key = if state.engaged() {
+                *state
+            } else {
+                PairState::Free
+            };
         }
-        match self.regimes.iter().position(|regime| regime.key == self.key) {
+        match self
+            .regimes
+            .iter()
+            .position(|regime| regime.key == self.key)
+        {
             Some(index) => Ok(index),
             None => self.make_regime(),
         }
@@ -364,14 +402,30 @@ impl<'a> Workspace<'a> {
             self.regimes.clear();
         }
         let basis = Basis::new(self.problem, &self.key).map_err(|e| Refusal::new("", e.0))?;
-        let weights = self.functionals.iter().map(|f| Weights::new(&basis, f)).collect();
+        let weights = self
+            .functionals
+            .iter()
+            .map(|f| Weights::new(&basis, f))
+            .collect();
         let steady = Steady::new(self.problem, &basis);
         let panels = if self.tracks.is_empty() {
             Vec::new()
         } else {
-            panels(self.problem, self.functionals, self.first, &self.key, &basis)
+            panels(
+                self.problem,
+                self.functionals,
+                self.first,
+                &self.key,
+                &basis,
+            )
         };
-        self.regimes.push(Regime { key: self.key.clone(), basis, steady, weights, panels });
+        self.regimes.push(Regime {
+            key: self.key.clone(),
+            basis,
+            steady,
+            weights,
+            panels,
+        });
         Ok(self.regimes.len() - 1)
     }
 
@@ -395,7 +449,12 @@ impl<'a> Workspace<'a> {
                     PairState::Engaged(_) => continue,
                     _ => (clear, 1.0, PairState::Engaged(flank)),
                 };
-                self.watches.push(Watch { mass: i, functional, sign, target });
+                self.watches.push(Watch {
+                    mass: i,
+                    functional,
+                    sign,
+                    target,
+                });
                 self.watched.push(functional);
             }
         }
@@ -438,7 +497,12 @@ impl<'a> Workspace<'a> {
             };
             self.variants[o] = (variant, engaged);
             let entry = &self.regimes[regime];
-            track.begin::<A>(&entry.basis, &entry.panels[o][variant], &self.phase, engaged);
+            track.begin::<A>(
+                &entry.basis,
+                &entry.panels[o][variant],
+                &self.phase,
+                engaged,
+            );
         }
     }
 
@@ -508,7 +572,9 @@ impl<'a> Workspace<'a> {
         let mut changed = false;
         for number in 0..self.watches.len() {
             let watch = self.watches[number];
-            let PairState::Pressed(f) = self.states[watch.mass] else { continue };
+            let PairState::Pressed(f) = self.states[watch.mass] else {
+                continue;
+            };
             if watch.target != PairState::Engaged(f) || fired.is_some_and(|k| k != number) {
                 continue;
             }
@@ -536,9 +602,14 @@ impl<'a> Workspace<'a> {
         let watch = self.watches[number];
         let i = watch.mass;
         let before = self.states[i];
-        let (PairState::Pressed(f) | PairState::Engaged(f)) = watch.target else { return };
+        let (PairState::Pressed(f) | PairState::Engaged(f)) = watch.target else {
+            return;
+        };
         let clear = self.first[i] + 2 * usize::from(f);
-        let rate = Functional { constant: 0.0, ..self.functionals[clear].clone() };
+        let rate = Functional {
+            constant: 0.0,
+            ..self.functionals[clear].clone()
+        };
         let speed = rate.value(&self.v, &self.v);
         let undamped = self.problem.masses[i].damping == 0.0;
         let after = match watch.target {
@@ -553,6 +624,12 @@ impl<'a> Workspace<'a> {
             _ => {}
         }
         self.states[i] = after;
-        self.out.switches.push(ExactSwitch { time, mass: i, before, after, speed });
+        self.out.switches.push(ExactSwitch {
+            time,
+            mass: i,
+            before,
+            after,
+            speed,
+        });
     }
 }

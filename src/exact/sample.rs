@@ -33,7 +33,11 @@ impl Sampler {
     }
 
     fn time(&self, k: usize) -> f64 {
-        if k == self.count { self.end } else { self.end * (k as f64 / self.count as f64) }
+        if k == self.count {
+            self.end
+        } else {
+            self.end * (k as f64 / self.count as f64)
+        }
     }
 
     /// Appends the samples in (start, start + s].
@@ -87,7 +91,11 @@ fn last_mass<A: Arith>(basis: &Basis, phase: &Phase, s: V) -> V {
         if decay < -45.0 {
             continue;
         }
-        let size = if basis.re[b].0[l] == 0.0 { V::splat(1.0) } else { exp::<A>(s * V::splat(basis.re[b].0[l])) };
+        let size = if basis.re[b].0[l] == 0.0 {
+            V::splat(1.0)
+        } else {
+            exp::<A>(s * V::splat(basis.re[b].0[l]))
+        };
         let (sin, cos) = sin_cos::<A>(s * V::splat(basis.im[b].0[l]));
         sum = size.fma::<A>(cos * V::splat(cr) - sin * V::splat(ci), sum);
     }

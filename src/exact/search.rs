@@ -31,6 +31,8 @@ pub(crate) enum Step {
 pub(crate) struct Search {
     pub(crate) e: Exponentials,
     pub(crate) terms: Terms,
+    /// e at the beginning of a step that ends in a root.
+    before: Exponentials,
     /// Steps taken.
     pub(crate) steps: u64,
     /// Evaluations of the exponentials.
@@ -43,7 +45,11 @@ impl Search {
     pub(crate) fn new(blocks: usize) -> Self {
         Self {
             e: Exponentials::new(blocks),
-            terms: Terms { lane: vec![V::ZERO; 5 * blocks], slow: [0.0; 4] },
+            before: Exponentials::new(blocks),
+            terms: Terms {
+                lane: vec![V::ZERO; 5 * blocks],
+                slow: [0.0; 4],
+            },
             steps: 0,
             evaluations: 0,
             grazing: 0,
@@ -104,11 +110,11 @@ impl Search {
         for (number, &index) in watched.iter().enumerate() {
             let signal = &mut signals[index];
             signal.terms::<A>(basis, phase.active, &self.e, &mut self.terms);
-            let seen = assess::<A>(basis, phase.active, signal, &self.terms, s == 0.0, left);
+            let seen = assess::<A>(basis, phase.active, signal, &self.terms, s, left);
             if !seen.jet[0].is_finite() || !seen.remainder.is_finite() {
                 return Step::NotFinite;
             }
-            if crossed(signal, &seen, s == 0.0, fastest) {
+            if crossed(signal, &seen, s, fastest) {
                 return Step::Root(number);
             }
             let free = self.cleared(signal, &seen, left);
@@ -126,13 +132,20 @@ impl Search {
         if let Some((number, bracket)) = root
             && (second >= bracket.high || second >= left)
         {
-            see(&self.e, bracket.high);
-            return self.polish::<A>(basis, phase, &signals[watched[number]], bracket, left, number);
+            self.before.copy(&self.e, phase.active);
+            let signal = &signals[watched[number]];
+            let step = self.polish::<A>(basis, phase, signal, bracket, left, number);
+            see(&self.before, self.e.s - s);
+            return step;
         }
         see(&self.e, length.min(left));
         let target = if length >= left { horizon } else { s + length };
         self.evaluate::<A>(basis, phase, target);
-        if length >= left { Step::Reached } else { Step::Free }
+        if length >= left {
+            Step::Reached
+        } else {
+            Step::Free
+        }
     }
 
     /// Length that is free of roots, taking up what is below rounding as grazing.
@@ -149,9 +162,13 @@ impl Search {
         let [_, d1, d2, d3] = seen.jet.map(f64::abs);
         let n = 0.25 * signal.noise;
         let mut h = left;
-        h = h.min(n / d1).min((2.0 * n / d2).sqrt()).min((6.0 * n / d3).cbrt());
+        h = h
+            .min(n / d1)
+            .min((2.0 * n / d2).sqrt())
+            .min((6.0 * n / d3).cbrt());
         h = h.min((24.0 * n / seen.remainder).sqrt().sqrt());
-        h.max(2.0 * least).min(left)
+        // Exactly zero in every order that is seen: a billionth of what is left.
+        h.max(2.0 * least).max(1e-9 * left).min(left)
     }
 
     /// Polishes the root in the bracket and evaluates there.
@@ -170,11 +187,19 @@ impl Search {
         let (mut low, mut high) = (start + bracket.low, start + bracket.high);
         let mut s = start + bracket.guess;
         let lanes = basis.lanes.len().min(phase.active * WIDTH);
-        let fastest = if lanes > 0 { basis.modulus[lanes - 1] } else { 0.0 };
+        let fastest = if lanes > 0 {
+            basis.modulus[lanes - 1]
+        } else {
+            0.0
+        };
         for _ in 0..60 {
             self.evaluate::<A>(basis, phase, s);
             let (a, r) = self.jet::<A>(basis, phase, signal);
-            if a[0] > 0.0 { low = s } else { high = s }
+            if a[0] > 0.0 {
+                low = s
+            } else {
+                high = s
+            }
             let x = reversed(a);
             let bend = 0.5 * a[2] * x / a[1];
             let lost = (r * x * x * x / (24.0 * a[1])).abs() + 5.0 * (bend * bend * bend).abs();
@@ -242,10 +267,7 @@ impl Search {
             let (mut re, mut im) = (f(1.0) + u * f(1.0 / 3.0), w * f(1.0 / 3.0));
             for share in [0.5, 1.0] {
                 let (yr, yi) = (u * f(share), w * f(share));
-                (re, im) = (
-                    yr.fma::<A>(re, f(1.0)) - yi * im,
-                    yr.fma::<A>(im, yi * re),
-                );
+                (re, im) = (yr.fma::<A>(re, f(1.0)) - yi * im, yr.fma::<A>(im, yi * re));
             }
             let (er, ei) = (self.e.re[b], self.e.im[b]);
             self.e.re[b] = er * re - ei * im;
@@ -260,8 +282,8 @@ impl Search {
 /// lost in rounding; one that has not yet left the band of its rounding is
 /// only believed when it lies clearly below.
 #[inline(always)]
-fn crossed(signal: &Signal, seen: &Assessment, at_start: bool, fastest: f64) -> bool {
-    if at_start && signal.zeros > 0 {
+fn crossed(signal: &Signal, seen: &Assessment, s: f64, fastest: f64) -> bool {
+    if s == 0.0 && signal.zeros > 0 {
         // Rounding of the n-th derivative: that of g times the fastest rate.
         let mut noise = signal.noise;
         for (order, derivative) in seen.jet.iter().enumerate() {
@@ -273,7 +295,9 @@ fn crossed(signal: &Signal, seen: &Assessment, at_start: bool, fastest: f64) -> 
         return false;
     }
     if signal.leaving {
-        return seen.jet[0] < -2.0 * signal.noise;
+        // A root is where the clock puts it: half a unit of s times the rate.
+        let clock = f64::EPSILON * s * seen.jet[1].abs();
+        return seen.jet[0] < -2.0 * (signal.noise + clock);
     }
     seen.jet[0] <= 0.0 && seen.jet[1] <= 0.0
 }

@@ -61,7 +61,11 @@ impl Functional {
     #[inline(always)]
     pub(crate) fn polynomial(&self, phase: &Phase, out: &mut [f64; POLY]) -> usize {
         let law = self.law != [0.0; 3];
-        let degree = if law { phase.degree.max(phase.forcing.degree) } else { phase.degree };
+        let degree = if law {
+            phase.degree.max(phase.forcing.degree)
+        } else {
+            phase.degree
+        };
         out[..=degree].fill(0.0);
         let mut add = |p: &[f64], [a, b, c]: [f64; 3]| {
             for (k, x) in p.iter().enumerate() {
@@ -113,7 +117,11 @@ impl Weights {
                 weight *= lane.lambda;
             }
         }
-        let rigid = basis.rigid.iter().map(|part| functional.rigid(part)).collect();
+        let rigid = basis
+            .rigid
+            .iter()
+            .map(|part| functional.rigid(part))
+            .collect();
         Self { w, rigid }
     }
 }
@@ -219,7 +227,11 @@ impl Signal {
                 *c *= sign;
             }
         }
-        self.slow4 = if self.degree > 3 { self.fourth(phase.reach) } else { 0.0 };
+        self.slow4 = if self.degree > 3 {
+            self.fourth(phase.reach)
+        } else {
+            0.0
+        };
         self.arcs.clear();
         for flight in &phase.flights {
             let [x, y, _] = weights.rigid[flight.rigid];
@@ -234,11 +246,29 @@ impl Signal {
             let square = flight.omega * flight.omega;
             // Orders ≥ 2 see the three together, as (α + β + γ)e^{iΩs}.
             self.slow4 += (alpha + beta + gamma).norm() * square * square;
-            self.arcs.push(Arc { omega: flight.omega, alpha, beta, gamma });
+            self.arcs.push(Arc {
+                omega: flight.omega,
+                alpha,
+                beta,
+                gamma,
+            });
         }
         self.noise = 4.0 * f64::EPSILON * scale;
         self.zeros = 0;
         self.leaving = false;
+    }
+
+    /// Rounding of g at any time up to s: polynomial and arcs grow.
+    pub(crate) fn noise_until(&self, s: f64) -> f64 {
+        let mut sum = 0.0;
+        for k in (0..=self.degree).rev() {
+            sum = sum * s + self.poly[k].abs();
+        }
+        for arc in &self.arcs {
+            let x = (arc.omega * s).min(2.0);
+            sum += (arc.alpha.norm() * x + arc.beta.norm()) * x;
+        }
+        self.noise + 4.0 * f64::EPSILON * sum
     }
 
     /// Adds a constant.
@@ -267,7 +297,11 @@ impl Signal {
             self.poly[k - 1] = k as f64 * self.poly[k];
         }
         self.poly[self.degree] = 0.0;
-        self.slow4 = if self.degree > 3 { self.fourth(reach) } else { 0.0 };
+        self.slow4 = if self.degree > 3 {
+            self.fourth(reach)
+        } else {
+            0.0
+        };
         for arc in &mut self.arcs {
             let drive = C::new(0.0, arc.omega);
             let (alpha, rest) = (arc.alpha, arc.beta + arc.gamma);
@@ -360,6 +394,8 @@ impl Signal {
     /// Greatest Ω of the arcs and whether they exist.
     #[inline(always)]
     pub(crate) fn swing(&self) -> f64 {
-        self.arcs.iter().fold(0.0, |m, arc| if arc.omega > m { arc.omega } else { m })
+        self.arcs
+            .iter()
+            .fold(0.0, |m, arc| if arc.omega > m { arc.omega } else { m })
     }
 }

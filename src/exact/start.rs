@@ -33,9 +33,15 @@ pub(crate) fn states(
             let x = clear.value(q, v);
             if x < 0.0 {
                 let r = pull.value(q, v);
-                states[i] = if r < 0.0 { PairState::Engaged(f as u8) } else { PairState::Pressed(f as u8) };
+                states[i] = if r < 0.0 {
+                    PairState::Engaged(f as u8)
+                } else {
+                    PairState::Pressed(f as u8)
+                };
                 zeros[first[i] + 2 * f + 1] = usize::from(r == 0.0);
-            } else if x == 0.0 && !matches!(states[i], PairState::Pressed(_) | PairState::Engaged(_)) {
+            } else if x == 0.0
+                && !matches!(states[i], PairState::Pressed(_) | PairState::Engaged(_))
+            {
                 open.push((i, f));
             }
         }
@@ -44,7 +50,11 @@ pub(crate) fn states(
         let mut found = (Vec::new(), None);
         for orders in ORDERS {
             let d = derivatives(problem, &states, orders);
-            let least = open.iter().filter_map(|&(i, f)| leading(problem, i, f, &d)).map(|l| l.0).min();
+            let least = open
+                .iter()
+                .filter_map(|&(i, f)| leading(problem, i, f, &d))
+                .map(|l| l.0)
+                .min();
             found = (d, least);
             if least.is_some() {
                 break;
@@ -143,9 +153,7 @@ fn derivatives(problem: &TreeProblem, states: &[PairState], orders: usize) -> Ve
                 }
                 _ => continue,
             };
-            let x = |k: usize| {
-                d[k][i] - mass.parent.map_or(0.0, |p| mass.lever * d[k][p])
-            };
+            let x = |k: usize| d[k][i] - mass.parent.map_or(0.0, |p| mass.lever * d[k][p]);
             let spring = x(order) + if order == 0 { relaxed } else { 0.0 };
             let pull = mass.stiffness * spring + mass.damping * x(order + 1);
             force[i] -= pull;
@@ -153,7 +161,13 @@ fn derivatives(problem: &TreeProblem, states: &[PairState], orders: usize) -> Ve
                 force[p] += mass.lever * pull;
             }
         }
-        d.push(force.iter().zip(&problem.masses).map(|(f, m)| f / m.inertia).collect());
+        d.push(
+            force
+                .iter()
+                .zip(&problem.masses)
+                .map(|(f, m)| f / m.inertia)
+                .collect(),
+        );
     }
     d
 }

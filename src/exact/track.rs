@@ -63,7 +63,11 @@ impl Track {
         begin.size.fill(V::splat(1.0));
         let signal = Signal::new(blocks, flights);
         Self {
-            figures: TreeFigures { delta_max: delta, delta_min: delta, ..TreeFigures::default() },
+            figures: TreeFigures {
+                delta_max: delta,
+                delta_min: delta,
+                ..TreeFigures::default()
+            },
             area: 0.0,
             state: PanelPhase::new(blocks, flights),
             engaged: true,
@@ -169,7 +173,7 @@ impl Track {
         };
     }
 
-    #[inline(never)]
+    #[inline(always)]
     fn improve<A: Arith>(
         &mut self,
         basis: &Basis,
@@ -180,7 +184,11 @@ impl Track {
     ) {
         for (interval, sign) in [(self.above[k], 1.0), (self.below[k], -1.0)] {
             let Some((from, to)) = interval else { continue };
-            let best = if sign > 0.0 { self.high.0[k] } else { -self.low.0[k] };
+            let best = if sign > 0.0 {
+                self.high.0[k]
+            } else {
+                -self.low.0[k]
+            };
             let range = (from.min(end), to.min(end));
             let best = self.climb::<A>(basis, panel, phase, (k, sign), range, best);
             let f = &mut self.figures;
@@ -194,7 +202,11 @@ impl Track {
             }
             if k > 0 {
                 self.high.0[k] = best;
-                self.low.0[k] = if k < 3 || self.engaged { -best } else { f64::NEG_INFINITY };
+                self.low.0[k] = if k < 3 || self.engaged {
+                    -best
+                } else {
+                    f64::NEG_INFINITY
+                };
             }
         }
     }
@@ -219,17 +231,27 @@ impl Track {
         slope.differentiate(basis, phase.reach);
         for _ in 0..10_000 {
             value.take::<A>(basis, phase, functional, weights, -sign);
-            let margin = (1e-14 * best.abs()).max(4.0 * value.noise);
+            let noise = value.noise_until(to);
+            let margin = (1e-14 * best.abs()).max(4.0 * noise);
             value.add(best + margin);
+            // At the summit itself the signal is its margin, give or take its rounding.
+            value.noise = noise;
+            value.leaving = true;
             let rises = loop {
-                match self.search.step::<A>(basis, phase, std::slice::from_mut(value), &[0], to) {
+                match self
+                    .search
+                    .step::<A>(basis, phase, std::slice::from_mut(value), &[0], to)
+                {
                     Step::Free => {}
                     Step::Root(_) => break true,
                     _ => break false,
                 }
             };
             while rises {
-                match self.search.step::<A>(basis, phase, std::slice::from_mut(slope), &[0], to) {
+                match self
+                    .search
+                    .step::<A>(basis, phase, std::slice::from_mut(slope), &[0], to)
+                {
                     Step::Free => {}
                     _ => break,
                 }
@@ -245,7 +267,7 @@ impl Track {
     }
 
     /// ∫|δ| over a phase in which δ may change its sign within `range`.
-    #[inline(never)]
+    #[inline(always)]
     fn area_between<A: Arith>(
         &mut self,
         basis: &Basis,
@@ -260,12 +282,20 @@ impl Track {
         let signal = &mut self.signals[0];
         signal.take::<A>(basis, phase, functional, weights, 1.0);
         let (jet, _) = self.search.jet::<A>(basis, phase, signal);
-        let mut sign = if jet[0].abs() > signal.noise { jet[0] } else { jet[1] }.signum();
+        let mut sign = if jet[0].abs() > signal.noise {
+            jet[0]
+        } else {
+            jet[1]
+        }
+        .signum();
         for _ in 0..100_000 {
             signal.take::<A>(basis, phase, functional, weights, sign);
             signal.leaving = true;
             let root = loop {
-                match self.search.step::<A>(basis, phase, std::slice::from_mut(signal), &[0], to) {
+                match self
+                    .search
+                    .step::<A>(basis, phase, std::slice::from_mut(signal), &[0], to)
+                {
                     Step::Free => {}
                     Step::Root(_) => break true,
                     _ => break false,
@@ -274,7 +304,9 @@ impl Track {
             if !root {
                 break;
             }
-            let now = self.state.primitive::<A>(basis, panel, phase, &self.search.e);
+            let now = self
+                .state
+                .primitive::<A>(basis, panel, phase, &self.search.e);
             area += (now - before).abs();
             before = now;
             sign = -sign;
