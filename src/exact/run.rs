@@ -3,10 +3,11 @@
 use super::basis::Basis;
 use super::lanes::{Arith, Fused, Plain};
 use super::panel::Panel;
+use super::phase::Exponentials;
 use super::phase::{Phase, Steady};
 use super::problem::{PairState, Refusal, TreeObject, TreePair, TreeProblem};
 use super::sample::Sampler;
-use super::search::{Search, Step};
+use super::search::{Search, Step, Witness};
 use super::signal::{Functional, Signal, Weights};
 use super::start;
 use super::track::{Track, TreeFigures};
@@ -62,6 +63,8 @@ pub struct ExactRun {
     pub time: f64,
     /// True when the end was reached.
     pub complete: bool,
+    /// States of the pairs just after t = 0, by mass.
+    pub start: Vec<PairState>,
     /// Every switch.
     pub switches: Vec<ExactSwitch>,
     /// Samples: one row an interval end; one column (δ of the last mass), or
@@ -106,6 +109,24 @@ struct Watch {
     functional: usize,
     sign: f64,
     target: PairState,
+}
+
+/// Hands every step of the search to the tracks.
+struct Tracks<'a> {
+    tracks: &'a mut [Track],
+    variants: &'a [(usize, bool)],
+    regime: &'a Regime,
+    phase: &'a Phase,
+}
+
+impl Witness for Tracks<'_> {
+    #[inline(always)]
+    fn see<A: Arith>(&mut self, e: &Exponentials, length: f64) {
+        for (o, track) in self.tracks.iter_mut().enumerate() {
+            let panel = &self.regime.panels[o][self.variants[o].0];
+            track.step::<A>(&self.regime.basis, panel, self.phase, e, length);
+        }
+    }
 }
 
 /// Working memory of a run.
@@ -296,7 +317,7 @@ impl<'a> Workspace<'a> {
             first,
             regimes: Vec::new(),
             key: states.clone(),
-            states,
+            states: states.clone(),
             watches: Vec::with_capacity(2 * n),
             watched: Vec::with_capacity(2 * n),
             signals: vec![Signal::new(blocks, n * harmonics); functionals.len()],
@@ -311,6 +332,7 @@ impl<'a> Workspace<'a> {
             tracks: tracks(problem, request, blocks),
             variants: vec![(0, true); problem.objects.len()],
             out: ExactRun {
+                start: states.clone(),
                 switches: Vec::with_capacity(256),
                 columns: if request.all_masses { 2 * n } else { 1 },
                 ..ExactRun::default()
@@ -527,19 +549,19 @@ impl<'a> Workspace<'a> {
         }
         loop {
             let entry = &self.regimes[regime];
-            let (tracks, phase, variants) = (&mut self.tracks, &self.phase, &self.variants);
+            let mut witness = Tracks {
+                tracks: &mut self.tracks,
+                variants: &self.variants,
+                regime: entry,
+                phase: &self.phase,
+            };
             let step = self.search.step_seen::<A>(
                 &entry.basis,
-                phase,
+                &self.phase,
                 &mut self.signals,
                 &self.watched,
                 horizon,
-                |e, h| {
-                    for (o, track) in tracks.iter_mut().enumerate() {
-                        let panel = &entry.panels[o][variants[o].0];
-                        track.step::<A>(&entry.basis, panel, phase, e, h);
-                    }
-                },
+                &mut witness,
             );
             match step {
                 Step::NotFinite => {

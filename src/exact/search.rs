@@ -26,6 +26,21 @@ pub(crate) enum Step {
     NotFinite,
 }
 
+/// Is told of every step. (A trait and not a closure: closures cannot be forced
+/// inline, and out of line they lose the processor's instructions.)
+pub(crate) trait Witness {
+    /// Nothing has switched over [e.s, e.s + length].
+    fn see<A: Arith>(&mut self, e: &Exponentials, length: f64);
+}
+
+/// Nobody looks.
+struct Unseen;
+
+impl Witness for Unseen {
+    #[inline(always)]
+    fn see<A: Arith>(&mut self, _: &Exponentials, _: f64) {}
+}
+
 /// Working memory of the search.
 #[derive(Clone, Debug)]
 pub(crate) struct Search {
@@ -83,11 +98,11 @@ impl Search {
         watched: &[usize],
         horizon: f64,
     ) -> Step {
-        self.step_seen::<A>(basis, phase, signals, watched, horizon, |_, _| {})
+        self.step_seen::<A>(basis, phase, signals, watched, horizon, &mut Unseen)
     }
 
-    /// One step towards `horizon`; `see` is told the exponentials at its start
-    /// and a length that covers it.
+    /// One step towards `horizon`; the witness is told the exponentials at its
+    /// start and its length.
     #[inline(always)]
     pub(crate) fn step_seen<A: Arith>(
         &mut self,
@@ -96,7 +111,7 @@ impl Search {
         signals: &mut [Signal],
         watched: &[usize],
         horizon: f64,
-        mut see: impl FnMut(&Exponentials, f64),
+        witness: &mut impl Witness,
     ) -> Step {
         let s = self.e.s;
         let left = horizon - s;
@@ -135,10 +150,10 @@ impl Search {
             self.before.copy(&self.e, phase.active);
             let signal = &signals[watched[number]];
             let step = self.polish::<A>(basis, phase, signal, bracket, left, number);
-            see(&self.before, self.e.s - s);
+            witness.see::<A>(&self.before, self.e.s - s);
             return step;
         }
-        see(&self.e, length.min(left));
+        witness.see::<A>(&self.e, length.min(left));
         let target = if length >= left { horizon } else { s + length };
         self.evaluate::<A>(basis, phase, target);
         if length >= left {

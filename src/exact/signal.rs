@@ -67,22 +67,11 @@ impl Functional {
             phase.degree
         };
         out[..=degree].fill(0.0);
-        let mut add = |p: &[f64], [a, b, c]: [f64; 3]| {
-            for (k, x) in p.iter().enumerate() {
-                out[k] += a * x;
-            }
-            for k in 1..p.len() {
-                out[k - 1] += b * k as f64 * p[k];
-            }
-            for k in 2..p.len() {
-                out[k - 2] += c * (k * (k - 1)) as f64 * p[k];
-            }
-        };
         for &(i, abc) in &self.terms {
-            add(&phase.poly[i * POLY..i * POLY + phase.degree + 1], abc);
+            accumulate(out, &phase.poly[i * POLY..i * POLY + phase.degree + 1], abc);
         }
         if law {
-            add(&phase.forcing.law[..=phase.forcing.degree], self.law);
+            accumulate(out, &phase.forcing.law[..=phase.forcing.degree], self.law);
         }
         out[0] += self.constant;
         degree
@@ -93,6 +82,20 @@ impl Functional {
         self.terms.iter().fold([0.0; 3], |sum, &(i, abc)| {
             [0, 1, 2].map(|k| sum[k] + abc[k] * part.shape[i])
         })
+    }
+}
+
+/// out += a·p + b·p′ + c·p″.
+#[inline(always)]
+fn accumulate(out: &mut [f64; POLY], p: &[f64], [a, b, c]: [f64; 3]) {
+    for (k, x) in p.iter().enumerate() {
+        out[k] += a * x;
+    }
+    for k in 1..p.len() {
+        out[k - 1] += b * k as f64 * p[k];
+    }
+    for k in 2..p.len() {
+        out[k - 2] += c * (k * (k - 1)) as f64 * p[k];
     }
 }
 

@@ -184,3 +184,141 @@ fn one_undamped_mass_is_thrown_higher_every_cycle() {
         max_relative = 1e-12
     );
 }
+
+/// Cases A–E of the comparison with general solvers: masses, load, ψ, duration,
+/// with local dampers b_m = ψ√(c_m J_m)/2π, started on the law.
+const PEERS: [(usize, f64, f64, f64); 5] = [
+    (1, 1000.0, 0.4, 1.0),
+    (1, 600.0, 0.4, 1.0),
+    (2, 600.0, 0.4, 1.0),
+    (10, 1000.0, 0.4, 1.0),
+    (1, 600.0, 0.0, 0.1),
+];
+
+fn peer((n, load, psi, _): (usize, f64, f64, f64)) -> TreeProblem {
+    let local = |c: f64, j: f64| psi * (c * j).sqrt() / std::f64::consts::TAU;
+    let mut problem = chain(0.1, 1e7, n, 10.0, local);
+    problem.masses[0].pair = TreePair::Force { opens: 1.0 };
+    problem.masses[n - 1].loads.push(TimeLoad::Constant(-load));
+    problem
+}
+
+#[test]
+fn starts_on_the_law_agree_with_quadruple_precision() {
+    // Taylor series of order 34 in quadruple precision: max|δ|, mean |δ|, δ(T), switches.
+    let reference = [
+        (
+            1.893047769089701667e-4,
+            9.999940218746998029e-5,
+            -1.000248069760167783e-4,
+            0,
+        ),
+        (
+            7.506027748937829574e-3,
+            8.590180896464141751e-4,
+            -6.002496902451878511e-5,
+            300,
+        ),
+        (
+            7.642297317856839545e-3,
+            9.098588649871621729e-4,
+            -5.966782247032882762e-5,
+            446,
+        ),
+        (
+            1.887045735141460660e-4,
+            9.999290877030222588e-5,
+            -1.000014528898940735e-4,
+            87,
+        ),
+        (
+            8.253104871852900087e-3,
+            1.944492686520481732e-3,
+            1.869720385118136637e-3,
+            103,
+        ),
+    ];
+    for (case, (peak, sigma, end, switches)) in PEERS.into_iter().zip(reference) {
+        let tree = ExactTree::new(peer(case));
+        let request = Request {
+            figures: true,
+            ..Request::new(case.3, 1000)
+        };
+        let run = tree.run(&request).expect("runs");
+        let f = run.figures[0];
+        assert_eq!(run.switches.len(), switches);
+        assert_eq!(run.samples.len(), 1000);
+        let measured = f.delta_max.max(-f.delta_min);
+        approx::assert_relative_eq!(measured, peak, max_relative = 1e-12);
+        approx::assert_relative_eq!(f.sigma, sigma, max_relative = 1e-12);
+        approx::assert_abs_diff_eq!(run.samples[999], end, epsilon = 1e-11 * peak);
+        let plain = run::run_plain(&tree.problem, &tree.functionals, &tree.first, &request);
+        let plain = plain.expect("runs");
+        assert_eq!(plain.switches.len(), switches);
+        for (a, b) in plain.samples.iter().zip(&run.samples) {
+            approx::assert_abs_diff_eq!(a, b, epsilon = 1e-11 * peak);
+        }
+    }
+}
+
+#[test]
+fn random_scenes_miss_nothing_that_dense_sampling_sees() {
+    let mut seed = 12345u64;
+    let mut random = || {
+        seed = seed
+            .wrapping_mul(6364136223846793005)
+            .wrapping_add(1442695040888963407);
+        (seed >> 11) as f64 / (1u64 << 53) as f64
+    };
+    let mut switches = 0;
+    for scene in 0..60 {
+        let n = 1 + scene % 4;
+        let psi = if scene % 5 == 0 { 0.0 } else { 2.0 * random() };
+        let (j, c) = (0.05 + random(), 10f64.powf(5.0 + 3.0 * random()));
+        let mut problem = chain(j, c, n, 5.0 + 10.0 * random(), |c, j| {
+            psi * (c * j).sqrt() / std::f64::consts::TAU
+        });
+        let gap = 1e-4 * random();
+        problem.masses[0].pair = match scene % 3 {
+            0 => TreePair::Form { gap },
+            1 => TreePair::Force { opens: 1.0 },
+            _ => TreePair::Force { opens: -1.0 },
+        };
+        let load = 6000.0 * random() * if scene % 3 == 2 { 1.0 } else { -1.0 };
+        problem.masses[n - 1].loads.push(TimeLoad::Constant(load));
+        let (mass, flanks) = (problem.masses[0].clone(), problem.masses[0].pair.flanks());
+        let tree = ExactTree::new(problem);
+        let request = Request {
+            all_masses: true,
+            ..Request::new(0.1, 20_000)
+        };
+        let run = tree.run(&request).expect("runs");
+        assert!(run.complete);
+        switches += run.switches.len();
+        let mut state = run.start[0];
+        let mut next = run.switches.iter().peekable();
+        for (k, row) in run.samples.chunks(run.columns).enumerate() {
+            let t = 0.1 * (k + 1) as f64 / 20_000.0;
+            while next.peek().is_some_and(|s| s.time < t) {
+                state = next.next().expect("peeked").after;
+            }
+            let (x, v) = (row[0], row[n]);
+            let small = 1e-12 * (1.0 + x.abs());
+            for (f, flank) in flanks.0[..flanks.1].iter().enumerate() {
+                let clear = flank.sign * x + flank.offset;
+                let pull = mass.stiffness * clear + mass.damping * flank.sign * v;
+                let engaged = state == PairState::Engaged(f as u8);
+                let fine = if engaged {
+                    clear < small && pull < mass.stiffness * small
+                } else {
+                    clear > -small || pull > -mass.stiffness * small
+                };
+                assert!(
+                    fine,
+                    "scene {scene} t {t} {state:?} clear {clear} pull {pull}"
+                );
+            }
+        }
+    }
+    assert!(switches > 1000, "{switches}");
+}
