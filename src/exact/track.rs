@@ -247,14 +247,13 @@ impl Track {
                     _ => break false,
                 }
             };
-            while rises {
-                match self
+            if rises {
+                // On to the summit.
+                while self
                     .search
                     .step::<A>(basis, phase, std::slice::from_mut(slope), &[0], to)
-                {
-                    Step::Free => {}
-                    _ => break,
-                }
+                    == Step::Free
+                {}
             }
             value.take::<A>(basis, phase, functional, weights, sign);
             let now = value.value::<A>(basis, phase.active, &self.search.e);
