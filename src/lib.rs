@@ -3,6 +3,7 @@
 pub mod analysis;
 pub mod breaks;
 pub mod diagnostics;
+pub mod exact;
 pub mod fault;
 pub mod graph;
 pub mod integrate;

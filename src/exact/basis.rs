@@ -1,0 +1,380 @@
+//! The modes of one combination of engaged pairs.
+//!
+//! For an eigenpair (λ, x) of the pencil the *unconjugated* norm
+//! ν = xᵀ(B + 2λJ)x makes the complex amplitude of the mode a row vector
+//! times the state,
+//!
+//! a = 2·xᵀ(B q + J q̇ + λJ q)/ν,  q = Σ Re(a x),  q̇ = Σ Re(a λ x)
+//!
+//! (upper half-plane only, the 2 is the conjugate; a real λ counts once), and
+//! ȧ = λa + (2/ν)·xᵀf under a force f. No inverse of a mode matrix is needed
+//! and arbitrary link damping costs no more than proportional damping.
+//!
+//! A part of the tree that floats has the rigid motion of double root 0; its
+//! centre moves as η̈ = xᵀf/xᵀJx and is kept in closed form apart from the lanes.
+
+use super::lanes::{SIN_COS_LIMIT, V, WIDTH};
+use super::pencil::{C, Node, Pencil};
+use super::problem::{PairState, TreeProblem};
+
+const ZERO: C = C::new(0.0, 0.0);
+
+/// What a lane of the propagation stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum LaneKind {
+    /// A mode of the tree.
+    Mode,
+    /// The response to harmonic j of the law.
+    Harmonic(usize),
+}
+
+/// One exponential e^{λs} with its shape over the masses and its row vectors.
+#[derive(Clone, Debug)]
+pub(crate) struct Lane {
+    pub(crate) kind: LaneKind,
+    pub(crate) lambda: C,
+    /// Motion of each mass for amplitude 1; for a harmonic: per unit of the law.
+    pub(crate) shape: Vec<C>,
+    /// a = row_q·q + row_v·q̇.
+    pub(crate) row_q: Vec<C>,
+    pub(crate) row_v: Vec<C>,
+    /// ȧ = λa + row_f·f.
+    pub(crate) row_f: Vec<C>,
+}
+
+/// Rigid motion of a floating part.
+#[derive(Clone, Debug)]
+pub(crate) struct Rigid {
+    /// x: motion of each mass for a unit of the root's.
+    pub(crate) shape: Vec<f64>,
+    /// η = row·q, η̇ = row·q̇.
+    pub(crate) row: Vec<f64>,
+    /// η̈ = row_f·f.
+    pub(crate) row_f: Vec<f64>,
+    /// η̈ per unit of each harmonic of the law.
+    pub(crate) push: Vec<C>,
+}
+
+/// The modes of one combination of engaged pairs, and the lanes that carry them.
+#[derive(Clone, Debug)]
+pub(crate) struct Basis {
+    /// Number of masses.
+    pub(crate) masses: usize,
+    /// Ascending in |λ|.
+    pub(crate) lanes: Vec<Lane>,
+    /// Vectors that hold the lanes.
+    pub(crate) blocks: usize,
+    /// Re λ, Im λ.
+    pub(crate) re: Vec<V>,
+    pub(crate) im: Vec<V>,
+    pub(crate) modulus: Vec<f64>,
+    /// |λ|⁴.
+    pub(crate) fourth: Vec<V>,
+    /// Longest phase (s) for which sine and cosine are accurate.
+    pub(crate) longest: f64,
+    /// Lane of each harmonic.
+    pub(crate) harmonic: Vec<usize>,
+    /// Shapes by mass: re, im, then λ·shape re, im; index mass·blocks + block.
+    pub(crate) shape: [Vec<V>; 4],
+    /// Rows by mass: row_q re, im, row_v re, im.
+    pub(crate) row: [Vec<V>; 4],
+    /// Floating parts.
+    pub(crate) rigid: Vec<Rigid>,
+    /// Constant force of the flanks in contact (springs relaxed at the flank).
+    pub(crate) flank_force: Vec<f64>,
+}
+
+/// Why a basis could not be made.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct NoBasis(pub(crate) String);
+
+impl Basis {
+    /// The modes of `problem` with its pairs in `states` (one per mass; ignored
+    /// where the link is bilateral).
+    pub(crate) fn new(problem: &TreeProblem, states: &[PairState]) -> Result<Self, NoBasis> {
+        let n = problem.masses.len();
+        let mut lanes = Vec::new();
+        let mut rigid: Vec<Rigid> = Vec::new();
+        for part in parts(problem, states) {
+            part.modes(n, &mut lanes)?;
+            rigid.extend(part.rigid(n));
+        }
+        for (j, omega) in problem.law.frequencies().into_iter().enumerate() {
+            for part in &mut rigid {
+                let drive = C::new(0.0, omega);
+                let push = (0..n)
+                    .map(|i| law_force(problem, i, drive) * part.row_f[i])
+                    .sum();
+                part.push.push(push);
+            }
+            let response = response(problem, &lanes, &rigid, omega)?;
+            lanes.push(Lane {
+                kind: LaneKind::Harmonic(j),
+                lambda: C::new(0.0, omega),
+                shape: response,
+                row_q: vec![ZERO; n],
+                row_v: vec![ZERO; n],
+                row_f: vec![ZERO; n],
+            });
+        }
+        lanes.sort_by(|a, b| a.lambda.norm().total_cmp(&b.lambda.norm()));
+        let finite = |c: &C| c.re.is_finite() && c.im.is_finite();
+        let sound = lanes.iter().all(|lane| {
+            let all = [&lane.shape, &lane.row_q, &lane.row_v, &lane.row_f];
+            finite(&lane.lambda) && all.iter().all(|v| v.iter().all(finite))
+        });
+        if !sound {
+            return Err(NoBasis("a mode is not finite".into()));
+        }
+        Ok(Self::packed(n, lanes, rigid, flank_force(problem, states)))
+    }
+
+    fn packed(n: usize, lanes: Vec<Lane>, rigid: Vec<Rigid>, flank_force: Vec<f64>) -> Self {
+        let blocks = lanes.len().div_ceil(WIDTH).max(1);
+        let pack = |f: &dyn Fn(&Lane, usize) -> f64, rows: usize| -> Vec<V> {
+            let mut out = vec![V::ZERO; rows * blocks];
+            for i in 0..rows {
+                for (k, lane) in lanes.iter().enumerate() {
+                    out[i * blocks + k / WIDTH].0[k % WIDTH] = f(lane, i);
+                }
+            }
+            out
+        };
+        let re = pack(&|l, _| l.lambda.re, 1);
+        let im = pack(&|l, _| l.lambda.im, 1);
+        let shape = [
+            pack(&|l, i| l.shape[i].re, n),
+            pack(&|l, i| l.shape[i].im, n),
+            pack(&|l, i| (l.shape[i] * l.lambda).re, n),
+            pack(&|l, i| (l.shape[i] * l.lambda).im, n),
+        ];
+        let row = [
+            pack(&|l, i| l.row_q[i].re, n),
+            pack(&|l, i| l.row_q[i].im, n),
+            pack(&|l, i| l.row_v[i].re, n),
+            pack(&|l, i| l.row_v[i].im, n),
+        ];
+        let modulus = lanes.iter().map(|l| l.lambda.norm()).collect();
+        let fourth = pack(&|l, _| l.lambda.norm().powi(4), 1);
+        let fastest = lanes.iter().fold(0.0f64, |m, l| m.max(l.lambda.im.abs()));
+        let longest = 0.5 * SIN_COS_LIMIT / fastest;
+        let mut harmonic = Vec::new();
+        for (k, lane) in lanes.iter().enumerate() {
+            if let LaneKind::Harmonic(j) = lane.kind {
+                if harmonic.len() <= j {
+                    harmonic.resize(j + 1, 0);
+                }
+                harmonic[j] = k;
+            }
+        }
+        Self {
+            masses: n,
+            blocks,
+            re,
+            im,
+            modulus,
+            fourth,
+            longest,
+            harmonic,
+            shape,
+            row,
+            rigid,
+            lanes,
+            flank_force,
+        }
+    }
+}
+
+/// A connected part: its pencil and which masses it holds.
+struct Part {
+    pencil: Pencil,
+    members: Vec<usize>,
+}
+
+/// Cuts the tree at open pairs.
+fn parts(problem: &TreeProblem, states: &[PairState]) -> Vec<Part> {
+    let mut parts: Vec<Part> = Vec::new();
+    let mut place: Vec<(usize, usize)> = Vec::new();
+    for (i, mass) in problem.masses.iter().enumerate() {
+        let engaged = mass.pair.flanks().1 == 0 || states[i].engaged();
+        let host = mass.parent.filter(|_| engaged).map(|p| place[p]);
+        let on = if engaged { 1.0 } else { 0.0 };
+        let node = Node {
+            inertia: mass.inertia,
+            parent: host.map(|(_, local)| local),
+            lever: mass.lever,
+            stiffness: mass.stiffness * on,
+            damping: mass.damping * on,
+            ground_stiffness: mass.ground_stiffness,
+            ground_damping: mass.ground_damping,
+        };
+        match host {
+            Some((part, _)) => {
+                place.push((part, parts[part].members.len()));
+                parts[part].members.push(i);
+                parts[part].pencil.nodes.push(node);
+            }
+            None => {
+                place.push((parts.len(), 0));
+                parts.push(Part {
+                    pencil: Pencil { nodes: vec![node] },
+                    members: vec![i],
+                });
+            }
+        }
+    }
+    parts
+}
+
+impl Part {
+    fn spread(&self, n: usize, local: impl Fn(usize) -> C) -> Vec<C> {
+        let mut out = vec![ZERO; n];
+        for (k, &i) in self.members.iter().enumerate() {
+            out[i] = local(k);
+        }
+        out
+    }
+
+    fn modes(&self, n: usize, lanes: &mut Vec<Lane>) -> Result<(), NoBasis> {
+        let pencil = &self.pencil;
+        if pencil.nodes.len() == 1 && pencil.floats() && !pencil.dragged() {
+            return Ok(());
+        }
+        let mut values = pencil
+            .eigenvalues()
+            .map_err(|_| NoBasis("the natural frequencies could not be separated".into()))?;
+        if pencil.floats() && pencil.dragged() {
+            values.insert(0, ZERO);
+        }
+        for lambda in values {
+            let x = if lambda == ZERO {
+                pencil.rigid_shape().into_iter().map(C::from).collect()
+            } else {
+                pencil.eigenvector(lambda)
+            };
+            let damping = pencil.apply(&x, |node| node.damping, |node| node.ground_damping);
+            let (mut norm, mut size) = (ZERO, 0.0);
+            for (k, node) in pencil.nodes.iter().enumerate() {
+                let term = x[k] * x[k] * (lambda * (2.0 * node.inertia));
+                norm += x[k] * damping[k] + term;
+                size += term.norm() + (x[k] * damping[k]).norm();
+            }
+            if norm.norm() < 1e-7 * size || !size.is_finite() {
+                return Err(NoBasis(
+                    "two of its modes coincide (critical damping)".into(),
+                ));
+            }
+            let factor = norm.inv() * if lambda.im == 0.0 { 1.0 } else { 2.0 };
+            let inertia = |k: usize| x[k] * (factor * pencil.nodes[k].inertia);
+            lanes.push(Lane {
+                kind: LaneKind::Mode,
+                lambda,
+                row_q: self.spread(n, |k| damping[k] * factor + inertia(k) * lambda),
+                row_v: self.spread(n, inertia),
+                row_f: self.spread(n, |k| x[k] * factor),
+                shape: self.spread(n, |k| x[k]),
+            });
+        }
+        Ok(())
+    }
+
+    fn rigid(&self, n: usize) -> Option<Rigid> {
+        if !self.pencil.floats() || self.pencil.dragged() {
+            return None;
+        }
+        let local = self.pencil.rigid_shape();
+        let total: f64 = self
+            .pencil
+            .nodes
+            .iter()
+            .zip(&local)
+            .map(|(node, x)| node.inertia * x * x)
+            .sum();
+        let mut out = Rigid {
+            shape: vec![0.0; n],
+            row: vec![0.0; n],
+            row_f: vec![0.0; n],
+            push: Vec::new(),
+        };
+        for (k, &i) in self.members.iter().enumerate() {
+            out.shape[i] = local[k];
+            out.row[i] = local[k] * self.pencil.nodes[k].inertia / total;
+            out.row_f[i] = local[k] / total;
+        }
+        Some(out)
+    }
+}
+
+/// Force on mass i of a law Re(z): f = Re(F z) with L̇ = iΩL.
+pub(crate) fn law_force(problem: &TreeProblem, i: usize, lambda: C) -> C {
+    let mass = &problem.masses[i];
+    -(lambda * lambda * mass.inertia + lambda * mass.ground_damping + mass.ground_stiffness)
+        * mass.ratio
+}
+
+/// Response of the elastic modes to a unit harmonic of the law; the rigid
+/// motion of floating parts is kept apart, and F is freed of it first, so that
+/// base acceleration, which moves a floating part rigidly, leaves the elastic
+/// modes at rest.
+fn response(
+    problem: &TreeProblem,
+    lanes: &[Lane],
+    rigid: &[Rigid],
+    omega: f64,
+) -> Result<Vec<C>, NoBasis> {
+    let n = problem.masses.len();
+    let drive = C::new(0.0, omega);
+    let mut force: Vec<C> = (0..n).map(|i| law_force(problem, i, drive)).collect();
+    for part in rigid {
+        let push: C = (0..n).map(|i| force[i] * part.row_f[i]).sum();
+        for i in 0..n {
+            force[i] -= push * (problem.masses[i].inertia * part.shape[i]);
+        }
+    }
+    let mut out = vec![ZERO; n];
+    for lane in lanes {
+        let dot = |conjugate: bool| -> C {
+            lane.row_f
+                .iter()
+                .zip(&force)
+                .map(|(r, f)| if conjugate { r.conj() * f } else { r * f })
+                .sum()
+        };
+        if lane.lambda.im == 0.0 {
+            let a = dot(false) / (drive - lane.lambda);
+            for i in 0..n {
+                out[i] += lane.shape[i] * a;
+            }
+        } else {
+            let a = dot(false) / (drive - lane.lambda) * 0.5;
+            let b = dot(true) / (drive - lane.lambda.conj()) * 0.5;
+            for i in 0..n {
+                out[i] += lane.shape[i] * a + lane.shape[i].conj() * b;
+            }
+        }
+    }
+    if out.iter().all(|c| c.re.is_finite() && c.im.is_finite()) {
+        Ok(out)
+    } else {
+        Err(NoBasis(
+            "the law excites an undamped mode at its own frequency".into(),
+        ))
+    }
+}
+
+/// Engaged on a flank at x = ∓η/2 the link is relaxed there, not at 0.
+fn flank_force(problem: &TreeProblem, states: &[PairState]) -> Vec<f64> {
+    let mut force = vec![0.0; problem.masses.len()];
+    for (i, mass) in problem.masses.iter().enumerate() {
+        let (flanks, count) = mass.pair.flanks();
+        if let (PairState::Engaged(f), true) = (states[i], count > 0) {
+            let flank = flanks[usize::from(f)];
+            let pull = mass.stiffness * flank.sign * flank.offset;
+            force[i] -= pull;
+            if let Some(p) = mass.parent {
+                force[p] += mass.lever * pull;
+            }
+        }
+    }
+    force
+}

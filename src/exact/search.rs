@@ -1,0 +1,318 @@
+//! The guaranteed search for the next switch within a phase.
+//!
+//! Each step advances by a length over which no watched signal has a root
+//! (see [`super::bound`]); when one has exactly one root just ahead, it is
+//! polished to rounding. Accepted steps and the certified root cover the phase:
+//! no crossing is lost, however short. What cannot be decided, because the
+//! signal is below its own rounding, is counted as grazing.
+
+use super::basis::Basis;
+use super::bound::{Assessment, Bracket, assess, reversed};
+use super::lanes::{Arith, V, WIDTH};
+use super::phase::{Exponentials, Phase};
+use super::signal::{Signal, Terms};
+
+/// What a step of the search found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Step {
+    /// Nothing up to the instant now evaluated.
+    Free,
+    /// The signal with this number (of those watched) falls through zero at
+    /// the instant now evaluated.
+    Root(usize),
+    /// The horizon was reached.
+    Reached,
+    /// Numbers stopped being finite.
+    NotFinite,
+}
+
+/// Is told of every step. (A trait and not a closure: closures cannot be forced
+/// inline, and out of line they lose the processor's instructions.)
+pub(crate) trait Witness {
+    /// Nothing has switched over [e.s, e.s + length].
+    fn see<A: Arith>(&mut self, e: &Exponentials, length: f64);
+}
+
+/// Nobody looks.
+struct Unseen;
+
+impl Witness for Unseen {
+    #[inline(always)]
+    fn see<A: Arith>(&mut self, _: &Exponentials, _: f64) {}
+}
+
+/// Working memory of the search.
+#[derive(Clone, Debug)]
+pub(crate) struct Search {
+    pub(crate) e: Exponentials,
+    pub(crate) terms: Terms,
+    /// e at the beginning of a step that ends in a root.
+    before: Exponentials,
+    /// Steps taken.
+    pub(crate) steps: u64,
+    /// Evaluations of the exponentials.
+    pub(crate) evaluations: u64,
+    /// Steps over which a signal could not be told from zero.
+    pub(crate) grazing: u64,
+}
+
+impl Search {
+    pub(crate) fn new(blocks: usize) -> Self {
+        Self {
+            e: Exponentials::new(blocks),
+            before: Exponentials::new(blocks),
+            terms: Terms {
+                lane: vec![V::ZERO; 5 * blocks],
+                slow: [0.0; 4],
+            },
+            steps: 0,
+            evaluations: 0,
+            grazing: 0,
+        }
+    }
+
+    /// Puts the search at the start of a phase.
+    #[inline(always)]
+    pub(crate) fn restart(&mut self, phase: &Phase) {
+        self.e.s = 0.0;
+        for b in 0..phase.active {
+            self.e.re[b] = V::splat(1.0);
+            self.e.im[b] = V::ZERO;
+            self.e.size[b] = V::splat(1.0);
+        }
+    }
+
+    #[inline(always)]
+    pub(crate) fn evaluate<A: Arith>(&mut self, basis: &Basis, phase: &Phase, s: f64) {
+        phase.exponentials::<A>(basis, s, &mut self.e);
+        self.evaluations += 1;
+    }
+
+    /// One step towards `horizon`.
+    #[inline(always)]
+    pub(crate) fn step<A: Arith>(
+        &mut self,
+        basis: &Basis,
+        phase: &Phase,
+        signals: &mut [Signal],
+        watched: &[usize],
+        horizon: f64,
+    ) -> Step {
+        self.step_seen::<A>(basis, phase, signals, watched, horizon, &mut Unseen)
+    }
+
+    /// One step towards `horizon`; the witness is told the exponentials at its
+    /// start and its length.
+    #[inline(always)]
+    pub(crate) fn step_seen<A: Arith>(
+        &mut self,
+        basis: &Basis,
+        phase: &Phase,
+        signals: &mut [Signal],
+        watched: &[usize],
+        horizon: f64,
+        witness: &mut impl Witness,
+    ) -> Step {
+        let s = self.e.s;
+        let left = horizon - s;
+        if left <= 0.0 {
+            return Step::Reached;
+        }
+        let fastest = basis.modulus.last().copied().unwrap_or(0.0);
+        let mut length = left;
+        let mut second = left;
+        let mut root: Option<(usize, Bracket)> = None;
+        for (number, &index) in watched.iter().enumerate() {
+            let signal = &mut signals[index];
+            signal.terms::<A>(basis, phase.active, &self.e, &mut self.terms);
+            let seen = assess::<A>(basis, phase.active, signal, &self.terms, s, left);
+            if !seen.jet[0].is_finite() || !seen.remainder.is_finite() {
+                return Step::NotFinite;
+            }
+            if crossed(signal, &seen, s, fastest) {
+                return Step::Root(number);
+            }
+            let free = self.cleared(signal, &seen, left);
+            if let Some(bracket) = seen.root
+                && root.is_none_or(|(_, other)| bracket.guess < other.guess)
+            {
+                root = Some((number, bracket));
+                second = second.min(length);
+            } else {
+                second = second.min(free);
+            }
+            length = length.min(free);
+        }
+        self.steps += 1;
+        if let Some((number, bracket)) = root
+            && (second >= bracket.high || second >= left)
+        {
+            self.before.copy(&self.e, phase.active);
+            let signal = &signals[watched[number]];
+            let step = self.polish::<A>(basis, phase, signal, bracket, left, number);
+            witness.see::<A>(&self.before, self.e.s - s);
+            return step;
+        }
+        witness.see::<A>(&self.e, length.min(left));
+        let target = if length >= left { horizon } else { s + length };
+        self.evaluate::<A>(basis, phase, target);
+        if length >= left {
+            Step::Reached
+        } else {
+            Step::Free
+        }
+    }
+
+    /// Length that is free of roots, taking up what is below rounding as grazing.
+    #[inline(always)]
+    fn cleared(&mut self, signal: &mut Signal, seen: &Assessment, left: f64) -> f64 {
+        if signal.leaving && seen.jet[0] > 4.0 * signal.noise {
+            signal.leaving = false;
+        }
+        let least = 4.0 * f64::EPSILON * self.e.s;
+        if seen.free > least {
+            return seen.free;
+        }
+        self.grazing += 1;
+        let [_, d1, d2, d3] = seen.jet.map(f64::abs);
+        let n = 0.25 * signal.noise;
+        let mut h = left;
+        h = h
+            .min(n / d1)
+            .min((2.0 * n / d2).sqrt())
+            .min((6.0 * n / d3).cbrt());
+        h = h.min((24.0 * n / seen.remainder).sqrt().sqrt());
+        // Exactly zero in every order that is seen: a billionth of what is left.
+        h.max(2.0 * least).max(1e-9 * left).min(left)
+    }
+
+    /// Polishes the root in the bracket and evaluates there.
+    #[inline(always)]
+    fn polish<A: Arith>(
+        &mut self,
+        basis: &Basis,
+        phase: &Phase,
+        signal: &Signal,
+        bracket: Bracket,
+        left: f64,
+        number: usize,
+    ) -> Step {
+        let start = self.e.s;
+        let horizon = start + left;
+        let (mut low, mut high) = (start + bracket.low, start + bracket.high);
+        let mut s = start + bracket.guess;
+        let lanes = basis.lanes.len().min(phase.active * WIDTH);
+        let fastest = if lanes > 0 {
+            basis.modulus[lanes - 1]
+        } else {
+            0.0
+        };
+        for _ in 0..60 {
+            self.evaluate::<A>(basis, phase, s);
+            let (a, r) = self.jet::<A>(basis, phase, signal);
+            if a[0] > 0.0 {
+                low = s
+            } else {
+                high = s
+            }
+            let x = reversed(a);
+            let bend = 0.5 * a[2] * x / a[1];
+            let lost = (r * x * x * x / (24.0 * a[1])).abs() + 5.0 * (bend * bend * bend).abs();
+            let next = s + x;
+            let inside = next >= low && next <= high;
+            if inside && lost * x.abs() <= 1e-16 * s {
+                if next > horizon {
+                    self.evaluate::<A>(basis, phase, horizon);
+                    return Step::Reached;
+                }
+                if fastest * x.abs() < 1e-4 {
+                    self.nudge::<A>(basis, phase.active, x);
+                    self.e.s = next;
+                } else if next != s {
+                    self.evaluate::<A>(basis, phase, next);
+                }
+                return Step::Root(number);
+            }
+            let newton = s - a[0] / a[1];
+            s = if inside {
+                next
+            } else if newton > low && newton < high {
+                newton
+            } else {
+                0.5 * (low + high)
+            };
+        }
+        if s > horizon {
+            self.evaluate::<A>(basis, phase, horizon);
+            return Step::Reached;
+        }
+        Step::Root(number)
+    }
+
+    /// g … g⃛ of a signal at the instant evaluated, all lanes followed.
+    #[inline(always)]
+    pub(crate) fn jet<A: Arith>(
+        &mut self,
+        basis: &Basis,
+        phase: &Phase,
+        signal: &Signal,
+    ) -> ([f64; 4], f64) {
+        signal.terms::<A>(basis, phase.active, &self.e, &mut self.terms);
+        let blocks = basis.blocks;
+        let mut a = self.terms.slow;
+        let mut r = signal.slow4();
+        for b in 0..phase.active {
+            for (order, value) in a.iter_mut().enumerate() {
+                *value += self.terms.lane[order * blocks + b].sum();
+            }
+            r += (self.terms.lane[4 * blocks + b] * basis.fourth[b]).sum();
+        }
+        (a, r)
+    }
+
+    /// Moves the exponentials by a small x: e^{λx} by its Taylor series
+    /// (|λx| < 10⁻⁴: error 10⁻¹⁸).
+    #[inline(always)]
+    fn nudge<A: Arith>(&mut self, basis: &Basis, active: usize, x: f64) {
+        let x = V::splat(x);
+        let f = V::splat;
+        for b in 0..active {
+            let (u, w) = (basis.re[b] * x, basis.im[b] * x);
+            // 1 + y(1 + y/2(1 + y/3)), y = u + iw.
+            let (mut re, mut im) = (f(1.0) + u * f(1.0 / 3.0), w * f(1.0 / 3.0));
+            for share in [0.5, 1.0] {
+                let (yr, yi) = (u * f(share), w * f(share));
+                (re, im) = (yr.fma::<A>(re, f(1.0)) - yi * im, yr.fma::<A>(im, yi * re));
+            }
+            let (er, ei) = (self.e.re[b], self.e.im[b]);
+            self.e.re[b] = er * re - ei * im;
+            self.e.im[b] = er.fma::<A>(im, ei * re);
+        }
+    }
+}
+
+/// True when the signal has passed zero already.
+///
+/// A signal that starts on zero is judged by its first derivative that is not
+/// lost in rounding; one that has not yet left the band of its rounding is
+/// only believed when it lies clearly below.
+#[inline(always)]
+fn crossed(signal: &Signal, seen: &Assessment, s: f64, fastest: f64) -> bool {
+    if s == 0.0 && signal.zeros > 0 {
+        // Rounding of the n-th derivative: that of g times the fastest rate.
+        let mut noise = signal.noise;
+        for (order, derivative) in seen.jet.iter().enumerate() {
+            if order >= signal.zeros && derivative.abs() > noise {
+                return *derivative < 0.0;
+            }
+            noise *= fastest;
+        }
+        return false;
+    }
+    if signal.leaving {
+        // A root is where the clock puts it: half a unit of s times the rate.
+        let clock = f64::EPSILON * s * seen.jet[1].abs();
+        return seen.jet[0] < -2.0 * (signal.noise + clock);
+    }
+    seen.jet[0] <= 0.0 && seen.jet[1] <= 0.0
+}

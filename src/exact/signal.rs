@@ -1,0 +1,404 @@
+//! Linear functionals of the motion over a phase: what is watched, bounded and reported.
+
+use super::basis::{Basis, Lane, LaneKind, Rigid};
+use super::lanes::{Arith, V, WIDTH, reduced};
+use super::pencil::C;
+use super::phase::{Exponentials, POLY, Phase, scalar_sin_cos};
+
+/// g = Σ (a·q_i + b·q̇_i + c·q̈_i) + l·(L, L̇, L̈) + constant.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Functional {
+    /// (mass, [a, b, c]).
+    pub(crate) terms: Vec<(usize, [f64; 3])>,
+    /// Factors of the law and its first two derivatives.
+    pub(crate) law: [f64; 3],
+    pub(crate) constant: f64,
+}
+
+impl Functional {
+    /// Value at a state, of a functional without accelerations and law.
+    #[inline(always)]
+    pub(crate) fn value(&self, q: &[f64], v: &[f64]) -> f64 {
+        let mut sum = self.constant;
+        for &(i, [a, b, _]) in &self.terms {
+            sum += a * q[i] + b * v[i];
+        }
+        sum
+    }
+
+    /// Weight of a lane in g.
+    ///
+    /// Where a part floats, the law's own motion and the flight's cancel in φ̇
+    /// and φ̈: what the flight has of e^{iΩs} itself is taken into the lane of
+    /// the harmonic, so that they cancel here and not in every bound. (In φ̇
+    /// only when the law is in it: small speeds of clearances need E₁ whole.)
+    pub(crate) fn weight(&self, basis_rigid: &[Rigid], lane: &Lane) -> C {
+        let factor = |[a, b, c]: [f64; 3]| lane.lambda * (lane.lambda * c + b) + a;
+        let mut sum = C::default();
+        if let LaneKind::Harmonic(j) = lane.kind {
+            sum += factor(self.law);
+            for part in basis_rigid {
+                let [_, y, z] = self.rigid(part);
+                sum += part.push[j] * z;
+                if self.folds() {
+                    sum += part.push[j] / lane.lambda * y;
+                }
+            }
+        }
+        for &(i, abc) in &self.terms {
+            sum += lane.shape[i] * factor(abc);
+        }
+        sum
+    }
+
+    /// True when e^{iΩs} of the flight's speed rides in the harmonic's lane.
+    pub(crate) fn folds(&self) -> bool {
+        self.law[1] != 0.0
+    }
+
+    /// The polynomial part of g over a phase, `phase.degree` + 1 coefficients
+    /// (and as many as the law needs); returns its degree.
+    #[inline(always)]
+    pub(crate) fn polynomial(&self, phase: &Phase, out: &mut [f64; POLY]) -> usize {
+        let law = self.law != [0.0; 3];
+        let degree = if law {
+            phase.degree.max(phase.forcing.degree)
+        } else {
+            phase.degree
+        };
+        out[..=degree].fill(0.0);
+        for &(i, abc) in &self.terms {
+            accumulate(out, &phase.poly[i * POLY..i * POLY + phase.degree + 1], abc);
+        }
+        if law {
+            accumulate(out, &phase.forcing.law[..=phase.forcing.degree], self.law);
+        }
+        out[0] += self.constant;
+        degree
+    }
+
+    /// Factors of a floating part's η, η̇, η̈.
+    pub(crate) fn rigid(&self, part: &Rigid) -> [f64; 3] {
+        self.terms.iter().fold([0.0; 3], |sum, &(i, abc)| {
+            [0, 1, 2].map(|k| sum[k] + abc[k] * part.shape[i])
+        })
+    }
+}
+
+/// out += a·p + b·p′ + c·p″.
+#[inline(always)]
+fn accumulate(out: &mut [f64; POLY], p: &[f64], [a, b, c]: [f64; 3]) {
+    for (k, x) in p.iter().enumerate() {
+        out[k] += a * x;
+    }
+    for k in 1..p.len() {
+        out[k - 1] += b * k as f64 * p[k];
+    }
+    for k in 2..p.len() {
+        out[k - 2] += c * (k * (k - 1)) as f64 * p[k];
+    }
+}
+
+/// A functional in a basis: weight of each lane in g, ġ, g̈, g⃛.
+#[derive(Clone, Debug)]
+pub(crate) struct Weights {
+    /// [order][re/im][block].
+    pub(crate) w: Vec<V>,
+    /// Weight of each floating part's η, η̇ and η̈.
+    pub(crate) rigid: Vec<[f64; 3]>,
+}
+
+impl Weights {
+    pub(crate) fn new(basis: &Basis, functional: &Functional) -> Self {
+        let blocks = basis.blocks;
+        let mut w = vec![V::ZERO; 8 * blocks];
+        for (k, lane) in basis.lanes.iter().enumerate() {
+            let mut weight = functional.weight(&basis.rigid, lane);
+            for order in 0..4 {
+                w[2 * order * blocks + k / WIDTH].0[k % WIDTH] = weight.re;
+                w[(2 * order + 1) * blocks + k / WIDTH].0[k % WIDTH] = weight.im;
+                weight *= lane.lambda;
+            }
+        }
+        let rigid = basis
+            .rigid
+            .iter()
+            .map(|part| functional.rigid(part))
+            .collect();
+        Self { w, rigid }
+    }
+}
+
+/// Rigid flight in a signal: Re(α·E₂(iΩs) + β·E₁(iΩs) + γ·e^{iΩs}), E_k the
+/// exponential without its first k Taylor terms.
+#[derive(Clone, Copy, Debug)]
+struct Arc {
+    omega: f64,
+    alpha: C,
+    beta: C,
+    gamma: C,
+}
+
+/// A functional over the present phase.
+#[derive(Clone, Debug)]
+pub(crate) struct Signal {
+    /// Amplitude of each lane in g … g⃛: [order][re/im][block].
+    c: Vec<V>,
+    /// |amplitude| in g at the start.
+    size: Vec<V>,
+    poly: [f64; POLY],
+    degree: usize,
+    arcs: Vec<Arc>,
+    /// Bound on |fourth derivative| of the polynomial and the arcs.
+    slow4: f64,
+    /// Rounding of g: what cannot be told from zero.
+    pub(crate) noise: f64,
+    /// g and its next derivatives known to be zero at the start.
+    pub(crate) zeros: usize,
+    /// Started at zero and has not yet been seen clearly positive.
+    pub(crate) leaving: bool,
+}
+
+/// Value and three derivatives, with the lanes' own contributions left in the scratch.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Terms {
+    /// Lane contributions to g … g⃛, and |amplitude| now: [5][block].
+    pub(crate) lane: Vec<V>,
+    /// Polynomial and arcs.
+    pub(crate) slow: [f64; 4],
+}
+
+impl Signal {
+    pub(crate) fn new(blocks: usize, flights: usize) -> Self {
+        Self {
+            c: vec![V::ZERO; 8 * blocks],
+            size: vec![V::ZERO; blocks],
+            poly: [0.0; POLY],
+            degree: 0,
+            arcs: Vec::with_capacity(flights),
+            slow4: 0.0,
+            noise: 0.0,
+            zeros: 0,
+            leaving: false,
+        }
+    }
+
+    /// Takes up `functional` over `phase`; `sign` ±1 turns it round.
+    #[inline(always)]
+    pub(crate) fn take<A: Arith>(
+        &mut self,
+        basis: &Basis,
+        phase: &Phase,
+        functional: &Functional,
+        weights: &Weights,
+        sign: f64,
+    ) {
+        let blocks = basis.blocks;
+        let turn = V::splat(sign);
+        let mut total = V::ZERO;
+        for b in 0..blocks {
+            let (zr, zi) = (phase.re[b] * turn, phase.im[b] * turn);
+            for order in 0..4 {
+                let at = 2 * order * blocks + b;
+                let (wr, wi) = (weights.w[at], weights.w[at + blocks]);
+                self.c[at] = wr.fma::<A>(zr, -(wi * zi));
+                self.c[at + blocks] = wr.fma::<A>(zi, wi * zr);
+            }
+            let (cr, ci) = (self.c[b], self.c[b + blocks]);
+            self.size[b] = cr.fma::<A>(cr, ci * ci).map(f64::sqrt);
+            total = total + self.size[b];
+        }
+        self.take_slow::<A>(phase, functional, weights, sign, total.sum());
+    }
+
+    #[inline(always)]
+    fn take_slow<A: Arith>(
+        &mut self,
+        phase: &Phase,
+        functional: &Functional,
+        weights: &Weights,
+        sign: f64,
+        total: f64,
+    ) {
+        self.degree = functional.polynomial(phase, &mut self.poly);
+        let mut scale = total + functional.constant.abs() + self.poly[0].abs();
+        for &(i, abc) in &functional.terms {
+            scale += (abc[0] * phase.poly[i * POLY]).abs();
+        }
+        if sign != 1.0 {
+            for c in &mut self.poly[..=self.degree] {
+                *c *= sign;
+            }
+        }
+        self.slow4 = if self.degree > 3 {
+            self.fourth(phase.reach)
+        } else {
+            0.0
+        };
+        self.arcs.clear();
+        for flight in &phase.flights {
+            let [x, y, _] = weights.rigid[flight.rigid];
+            let drive = C::new(0.0, flight.omega);
+            let alpha = flight.amplitude * (sign * x);
+            let mut beta = flight.amplitude * drive * (sign * y);
+            if functional.folds() {
+                self.poly[0] -= beta.re;
+                beta = C::default();
+            }
+            let gamma = C::default();
+            let square = flight.omega * flight.omega;
+            // Orders ≥ 2 see the three together, as (α + β + γ)e^{iΩs}.
+            self.slow4 += (alpha + beta + gamma).norm() * square * square;
+            self.arcs.push(Arc {
+                omega: flight.omega,
+                alpha,
+                beta,
+                gamma,
+            });
+        }
+        self.noise = 4.0 * f64::EPSILON * scale;
+        self.zeros = 0;
+        self.leaving = false;
+    }
+
+    /// Rounding of g at any time up to s: polynomial and arcs grow.
+    pub(crate) fn noise_until(&self, s: f64) -> f64 {
+        let mut sum = 0.0;
+        for k in (0..=self.degree).rev() {
+            sum = sum * s + self.poly[k].abs();
+        }
+        for arc in &self.arcs {
+            let x = (arc.omega * s).min(2.0);
+            sum += (arc.alpha.norm() * x + arc.beta.norm()) * x;
+        }
+        self.noise + 4.0 * f64::EPSILON * sum
+    }
+
+    /// Adds a constant.
+    #[inline(always)]
+    pub(crate) fn add(&mut self, constant: f64) {
+        self.poly[0] += constant;
+        self.noise += 4.0 * f64::EPSILON * constant.abs();
+    }
+
+    /// Turns the signal into its own derivative.
+    pub(crate) fn differentiate(&mut self, basis: &Basis, reach: f64) {
+        let blocks = basis.blocks;
+        let mut scale = 0.0;
+        for b in 0..blocks {
+            let (lr, li) = (basis.re[b], basis.im[b]);
+            for order in 0..4 {
+                let at = 2 * order * blocks + b;
+                let (cr, ci) = (self.c[at], self.c[at + blocks]);
+                self.c[at] = cr * lr - ci * li;
+                self.c[at + blocks] = cr * li + ci * lr;
+            }
+            self.size[b] = self.size[b] * (lr * lr + li * li).map(f64::sqrt);
+            scale += self.size[b].sum();
+        }
+        for k in 1..=self.degree {
+            self.poly[k - 1] = k as f64 * self.poly[k];
+        }
+        self.poly[self.degree] = 0.0;
+        self.slow4 = if self.degree > 3 {
+            self.fourth(reach)
+        } else {
+            0.0
+        };
+        for arc in &mut self.arcs {
+            let drive = C::new(0.0, arc.omega);
+            let (alpha, rest) = (arc.alpha, arc.beta + arc.gamma);
+            (arc.alpha, arc.beta, arc.gamma) = (C::default(), drive * alpha, drive * rest);
+            self.slow4 += (arc.beta + arc.gamma).norm() * arc.omega.powi(4);
+            scale += (arc.beta + arc.gamma).norm();
+        }
+        self.noise = 4.0 * f64::EPSILON * (scale + self.poly[0].abs());
+    }
+
+    /// Bound on the fourth derivative of the polynomial over the phase.
+    #[inline(never)]
+    fn fourth(&self, reach: f64) -> f64 {
+        let mut sum = 0.0;
+        for k in (4..=self.degree).rev() {
+            let factor = (k * (k - 1) * (k - 2) * (k - 3)) as f64;
+            sum = sum * reach + factor * self.poly[k].abs();
+        }
+        sum
+    }
+
+    /// Evaluates at the instant of `e`.
+    #[inline(always)]
+    pub(crate) fn terms<A: Arith>(
+        &self,
+        basis: &Basis,
+        active: usize,
+        e: &Exponentials,
+        out: &mut Terms,
+    ) {
+        let blocks = basis.blocks;
+        for b in 0..active {
+            for order in 0..4 {
+                let at = 2 * order * blocks + b;
+                out.lane[order * blocks + b] =
+                    e.re[b].fma::<A>(self.c[at], -(e.im[b] * self.c[at + blocks]));
+            }
+            out.lane[4 * blocks + b] = self.size[b] * e.size[b];
+        }
+        out.slow = self.slow::<A>(e.s);
+    }
+
+    /// Polynomial and arcs at s: value and three derivatives.
+    #[inline(always)]
+    fn slow<A: Arith>(&self, s: f64) -> [f64; 4] {
+        let c = &self.poly[..=self.degree];
+        let mut d = [c[self.degree], 0.0, 0.0, 0.0];
+        for k in (0..self.degree).rev() {
+            d[3] = A::fma(d[3], s, d[2]);
+            d[2] = A::fma(d[2], s, d[1]);
+            d[1] = A::fma(d[1], s, d[0]);
+            d[0] = A::fma(d[0], s, c[k]);
+        }
+        d[2] *= 2.0;
+        d[3] *= 6.0;
+        for arc in &self.arcs {
+            let w = arc.omega;
+            let x = w * s;
+            let (sin, cos) = scalar_sin_cos::<A>(x);
+            let (c, l) = reduced::<A>(x, sin, cos);
+            let (a, b) = (arc.alpha, arc.beta);
+            let g = arc.gamma;
+            let rest = b + g;
+            let sum = a + rest;
+            d[0] += (a.re * c - a.im * l) + (b.re * c - b.im * sin) + (g.re * cos - g.im * sin);
+            d[1] -= w * ((a.re * sin + a.im * c) + (rest.re * sin + rest.im * cos));
+            d[2] -= w * w * (sum.re * cos - sum.im * sin);
+            d[3] += w * w * w * (sum.re * sin + sum.im * cos);
+        }
+        d
+    }
+
+    /// Value alone at the instant of `e`.
+    #[inline(always)]
+    pub(crate) fn value<A: Arith>(&self, basis: &Basis, active: usize, e: &Exponentials) -> f64 {
+        let blocks = basis.blocks;
+        let mut sum = V::ZERO;
+        for b in 0..active {
+            sum = e.re[b].fma::<A>(self.c[b], sum) - e.im[b] * self.c[b + blocks];
+        }
+        sum.sum() + self.slow::<A>(e.s)[0]
+    }
+
+    /// Bound on the fourth derivative of the polynomial and the arcs.
+    #[inline(always)]
+    pub(crate) fn slow4(&self) -> f64 {
+        self.slow4
+    }
+
+    /// Greatest Ω of the arcs and whether they exist.
+    #[inline(always)]
+    pub(crate) fn swing(&self) -> f64 {
+        self.arcs
+            .iter()
+            .fold(0.0, |m, arc| if arc.omega > m { arc.omega } else { m })
+    }
+}
