@@ -59,7 +59,7 @@ fn turning_position() -> impl Strategy<Value = Value> {
             .prop_map(|(lift, angle, law)| json!({ "cam": {
                 "lift": lift, "rise": format!("{angle} deg"), "dwell": "20 deg", "return": format!("{angle} deg"), "law": law } })),
         (0.1..1.0).prop_map(|top| json!({ "table": { "periodic": true,
-            "points": [[0, 0], [2, top], [4, 0.3 * top], [6.283185307179586, 0]] } })),
+            "points": [[0, 0], [2, top], [4, 0.3 * top], [std::f64::consts::TAU, 0]] } })),
     ]
 }
 
