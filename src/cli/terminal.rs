@@ -107,7 +107,7 @@ fn pair_rows(
     }
     let order = match pair.in_working_order {
         Some(true) => "yes",
-        Some(false) => "NO: it lifts off",
+        Some(false) => "NO: it opens",
         None => "not judged",
     };
     row("in working order", order.to_owned(), "");

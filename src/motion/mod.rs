@@ -1,15 +1,16 @@
 //! Motions: dimensionless laws of motion, splines, and the prescribed motion of a drive over time.
 
 mod law;
+mod spec;
 mod spline;
 
 pub use law::LawName;
+pub use spec::DriveMotionSpec;
 pub use spline::Spline;
 
 use crate::breaks::Breaks;
 use crate::fault::{Fault, Faults};
 use crate::jet::Jet;
-use crate::object::spec::DriveMotionSpec;
 
 /// Prescribed motion φ(t) of a drive.
 #[derive(Clone, Debug)]
@@ -151,8 +152,8 @@ fn continued(spline: &Spline, end: f64, time: f64) -> Jet {
 #[cfg(test)]
 mod tests {
     use super::DriveMotion;
+    use super::DriveMotionSpec;
     use crate::jet::Jet;
-    use crate::object::spec::DriveMotionSpec;
 
     fn motions() -> Vec<DriveMotion> {
         [

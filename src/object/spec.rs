@@ -5,6 +5,7 @@
 //! N for N·m.
 
 use crate::model::{Closure, Coordinate, DampingLaw};
+pub use crate::motion::DriveMotionSpec;
 use crate::position::PositionSpec;
 
 /// A drive: the source of motion.
@@ -14,33 +15,6 @@ pub enum DriveSpec {
     Prescribed(DriveMotionSpec),
     /// A motor: its angle is a coordinate of the system.
     Motor(MotorSpec),
-}
-
-/// Prescribed motion of a drive.
-#[derive(Clone, Debug, PartialEq)]
-pub enum DriveMotionSpec {
-    /// `{ "speed": ω, "angle" = 0 }`: φ = angle + ω·t.
-    Constant {
-        /// ω (rad/s).
-        speed: f64,
-        /// φ(0) (rad).
-        angle: f64,
-    },
-    /// `{ "run_up": { "speed", "time", "angle" = 0 } }`: the speed rises from
-    /// rest to `speed` in `time` by ω(τ) = speed·(3τ² − 2τ³), then stays.
-    RunUp {
-        /// Final speed (rad/s).
-        speed: f64,
-        /// Duration of the run-up (s), > 0.
-        time: f64,
-        /// φ(0) (rad).
-        angle: f64,
-    },
-    /// `{ "table": [[t, φ], …] }`: a smooth spline through at least three points.
-    Table {
-        /// (t, φ), t strictly ascending.
-        points: Vec<(f64, f64)>,
-    },
 }
 
 /// A motor: rotor inertia and torque characteristic.

@@ -105,7 +105,7 @@ fn pairs(figures: &Figures) -> Verdict {
     if !failing.is_empty() {
         return Verdict {
             sort: Sort::Mechanism,
-            headline: "Lifts off".into(),
+            headline: "Pair opens".into(),
             text: sentence(&failing),
         };
     }
