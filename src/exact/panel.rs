@@ -161,8 +161,8 @@ impl PanelPhase {
         self.poly[..=self.degree].fill(V::ZERO);
         for (f, functional) in panel.functionals.iter().enumerate() {
             let degree = functional.polynomial(phase, &mut work);
-            for k in 0..=degree {
-                self.poly[k].0[f] = work[k];
+            for (lanes, value) in self.poly.iter_mut().zip(&work[..=degree]) {
+                lanes.0[f] = *value;
             }
         }
     }

@@ -277,8 +277,8 @@ impl Phase {
             };
             self.degree = self.degree.max(last);
             for i in 0..n {
-                for k in 0..=last {
-                    self.poly[i * POLY + k] += (lane.shape[i] * y[k]).re;
+                for (sum, y) in self.poly[i * POLY..].iter_mut().zip(&y[..=last]) {
+                    *sum += (lane.shape[i] * y).re;
                 }
             }
         }
@@ -300,8 +300,8 @@ impl Phase {
             let last = eta.iter().rposition(|c| *c != 0.0).unwrap_or(0).max(2);
             self.degree = self.degree.max(last);
             for i in 0..n {
-                for k in 0..=last {
-                    self.poly[i * POLY + k] += part.shape[i] * eta[k];
+                for (sum, eta) in self.poly[i * POLY..].iter_mut().zip(&eta[..=last]) {
+                    *sum += part.shape[i] * eta;
                 }
             }
         }

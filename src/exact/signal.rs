@@ -162,7 +162,7 @@ pub(crate) struct Signal {
 /// Value and three derivatives, with the lanes' own contributions left in the scratch.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Terms {
-    /// Lane contributions to g … g⃛, and |amplitude| now: [5][block].
+    /// Lane contributions to g … g⃛, and |amplitude| now: `[5][block]`.
     pub(crate) lane: Vec<V>,
     /// Polynomial and arcs.
     pub(crate) slow: [f64; 4],
