@@ -6,10 +6,10 @@
 //! greatest value met so far. Almost always none can.
 
 use super::basis::Basis;
+use super::functional::{Functional, Weights};
 use super::lanes::{Arith, V, WIDTH, reduced};
 use super::pencil::C;
 use super::phase::{Exponentials, POLY, Phase, scalar_sin_cos};
-use super::signal::{Functional, Weights};
 
 /// Lanes are followed over steps of up to this many radians of theirs.
 const FOLLOW: f64 = 2.0;
