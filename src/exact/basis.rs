@@ -327,8 +327,8 @@ fn response(
     let mut force: Vec<C> = (0..n).map(|i| law_force(problem, i, drive)).collect();
     for part in rigid {
         let push: C = (0..n).map(|i| force[i] * part.row_f[i]).sum();
-        for i in 0..n {
-            force[i] -= push * (problem.masses[i].inertia * part.shape[i]);
+        for (i, f) in force.iter_mut().enumerate() {
+            *f -= push * (problem.masses[i].inertia * part.shape[i]);
         }
     }
     let mut out = vec![ZERO; n];
@@ -342,14 +342,14 @@ fn response(
         };
         if lane.lambda.im == 0.0 {
             let a = dot(false) / (drive - lane.lambda);
-            for i in 0..n {
-                out[i] += lane.shape[i] * a;
+            for (sum, shape) in out.iter_mut().zip(&lane.shape) {
+                *sum += shape * a;
             }
         } else {
             let a = dot(false) / (drive - lane.lambda) * 0.5;
             let b = dot(true) / (drive - lane.lambda.conj()) * 0.5;
-            for i in 0..n {
-                out[i] += lane.shape[i] * a + lane.shape[i].conj() * b;
+            for (sum, shape) in out.iter_mut().zip(&lane.shape) {
+                *sum += shape * a + shape.conj() * b;
             }
         }
     }

@@ -6,10 +6,10 @@
 //! greatest value met so far. Almost always none can.
 
 use super::basis::Basis;
+use super::functional::{Functional, Weights};
 use super::lanes::{Arith, V, WIDTH, reduced};
 use super::pencil::C;
 use super::phase::{Exponentials, POLY, Phase, scalar_sin_cos};
-use super::signal::{Functional, Weights};
 
 /// Lanes are followed over steps of up to this many radians of theirs.
 const FOLLOW: f64 = 2.0;
@@ -161,8 +161,8 @@ impl PanelPhase {
         self.poly[..=self.degree].fill(V::ZERO);
         for (f, functional) in panel.functionals.iter().enumerate() {
             let degree = functional.polynomial(phase, &mut work);
-            for k in 0..=degree {
-                self.poly[k].0[f] = work[k];
+            for (lanes, value) in self.poly.iter_mut().zip(&work[..=degree]) {
+                lanes.0[f] = *value;
             }
         }
     }

@@ -1,4 +1,4 @@
-//! The quadratic pencil Q(λ) = λ²J + λB + K of a tree, and its eigenvalues.
+//! The quadratic pencil Q(λ) = λ²J + λB + K of a tree, and its eigenvectors.
 //!
 //! Q is never assembled: masses are eliminated from the leaves to the root by
 //! impedances. Mass i with everything beyond it has the dynamic stiffness
@@ -8,7 +8,7 @@
 //! and det Q = Π (k_i + Y_i). No term cancels artificially (an assembled
 //! c_m + c_{m+1} loses digits of the slow modes as n² grows).
 
-use nalgebra::{Complex, DMatrix, SymmetricEigen};
+use nalgebra::Complex;
 
 pub(crate) type C = Complex<f64>;
 
@@ -32,10 +32,6 @@ pub(crate) struct Pencil {
     /// Parents first; `parent` counts within this list.
     pub(crate) nodes: Vec<Node>,
 }
-
-/// Why eigenvalues were refused.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct NotFound;
 
 impl Pencil {
     /// True when nothing elastic holds it: rigid motion costs no force but damping.
@@ -78,7 +74,7 @@ impl Pencil {
     }
 
     /// Y of every mass with everything beyond it, and its derivative.
-    fn impedances(&self, lambda: C) -> Vec<[C; 2]> {
+    pub(super) fn impedances(&self, lambda: C) -> Vec<[C; 2]> {
         let mut y: Vec<[C; 2]> = self
             .nodes
             .iter()
@@ -103,178 +99,6 @@ impl Pencil {
             y[p][1] += (a * a * n.damping + b * b * slope) * square;
         }
         y
-    }
-
-    /// (det Q)'/det Q.
-    fn log_derivative(&self, lambda: C) -> C {
-        let y = self.impedances(lambda);
-        let mut sum = C::new(0.0, 0.0);
-        for (n, [own, slope]) in self.nodes.iter().zip(&y) {
-            let k = lambda * n.damping + n.stiffness;
-            sum += (slope + n.damping) / (k + own);
-        }
-        sum
-    }
-
-    /// Undamped frequencies ω and damping ratios to first order, ascending.
-    fn first_guess(&self) -> Vec<(f64, f64)> {
-        let n = self.nodes.len();
-        let mut k = DMatrix::<f64>::zeros(n, n);
-        let mut b = DMatrix::<f64>::zeros(n, n);
-        for (i, node) in self.nodes.iter().enumerate() {
-            k[(i, i)] += node.ground_stiffness + node.stiffness;
-            b[(i, i)] += node.ground_damping + node.damping;
-            if let Some(p) = node.parent {
-                let l = node.lever;
-                for (m, f) in [(&mut k, node.stiffness), (&mut b, node.damping)] {
-                    m[(p, p)] += l * l * f;
-                    m[(i, p)] -= l * f;
-                    m[(p, i)] -= l * f;
-                }
-            }
-        }
-        let root: Vec<f64> = self.nodes.iter().map(|node| node.inertia.sqrt()).collect();
-        for i in 0..n {
-            for j in 0..n {
-                k[(i, j)] /= root[i] * root[j];
-                b[(i, j)] /= root[i] * root[j];
-            }
-        }
-        let eigen = SymmetricEigen::new(k);
-        let mut guess: Vec<(f64, f64)> = (0..n)
-            .map(|j| {
-                let x = eigen.eigenvectors.column(j);
-                let damping = (x.transpose() * &b * x)[(0, 0)];
-                (eigen.eigenvalues[j].max(0.0).sqrt(), damping / 2.0)
-            })
-            .collect();
-        guess.sort_by(|a, b| a.0.total_cmp(&b.0));
-        guess
-    }
-
-    /// All eigenvalues but the zero ones, upper half-plane only: complex ones
-    /// stand for their conjugate too, real ones for themselves.
-    pub(crate) fn eigenvalues(&self) -> Result<Vec<C>, NotFound> {
-        let floats = self.floats();
-        let zeros = match (floats, self.dragged()) {
-            (false, _) => 0,
-            (true, false) => 2,
-            (true, true) => 1,
-        };
-        if let ([node], 0) = (&self.nodes[..], zeros) {
-            return Ok(single(node));
-        }
-        let guess = self.first_guess();
-        let elastic = &guess[usize::from(floats)..];
-        let light = elastic.iter().all(|(omega, decay)| *decay < 0.7 * omega);
-        let roots = if light && zeros != 1 {
-            let start = elastic
-                .iter()
-                .map(|&(omega, decay)| C::new(-decay, (omega * omega - decay * decay).sqrt()));
-            self.aberth(start.collect(), zeros, true)?
-        } else {
-            self.aberth(self.full_start(&guess, zeros), zeros, false)?
-        };
-        self.checked(roots, zeros)
-    }
-
-    /// Starting points for all roots when some are overdamped.
-    fn full_start(&self, guess: &[(f64, f64)], zeros: usize) -> Vec<C> {
-        let mut start = Vec::new();
-        for (index, &(omega, decay)) in guess.iter().enumerate() {
-            if index == 0 && self.floats() {
-                if zeros == 1 {
-                    start.push(C::new(-2.0 * decay, 0.01 * decay));
-                }
-                continue;
-            }
-            if decay < omega {
-                let s = (omega * omega - decay * decay).sqrt();
-                // A little apart from each other's conjugates, so that they can part.
-                start.push(C::new(-decay * 1.01, s + 0.01 * omega));
-                start.push(C::new(-decay * 0.99, -s + 0.003 * omega));
-            } else {
-                let s = (decay * decay - omega * omega).sqrt();
-                let fast = decay + s;
-                start.push(C::new(-fast, 0.01 * fast));
-                start.push(C::new(-omega * omega / fast, 0.01 * omega * omega / fast));
-            }
-        }
-        start
-    }
-
-    /// Ehrlich–Aberth iteration on all roots at once. With `halves` each root
-    /// stands for its conjugate too.
-    fn aberth(&self, mut z: Vec<C>, zeros: usize, halves: bool) -> Result<Vec<C>, NotFound> {
-        let mut done = vec![false; z.len()];
-        for _ in 0..200 {
-            for i in 0..z.len() {
-                if done[i] {
-                    continue;
-                }
-                let mut repulsion = z[i].inv() * zeros as f64;
-                if halves {
-                    repulsion += (z[i] - z[i].conj()).inv();
-                }
-                for (j, other) in z.iter().enumerate() {
-                    if j != i {
-                        repulsion += (z[i] - other).inv();
-                        if halves {
-                            repulsion += (z[i] - other.conj()).inv();
-                        }
-                    }
-                }
-                let step = (self.log_derivative(z[i]) - repulsion).inv();
-                // An iterate exactly on a root makes det 0 and the step 0/0.
-                if !(step.re.is_finite() && step.im.is_finite()) {
-                    done[i] = true;
-                    continue;
-                }
-                z[i] -= step;
-                done[i] = step.norm() <= 2e-15 * z[i].norm();
-            }
-            if done.iter().all(|d| *d) {
-                break;
-            }
-        }
-        if z.iter().all(|r| r.re.is_finite() && r.im.is_finite()) {
-            Ok(z)
-        } else {
-            Err(NotFound)
-        }
-    }
-
-    /// Pairs up the roots and checks them against the trace: Σλ = −ΣB_ii/J_i.
-    fn checked(&self, roots: Vec<C>, zeros: usize) -> Result<Vec<C>, NotFound> {
-        let mut out: Vec<C> = Vec::with_capacity(roots.len());
-        let halves = roots.len() + zeros / 2 == self.nodes.len() && zeros != 1;
-        for root in roots {
-            if root.im.abs() <= 1e-9 * root.norm() && !halves {
-                out.push(C::new(root.re, 0.0));
-            } else if root.im > 0.0 {
-                out.push(root);
-            } else if halves {
-                return Err(NotFound);
-            }
-        }
-        let mut trace = 0.0;
-        for node in &self.nodes {
-            trace += (node.damping + node.ground_damping) / node.inertia;
-            if let Some(p) = node.parent {
-                trace += node.lever * node.lever * node.damping / self.nodes[p].inertia;
-            }
-        }
-        let count: usize = out.iter().map(|r| if r.im > 0.0 { 2 } else { 1 }).sum();
-        let sum: f64 = out
-            .iter()
-            .map(|r| if r.im > 0.0 { 2.0 * r.re } else { r.re })
-            .sum();
-        let scale = out.iter().fold(0.0f64, |m, r| m.max(r.norm()));
-        if count + zeros != 2 * self.nodes.len() || (sum + trace).abs() > 1e-9 * scale {
-            return Err(NotFound);
-        }
-        out.sort_by(|a, b| a.norm().total_cmp(&b.norm()).then(a.re.total_cmp(&b.re)));
-        Ok(out)
     }
 
     /// Eigenvector by twisted elimination: everything is eliminated onto the
@@ -341,19 +165,6 @@ impl Pencil {
             }
         }
         x.into_iter().map(Option::unwrap_or_default).collect()
-    }
-}
-
-/// Roots of Jλ² + bλ + c, in the form without cancellation.
-fn single(node: &Node) -> Vec<C> {
-    let c = node.stiffness + node.ground_stiffness;
-    let half = (node.damping + node.ground_damping) / (2.0 * node.inertia);
-    let square = c / node.inertia - half * half;
-    if square > 0.0 {
-        vec![C::new(-half, square.sqrt())]
-    } else {
-        let fast = -half - (-square).sqrt();
-        vec![C::new(c / (node.inertia * fast), 0.0), C::new(fast, 0.0)]
     }
 }
 

@@ -13,14 +13,11 @@ use super::basis::Basis;
 use super::lanes::{Arith, V, WIDTH, exp, reduced, sin_cos};
 use super::law::{Forcing, PolynomialSpan};
 use super::pencil::C;
+use super::polynomial::Steady;
 use super::problem::TreeProblem;
 
 /// Room for the coefficients of a polynomial part.
 pub(crate) const POLY: usize = 32;
-
-/// A mode with |λ|·(length of the span) below this gets its response to a
-/// polynomial as a Taylor series, the others as a finite polynomial.
-const SLOW: f64 = 3.0;
 
 /// Rigid motion of a floating part under a harmonic.
 #[derive(Clone, Copy, Debug)]
@@ -67,55 +64,7 @@ pub(crate) struct Phase {
     pub(crate) forcing: Forcing,
     span: Option<PolynomialSpan>,
     /// Forces on the masses as polynomials.
-    force: Vec<f64>,
-}
-
-/// The response to forces that never change: P_i of a steady problem.
-#[derive(Clone, Debug)]
-pub(crate) struct Steady {
-    /// Displacement of each mass by the constant loads (elastic part).
-    still: Vec<f64>,
-    /// η̈/2 of each floating part.
-    fall: Vec<f64>,
-}
-
-impl Steady {
-    /// `None` when loads or law make the polynomial part change with time.
-    pub(crate) fn new(problem: &TreeProblem, basis: &Basis) -> Option<Self> {
-        use super::law::Law;
-        use super::problem::TimeLoad;
-        let constant = |m: &super::problem::TreeMass| {
-            m.loads.iter().all(|l| matches!(l, TimeLoad::Constant(_)))
-        };
-        let grounded =
-            |m: &super::problem::TreeMass| m.ground_stiffness != 0.0 || m.ground_damping != 0.0;
-        let law = match &problem.law {
-            Law::Harmonic { mean, slope, .. } => {
-                (*slope == 0.0 && *mean == 0.0) || !problem.masses.iter().any(grounded)
-            }
-            Law::Spans(_) => false,
-        };
-        if !law || !problem.masses.iter().all(constant) {
-            return None;
-        }
-        let mut phase = Phase::new(problem, basis.blocks);
-        let zero = vec![0.0; basis.masses];
-        phase.forces(problem, basis);
-        phase.clear();
-        phase.elastic_polynomials(basis, f64::INFINITY);
-        let still = (0..basis.masses).map(|i| phase.poly[i * POLY]).collect();
-        phase.clear();
-        phase.rigid_polynomials(basis, &zero, &zero);
-        let fall = basis
-            .rigid
-            .iter()
-            .map(|part| {
-                let i = part.shape.iter().position(|x| *x != 0.0).unwrap_or(0);
-                phase.poly[i * POLY + 2] / part.shape[i]
-            })
-            .collect();
-        (phase.degree <= 2).then_some(Self { still, fall })
-    }
+    pub(super) force: Vec<f64>,
 }
 
 impl Phase {
@@ -136,11 +85,6 @@ impl Phase {
             span: None,
             force: vec![0.0; n * POLY],
         }
-    }
-
-    fn clear(&mut self) {
-        self.poly.fill(0.0);
-        self.degree = 0;
     }
 
     /// Starts a phase at `start` + `low` from q, q̇.
@@ -166,145 +110,6 @@ impl Phase {
         self.reach = self.reach.min(basis.longest);
         self.take_flights(basis);
         self.project::<A>(basis, q, v);
-    }
-
-    #[inline(always)]
-    fn steady_polynomials(&mut self, basis: &Basis, steady: &Steady, q: &[f64], v: &[f64]) {
-        let n = basis.masses;
-        self.degree = if basis.rigid.is_empty() { 0 } else { 2 };
-        for i in 0..n {
-            self.poly[i * POLY..i * POLY + 3].copy_from_slice(&[steady.still[i], 0.0, 0.0]);
-        }
-        for (part, fall) in basis.rigid.iter().zip(&steady.fall) {
-            let (mut place, mut speed) = (0.0, 0.0);
-            for i in 0..n {
-                place += part.row[i] * q[i];
-                speed += part.row[i] * v[i];
-            }
-            for i in 0..n {
-                let x = part.shape[i];
-                self.poly[i * POLY] += x * place;
-                self.poly[i * POLY + 1] += x * speed;
-                self.poly[i * POLY + 2] += x * fall;
-            }
-        }
-    }
-
-    #[inline(never)]
-    fn moving_polynomials(&mut self, problem: &TreeProblem, basis: &Basis, q: &[f64], v: &[f64]) {
-        self.clear();
-        self.reach = self.forces(problem, basis);
-        self.elastic_polynomials(basis, self.reach);
-        self.rigid_polynomials(basis, q, v);
-    }
-
-    /// Forces on the masses as polynomials of the local time (without
-    /// harmonics); returns how long they hold.
-    fn forces(&mut self, problem: &TreeProblem, basis: &Basis) -> f64 {
-        let (start, law, degree) = (self.start, self.forcing.law, self.forcing.degree);
-        let mut end = self.forcing.end;
-        self.force.fill(0.0);
-        for (i, mass) in problem.masses.iter().enumerate() {
-            let f = &mut self.force[i * POLY..(i + 1) * POLY];
-            f[0] = basis.flank_force[i] - mass.ground_stiffness * mass.offset;
-            for load in &mass.loads {
-                let (value, slope, next) = load.at(start);
-                f[0] += value;
-                f[1] += slope;
-                end = end.min(next);
-            }
-            for k in 0..=degree {
-                let (first, second) = ((k + 1) as f64, ((k + 1) * (k + 2)) as f64);
-                let speed = law.get(k + 1).map_or(0.0, |c| first * c);
-                let acceleration = law.get(k + 2).map_or(0.0, |c| second * c);
-                f[k] -= mass.ratio
-                    * (mass.inertia * acceleration
-                        + mass.ground_damping * speed
-                        + mass.ground_stiffness * law[k]);
-            }
-        }
-        (end - start) - self.low
-    }
-
-    /// Adds to P_i what the elastic modes answer to the polynomial forces.
-    ///
-    /// A mode a with ȧ = λa + φ(s) has the polynomial solution
-    /// y_j = ((j+1)y_{j+1} − φ_j)/λ, downwards; for a slow mode its terms grow
-    /// before they cancel, and the solution with y(0) = 0,
-    /// y_{j+1} = (λy_j + φ_j)/(j+1), a convergent series, takes its place.
-    fn elastic_polynomials(&mut self, basis: &Basis, length: f64) {
-        let n = basis.masses;
-        let top = (0..n)
-            .filter_map(|i| {
-                self.force[i * POLY..(i + 1) * POLY]
-                    .iter()
-                    .rposition(|c| *c != 0.0)
-            })
-            .max()
-            .unwrap_or(0);
-        for lane in &basis.lanes {
-            let mut y = [C::new(0.0, 0.0); POLY];
-            let force = |k: usize| -> C {
-                (0..n)
-                    .map(|i| lane.row_f[i] * self.force[i * POLY + k])
-                    .sum()
-            };
-            if lane.row_f.iter().all(|r| r.re == 0.0 && r.im == 0.0) {
-                continue;
-            }
-            let slow = lane.lambda.norm() * length < SLOW || lane.lambda.norm() == 0.0;
-            let last = if !slow {
-                for k in (0..=top).rev() {
-                    let next = if k < top {
-                        y[k + 1] * (k + 1) as f64
-                    } else {
-                        C::default()
-                    };
-                    y[k] = (next - force(k)) / lane.lambda;
-                }
-                top
-            } else {
-                let last = if lane.lambda.norm() == 0.0 {
-                    top + 1
-                } else {
-                    POLY - 1
-                };
-                for k in 0..last {
-                    let push = if k <= top { force(k) } else { C::default() };
-                    y[k + 1] = (lane.lambda * y[k] + push) / (k + 1) as f64;
-                }
-                last
-            };
-            self.degree = self.degree.max(last);
-            for i in 0..n {
-                for k in 0..=last {
-                    self.poly[i * POLY + k] += (lane.shape[i] * y[k]).re;
-                }
-            }
-        }
-    }
-
-    /// Adds the rigid motion of floating parts: η̈ = φ(s) from η, η̇ now.
-    fn rigid_polynomials(&mut self, basis: &Basis, q: &[f64], v: &[f64]) {
-        let n = basis.masses;
-        for part in &basis.rigid {
-            let mut eta = [0.0; POLY];
-            for i in 0..n {
-                eta[0] += part.row[i] * q[i];
-                eta[1] += part.row[i] * v[i];
-                for k in 0..POLY - 2 {
-                    eta[k + 2] += part.row_f[i] * self.force[i * POLY + k]
-                        / ((k + 1) as f64 * (k + 2) as f64);
-                }
-            }
-            let last = eta.iter().rposition(|c| *c != 0.0).unwrap_or(0).max(2);
-            self.degree = self.degree.max(last);
-            for i in 0..n {
-                for k in 0..=last {
-                    self.poly[i * POLY + k] += part.shape[i] * eta[k];
-                }
-            }
-        }
     }
 
     #[inline(always)]

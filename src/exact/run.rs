@@ -1,115 +1,17 @@
 //! The run: phases and switches in turn.
 
-use super::basis::Basis;
+use super::functional::Functional;
 use super::lanes::{Arith, Fused, Plain};
-use super::panel::Panel;
-use super::phase::Exponentials;
-use super::phase::{Phase, Steady};
+use super::phase::{Exponentials, Phase};
 use super::problem::{PairState, Refusal, TreeObject, TreePair, TreeProblem};
+use super::regime::Regime;
+use super::request::{ExactRun, Request};
 use super::sample::Sampler;
 use super::search::{Search, Step, Witness};
-use super::signal::{Functional, Signal, Weights};
+use super::signal::Signal;
 use super::start;
-use super::track::{Track, TreeFigures};
-
-/// What is asked of a run.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Request {
-    /// End time (s), > 0.
-    pub end: f64,
-    /// Number of equal intervals at whose ends samples are taken (t = 0 is not
-    /// one of them); 0: none.
-    pub samples: usize,
-    /// Samples of every mass, q and q̇; otherwise of the last mass's q alone.
-    pub all_masses: bool,
-    /// Most switches.
-    pub switches: u64,
-    /// Figures between samples, wanted or not.
-    pub figures: bool,
-}
-
-impl Request {
-    /// A run to `end` with `samples` samples of the last mass.
-    pub fn new(end: f64, samples: usize) -> Self {
-        Self {
-            end,
-            samples,
-            all_masses: false,
-            switches: 1_000_000,
-            figures: false,
-        }
-    }
-}
-
-/// A switch of a pair.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ExactSwitch {
-    /// When (s).
-    pub time: f64,
-    /// The mass whose link holds the pair.
-    pub mass: usize,
-    /// State before.
-    pub before: PairState,
-    /// State after.
-    pub after: PairState,
-    /// Ẋ at the switch: speed of parting (> 0) or of approach (< 0).
-    pub speed: f64,
-}
-
-/// What a run leaves behind.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct ExactRun {
-    /// Time reached (s).
-    pub time: f64,
-    /// True when the end was reached.
-    pub complete: bool,
-    /// States of the pairs just after t = 0, by mass.
-    pub start: Vec<PairState>,
-    /// Every switch.
-    pub switches: Vec<ExactSwitch>,
-    /// Samples: one row an interval end; one column (δ of the last mass), or
-    /// q then q̇ of every mass.
-    pub samples: Vec<f64>,
-    /// Columns of `samples`.
-    pub columns: usize,
-    /// q at the end.
-    pub displacement: Vec<f64>,
-    /// q̇ at the end.
-    pub speed: Vec<f64>,
-    /// Figures of every object, when asked for.
-    pub figures: Vec<TreeFigures>,
-    /// Phases, search steps, evaluations.
-    pub phases: u64,
-    /// Steps of the search.
-    pub steps: u64,
-    /// Evaluations of the exponentials in the search.
-    pub evaluations: u64,
-    /// Steps over which a watched signal could not be told from zero.
-    pub grazing: u64,
-}
-
-/// One combination of engaged pairs, ready for use.
-#[derive(Clone, Debug)]
-pub(crate) struct Regime {
-    key: Vec<PairState>,
-    pub(crate) basis: Basis,
-    steady: Option<Steady>,
-    pub(crate) weights: Vec<Weights>,
-    /// Panels of every object: one, or one a flank while open.
-    panels: Vec<Vec<Panel>>,
-}
-
-/// Most combinations kept.
-const REGIMES: usize = 256;
-
-/// A watched pair function.
-#[derive(Clone, Copy, Debug)]
-struct Watch {
-    mass: usize,
-    functional: usize,
-    sign: f64,
-    target: PairState,
-}
+use super::track::Track;
+use super::watch::Watch;
 
 /// Hands every step of the search to the tracks.
 struct Tracks<'a> {
@@ -130,57 +32,29 @@ impl Witness for Tracks<'_> {
 }
 
 /// Working memory of a run.
-struct Workspace<'a> {
-    problem: &'a TreeProblem,
-    functionals: &'a [Functional],
-    first: &'a [usize],
-    regimes: Vec<Regime>,
-    states: Vec<PairState>,
-    key: Vec<PairState>,
-    watches: Vec<Watch>,
-    watched: Vec<usize>,
-    signals: Vec<Signal>,
-    phase: Phase,
-    search: Search,
-    q: Vec<f64>,
-    v: Vec<f64>,
-    q_end: Vec<f64>,
-    v_end: Vec<f64>,
+pub(super) struct Workspace<'a> {
+    pub(super) problem: &'a TreeProblem,
+    pub(super) functionals: &'a [Functional],
+    pub(super) first: &'a [usize],
+    pub(super) regimes: Vec<Regime>,
+    pub(super) states: Vec<PairState>,
+    pub(super) key: Vec<PairState>,
+    pub(super) watches: Vec<Watch>,
+    pub(super) watched: Vec<usize>,
+    pub(super) signals: Vec<Signal>,
+    pub(super) phase: Phase,
+    pub(super) search: Search,
+    pub(super) q: Vec<f64>,
+    pub(super) v: Vec<f64>,
+    pub(super) q_end: Vec<f64>,
+    pub(super) v_end: Vec<f64>,
     /// Number of leading derivatives known to vanish, by functional.
-    zeros: Vec<usize>,
-    sampler: Sampler,
-    tracks: Vec<Track>,
+    pub(super) zeros: Vec<usize>,
+    pub(super) sampler: Sampler,
+    pub(super) tracks: Vec<Track>,
     /// Panel in use and whether the object's link transmits force.
-    variants: Vec<(usize, bool)>,
-    out: ExactRun,
-}
-
-/// The functions of every pair: for flank f of mass i the clearance X at
-/// `first[i] + 2f` and the pull c·X + b·Ẋ after it.
-pub(crate) fn pair_functionals(problem: &TreeProblem) -> (Vec<Functional>, Vec<usize>) {
-    let mut functionals = Vec::new();
-    let mut first = Vec::new();
-    for (i, mass) in problem.masses.iter().enumerate() {
-        first.push(functionals.len());
-        let (flanks, count) = mass.pair.flanks();
-        for flank in &flanks[..count] {
-            let linear = |c: f64, b: f64| {
-                let s = flank.sign;
-                let mut terms = vec![(i, [c * s, b * s, 0.0])];
-                if let Some(p) = mass.parent {
-                    terms.push((p, [-c * s * mass.lever, -b * s * mass.lever, 0.0]));
-                }
-                Functional {
-                    terms,
-                    law: [0.0; 3],
-                    constant: c * flank.offset,
-                }
-            };
-            functionals.push(linear(1.0, 0.0));
-            functionals.push(linear(mass.stiffness, mass.damping));
-        }
-    }
-    (functionals, first)
+    pub(super) variants: Vec<(usize, bool)>,
+    pub(super) out: ExactRun,
 }
 
 /// One track an object, when figures are asked for.
@@ -203,61 +77,6 @@ fn tracks(problem: &TreeProblem, request: &Request, blocks: usize) -> Vec<Track>
             problem.displacement[object.last] - base,
             cap,
         )
-    };
-    problem.objects.iter().map(make).collect()
-}
-
-/// The four functionals of every object in a regime: δ, φ̇, φ̈, and the link's
-/// force (engaged) or the clearance to either flank (open).
-fn panels(
-    problem: &TreeProblem,
-    functionals: &[Functional],
-    first: &[usize],
-    key: &[PairState],
-    basis: &Basis,
-) -> Vec<Vec<Panel>> {
-    let make = |object: &TreeObject| {
-        let mass = &problem.masses[object.first];
-        let ratio = problem.masses[object.last].ratio;
-        let moving = |order: usize| {
-            let mut one = [0.0; 3];
-            one[order] = 1.0;
-            let law = one.map(|x| x * ratio);
-            Functional {
-                terms: vec![(object.last, one)],
-                law,
-                constant: 0.0,
-            }
-        };
-        let mut delta = Functional {
-            terms: vec![(object.last, [1.0, 0.0, 0.0])],
-            ..moving(0)
-        };
-        delta.law = [0.0; 3];
-        if let Some((driver, ratio)) = object.driver {
-            delta.terms.push((driver, [-ratio, 0.0, 0.0]));
-        }
-        let at = first[object.first];
-        let fourth = match (mass.pair.flanks().1, key[object.first]) {
-            (0, _) => {
-                let [c, b] = [mass.stiffness, mass.damping];
-                let mut terms = vec![(object.first, [c, b, 0.0])];
-                if let Some(p) = mass.parent {
-                    terms.push((p, [-c * mass.lever, -b * mass.lever, 0.0]));
-                }
-                vec![Functional {
-                    terms,
-                    ..Functional::default()
-                }]
-            }
-            (_, PairState::Engaged(f)) => vec![functionals[at + 2 * usize::from(f) + 1].clone()],
-            (count, _) => (0..count)
-                .map(|f| functionals[at + 2 * f].clone())
-                .collect(),
-        };
-        let panel =
-            |last: Functional| Panel::new(basis, [delta.clone(), moving(1), moving(2), last]);
-        fourth.into_iter().map(panel).collect()
     };
     problem.objects.iter().map(make).collect()
 }
@@ -398,108 +217,6 @@ impl<'a> Workspace<'a> {
         Ok(self.out)
     }
 
-    /// Number of the regime for the present states, made when first met.
-    #[inline(always)]
-    fn regime(&mut self) -> Result<usize, Refusal> {
-        for (key, state) in self.key.iter_mut().zip(&self.states) {
-            *key = if state.engaged() {
-                *state
-            } else {
-                PairState::Free
-            };
-        }
-        match self
-            .regimes
-            .iter()
-            .position(|regime| regime.key == self.key)
-        {
-            Some(index) => Ok(index),
-            None => self.make_regime(),
-        }
-    }
-
-    #[inline(never)]
-    fn make_regime(&mut self) -> Result<usize, Refusal> {
-        if self.regimes.len() >= REGIMES {
-            self.regimes.clear();
-        }
-        let basis = Basis::new(self.problem, &self.key).map_err(|e| Refusal::new("", e.0))?;
-        let weights = self
-            .functionals
-            .iter()
-            .map(|f| Weights::new(&basis, f))
-            .collect();
-        let steady = Steady::new(self.problem, &basis);
-        let panels = if self.tracks.is_empty() {
-            Vec::new()
-        } else {
-            panels(
-                self.problem,
-                self.functionals,
-                self.first,
-                &self.key,
-                &basis,
-            )
-        };
-        self.regimes.push(Regime {
-            key: self.key.clone(),
-            basis,
-            steady,
-            weights,
-            panels,
-        });
-        Ok(self.regimes.len() - 1)
-    }
-
-    /// What has to be watched in the present states.
-    #[inline(always)]
-    fn watch(&mut self) {
-        self.watches.clear();
-        self.watched.clear();
-        for i in 0..self.states.len() {
-            let (_, count) = self.problem.masses[i].pair.flanks();
-            for f in 0..count {
-                let clear = self.first[i] + 2 * f;
-                let flank = f as u8;
-                let (functional, sign, target) = match self.states[i] {
-                    PairState::Engaged(own) if own == flank => {
-                        (clear + 1, -1.0, PairState::Pressed(flank))
-                    }
-                    PairState::Pressed(own) if own == flank => {
-                        (clear + 1, 1.0, PairState::Engaged(flank))
-                    }
-                    PairState::Engaged(_) => continue,
-                    _ => (clear, 1.0, PairState::Engaged(flank)),
-                };
-                self.watches.push(Watch {
-                    mass: i,
-                    functional,
-                    sign,
-                    target,
-                });
-                self.watched.push(functional);
-            }
-        }
-    }
-
-    #[inline(always)]
-    fn take_signals<A: Arith>(&mut self, regime: usize) {
-        let entry = &self.regimes[regime];
-        for watch in &self.watches {
-            let f = watch.functional;
-            let signal = &mut self.signals[f];
-            signal.take::<A>(
-                &entry.basis,
-                &self.phase,
-                &self.functionals[f],
-                &entry.weights[f],
-                watch.sign,
-            );
-            signal.zeros = self.zeros[f];
-            signal.leaving = self.zeros[f] > 0;
-        }
-    }
-
     /// Takes the tracks into the phase: engaged, or open near the flank that is
     /// nearer at its start.
     #[inline(always)]
@@ -584,74 +301,5 @@ impl<'a> Workspace<'a> {
                 }
             }
         }
-    }
-
-    /// Pressed pairs that have come clear of their flank become free: from
-    /// X > 0 the next event can only be the root of X itself (Ẋ < 0 there, so
-    /// the pull is negative too).
-    #[inline(always)]
-    fn comes_clear<A: Arith>(&mut self, regime: usize, fired: Option<usize>) -> bool {
-        let mut changed = false;
-        for number in 0..self.watches.len() {
-            let watch = self.watches[number];
-            let PairState::Pressed(f) = self.states[watch.mass] else {
-                continue;
-            };
-            if watch.target != PairState::Engaged(f) || fired.is_some_and(|k| k != number) {
-                continue;
-            }
-            let clear = watch.functional - 1;
-            let entry = &self.regimes[regime];
-            let signal = &mut self.signals[clear];
-            signal.take::<A>(
-                &entry.basis,
-                &self.phase,
-                &self.functionals[clear],
-                &entry.weights[clear],
-                1.0,
-            );
-            let x = signal.value::<A>(&entry.basis, self.phase.active, &self.search.e);
-            if x > signal.noise {
-                self.states[watch.mass] = PairState::Free;
-                changed = true;
-            }
-        }
-        changed
-    }
-
-    /// Takes the switch of a watch at the state now in q, v.
-    fn switch(&mut self, number: usize, time: f64) {
-        let watch = self.watches[number];
-        let i = watch.mass;
-        let before = self.states[i];
-        let (PairState::Pressed(f) | PairState::Engaged(f)) = watch.target else {
-            return;
-        };
-        let clear = self.first[i] + 2 * usize::from(f);
-        let rate = Functional {
-            constant: 0.0,
-            ..self.functionals[clear].clone()
-        };
-        let speed = rate.value(&self.v, &self.v);
-        let undamped = self.problem.masses[i].damping == 0.0;
-        let after = match watch.target {
-            // Without damping the force vanishes with the penetration.
-            PairState::Pressed(_) if undamped => PairState::Free,
-            target => target,
-        };
-        match (before, after) {
-            (_, PairState::Free) => self.zeros[clear] = 1,
-            (_, PairState::Pressed(_)) | (PairState::Pressed(_), _) => self.zeros[clear + 1] = 1,
-            _ if undamped => self.zeros[clear + 1] = 1,
-            _ => {}
-        }
-        self.states[i] = after;
-        self.out.switches.push(ExactSwitch {
-            time,
-            mass: i,
-            before,
-            after,
-            speed,
-        });
     }
 }

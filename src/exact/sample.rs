@@ -4,7 +4,7 @@ use super::basis::Basis;
 use super::lanes::{Arith, V, WIDTH, exp, reduced, sin_cos};
 use super::phase::{Exponentials, POLY, Phase, scalar_sin_cos};
 use super::problem::TreeProblem;
-use super::run::Request;
+use super::request::Request;
 
 /// Takes the samples that fall into each phase.
 #[derive(Clone, Debug)]

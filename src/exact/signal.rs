@@ -1,133 +1,10 @@
-//! Linear functionals of the motion over a phase: what is watched, bounded and reported.
+//! A linear functional over one phase, with its derivatives: what is watched and bounded.
 
-use super::basis::{Basis, Lane, LaneKind, Rigid};
-use super::lanes::{Arith, V, WIDTH, reduced};
+use super::basis::Basis;
+use super::functional::{Functional, Weights};
+use super::lanes::{Arith, V, reduced};
 use super::pencil::C;
 use super::phase::{Exponentials, POLY, Phase, scalar_sin_cos};
-
-/// g = Σ (a·q_i + b·q̇_i + c·q̈_i) + l·(L, L̇, L̈) + constant.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) struct Functional {
-    /// (mass, [a, b, c]).
-    pub(crate) terms: Vec<(usize, [f64; 3])>,
-    /// Factors of the law and its first two derivatives.
-    pub(crate) law: [f64; 3],
-    pub(crate) constant: f64,
-}
-
-impl Functional {
-    /// Value at a state, of a functional without accelerations and law.
-    #[inline(always)]
-    pub(crate) fn value(&self, q: &[f64], v: &[f64]) -> f64 {
-        let mut sum = self.constant;
-        for &(i, [a, b, _]) in &self.terms {
-            sum += a * q[i] + b * v[i];
-        }
-        sum
-    }
-
-    /// Weight of a lane in g.
-    ///
-    /// Where a part floats, the law's own motion and the flight's cancel in φ̇
-    /// and φ̈: what the flight has of e^{iΩs} itself is taken into the lane of
-    /// the harmonic, so that they cancel here and not in every bound. (In φ̇
-    /// only when the law is in it: small speeds of clearances need E₁ whole.)
-    pub(crate) fn weight(&self, basis_rigid: &[Rigid], lane: &Lane) -> C {
-        let factor = |[a, b, c]: [f64; 3]| lane.lambda * (lane.lambda * c + b) + a;
-        let mut sum = C::default();
-        if let LaneKind::Harmonic(j) = lane.kind {
-            sum += factor(self.law);
-            for part in basis_rigid {
-                let [_, y, z] = self.rigid(part);
-                sum += part.push[j] * z;
-                if self.folds() {
-                    sum += part.push[j] / lane.lambda * y;
-                }
-            }
-        }
-        for &(i, abc) in &self.terms {
-            sum += lane.shape[i] * factor(abc);
-        }
-        sum
-    }
-
-    /// True when e^{iΩs} of the flight's speed rides in the harmonic's lane.
-    pub(crate) fn folds(&self) -> bool {
-        self.law[1] != 0.0
-    }
-
-    /// The polynomial part of g over a phase, `phase.degree` + 1 coefficients
-    /// (and as many as the law needs); returns its degree.
-    #[inline(always)]
-    pub(crate) fn polynomial(&self, phase: &Phase, out: &mut [f64; POLY]) -> usize {
-        let law = self.law != [0.0; 3];
-        let degree = if law {
-            phase.degree.max(phase.forcing.degree)
-        } else {
-            phase.degree
-        };
-        out[..=degree].fill(0.0);
-        for &(i, abc) in &self.terms {
-            accumulate(out, &phase.poly[i * POLY..i * POLY + phase.degree + 1], abc);
-        }
-        if law {
-            accumulate(out, &phase.forcing.law[..=phase.forcing.degree], self.law);
-        }
-        out[0] += self.constant;
-        degree
-    }
-
-    /// Factors of a floating part's η, η̇, η̈.
-    pub(crate) fn rigid(&self, part: &Rigid) -> [f64; 3] {
-        self.terms.iter().fold([0.0; 3], |sum, &(i, abc)| {
-            [0, 1, 2].map(|k| sum[k] + abc[k] * part.shape[i])
-        })
-    }
-}
-
-/// out += a·p + b·p′ + c·p″.
-#[inline(always)]
-fn accumulate(out: &mut [f64; POLY], p: &[f64], [a, b, c]: [f64; 3]) {
-    for (k, x) in p.iter().enumerate() {
-        out[k] += a * x;
-    }
-    for k in 1..p.len() {
-        out[k - 1] += b * k as f64 * p[k];
-    }
-    for k in 2..p.len() {
-        out[k - 2] += c * (k * (k - 1)) as f64 * p[k];
-    }
-}
-
-/// A functional in a basis: weight of each lane in g, ġ, g̈, g⃛.
-#[derive(Clone, Debug)]
-pub(crate) struct Weights {
-    /// [order][re/im][block].
-    pub(crate) w: Vec<V>,
-    /// Weight of each floating part's η, η̇ and η̈.
-    pub(crate) rigid: Vec<[f64; 3]>,
-}
-
-impl Weights {
-    pub(crate) fn new(basis: &Basis, functional: &Functional) -> Self {
-        let blocks = basis.blocks;
-        let mut w = vec![V::ZERO; 8 * blocks];
-        for (k, lane) in basis.lanes.iter().enumerate() {
-            let mut weight = functional.weight(&basis.rigid, lane);
-            for order in 0..4 {
-                w[2 * order * blocks + k / WIDTH].0[k % WIDTH] = weight.re;
-                w[(2 * order + 1) * blocks + k / WIDTH].0[k % WIDTH] = weight.im;
-                weight *= lane.lambda;
-            }
-        }
-        let rigid = basis
-            .rigid
-            .iter()
-            .map(|part| functional.rigid(part))
-            .collect();
-        Self { w, rigid }
-    }
-}
 
 /// Rigid flight in a signal: Re(α·E₂(iΩs) + β·E₁(iΩs) + γ·e^{iΩs}), E_k the
 /// exponential without its first k Taylor terms.
@@ -162,7 +39,7 @@ pub(crate) struct Signal {
 /// Value and three derivatives, with the lanes' own contributions left in the scratch.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Terms {
-    /// Lane contributions to g … g⃛, and |amplitude| now: [5][block].
+    /// Lane contributions to g … g⃛, and |amplitude| now: `[5][block]`.
     pub(crate) lane: Vec<V>,
     /// Polynomial and arcs.
     pub(crate) slow: [f64; 4],

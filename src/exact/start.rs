@@ -1,8 +1,8 @@
 //! The states of the pairs just after t = 0.
 
+use super::functional::Functional;
 use super::pencil::C;
 use super::problem::{Flank, PairState, Refusal, TreeProblem};
-use super::signal::Functional;
 
 /// Derivatives looked at where a pair starts exactly on its flank, a few at first.
 const ORDERS: [usize; 3] = [4, 16, 64];

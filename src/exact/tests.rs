@@ -166,7 +166,7 @@ fn damped_reference_cases_agree_to_their_tolerance_with_exact_counts() {
 
 #[test]
 fn one_undamped_mass_is_thrown_higher_every_cycle() {
-    // spec: 0.0464570 rad and 155 switches after three cycles, 40-digit arithmetic.
+    // 0.0464570 rad and 155 switches after three cycles, 40-digit arithmetic.
     let mut problem = chain(0.1, 1e7, 1, 10.0, |_, _| 0.0);
     problem.masses[0].pair = TreePair::Force { opens: 1.0 };
     problem.masses[0].loads.push(TimeLoad::Constant(-600.0));
@@ -187,7 +187,7 @@ fn one_undamped_mass_is_thrown_higher_every_cycle() {
 
 /// Cases A–E of the comparison with general solvers: masses, load, ψ, duration,
 /// with local dampers b_m = ψ√(c_m J_m)/2π, started on the law.
-const PEERS: [(usize, f64, f64, f64); 5] = [
+const COMPARED: [(usize, f64, f64, f64); 5] = [
     (1, 1000.0, 0.4, 1.0),
     (1, 600.0, 0.4, 1.0),
     (2, 600.0, 0.4, 1.0),
@@ -195,7 +195,7 @@ const PEERS: [(usize, f64, f64, f64); 5] = [
     (1, 600.0, 0.0, 0.1),
 ];
 
-fn peer((n, load, psi, _): (usize, f64, f64, f64)) -> TreeProblem {
+fn compared((n, load, psi, _): (usize, f64, f64, f64)) -> TreeProblem {
     let local = |c: f64, j: f64| psi * (c * j).sqrt() / std::f64::consts::TAU;
     let mut problem = chain(0.1, 1e7, n, 10.0, local);
     problem.masses[0].pair = TreePair::Force { opens: 1.0 };
@@ -208,38 +208,38 @@ fn starts_on_the_law_agree_with_quadruple_precision() {
     // Taylor series of order 34 in quadruple precision: max|δ|, mean |δ|, δ(T), switches.
     let reference = [
         (
-            1.893047769089701667e-4,
-            9.999940218746998029e-5,
-            -1.000248069760167783e-4,
+            1.8930477690897016e-4,
+            9.999940218746998e-5,
+            -1.0002480697601677e-4,
             0,
         ),
         (
-            7.506027748937829574e-3,
-            8.590180896464141751e-4,
-            -6.002496902451878511e-5,
+            7.5060277489378295e-3,
+            8.590180896464142e-4,
+            -6.002496902451878e-5,
             300,
         ),
         (
-            7.642297317856839545e-3,
-            9.098588649871621729e-4,
-            -5.966782247032882762e-5,
+            7.64229731785684e-3,
+            9.098588649871621e-4,
+            -5.9667822470328825e-5,
             446,
         ),
         (
-            1.887045735141460660e-4,
-            9.999290877030222588e-5,
-            -1.000014528898940735e-4,
+            1.8870457351414607e-4,
+            9.999290877030223e-5,
+            -1.0000145288989408e-4,
             87,
         ),
         (
-            8.253104871852900087e-3,
-            1.944492686520481732e-3,
-            1.869720385118136637e-3,
+            8.2531048718529e-3,
+            1.9444926865204817e-3,
+            1.8697203851181367e-3,
             103,
         ),
     ];
-    for (case, (peak, sigma, end, switches)) in PEERS.into_iter().zip(reference) {
-        let tree = ExactTree::new(peer(case));
+    for (case, (peak, sigma, end, switches)) in COMPARED.into_iter().zip(reference) {
+        let tree = ExactTree::new(compared(case));
         let request = Request {
             figures: true,
             ..Request::new(case.3, 1000)

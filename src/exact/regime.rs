@@ -1,0 +1,161 @@
+//! Regimes: the combinations of engaged pairs a run has met, each with its
+//! modes and the functionals in them, made when first met and kept.
+
+use super::basis::Basis;
+use super::functional::{Functional, Weights};
+use super::panel::Panel;
+use super::polynomial::Steady;
+use super::problem::{PairState, Refusal, TreeObject, TreeProblem};
+use super::run::Workspace;
+
+/// One combination of engaged pairs, ready for use.
+#[derive(Clone, Debug)]
+pub(crate) struct Regime {
+    pub(super) key: Vec<PairState>,
+    pub(crate) basis: Basis,
+    pub(super) steady: Option<Steady>,
+    pub(crate) weights: Vec<Weights>,
+    /// Panels of every object: one, or one a flank while open.
+    pub(super) panels: Vec<Vec<Panel>>,
+}
+
+/// Most combinations kept.
+const REGIMES: usize = 256;
+
+/// The functions of every pair: for flank f of mass i the clearance X at
+/// `first[i] + 2f` and the pull c·X + b·Ẋ after it.
+pub(crate) fn pair_functionals(problem: &TreeProblem) -> (Vec<Functional>, Vec<usize>) {
+    let mut functionals = Vec::new();
+    let mut first = Vec::new();
+    for (i, mass) in problem.masses.iter().enumerate() {
+        first.push(functionals.len());
+        let (flanks, count) = mass.pair.flanks();
+        for flank in &flanks[..count] {
+            let linear = |c: f64, b: f64| {
+                let s = flank.sign;
+                let mut terms = vec![(i, [c * s, b * s, 0.0])];
+                if let Some(p) = mass.parent {
+                    terms.push((p, [-c * s * mass.lever, -b * s * mass.lever, 0.0]));
+                }
+                Functional {
+                    terms,
+                    law: [0.0; 3],
+                    constant: c * flank.offset,
+                }
+            };
+            functionals.push(linear(1.0, 0.0));
+            functionals.push(linear(mass.stiffness, mass.damping));
+        }
+    }
+    (functionals, first)
+}
+
+/// The four functionals of every object in a regime: δ, φ̇, φ̈, and the link's
+/// force (engaged) or the clearance to either flank (open).
+fn panels(
+    problem: &TreeProblem,
+    functionals: &[Functional],
+    first: &[usize],
+    key: &[PairState],
+    basis: &Basis,
+) -> Vec<Vec<Panel>> {
+    let make = |object: &TreeObject| {
+        let mass = &problem.masses[object.first];
+        let ratio = problem.masses[object.last].ratio;
+        let moving = |order: usize| {
+            let mut one = [0.0; 3];
+            one[order] = 1.0;
+            let law = one.map(|x| x * ratio);
+            Functional {
+                terms: vec![(object.last, one)],
+                law,
+                constant: 0.0,
+            }
+        };
+        let mut delta = Functional {
+            terms: vec![(object.last, [1.0, 0.0, 0.0])],
+            ..moving(0)
+        };
+        delta.law = [0.0; 3];
+        if let Some((driver, ratio)) = object.driver {
+            delta.terms.push((driver, [-ratio, 0.0, 0.0]));
+        }
+        let at = first[object.first];
+        let fourth = match (mass.pair.flanks().1, key[object.first]) {
+            (0, _) => {
+                let [c, b] = [mass.stiffness, mass.damping];
+                let mut terms = vec![(object.first, [c, b, 0.0])];
+                if let Some(p) = mass.parent {
+                    terms.push((p, [-c * mass.lever, -b * mass.lever, 0.0]));
+                }
+                vec![Functional {
+                    terms,
+                    ..Functional::default()
+                }]
+            }
+            (_, PairState::Engaged(f)) => vec![functionals[at + 2 * usize::from(f) + 1].clone()],
+            (count, _) => (0..count)
+                .map(|f| functionals[at + 2 * f].clone())
+                .collect(),
+        };
+        let panel =
+            |last: Functional| Panel::new(basis, [delta.clone(), moving(1), moving(2), last]);
+        fourth.into_iter().map(panel).collect()
+    };
+    problem.objects.iter().map(make).collect()
+}
+
+impl Workspace<'_> {
+    /// Number of the regime for the present states, made when first met.
+    #[inline(always)]
+    pub(super) fn regime(&mut self) -> Result<usize, Refusal> {
+        for (key, state) in self.key.iter_mut().zip(&self.states) {
+            *key = if state.engaged() {
+                *state
+            } else {
+                PairState::Free
+            };
+        }
+        match self
+            .regimes
+            .iter()
+            .position(|regime| regime.key == self.key)
+        {
+            Some(index) => Ok(index),
+            None => self.make_regime(),
+        }
+    }
+
+    #[inline(never)]
+    pub(super) fn make_regime(&mut self) -> Result<usize, Refusal> {
+        if self.regimes.len() >= REGIMES {
+            self.regimes.clear();
+        }
+        let basis = Basis::new(self.problem, &self.key).map_err(|e| Refusal::new("", e.0))?;
+        let weights = self
+            .functionals
+            .iter()
+            .map(|f| Weights::new(&basis, f))
+            .collect();
+        let steady = Steady::new(self.problem, &basis);
+        let panels = if self.tracks.is_empty() {
+            Vec::new()
+        } else {
+            panels(
+                self.problem,
+                self.functionals,
+                self.first,
+                &self.key,
+                &basis,
+            )
+        };
+        self.regimes.push(Regime {
+            key: self.key.clone(),
+            basis,
+            steady,
+            weights,
+            panels,
+        });
+        Ok(self.regimes.len() - 1)
+    }
+}

@@ -1,0 +1,80 @@
+//! What is asked of a run, and what it leaves behind.
+
+use super::problem::PairState;
+use super::track::TreeFigures;
+
+/// What is asked of a run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Request {
+    /// End time (s), > 0.
+    pub end: f64,
+    /// Number of equal intervals at whose ends samples are taken (t = 0 is not
+    /// one of them); 0: none.
+    pub samples: usize,
+    /// Samples of every mass, q and q̇; otherwise of the last mass's q alone.
+    pub all_masses: bool,
+    /// Most switches.
+    pub switches: u64,
+    /// Figures between samples, wanted or not.
+    pub figures: bool,
+}
+
+impl Request {
+    /// A run to `end` with `samples` samples of the last mass.
+    pub fn new(end: f64, samples: usize) -> Self {
+        Self {
+            end,
+            samples,
+            all_masses: false,
+            switches: 1_000_000,
+            figures: false,
+        }
+    }
+}
+
+/// A switch of a pair.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ExactSwitch {
+    /// When (s).
+    pub time: f64,
+    /// The mass whose link holds the pair.
+    pub mass: usize,
+    /// State before.
+    pub before: PairState,
+    /// State after.
+    pub after: PairState,
+    /// Ẋ at the switch: speed of parting (> 0) or of approach (< 0).
+    pub speed: f64,
+}
+
+/// What a run leaves behind.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct ExactRun {
+    /// Time reached (s).
+    pub time: f64,
+    /// True when the end was reached.
+    pub complete: bool,
+    /// States of the pairs just after t = 0, by mass.
+    pub start: Vec<PairState>,
+    /// Every switch.
+    pub switches: Vec<ExactSwitch>,
+    /// Samples: one row an interval end; one column (δ of the last mass), or
+    /// q then q̇ of every mass.
+    pub samples: Vec<f64>,
+    /// Columns of `samples`.
+    pub columns: usize,
+    /// q at the end.
+    pub displacement: Vec<f64>,
+    /// q̇ at the end.
+    pub speed: Vec<f64>,
+    /// Figures of every object, when asked for.
+    pub figures: Vec<TreeFigures>,
+    /// Phases, search steps, evaluations.
+    pub phases: u64,
+    /// Steps of the search.
+    pub steps: u64,
+    /// Evaluations of the exponentials in the search.
+    pub evaluations: u64,
+    /// Steps over which a watched signal could not be told from zero.
+    pub grazing: u64,
+}
