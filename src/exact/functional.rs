@@ -107,7 +107,7 @@ fn accumulate(out: &mut [f64; POLY], p: &[f64], [a, b, c]: [f64; 3]) {
 /// A functional in a basis: weight of each lane in g, ġ, g̈, g⃛.
 #[derive(Clone, Debug)]
 pub(crate) struct Weights {
-    /// [order][re/im][block].
+    /// `[order][re/im][block]`.
     pub(crate) w: Vec<V>,
     /// Weight of each floating part's η, η̇ and η̈.
     pub(crate) rigid: Vec<[f64; 3]>,

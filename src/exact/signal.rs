@@ -19,7 +19,7 @@ struct Arc {
 /// A functional over the present phase.
 #[derive(Clone, Debug)]
 pub(crate) struct Signal {
-    /// Amplitude of each lane in g … g⃛: [order][re/im][block].
+    /// Amplitude of each lane in g … g⃛: `[order][re/im][block]`.
     c: Vec<V>,
     /// |amplitude| in g at the start.
     size: Vec<V>,
