@@ -1,6 +1,6 @@
 //! Reading: text → tree → typed values, with every fault collected on the way.
 //!
-//! [`parse`] turns strict JSON into a [`Node`] tree that knows its places.
+//! [`parse()`] turns strict JSON into a [`Node`] tree that knows its places.
 //! A [`Slot`] is the place of one value; its methods read the value, note
 //! faults with the [`Reader`] and go on. The same reading code, run by
 //! [`Reader::describing`] without a tree, writes the JSON Schema instead: what

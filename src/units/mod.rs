@@ -1,7 +1,7 @@
 //! Units and quantities: what a number with a unit means, and whether it fits.
 //!
 //! Numbers are SI. A text such as `600 rpm` or `1e7 N m/rad` is read by
-//! [`parse`] into a value in SI units and a [`Dimension`]; a [`Quantity`] says
+//! [`parse()`] into a value in SI units and a [`Dimension`]; a [`Quantity`] says
 //! which dimensions it takes and which units it names in its messages. Angle
 //! is a dimension of its own here, so that `10 Hz` is not mistaken for an
 //! angular speed; where custom drops the radian (N·m or N·m/rad for a
