@@ -49,12 +49,15 @@ impl Breaks {
         match self.period {
             None => self.points.iter().filter(|&&edge| below(edge)).count() as i64,
             Some(period) => {
-                let turn = ((x - self.points[0]) / period).floor() as i64;
-                let mut segment = (turn - 1) * count as i64;
-                while below(self.edge(segment + 1)) {
-                    segment += 1;
-                }
-                segment
+                // Beyond 10¹² turns an angle has no digits left for its place in
+                // the turn: stay in range, and come to an end.
+                let turns = ((x - self.points[0]) / period).floor();
+                let turn = turns.clamp(-1e12, 1e12) as i64;
+                let first = (turn - 1) * count as i64;
+                let last = first + 3 * count as i64;
+                (first..last)
+                    .find(|&segment| !below(self.edge(segment + 1)))
+                    .unwrap_or(last)
             }
         }
     }
@@ -104,6 +107,9 @@ mod tests {
         }
         assert_eq!(breaks.piece(3), (1, 3.0));
         assert_eq!(breaks.piece(-1), (1, -3.0));
+        for x in [1e30, -1e30, f64::MAX, f64::INFINITY, f64::NAN] {
+            let _ = breaks.locate(x, 1.0);
+        }
     }
 
     #[test]
