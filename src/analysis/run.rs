@@ -94,7 +94,11 @@ pub fn run(
     );
     let recorded = recorder.finish();
     let run = summary(settings, &outcome, &choice, &recorded, window);
-    let mut warnings: Vec<Warning> = initial.warnings.into_iter().map(Warning::Start).collect();
+    let known_before = system.model().warnings.iter().cloned();
+    let mut warnings: Vec<Warning> = known_before
+        .chain(initial.warnings)
+        .map(Warning::Start)
+        .collect();
     warnings.extend(warnings_of(system.model(), settings, &recorded, &run));
     let figures = document(system.model(), settings, &recorded.figures, run, &warnings);
     Ok(RunResult {

@@ -49,6 +49,12 @@ pub(crate) fn command(args: &RunArgs) -> Result<Status, Failure> {
     if !quiet && !ready.reading.warnings.is_empty() {
         console::talk(&ready.reading.warnings.render(console::colour()));
     }
+    let known_before = &ready.system.model().warnings;
+    if !quiet {
+        for warning in known_before {
+            console::talk(&format!("warning: {warning}"));
+        }
+    }
     let control = control(args.time_limit);
     let begun = Instant::now();
     let result = run_with_progress(&ready, &ready.settings, &control, quiet)?;
@@ -143,7 +149,9 @@ fn files(
 }
 
 fn talk(ready: &Ready, result: &RunResult, verdicts: &[Verdict], seconds: f64) {
-    for warning in &result.figures.warnings {
+    let known_before = &ready.system.model().warnings;
+    let found = result.figures.warnings.iter();
+    for warning in found.filter(|warning| !known_before.contains(warning)) {
         console::talk(&format!("warning: {warning}"));
     }
     for verdict in verdicts.iter().filter(|verdict| !verdict.holds) {
