@@ -242,7 +242,11 @@ fn an_expected_stop_is_an_answer() {
     let document = json(&output);
     assert_eq!(document["run"]["stopped"], "dead_position");
     let warned = stderr(&output);
-    assert_eq!(warned.matches("can be assembled only").count(), 1, "{warned}");
+    assert_eq!(
+        warned.matches("can be assembled only").count(),
+        1,
+        "{warned}"
+    );
     assert!(document["warnings"][0].as_str().unwrap().contains("53.13"));
     let text = String::from_utf8(output.stdout).unwrap();
     assert!(!text.contains("null,\n      \"energy"), "{text}");
