@@ -180,10 +180,9 @@ fn the_record_has_units_and_a_row_a_sample() {
     }
     assert_eq!(lines.count(), 101);
     let page = std::fs::read_to_string(folder.path().join("out/report.html")).unwrap();
-    assert!(
-        !page.contains("http://") || !page.contains("<script src"),
-        "self-contained"
-    );
+    for fetched in ["<script src", "<link ", "<img src=\"http", "@import"] {
+        assert!(!page.contains(fetched), "self-contained: {fetched}");
+    }
 }
 
 #[test]
@@ -248,8 +247,6 @@ fn an_expected_stop_is_an_answer() {
         "{warned}"
     );
     assert!(document["warnings"][0].as_str().unwrap().contains("53.13"));
-    let text = String::from_utf8(output.stdout).unwrap();
-    assert!(!text.contains("null,\n      \"energy"), "{text}");
     assert!(document["run"]["energy_error"].is_number());
 }
 
