@@ -37,6 +37,7 @@ impl<'a, D: Dynamics> Evaluator<'a, D> {
     }
 
     /// Jacobian times `direction`.
+    #[cfg_attr(not(feature = "diffsol"), allow(dead_code))] // until an own implicit method needs it
     pub(super) fn tangent(&self, time: f64, y: &[f64], direction: &[f64], out: &mut [f64]) {
         let modes = self.modes.borrow();
         let mut scratch = self.scratch.borrow_mut();

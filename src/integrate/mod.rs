@@ -7,6 +7,7 @@
 
 mod auto;
 mod continuous;
+#[cfg(feature = "diffsol")]
 mod diffsol_adapter;
 mod dynamics;
 mod edges;
@@ -31,6 +32,10 @@ use run::Run;
 /// Finest tolerance: below it the rounding of double precision would be taken
 /// for an error of the method.
 pub const FINEST_TOLERANCE: f64 = 1e-14;
+
+/// Why a method of diffsol cannot be run by this build.
+#[cfg(not(feature = "diffsol"))]
+const WITHOUT_DIFFSOL: &str = "this build of dam has no diffsol: build it with --features diffsol";
 
 /// Integrates a system from (`start`, `y0`, `modes`) to `end` into a sink.
 ///
@@ -77,7 +82,13 @@ pub fn integrate<D: Dynamics>(
         } else {
             match settings.method {
                 Method::Rk4 | Method::Dopri5 | Method::Dop853 => ode_solvers_adapter::leg(&mut run),
+                #[cfg(feature = "diffsol")]
                 Method::Bdf | Method::TrBdf2 | Method::Esdirk34 => diffsol_adapter::leg(&mut run),
+                #[cfg(not(feature = "diffsol"))]
+                Method::Bdf | Method::TrBdf2 | Method::Esdirk34 => {
+                    let (time, reason) = (run.from.time, WITHOUT_DIFFSOL.to_owned());
+                    run.refuse(time, reason);
+                }
             }
         }
         if run.stop.is_none() && run.from.time == next && next < end {
