@@ -61,6 +61,7 @@
 
 mod basis;
 mod bound;
+mod cursor;
 mod eigenvalues;
 mod functional;
 mod lanes;
@@ -82,6 +83,7 @@ mod tests;
 mod track;
 mod watch;
 
+pub use cursor::{Cursor, MOST_ORDERS};
 pub use law::{Law, PolynomialSpan, Sine, SpanSource};
 pub use problem::{
     Flank, PairState, Refusal, TimeLoad, TreeMass, TreeObject, TreePair, TreeProblem,
