@@ -14,6 +14,12 @@ use super::{ExactTree, Law};
 /// displacement itself included.
 pub const MOST_ORDERS: usize = 8;
 
+/// Radians of a harmonic that [`Cursor::pace`] allows.
+const RADIANS: f64 = 0.5;
+
+/// Degree up to which a polynomial part needs no shorter steps.
+const PLAIN_DEGREE: usize = 2 * MOST_ORDERS - 1;
+
 /// A run of a tree, standing at the end of its present phase.
 ///
 /// Over a phase the motion is known in closed form and can be evaluated
@@ -111,14 +117,24 @@ impl<'a> Cursor<'a> {
         (self.work.out.phases, self.work.search.evaluations)
     }
 
-    /// End of the law's present span (s), +∞ for a law without spans, and the
-    /// greatest angular frequency of its harmonics (rad/s), 0 without any.
-    pub fn law_pace(&self) -> (f64, f64) {
-        let fastest = match &self.work.problem.law {
-            Law::Harmonic { sines, .. } => sines.iter().map(|sine| sine.frequency).fold(0.0, f64::max),
-            Law::Spans(_) => 0.0,
+    /// Longest time (s) over which what drives the present phase (harmonics,
+    /// spans of the law, polynomials) changes so little that a polynomial of
+    /// degree 15 follows it; +∞ when nothing changes.
+    pub(super) fn pace(&self) -> f64 {
+        let phase = &self.work.phase;
+        let mut longest = match &self.work.problem.law {
+            Law::Harmonic { sines, .. } => {
+                let fastest = sines.iter().map(|sine| sine.frequency);
+                RADIANS / fastest.fold(0.0, f64::max)
+            }
+            Law::Spans(_) => phase
+                .span
+                .map_or(f64::INFINITY, |span| (span.end - span.start) / 3.0),
         };
-        (self.work.phase.forcing.end, fastest)
+        if phase.degree > PLAIN_DEGREE {
+            longest = longest.min(phase.reach / 3.0);
+        }
+        longest
     }
 
     /// q of every mass and its derivatives at local time `s` of the present
@@ -184,7 +200,7 @@ impl<'a> Cursor<'a> {
     /// Calls `see` with |λ| and the size of the motion of every lane that is
     /// in the motion at local time `s`: the greatest over the masses of
     /// |shape·amplitude·e^{λs}|.
-    pub fn lanes(&self, s: f64, mut see: impl FnMut(f64, f64)) {
+    pub(super) fn lanes(&self, s: f64, mut see: impl FnMut(f64, f64)) {
         let Some(passed) = self.passed else {
             return;
         };
