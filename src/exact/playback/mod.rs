@@ -20,9 +20,9 @@ use crate::integrate::{
 use crate::system::{InitialState, Scratch, System};
 use bernstein::{DEGREE, Output};
 use branch::Branch;
+use paces::Paces;
 use std::sync::atomic::Ordering;
 use std::time::Instant;
-use paces::Paces;
 use tracks::Tracks;
 
 /// Two instants closer than this, in units of the clock, are one.
@@ -116,8 +116,8 @@ impl Player<'_> {
         for branch in &self.branches {
             branch.take_modes(&mut self.modes);
         }
+        self.tracks.begin(&mut self.modes);
         sink.start(0.0, &self.y, &self.modes);
-        self.tracks.begin();
         for index in 0..self.branches.len() {
             self.go_on(index);
         }
