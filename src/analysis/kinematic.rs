@@ -91,6 +91,29 @@ impl Dynamics for Driven<'_> {
         }
     }
 
+    fn time_tangent(
+        &self,
+        time: f64,
+        y: &[f64],
+        modes: &Modes,
+        scratch: &mut Scratch,
+        out: &mut [f64],
+    ) {
+        if self.idle {
+            out.fill(0.0);
+        } else {
+            self.system.time_tangent(time, y, modes, scratch, out);
+        }
+    }
+
+    fn pattern(&self) -> Vec<Vec<usize>> {
+        if self.idle {
+            vec![vec![0]]
+        } else {
+            self.system.pattern()
+        }
+    }
+
     fn extra_signals(
         &self,
         time: f64,

@@ -107,6 +107,24 @@ pub trait Dynamics: Sync {
         out: &mut [f64],
     );
 
+    /// Derivative of `derivatives` with respect to time at a fixed state.
+    fn time_tangent(
+        &self,
+        time: f64,
+        y: &[f64],
+        modes: &Modes,
+        scratch: &mut Self::Scratch,
+        out: &mut [f64],
+    );
+
+    /// For every coordinate, the coordinates whose value or rate its
+    /// acceleration may depend on, in any modes: where the Jacobian may not be
+    /// zero. Default: all.
+    fn pattern(&self) -> Vec<Vec<usize>> {
+        let count = self.coordinates();
+        vec![(0..count).collect(); count]
+    }
+
     /// The signals beyond the coordinates, each as (s, ṡ, s̈), at a state whose
     /// derivative `dy` is known; `out[0]` is signal n.
     fn extra_signals(

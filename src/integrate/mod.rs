@@ -18,6 +18,7 @@ mod outcome;
 mod pace;
 #[cfg(test)]
 pub(crate) mod problems;
+mod rosenbrock;
 mod run;
 #[cfg(test)]
 mod tests;
@@ -82,6 +83,7 @@ pub fn integrate<D: Dynamics>(
         } else {
             match settings.method {
                 Method::Rk4 | Method::Dopri5 | Method::Dop853 => ode_solvers_adapter::leg(&mut run),
+                Method::Rodas5p => rosenbrock::leg(&mut run),
                 #[cfg(feature = "diffsol")]
                 Method::Bdf | Method::TrBdf2 | Method::Esdirk34 => diffsol_adapter::leg(&mut run),
                 #[cfg(not(feature = "diffsol"))]

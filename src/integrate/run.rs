@@ -5,6 +5,7 @@ use super::edges::Edges;
 use super::evaluator::Evaluator;
 use super::locate::{Located, Stretch};
 use super::pace::Pace;
+use super::rosenbrock::Stepper;
 use super::{
     Dynamics, Edge, Guard, Limits, Method, Modes, Settings, Sink, Stop, SwitchEvent, Watch,
 };
@@ -51,6 +52,8 @@ pub(super) struct Run<'a, D: Dynamics> {
     switches_at_once: u32,
     begun: Instant,
     pub(super) pace: Pace,
+    /// The own stiff method, with its memory, once it has been used.
+    pub(super) rosenbrock: Option<Box<Stepper>>,
 }
 
 impl<'a, D: Dynamics> Run<'a, D> {
@@ -85,6 +88,7 @@ impl<'a, D: Dynamics> Run<'a, D> {
             switches_at_once: 0,
             begun: Instant::now(),
             pace: Pace::default(),
+            rosenbrock: None,
         }
     }
 

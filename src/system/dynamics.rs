@@ -76,6 +76,36 @@ impl Dynamics for System {
         }
     }
 
+    fn time_tangent(
+        &self,
+        time: f64,
+        y: &[f64],
+        modes: &Modes,
+        scratch: &mut Scratch,
+        out: &mut [f64],
+    ) {
+        for (state, &value) in scratch.dual_state.iter_mut().zip(y) {
+            *state = Dual::from(value);
+        }
+        self.frozen.evaluate(
+            Dual::new(time, 1.0),
+            &scratch.dual_state,
+            &modes.0,
+            Extent::Needed,
+            &mut scratch.dual_work,
+            &mut scratch.dual_accelerations,
+        );
+        let (speeds, accelerations) = out.split_at_mut(self.frozen.coordinates);
+        speeds.fill(0.0);
+        for (out, dual) in accelerations.iter_mut().zip(&scratch.dual_accelerations) {
+            *out = dual.derivative;
+        }
+    }
+
+    fn pattern(&self) -> Vec<Vec<usize>> {
+        self.frozen.pattern()
+    }
+
     fn extra_signals(
         &self,
         time: f64,

@@ -23,6 +23,7 @@ mod observe;
 mod onset;
 mod pairs;
 mod passes;
+mod pattern;
 mod placing;
 mod quantity;
 mod scales;
