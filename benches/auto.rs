@@ -27,7 +27,7 @@ const SAMPLES: usize = 1000;
 /// Tolerances at which `auto` is judged.
 const ASKED: [f64; 3] = [1e-4, 1e-7, 1e-10];
 /// Longest run that is looked at.
-const LONGEST: Duration = Duration::from_secs(5);
+const LONGEST: Duration = Duration::from_secs(4);
 
 /// Samples of δ of every elastic object, and the times of the switches.
 struct Samples {
@@ -259,7 +259,7 @@ fn judge(case: &Case, chart: bool) {
                 print_point(&point);
             }
             points.push(point);
-            if point.time > 0.5 * LONGEST.as_secs_f64() {
+            if point.time > 0.1 * LONGEST.as_secs_f64() {
                 break;
             }
         }

@@ -106,6 +106,23 @@ impl Dynamics for Driven<'_> {
         }
     }
 
+    fn expands(&self) -> bool {
+        !self.idle && self.system.expands()
+    }
+
+    fn expand(
+        &self,
+        span: [f64; 2],
+        y: &[f64],
+        dy: &[f64],
+        modes: &Modes,
+        degree: usize,
+        scratch: &mut Scratch,
+        out: &mut [f64],
+    ) -> f64 {
+        self.system.expand(span, y, dy, modes, degree, scratch, out)
+    }
+
     fn pattern(&self) -> Vec<Vec<usize>> {
         if self.idle {
             vec![vec![0]]

@@ -54,6 +54,24 @@ impl<'a, D: Dynamics> Evaluator<'a, D> {
         self.evaluations.set(self.evaluations.get() + 1);
     }
 
+    /// The motion as power series, see [`Dynamics::expand`]; counted as one
+    /// evaluation for every order.
+    pub(super) fn expand(
+        &self,
+        span: [f64; 2],
+        y: &[f64],
+        dy: &[f64],
+        degree: usize,
+        out: &mut [f64],
+    ) -> f64 {
+        let modes = self.modes.borrow();
+        let mut scratch = self.scratch.borrow_mut();
+        self.evaluations
+            .set(self.evaluations.get() + degree as u64 - 1);
+        self.dynamics
+            .expand(span, y, dy, &modes, degree, &mut scratch, out)
+    }
+
     /// All signals as (s, ṡ, s̈) at a state whose derivative is known.
     pub(super) fn signals(&self, time: f64, y: &[f64], dy: &[f64], out: &mut [[f64; 3]]) {
         let count = self.dynamics.coordinates();

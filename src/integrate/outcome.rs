@@ -17,6 +17,8 @@ pub enum Method {
     Dopri5,
     /// Dormand–Prince 8(5,3) (ode_solvers).
     Dop853,
+    /// Taylor series of an order that follows the tolerance.
+    Taylor,
     /// Rodas5P, a Rosenbrock method of order 5(4), L-stable.
     Rodas5p,
     /// Backward differentiation formulas of variable order (diffsol).
@@ -29,10 +31,11 @@ pub enum Method {
 
 impl Method {
     /// All methods, in the order they are presented.
-    pub const ALL: [Self; 7] = [
+    pub const ALL: [Self; 8] = [
         Self::Rk4,
         Self::Dopri5,
         Self::Dop853,
+        Self::Taylor,
         Self::Rodas5p,
         Self::Bdf,
         Self::TrBdf2,
@@ -51,6 +54,7 @@ impl Method {
             Self::Rk4 => "rk4",
             Self::Dopri5 => "dopri5",
             Self::Dop853 => "dop853",
+            Self::Taylor => "taylor",
             Self::Rodas5p => "rodas5p",
             Self::Bdf => "bdf",
             Self::TrBdf2 => "tr_bdf2",
