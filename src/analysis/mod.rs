@@ -1,5 +1,6 @@
 //! Questions asked of a system: one file a question.
 
+pub mod axis;
 pub mod compare;
 mod document;
 pub mod expectations;
