@@ -5,6 +5,7 @@ pub mod compare;
 mod document;
 pub mod expectations;
 mod kinematic;
+pub mod map;
 mod method;
 pub mod run;
 mod settings;
