@@ -1,10 +1,12 @@
 //! Questions asked of a system: one file a question.
 
+pub mod axis;
 pub mod compare;
 mod document;
 pub mod exact;
 pub mod expectations;
 mod kinematic;
+pub mod map;
 mod method;
 pub mod run;
 mod settings;

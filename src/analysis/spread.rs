@@ -114,7 +114,7 @@ fn is_result(figure: &str) -> bool {
 }
 
 /// The model with all loads and gaps multiplied by `factor`.
-fn changed_loads(mut model: Model, factor: f64) -> Model {
+pub(super) fn changed_loads(mut model: Model, factor: f64) -> Model {
     for load in &mut model.loads {
         change_load(&mut load.law, factor);
     }

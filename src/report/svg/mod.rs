@@ -2,6 +2,7 @@
 
 pub mod chart;
 pub mod graph;
+pub mod map;
 
 /// Characters per line that fit `width` at a font size, for a sans-serif face.
 fn fits(width: f64, font_size: f64) -> usize {
