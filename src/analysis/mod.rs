@@ -6,6 +6,7 @@ mod document;
 pub mod expectations;
 mod kinematic;
 mod method;
+pub mod methods;
 pub mod run;
 mod settings;
 pub mod spread;

@@ -1,5 +1,9 @@
 //! The command line's arguments.
 
+mod methods;
+
+pub(crate) use methods::MethodsArgs;
+
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
 
@@ -26,6 +30,8 @@ pub(crate) enum Command {
     Show(ShowArgs),
     /// Run a scene for several values of a parameter and compare the figures
     Compare(CompareArgs),
+    /// Chart speed against accuracy of every method on a scene, and where and why methods fail
+    Methods(MethodsArgs),
 }
 
 /// What every command on a scene takes.

@@ -8,6 +8,7 @@ mod console;
 mod failure;
 mod input;
 mod interrupt;
+mod methods;
 mod output;
 mod progress;
 mod run;
@@ -28,6 +29,7 @@ pub(crate) fn main() -> ExitCode {
         Command::Schema => (Ok(check::schema()), None),
         Command::Show(args) => (show::command(args), Some(&args.scene)),
         Command::Compare(args) => (compare::command(args), Some(&args.scene)),
+        Command::Methods(args) => (methods::command(args), Some(&args.scene)),
     };
     match result {
         Ok(status) => ExitCode::from(status.code()),

@@ -1,0 +1,146 @@
+//! `dam methods`: speed against accuracy of every method, and where they fail.
+
+mod bar;
+mod text;
+
+use super::args::MethodsArgs;
+use super::console;
+use super::failure::{Failure, Status};
+use super::input::{Input, Ready};
+use super::run::control;
+use bar::PointBar;
+use dam::analysis::Control;
+use dam::analysis::axis::Axis;
+use dam::analysis::methods::sweep::{Sweep, sweep};
+use dam::analysis::methods::{Plan, Study, study};
+use dam::integrate::Method;
+use std::time::Duration;
+
+/// Most values of an axis: each is a study of its own.
+const MOST_VALUES: usize = 1000;
+
+/// Runs the command.
+pub(crate) fn command(args: &MethodsArgs) -> Result<Status, Failure> {
+    let input = Input::load(&args.scene)?;
+    let axis = args.x.as_deref().map(axis).transpose()?;
+    // Of an axis the first value shows whether the scene can take it.
+    let further: Vec<String> = axis.iter().map(|axis| axis.setting(axis.from)).collect();
+    let ready = input.prepare(&further)?;
+    let plan = plan(args, &ready)?;
+    let control = control(None);
+    let complete = match &axis {
+        None => single(args, &ready, &plan, &control)?,
+        Some(axis) => over(args, &input, &ready, axis, &plan, &control)?,
+    };
+    Ok(match complete {
+        true => Status::Answered,
+        false => Status::Interrupted,
+    })
+}
+
+fn axis(text: &str) -> Result<Axis, Failure> {
+    let axis = Axis::parse(text).map_err(|what| Failure::Other(format!("--x {what}")))?;
+    if axis.count > MOST_VALUES {
+        return Err(Failure::Other(format!(
+            "--x {text}: {} values, each a study of its own; at most {MOST_VALUES} are taken",
+            axis.count
+        )));
+    }
+    Ok(axis)
+}
+
+/// What the arguments and the scene ask for.
+fn plan(args: &MethodsArgs, ready: &Ready) -> Result<Plan, Failure> {
+    let accuracy = args.accuracy.unwrap_or(ready.settings.tolerance);
+    let mut plan = Plan {
+        repeats: args.repeats as usize,
+        point_limit: Duration::from_secs_f64(args.point_limit),
+        ..Plan::new(accuracy)
+    };
+    if !args.methods.is_empty() {
+        let named: Result<Vec<Method>, Failure> =
+            args.methods.iter().map(|name| method(name)).collect();
+        let named = named?;
+        plan.methods.retain(|method| named.contains(method));
+    }
+    if !args.tolerances.is_empty() {
+        plan.tolerances.clone_from(&args.tolerances);
+        plan.tolerances.sort_by(|a, b| b.total_cmp(a));
+        plan.tolerances.dedup();
+    }
+    if !args.steps.is_empty() {
+        let mut steps = args.steps.clone();
+        steps.sort_by(|a, b| b.total_cmp(a));
+        steps.dedup();
+        plan.steps = Some(steps);
+    }
+    Ok(plan)
+}
+
+fn method(name: &str) -> Result<Method, Failure> {
+    let known = Method::ALL.into_iter();
+    known
+        .clone()
+        .find(|method| method.name() == name.trim())
+        .ok_or_else(|| {
+            let names: Vec<&str> = known.map(Method::name).collect();
+            Failure::Other(format!(
+                "--methods {name}: unknown method; one of {}",
+                names.join(", ")
+            ))
+        })
+}
+
+/// One study; true when it was not interrupted.
+fn single(
+    args: &MethodsArgs,
+    ready: &Ready,
+    plan: &Plan,
+    control: &Control<'_>,
+) -> Result<bool, Failure> {
+    let bar = PointBar::new(1, args.scene.quiet);
+    let found: Result<Study, _> =
+        study(&ready.system, &ready.settings, plan, control, &mut |now| {
+            bar.at(0, now);
+        });
+    bar.finish();
+    let found = found.map_err(|faults| ready.reading.places.diagnose(&faults))?;
+    if args.scene.json {
+        console::json(&found)?;
+    } else {
+        console::data(&text::study(&found));
+    }
+    Ok(found.complete)
+}
+
+/// A study at every value of an axis; true when it was not interrupted.
+fn over(
+    args: &MethodsArgs,
+    input: &Input,
+    first: &Ready,
+    axis: &Axis,
+    plan: &Plan,
+    control: &Control<'_>,
+) -> Result<bool, Failure> {
+    let bar = PointBar::new(axis.count, args.scene.quiet);
+    let found: Result<Sweep, Failure> = sweep(
+        axis,
+        plan,
+        control,
+        |x| {
+            let ready = input.prepare(&[axis.setting(x)])?;
+            Ok((ready.system, ready.settings))
+        },
+        |_, faults| first.reading.places.diagnose(&faults).into(),
+        &mut |index, now| bar.at(index, now),
+    );
+    bar.finish();
+    let found = found?;
+    let scene = &first.scene().name;
+    if args.scene.json {
+        console::json(&found)?;
+    } else {
+        console::data(&text::sweep(scene, &plan.methods, &found));
+    }
+    Ok(found.complete)
+}
