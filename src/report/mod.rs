@@ -13,6 +13,7 @@ pub mod diagram;
 mod fixture;
 pub mod html;
 pub mod math;
+pub mod methods;
 pub mod quantity;
 pub mod show;
 pub mod svg;

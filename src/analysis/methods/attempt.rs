@@ -12,6 +12,9 @@ use std::time::Duration;
 /// The recorded run may take this many times the limit of the light one.
 const RECORDED_TAKES: u32 = 5;
 
+/// No point is repeated for longer than this (s): long runs vary little.
+const MOST_REPEATING: f64 = 1.0;
+
 /// What is run: a system from its start.
 #[derive(Clone, Copy)]
 pub(super) struct Problem<'p> {
@@ -109,7 +112,7 @@ impl Attempt {
 
     fn repeat(&mut self, problem: &Problem<'_>, effort: &Effort<'_>) {
         let settings = problem.with(self.method, self.setting);
-        let limit = effort.limit.as_secs_f64();
+        let limit = effort.limit.as_secs_f64().min(MOST_REPEATING);
         while self.seconds.len() < effort.repeats && self.seconds.iter().sum::<f64>() < limit {
             let control = Control {
                 wall_clock: Some(effort.limit * 2),
@@ -143,14 +146,18 @@ impl Attempt {
         stop == Some(&Stop::Interrupted)
     }
 
+    /// True when it took longer than it may.
+    pub(super) fn is_out_of_time(&self) -> bool {
+        let stop = self.timed.as_ref().map(|timed| &timed.outcome.stop);
+        matches!(
+            stop,
+            Some(Stop::WallClock { .. } | Stop::TooManySteps { .. })
+        )
+    }
+
     /// True when a finer setting cannot help: refused, or out of time.
     pub(super) fn ends_ladder(&self) -> bool {
-        let stop = self.timed.as_ref().map(|timed| &timed.outcome.stop);
-        self.refused.is_some()
-            || matches!(
-                stop,
-                Some(Stop::WallClock { .. } | Stop::TooManySteps { .. })
-            )
+        self.refused.is_some() || self.is_out_of_time()
     }
 
     /// Median of the measured times (s).

@@ -5,11 +5,26 @@ use super::reference::Truth;
 use super::setting::Setting;
 use super::stability::Bound;
 use super::verdict::{Verdict, axis, judge};
+use crate::analysis::RunSettings;
 use crate::integrate::Method;
 use serde::Serialize;
 
 /// The stable and the unstable step are brought this close to each other.
 const RATIO: f64 = 1.004;
+
+/// Least number of steps of a run that decides whether a step is stable: what
+/// grows by a hundredth a step from rounding is then seen. Shorter scenes go on
+/// beyond their end.
+const STEPS: f64 = 1500.0;
+
+/// A motion that goes on beyond the scene's end has grown when it exceeds the
+/// true one within it by this factor.
+const GROWN_BEYOND: f64 = 1e3;
+
+/// True when a point has failed because its step is too long.
+pub(super) fn too_long(verdict: Verdict) -> bool {
+    matches!(verdict, Verdict::Unstable | Verdict::Chatter)
+}
 
 /// The limit of stability of a method on a system.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -67,20 +82,56 @@ impl StabilityLimit {
         };
         while high > RATIO * low {
             let middle = (low * high).sqrt();
-            let attempt = Attempt::light(problem, method, Setting::Step(middle), effort);
-            if attempt.was_interrupted() || attempt.ends_ladder() {
+            let Some((taken, grew)) = try_step(problem, method, truth, bound, middle, effort)
+            else {
                 return;
-            }
+            };
             // The step that was really taken: a whole number of them fits the run.
-            let taken = attempt.timed.as_ref().map(|t| t.trace.longest_step);
-            let taken = taken.filter(|taken| *taken > low && *taken < high);
-            let judged = judge(&attempt, Some(truth), 1.0, bound);
-            match (judged.verdict == Verdict::Unstable, taken) {
-                (true, taken) => high = taken.unwrap_or(middle),
-                (false, taken) => low = taken.unwrap_or(middle),
+            let taken = if taken > low && taken < high {
+                taken
+            } else {
+                middle
+            };
+            if grew {
+                high = taken;
+            } else {
+                low = taken;
             }
         }
         self.measured_step = Some(low);
         self.measured = bound.map(|bound| bound.rate() * low);
     }
+}
+
+/// Runs with a step: the longest one taken, and whether the motion grew.
+/// `None`: interrupted, or out of time.
+fn try_step(
+    problem: &Problem<'_>,
+    method: Method,
+    truth: &Truth,
+    bound: Option<&Bound>,
+    step: f64,
+    effort: &Effort<'_>,
+) -> Option<(f64, bool)> {
+    let duration = problem.settings.duration;
+    let longer = RunSettings {
+        duration: duration.max(STEPS * step),
+        ..problem.settings.clone()
+    };
+    let goes_on = longer.duration > duration;
+    let problem = Problem {
+        settings: &longer,
+        ..*problem
+    };
+    let attempt = Attempt::light(&problem, method, Setting::Step(step), effort);
+    if attempt.was_interrupted() || attempt.is_out_of_time() {
+        return None;
+    }
+    let judged = judge(&attempt, Some(truth), 1.0, bound);
+    let grew = match goes_on {
+        true => !attempt.has_ended_well() || judged.growth.is_some_and(|g| g > GROWN_BEYOND),
+        false => too_long(judged.verdict),
+    };
+    let taken = attempt.timed.as_ref()?.trace.longest_step;
+    Some((taken, grew))
 }

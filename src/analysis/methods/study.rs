@@ -2,13 +2,13 @@
 
 use super::attempt::{Attempt, Effort, Problem};
 use super::light::tracks;
-use super::limit::StabilityLimit;
+use super::limit::{StabilityLimit, too_long};
 use super::point::Point;
 use super::recommend::{Recommendation, recommend};
 use super::reference::{Distance, Reference, Truth, find};
 use super::setting::{Setting, is_fixed_step, ladder};
 use super::stability::{Spectrum, remark};
-use super::verdict::{INACCURATE, Verdict, judge};
+use super::verdict::{INACCURATE, judge};
 use crate::analysis::{Control, RunSettings};
 use crate::fault::Fault;
 use crate::integrate::Method;
@@ -268,7 +268,7 @@ fn measure_limits(
         let tried: Vec<(f64, bool)> = line
             .points
             .iter()
-            .filter_map(|point| Some((point.longest_step?, point.verdict == Verdict::Unstable)))
+            .filter_map(|point| Some((point.longest_step?, too_long(point.verdict))))
             .collect();
         let bound = spectrum.bound(line.method);
         let (method, stability) = (line.method, &mut line.stability);

@@ -4,6 +4,7 @@ use super::attempt::Attempt;
 use super::light::{Timed, Trace};
 use super::reference::{Truth, distance};
 use super::stability::Bound;
+use crate::analysis::spread::CHANGE;
 use crate::integrate::Stop;
 use serde::Serialize;
 
@@ -209,9 +210,16 @@ fn ended(
         return (Verdict::Converged, converged(error, asked, name, truth));
     }
     let mut cause = format!(
-        "the error is {:.0} times the {name} of {asked:.0e}, although it reported success",
-        error / asked
+        "the error is {} times the {name} of {asked:.0e}, although it reported success",
+        times(error / asked)
     );
+    let multiplied = truth.public.moved / CHANGE;
+    if multiplied > INACCURATE && error <= 10.0 * multiplied * asked {
+        cause.push_str(&format!(
+            "; the scene itself multiplies small differences {}-fold",
+            times(multiplied)
+        ));
+    }
     if let Some(bound) = bound.filter(|_| attempt.setting.step().is_some()) {
         cause.push_str(&format!(
             "; |λ|h = {:.3}, stable below {:.3}",
@@ -220,6 +228,13 @@ fn ended(
         ));
     }
     (Verdict::Inaccurate, cause)
+}
+
+fn times(factor: f64) -> String {
+    match factor < 1e4 {
+        true => format!("{factor:.0}"),
+        false => format!("{factor:.1e}"),
+    }
 }
 
 fn converged(error: f64, asked: f64, name: &str, truth: &Truth) -> String {

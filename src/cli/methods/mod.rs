@@ -1,12 +1,14 @@
 //! `dam methods`: speed against accuracy of every method, and where they fail.
 
 mod bar;
+mod files;
 mod text;
 
 use super::args::MethodsArgs;
 use super::console;
 use super::failure::{Failure, Status};
 use super::input::{Input, Ready};
+use super::output::OutputFolder;
 use super::run::control;
 use bar::PointBar;
 use dam::analysis::Control;
@@ -27,15 +29,65 @@ pub(crate) fn command(args: &MethodsArgs) -> Result<Status, Failure> {
     let further: Vec<String> = axis.iter().map(|axis| axis.setting(axis.from)).collect();
     let ready = input.prepare(&further)?;
     let plan = plan(args, &ready)?;
+    let folder = prepare_folder(args, &ready)?;
     let control = control(None);
     let complete = match &axis {
-        None => single(args, &ready, &plan, &control)?,
-        Some(axis) => over(args, &input, &ready, axis, &plan, &control)?,
+        None => {
+            let found = single(args, &ready, &plan, &control)?;
+            if let Some(folder) = &folder {
+                let files = files::of_study(input.text(), &ready, &found)?;
+                folder.write("methods", &ready.scene().hash, &files)?;
+            }
+            show(args, &found, || text::study(&found))?;
+            found.complete
+        }
+        Some(axis) => {
+            let found = over(args, &input, &ready, axis, &plan, &control)?;
+            if let Some(folder) = &folder {
+                let files = files::of_sweep(input.text(), &ready, &found)?;
+                folder.write("methods", &ready.scene().hash, &files)?;
+            }
+            let scene = &ready.scene().name;
+            show(args, &found, || text::sweep(scene, &plan.methods, &found))?;
+            found.complete
+        }
     };
+    if let (Some(folder), false) = (&folder, args.scene.quiet) {
+        let report = folder.path("report.html");
+        console::talk(&format!("report: {}", report.display()));
+    }
     Ok(match complete {
         true => Status::Answered,
         false => Status::Interrupted,
     })
+}
+
+/// The folder for the results, checked before the work.
+fn prepare_folder(args: &MethodsArgs, ready: &Ready) -> Result<Option<OutputFolder>, Failure> {
+    let Some(path) = &args.out.out else {
+        return Ok(None);
+    };
+    let names: &[&str] = match args.x {
+        None => &files::OF_STUDY,
+        Some(_) => &files::OF_SWEEP,
+    };
+    let scene = &ready.scene().name;
+    let folder = OutputFolder::prepare(path, scene, names, args.out.force)?;
+    Ok(Some(folder))
+}
+
+/// Prints a document or a text.
+fn show(
+    args: &MethodsArgs,
+    document: &impl serde::Serialize,
+    text: impl FnOnce() -> String,
+) -> Result<(), Failure> {
+    if args.scene.json {
+        console::json(document)?;
+    } else {
+        console::data(&text());
+    }
+    Ok(())
 }
 
 fn axis(text: &str) -> Result<Axis, Failure> {
@@ -91,29 +143,21 @@ fn method(name: &str) -> Result<Method, Failure> {
         })
 }
 
-/// One study; true when it was not interrupted.
+/// One study, with a progress bar.
 fn single(
     args: &MethodsArgs,
     ready: &Ready,
     plan: &Plan,
     control: &Control<'_>,
-) -> Result<bool, Failure> {
+) -> Result<Study, Failure> {
     let bar = PointBar::new(1, args.scene.quiet);
-    let found: Result<Study, _> =
-        study(&ready.system, &ready.settings, plan, control, &mut |now| {
-            bar.at(0, now);
-        });
+    let mut tell = |now: &_| bar.at(0, now);
+    let found = study(&ready.system, &ready.settings, plan, control, &mut tell);
     bar.finish();
-    let found = found.map_err(|faults| ready.reading.places.diagnose(&faults))?;
-    if args.scene.json {
-        console::json(&found)?;
-    } else {
-        console::data(&text::study(&found));
-    }
-    Ok(found.complete)
+    found.map_err(|faults| ready.reading.places.diagnose(&faults).into())
 }
 
-/// A study at every value of an axis; true when it was not interrupted.
+/// A study at every value of an axis, with a progress bar.
 fn over(
     args: &MethodsArgs,
     input: &Input,
@@ -121,9 +165,9 @@ fn over(
     axis: &Axis,
     plan: &Plan,
     control: &Control<'_>,
-) -> Result<bool, Failure> {
+) -> Result<Sweep, Failure> {
     let bar = PointBar::new(axis.count, args.scene.quiet);
-    let found: Result<Sweep, Failure> = sweep(
+    let found = sweep(
         axis,
         plan,
         control,
@@ -135,12 +179,5 @@ fn over(
         &mut |index, now| bar.at(index, now),
     );
     bar.finish();
-    let found = found?;
-    let scene = &first.scene().name;
-    if args.scene.json {
-        console::json(&found)?;
-    } else {
-        console::data(&text::sweep(scene, &plan.methods, &found));
-    }
-    Ok(found.complete)
+    found
 }
