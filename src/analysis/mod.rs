@@ -3,6 +3,7 @@
 pub mod axis;
 pub mod compare;
 mod document;
+pub mod exact;
 pub mod expectations;
 mod kinematic;
 mod method;
