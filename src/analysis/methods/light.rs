@@ -2,8 +2,11 @@
 //! the times of the switches, nothing else. This is what is timed.
 
 use crate::analysis::kinematic::Driven;
-use crate::analysis::{Control, RunSettings};
-use crate::integrate::{Dynamics, Modes, Outcome, Settings, Sink, Stop, SwitchEvent, integrate};
+use crate::analysis::{Control, RunSettings, exact};
+use crate::fault::Fault;
+use crate::integrate::{
+    Dynamics, Method, Modes, Outcome, Settings, Sink, Stop, SwitchEvent, integrate,
+};
 use crate::polynomial::{Step, evaluate};
 use crate::system::{InitialState, System};
 use std::time::Instant;
@@ -157,25 +160,31 @@ pub(super) fn light_run(
     settings: &RunSettings,
     control: &Control<'_>,
 ) -> Result<Timed, String> {
-    let plan = Settings {
-        method: settings.method.ok_or("no method was named")?,
-        tolerance: settings.tolerance,
-        step: settings.step,
-    };
+    let method = settings.method.ok_or("no method was named")?;
     let limits = control.limits(settings);
-    let driven = Driven::new(system);
     let begun = Instant::now();
     let mut listener = Listener::new(system, tracks, settings);
-    let outcome = integrate(
-        &driven,
-        0.0,
-        settings.duration,
-        &initial.y,
-        &initial.modes,
-        &plan,
-        &limits,
-        &mut listener,
-    );
+    let outcome = if method == Method::Exact {
+        let parts = exact::whole(system).map_err(|faults| reasons(&faults))?;
+        let duration = settings.duration;
+        exact::follow(system, &parts, initial, duration, &limits, &mut listener)
+    } else {
+        let plan = Settings {
+            method,
+            tolerance: settings.tolerance,
+            step: settings.step,
+        };
+        integrate(
+            &Driven::new(system),
+            0.0,
+            settings.duration,
+            &initial.y,
+            &initial.modes,
+            &plan,
+            &limits,
+            &mut listener,
+        )
+    };
     let seconds = begun.elapsed().as_secs_f64();
     match outcome.stop {
         Stop::Method { reason, .. } if outcome.statistics.steps == 0 && outcome.time == 0.0 => {
@@ -187,6 +196,20 @@ pub(super) fn light_run(
             seconds,
         }),
     }
+}
+
+/// Every reason against a method, in one line.
+fn reasons(faults: &[Fault]) -> String {
+    let said: Vec<&str> = faults
+        .iter()
+        .map(|fault| {
+            let message = fault.message.as_str();
+            message
+                .strip_prefix("`exact` cannot be used: ")
+                .unwrap_or(message)
+        })
+        .collect();
+    said.join("; ")
 }
 
 /// Median; of an even number the mean of the middle two; 0 of nothing.

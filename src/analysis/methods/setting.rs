@@ -61,7 +61,14 @@ pub fn is_fixed_step(method: Method) -> bool {
 
 /// True for propagation without truncation error.
 pub fn is_exact(method: Method) -> bool {
-    method.name() == "exact"
+    method == Method::Exact
+}
+
+/// All methods, in the order they are presented.
+pub fn all_methods() -> Vec<Method> {
+    let integrators = Method::ALL.into_iter();
+    let integrators = integrators.filter(|&method| !is_exact(method));
+    std::iter::once(Method::Exact).chain(integrators).collect()
 }
 
 /// The settings a method is tried at, the coarsest first. `steps`: given by the

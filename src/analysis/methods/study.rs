@@ -6,7 +6,7 @@ use super::limit::{StabilityLimit, too_long};
 use super::point::Point;
 use super::recommend::{Recommendation, recommend};
 use super::reference::{Distance, Reference, Truth, find};
-use super::setting::{Setting, is_fixed_step, ladder};
+use super::setting::{Setting, all_methods, is_fixed_step, ladder};
 use super::stability::{Spectrum, remark};
 use super::verdict::{INACCURATE, judge};
 use crate::analysis::{Control, RunSettings};
@@ -41,7 +41,7 @@ impl Plan {
     pub fn new(accuracy: f64) -> Self {
         Self {
             accuracy,
-            methods: Method::ALL.to_vec(),
+            methods: all_methods(),
             tolerances: (3..=13).map(|digits| 10f64.powi(-digits)).collect(),
             steps: None,
             repeats: 5,

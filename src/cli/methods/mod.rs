@@ -14,7 +14,7 @@ use bar::PointBar;
 use dam::analysis::Control;
 use dam::analysis::axis::Axis;
 use dam::analysis::methods::sweep::{Sweep, sweep};
-use dam::analysis::methods::{Plan, Study, study};
+use dam::analysis::methods::{Plan, Study, all_methods, study};
 use dam::integrate::Method;
 use std::time::Duration;
 
@@ -130,17 +130,15 @@ fn plan(args: &MethodsArgs, ready: &Ready) -> Result<Plan, Failure> {
 }
 
 fn method(name: &str) -> Result<Method, Failure> {
-    let known = Method::ALL.into_iter();
-    known
-        .clone()
-        .find(|method| method.name() == name.trim())
-        .ok_or_else(|| {
-            let names: Vec<&str> = known.map(Method::name).collect();
-            Failure::Other(format!(
-                "--methods {name}: unknown method; one of {}",
-                names.join(", ")
-            ))
-        })
+    let known = all_methods();
+    let found = known.iter().find(|method| method.name() == name.trim());
+    found.copied().ok_or_else(|| {
+        let names: Vec<&str> = known.iter().map(|method| method.name()).collect();
+        Failure::Other(format!(
+            "--methods {name}: unknown method; one of {}",
+            names.join(", ")
+        ))
+    })
 }
 
 /// One study, with a progress bar.

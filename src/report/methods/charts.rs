@@ -1,7 +1,7 @@
 //! Charts of methods: error against time and work, and over a parameter.
 
 use crate::analysis::methods::sweep::Sweep;
-use crate::analysis::methods::{MethodLine, Point, Study, Verdict};
+use crate::analysis::methods::{MethodLine, Point, Study, Verdict, all_methods};
 use crate::integrate::Method;
 use crate::report::quantity::{significant, with_unit};
 use crate::report::svg::log_chart::{LogChart, LogPoint, Mark, Series};
@@ -35,8 +35,8 @@ pub enum Against {
 
 /// The same colour and shape for a method on every chart.
 fn style(method: Method) -> usize {
-    let place = Method::ALL.iter().position(|&known| known == method);
-    place.map_or(0, |place| place + 1)
+    let place = all_methods().iter().position(|&known| known == method);
+    place.unwrap_or(0)
 }
 
 /// Error against time or evaluations, one line a method.
