@@ -3,7 +3,7 @@
 use super::document::can_open;
 use super::settings::RunSettings;
 use crate::integrate::{Dynamics, Method, Situation, choose};
-use crate::model::{Model, NodeMotion, ObjectPart, Start};
+use crate::model::{Model, NodeMotion, Start};
 use crate::system::System;
 
 /// Instants at which the speed of a prescribed drive is looked at.
@@ -41,12 +41,6 @@ pub(super) fn choose_method(system: &System, settings: &RunSettings) -> Choice {
 
 /// What the choice depends on.
 fn situation(system: &System, settings: &RunSettings) -> Situation {
-    let model = system.model();
-    let damped = |part: &ObjectPart| {
-        part.links
-            .iter()
-            .all(|&link| model.links[link].damping > 0.0)
-    };
     // A run shorter than a turn shows at least its own duration.
     let slowest = 1.0 / settings.duration;
     Situation {
@@ -54,7 +48,7 @@ fn situation(system: &System, settings: &RunSettings) -> Situation {
         resolved: driving_speeds(system, settings.duration)
             .chain(shown_frequencies(system))
             .fold(slowest, f64::max),
-        damped: model.objects.iter().all(damped),
+        expands: system.expands(),
         tolerance: settings.tolerance,
         coordinates: system.coordinates(),
         duration: settings.duration,
