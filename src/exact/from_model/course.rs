@@ -160,7 +160,7 @@ impl Course {
             speed: jet.first,
             acceleration: jet.second,
             span: jet.value.abs() + (jet.first * time).abs(),
-            size: jet.second.abs(),
+            size: jet.second.abs() + (jet.third * time).abs(),
         };
         for (stage, &segment) in self.stages.iter().zip(&formulas.segments).take(depth) {
             let jet = stage.position.jet(segment, now.value).scaled(stage.lever);
@@ -170,7 +170,9 @@ impl Course {
                 speed: jet.first * now.speed,
                 acceleration: jet.first * now.acceleration + jet.second * square,
                 span: jet.value.abs() + jet.first.abs() * now.span,
-                size: jet.first.abs() * now.size + jet.second.abs() * square,
+                // U″ is rounded as its argument is.
+                size: jet.first.abs() * now.size
+                    + (jet.second.abs() + jet.third.abs() * now.span) * square,
             };
         }
         now

@@ -15,7 +15,7 @@ const POINTS: usize = LAW_DEGREE + 4;
 
 /// Greatest coefficient beyond those kept, in units of the rounding of the
 /// function's parts.
-const TAIL: f64 = 16.0 * f64::EPSILON;
+const TAIL: f64 = 4.0 * f64::EPSILON;
 
 /// Greatest ratio of the sum of the coefficients in powers to the function.
 const CANCELLATION: f64 = 60.0;
