@@ -30,8 +30,8 @@ use loads::LoadSeries;
 const MARGIN: f64 = 1.25;
 /// The polynomial of a law is good a little beyond its reach.
 const BEYOND: f64 = 1.1;
-/// Least reach of the polynomial of a law (rad or m).
-const LEAST_REACH: f64 = 1e-7;
+/// Least reach of the polynomial of a law, against 1 + |φ|: far above rounding.
+const LEAST_REACH: f64 = 1e-12;
 
 const ZERO: Series = [0.0; HIGHEST + 1];
 
@@ -222,7 +222,7 @@ impl Frozen {
         if bends(law) {
             let (speed, acceleration) = (work.speed[driver], work.acceleration[driver]);
             let way = length * (speed.abs() + 0.5 * length * acceleration.abs());
-            let radius = (MARGIN * way).max(LEAST_REACH);
+            let radius = (MARGIN * way).max(LEAST_REACH * (1.0 + phi.abs()));
             taylor.laws[index].begin(phi, radius, |phi| law.jet(modes, phi));
         } else {
             taylor.laws[index].begin_straight(law.jet(modes, phi));
