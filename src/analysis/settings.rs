@@ -103,7 +103,7 @@ fn method_named(name: &str) -> Result<Option<Method>, Fault> {
     if name == "auto" {
         return Ok(None);
     }
-    let known = || Method::ALL.into_iter();
+    let known = || std::iter::once(Method::Exact).chain(Method::ALL);
     match known().find(|method| method.name() == name) {
         Some(method) if method.is_available() => Ok(Some(method)),
         Some(method) => Err(without_diffsol(method)),
@@ -138,6 +138,7 @@ mod tests {
         assert!(super::without_diffsol(Method::Bdf).message.contains("bdf"));
         for method in Method::ALL
             .into_iter()
+            .chain([Method::Exact])
             .filter(|method| method.is_available())
         {
             assert_eq!(method_named(method.name()), Ok(Some(method)));
