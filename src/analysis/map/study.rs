@@ -1,6 +1,6 @@
 //! What is asked: a scene, axes, panels and a figure, checked before any run.
 
-use super::figure::{check_figure, default_figure, unit};
+use super::figure::{check_figure, default_figure, parameter_unit, unit};
 use super::panels::Panels;
 use crate::analysis::RunSettings;
 use crate::analysis::axis::Axis;
@@ -55,6 +55,9 @@ pub struct Study<'a> {
     pub figure: String,
     /// Its SI unit; empty for counts and answers.
     pub unit: &'static str,
+    /// Units in which the x and the y parameter are written: those of the axes,
+    /// else the SI unit where it is known, else empty.
+    pub parameter_units: [String; 2],
     /// See [`Question::check_determined`].
     pub check_determined: bool,
     /// SHA-256 (hex) of everything that the results depend on: version of the
@@ -97,6 +100,7 @@ impl<'a> Study<'a> {
             panels: question.panels,
             figure: question.figure.unwrap_or_default(),
             unit: "",
+            parameter_units: Default::default(),
             check_determined: question.check_determined,
             hash: String::new(),
         };
@@ -160,6 +164,14 @@ impl<'a> Study<'a> {
             StudyFault::Question(format!("{}; {hint}", fault.message))
         })?;
         self.unit = unit(&self.figure, model);
+        let written = |axis: &Axis| match axis.unit.as_str() {
+            "" => parameter_unit(&axis.path, model).to_owned(),
+            unit => unit.to_owned(),
+        };
+        self.parameter_units = [
+            written(&self.x),
+            self.y.as_ref().map(written).unwrap_or_default(),
+        ];
         Ok(())
     }
 

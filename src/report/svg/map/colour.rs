@@ -57,39 +57,44 @@ pub(super) struct Values {
     pub(super) range: [f64; 2],
     /// True: colours follow the logarithm.
     pub(super) log: bool,
+    /// True: there are values at or below zero, which a logarithm cannot show;
+    /// they take the darkest colour.
+    pub(super) below: bool,
 }
 
 impl Values {
     /// The range of a study.
     pub(super) fn of(study: &Study<'_>, result: &MapResult) -> Self {
-        let cells = result.panels.iter().flatten().flatten();
-        let start = [f64::INFINITY, f64::NEG_INFINITY];
-        let [low, high] = cells
-            .filter_map(|cell| cell.value)
-            .fold(start, |[low, high], value| {
-                [low.min(value), high.max(value)]
-            });
-        let log = low > 0.0 && high > WIDE * low;
-        let range = match (
-            low <= high,
-            high > low * (1.0 + 1e-12) || high - low > 1e-300,
-        ) {
-            (false, _) => [0.0, 1.0],
-            (true, true) => [low, high],
-            (true, false) if low == 0.0 => [-1.0, 1.0],
-            (true, false) => [low - 0.1 * low.abs(), high + 0.1 * high.abs()],
+        let cells = || result.panels.iter().flatten().flatten();
+        let values = || cells().filter_map(|cell| cell.value);
+        let (least, greatest) = (values().reduce(f64::min), values().reduce(f64::max));
+        let (low, high) = (least.unwrap_or(0.0), greatest.unwrap_or(1.0));
+        let positive = values().filter(|&value| value > 0.0);
+        let least_positive = positive.reduce(f64::min).unwrap_or(f64::INFINITY);
+        // Over two parameters small values below zero take the darkest colour.
+        let shows_all = low > 0.0 || (study.y.is_some() && low.abs() * WIDE < high);
+        let log = shows_all && high > WIDE * least_positive;
+        let range = if log {
+            [least_positive, high]
+        } else {
+            apart(low, high)
         };
         Self {
             figure: study.figure.clone(),
             unit: study.unit,
             range,
             log,
+            below: log && low <= 0.0,
         }
     }
 
     /// The value as it is interpolated and coloured.
     pub(super) fn shown(&self, value: f64) -> f64 {
-        if self.log { value.log10() } else { value }
+        if self.log {
+            value.max(self.range[0]).log10()
+        } else {
+            value
+        }
     }
 
     /// Place of a value within the range, 0 … 1.
@@ -140,5 +145,17 @@ impl Values {
     /// Name of the figure with its unit, for the bar of colours.
     pub(super) fn title(&self) -> &str {
         &self.figure
+    }
+}
+
+/// A range that is never empty.
+fn apart(low: f64, high: f64) -> [f64; 2] {
+    let size = low.abs().max(high.abs());
+    if high - low > 1e-9 * size {
+        [low, high]
+    } else if size > 0.0 {
+        [low - 0.1 * size, high + 0.1 * size]
+    } else {
+        [-1.0, 1.0]
     }
 }

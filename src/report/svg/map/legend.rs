@@ -36,6 +36,10 @@ pub(super) fn bar(values: &Values, frame: Frame) -> String {
             escape(&label)
         );
     }
+    if values.below {
+        let y = coordinate(frame.y(0.0) + 16.0);
+        let _ = writeln!(out, "<text x=\"{x}\" y=\"{y}\">0 and below: darkest</text>");
+    }
     let _ = writeln!(
         out,
         "<text class=\"panel\" x=\"{x}\" y=\"{}\">{}</text>",
