@@ -8,6 +8,7 @@ pub mod expectations;
 mod kinematic;
 pub mod map;
 mod method;
+pub mod methods;
 pub mod run;
 mod settings;
 pub mod spread;

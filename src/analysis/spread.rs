@@ -107,7 +107,7 @@ fn differences(base: &RunResult, loads: &RunResult, tolerance: &RunResult) -> Ve
 }
 
 /// Figures of the mechanism, not of the computation.
-fn is_result(figure: &str) -> bool {
+pub(super) fn is_result(figure: &str) -> bool {
     let of_run = figure.starts_with("run.");
     matches!(figure, "run.time" | "run.switches" | "run.complete")
         || !(of_run || figure.contains(".switch_times."))

@@ -1,5 +1,9 @@
 //! The command line's arguments.
 
+mod methods;
+
+pub(crate) use methods::MethodsArgs;
+
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
 
@@ -28,6 +32,8 @@ pub(crate) enum Command {
     Compare(CompareArgs),
     /// Show a figure over one or two parameters, with a verdict and its cause for every point
     Map(MapArgs),
+    /// Chart speed against accuracy of every method on a scene, and where and why methods fail
+    Methods(MethodsArgs),
 }
 
 /// What every command on a scene takes.

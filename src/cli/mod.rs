@@ -10,6 +10,7 @@ mod input;
 mod interrupt;
 mod journal;
 mod map;
+mod methods;
 mod output;
 mod progress;
 mod run;
@@ -31,6 +32,7 @@ pub(crate) fn main() -> ExitCode {
         Command::Show(args) => (show::command(args), Some(&args.scene)),
         Command::Compare(args) => (compare::command(args), Some(&args.scene)),
         Command::Map(args) => (map::command(args), Some(&args.scene)),
+        Command::Methods(args) => (methods::command(args), Some(&args.scene)),
     };
     match result {
         Ok(status) => ExitCode::from(status.code()),

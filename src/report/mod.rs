@@ -14,6 +14,7 @@ mod fixture;
 pub mod html;
 pub mod map;
 pub mod math;
+pub mod methods;
 pub mod quantity;
 pub mod show;
 pub mod svg;
