@@ -9,6 +9,7 @@
 //! `observe` and `energy` what is read off; `scales` and `frequencies` what the
 //! methods are chosen and steered by.
 
+mod alike;
 mod balance;
 mod build;
 mod check;
@@ -61,6 +62,8 @@ pub struct System {
     places: Vec<ObjectPlace>,
     /// Scale of each state entry.
     scales: Vec<f64>,
+    /// What the scales were made from.
+    sampled: scales::Sampled,
 }
 
 /// Working memory of one evaluation; made by
@@ -143,15 +146,31 @@ impl System {
     /// # Errors
     /// Every fault that only shows in numbers.
     pub fn new(model: Model) -> Result<Self, Vec<Fault>> {
+        Self::like(model, None)
+    }
+
+    /// Freezes a model, much faster when it moves like a system at hand, that
+    /// is, when drives and laws are the same and nothing but inertias, links
+    /// and loads differs. Gives the same as [`Self::new`] in every bit.
+    ///
+    /// # Errors
+    /// Every fault that only shows in numbers.
+    pub fn like(model: Model, other: Option<&Self>) -> Result<Self, Vec<Fault>> {
         let frozen = build::freeze(&model)?;
+        let other = other.filter(|other| alike::moves_alike(&model, &other.model));
+        let sampled = match other {
+            Some(other) => other.sampled.clone(),
+            None => scales::Sampled::of(&frozen),
+        };
         let find = |part| ObjectPlace::find(&frozen, &model, part);
         let places = model.objects.iter().map(find).collect();
-        let scales = scales::scales(&frozen);
+        let scales = scales::scales(&frozen, &sampled);
         let mut system = Self {
             model,
             frozen,
             places,
             scales,
+            sampled,
         };
         system.find_kappas()?;
         Ok(system)

@@ -57,11 +57,12 @@ impl Cell {
 /// Works out one cell; `None` when interrupted.
 pub(super) fn evaluate(
     study: &Study<'_>,
-    settings: &[String],
+    panel: usize,
+    cell: usize,
     control: &Control<'_>,
 ) -> Option<Cell> {
     let refused = |cause: String| Some(Cell::without_value(Verdict::Refused, cause));
-    let reading = match study.read(settings) {
+    let reading = match study.read(panel, cell) {
         Ok(reading) => reading,
         Err(diagnostics) => {
             let errors = diagnostics.items.iter();
@@ -69,7 +70,7 @@ pub(super) fn evaluate(
             return refused(first.unwrap_or("the scene is wrong").to_owned());
         }
     };
-    let (system, settings) = match prepare(&reading) {
+    let (system, settings) = match prepare(&reading, study.sample(panel)) {
         Ok(ready) => ready,
         Err(faults) => return refused(in_words(&faults)),
     };
@@ -90,8 +91,8 @@ pub(super) fn evaluate(
 }
 
 /// A system and how to run it within a map.
-fn prepare(reading: &Reading) -> Result<(System, RunSettings), Vec<Fault>> {
-    let system = System::new(lower(&reading.scene)?)?;
+fn prepare(reading: &Reading, sample: &System) -> Result<(System, RunSettings), Vec<Fault>> {
+    let system = System::like(lower(&reading.scene)?, Some(sample))?;
     let mut settings = RunSettings::of(&reading.scene).map_err(|fault| vec![fault])?;
     settings.max_steps = settings.max_steps.min(MOST_STEPS);
     settings.switch_rows = false;
@@ -213,7 +214,8 @@ fn moves(
         method: Some(base.method),
         ..settings.clone()
     };
-    let changed = System::new(changed_loads(system.model().clone(), 1.0 + CHANGE))?;
+    let changed = changed_loads(system.model().clone(), 1.0 + CHANGE);
+    let changed = System::like(changed, Some(system))?;
     let other = run(&changed, &same_method, control, &mut [])?;
     if other.outcome.stop == Stop::Interrupted {
         return Ok(None);

@@ -173,7 +173,8 @@ fn moves(
     value: f64,
     scale: f64,
 ) -> f64 {
-    let changed = System::new(changed_loads(system.model().clone(), 1.0 + CHANGE));
+    let changed = changed_loads(system.model().clone(), 1.0 + CHANGE);
+    let changed = System::like(changed, Some(system));
     let run = changed
         .ok()
         .and_then(|changed| propagate(&changed, settings, 0)?.ok());

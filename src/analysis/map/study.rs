@@ -39,8 +39,12 @@ pub struct Question {
 /// A question about a scene, found to make sense.
 pub struct Study<'a> {
     document: &'a Document,
+    /// The document without what cells do not need.
+    bare: Document,
     catalogue: &'a (dyn Catalogue + Sync),
     overrides: Vec<String>,
+    /// A system of every panel, which most cells move like.
+    samples: Vec<System>,
     x_values: Vec<f64>,
     y_values: Vec<f64>,
     /// Name of the scene.
@@ -90,8 +94,10 @@ impl<'a> Study<'a> {
         check(&question).map_err(StudyFault::Question)?;
         let mut study = Self {
             document,
+            bare: document.bare(),
             catalogue,
             overrides: question.overrides,
+            samples: Vec::new(),
             x_values: question.x.values(),
             y_values: question.y.as_ref().map(Axis::values).unwrap_or_default(),
             scene: String::new(),
@@ -110,6 +116,7 @@ impl<'a> Study<'a> {
             study.choose_figure(&reading, &system)?;
             study.scene.clone_from(&reading.scene.name);
             hashes.push(reading.scene.hash);
+            study.samples.push(system);
         }
         study.hash = study.digest(&hashes);
         Ok(study)
@@ -137,7 +144,9 @@ impl<'a> Study<'a> {
     }
 
     fn try_cell(&self, panel: usize, cell: usize) -> Result<(Reading, System), Diagnostics> {
-        let reading = self.read(&self.settings(panel, cell))?;
+        let settings = self.settings(panel, cell);
+        let all = self.overrides.iter().cloned().chain(settings);
+        let reading = self.document.scene(self.catalogue, &Overrides::new(all))?;
         let diagnose = |faults: Vec<crate::fault::Fault>| reading.places.diagnose(&faults);
         let model = lower(&reading.scene).map_err(diagnose)?;
         let system = System::new(model).map_err(diagnose)?;
@@ -195,10 +204,16 @@ impl<'a> Study<'a> {
         hash
     }
 
-    /// Decodes the scene with further settings.
-    pub(super) fn read(&self, settings: &[String]) -> Result<Reading, Diagnostics> {
-        let all = self.overrides.iter().chain(settings).cloned();
-        self.document.scene(self.catalogue, &Overrides::new(all))
+    /// Decodes a cell's scene.
+    pub(super) fn read(&self, panel: usize, cell: usize) -> Result<Reading, Diagnostics> {
+        let settings = self.settings(panel, cell);
+        let all = self.overrides.iter().cloned().chain(settings);
+        self.bare.scene(self.catalogue, &Overrides::new(all))
+    }
+
+    /// A system of a panel.
+    pub(super) fn sample(&self, panel: usize) -> &System {
+        &self.samples[panel]
     }
 
     /// Settings of a cell, counted along the x axis first.
