@@ -36,6 +36,9 @@ pub(super) const SHADES: usize = 96;
 /// is logarithmic.
 const WIDE: f64 = 30.0;
 
+/// Greatest such ratio that is shown.
+const MOST_WIDE: f64 = 1e9;
+
 /// The colour of a shade below [`SHADES`].
 pub(super) fn colour(shade: usize) -> String {
     let at = shade as f64 / (SHADES - 1) as f64 * (VIRIDIS.len() - 1) as f64;
@@ -57,9 +60,9 @@ pub(super) struct Values {
     pub(super) range: [f64; 2],
     /// True: colours follow the logarithm.
     pub(super) log: bool,
-    /// True: there are values at or below zero, which a logarithm cannot show;
-    /// they take the darkest colour.
-    pub(super) below: bool,
+    /// True: some values are not above zero, and colours show how large they
+    /// are whatever their sign.
+    pub(super) sizes: bool,
 }
 
 impl Values {
@@ -69,13 +72,15 @@ impl Values {
         let values = || cells().filter_map(|cell| cell.value);
         let (least, greatest) = (values().reduce(f64::min), values().reduce(f64::max));
         let (low, high) = (least.unwrap_or(0.0), greatest.unwrap_or(1.0));
-        let positive = values().filter(|&value| value > 0.0);
-        let least_positive = positive.reduce(f64::min).unwrap_or(f64::INFINITY);
-        // Over two parameters small values below zero take the darkest colour.
-        let shows_all = low > 0.0 || (study.y.is_some() && low.abs() * WIDE < high);
-        let log = shows_all && high > WIDE * least_positive;
+        let sizes = || values().map(f64::abs).filter(|&size| size > 0.0);
+        let largest = sizes().reduce(f64::max).unwrap_or(0.0);
+        // Beyond this the smallest sizes are only where a sign changes.
+        let smallest = sizes().reduce(f64::min).unwrap_or(f64::INFINITY);
+        let smallest = smallest.max(largest / MOST_WIDE);
+        // A curve has an axis to read signs from; colours have none.
+        let log = largest > WIDE * smallest && (low > 0.0 || study.y.is_some());
         let range = if log {
-            [least_positive, high]
+            [smallest, largest]
         } else {
             apart(low, high)
         };
@@ -84,14 +89,14 @@ impl Values {
             unit: study.unit,
             range,
             log,
-            below: log && low <= 0.0,
+            sizes: log && low <= 0.0,
         }
     }
 
     /// The value as it is interpolated and coloured.
     pub(super) fn shown(&self, value: f64) -> f64 {
         if self.log {
-            value.max(self.range[0]).log10()
+            value.abs().max(self.range[0]).log10()
         } else {
             value
         }

@@ -36,15 +36,15 @@ pub(super) fn bar(values: &Values, frame: Frame) -> String {
             escape(&label)
         );
     }
-    if values.below {
-        let y = coordinate(frame.y(0.0) + 16.0);
-        let _ = writeln!(out, "<text x=\"{x}\" y=\"{y}\">0 and below: darkest</text>");
-    }
+    let name = match (values.sizes, last_name(values.title())) {
+        (true, name) => format!("|{name}|"),
+        (false, name) => name,
+    };
     let _ = writeln!(
         out,
         "<text class=\"panel\" x=\"{x}\" y=\"{}\">{}</text>",
         coordinate(frame.top - 9.0),
-        escape(&last_name(values.title()))
+        escape(&name)
     );
     out
 }

@@ -144,7 +144,7 @@ pub(super) fn axes(drawing: &Drawing<'_>, below: f64) -> String {
         ));
     }
     let low = frame.y(0.0) + below;
-    for (share, label) in drawing.x.marks((frame.width / 70.0) as usize) {
+    for (share, label) in drawing.x.marks((frame.width / 54.0) as usize) {
         let x = coordinate(frame.x(share));
         if grid {
             out.push_str(&format!("<path class=\"grid\" d=\"M{x} {top}V{foot}\"/>\n"));
