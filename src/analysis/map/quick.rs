@@ -44,7 +44,7 @@ pub(super) fn answer(
     let nothing = ObjectFigures::default();
     let figures = figures(&run, system.model().objects.len(), &nothing);
     let cycle = drive_cycle(system.model()).ok();
-    let (verdict, cause) = judge(&mut Evidence {
+    let (verdict, mut cause) = judge(&mut Evidence {
         system,
         figures: figures.clone(),
         rigid,
@@ -52,6 +52,9 @@ pub(super) fn answer(
         time: run.time,
         steady: &mut |object| steady(system, settings, object, cycle?),
     });
+    if run.grazing > 0 {
+        cause.push_str("; a pair grazes, its switches are not certain");
+    }
     let value = quick_read(figures[object], name).filter(|value| value.is_finite());
     let mut cell = Cell {
         value,
