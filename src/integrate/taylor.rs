@@ -100,17 +100,23 @@ impl Series {
         let mut asked = asked;
         loop {
             if asked <= floor {
+                // Are there numbers at all beyond this instant?
+                for ((y, from), rate) in self.y.iter_mut().zip(&run.from.y).zip(&run.from.dy) {
+                    *y = from + 4.0 * floor * rate;
+                }
+                let beyond = run.from.time + 4.0 * floor;
+                run.evaluator.derivatives(beyond, &self.y, &mut self.dy);
                 run.end_at_floor(asked);
                 return None;
             }
             let (from, out) = (&run.from, &mut self.coefficients);
             let span = [from.time, asked];
             let way = run.evaluator.expand(span, &from.y, &from.dy, degree, out);
-            // Laws are known a little beyond the way they were asked for.
-            let known = if way.is_finite() { 1.1 / way } else { f64::NAN };
-            let promised = match self.promise(run, degree, asked) {
-                promised if promised <= known => promised,
-                promised => known + 0.0 * promised,
+            let promised = self.promise(run, degree, asked);
+            let promised = if promised.is_nan() || way.is_nan() {
+                f64::NAN
+            } else {
+                promised.min(1.0 / way)
             };
             if !(promised > 1e-3) {
                 // Far too long, or not a number: what is left of it says little.

@@ -1,6 +1,6 @@
 //! The oscillator with one mass.
 
-use super::plain_system;
+use super::{Forced, plain_system, sine};
 use crate::integrate::{Dynamics, Modes, Watch};
 use std::f64::consts::TAU;
 
@@ -85,4 +85,10 @@ impl Dynamics for Oscillator {
     }
 
     fn pass_break(&self, _: f64, _: &mut Modes) {}
+}
+
+impl Forced for Oscillator {
+    fn forced(&self, order: usize, span: [f64; 2], _: &[f64], _: usize, out: &mut [f64]) {
+        out[0] += sine(self.amplitude, self.driving, span, order);
+    }
 }

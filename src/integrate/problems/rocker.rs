@@ -1,6 +1,6 @@
 //! The published test lever as a chain of n masses.
 
-use super::plain_system;
+use super::{Forced, plain_system, sine};
 use crate::integrate::{Dynamics, Guard, Modes, Watch};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -127,4 +127,13 @@ impl Dynamics for Rocker {
     }
 
     fn pass_break(&self, _: f64, _: &mut Modes) {}
+}
+
+impl Forced for Rocker {
+    fn forced(&self, order: usize, span: [f64; 2], _: &[f64], _: usize, out: &mut [f64]) {
+        let amplitude = FRAC_PI_2 * self.omega * self.omega;
+        for out in out {
+            *out += sine(amplitude, self.omega, span, order);
+        }
+    }
 }

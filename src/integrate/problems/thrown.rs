@@ -1,6 +1,6 @@
 //! Masses in free flight: every crossing in closed form.
 
-use super::{plain_system, watch};
+use super::{Forced, plain_system, watch};
 use crate::integrate::{Dynamics, Guard, Modes, Watch};
 
 /// One mass thrown upwards, u″ = −gravity, and a level: component 0 is 1 above
@@ -175,3 +175,7 @@ impl Dynamics for Bouncing {
 
     fn pass_break(&self, _: f64, _: &mut Modes) {}
 }
+
+impl Forced for Thrown {}
+
+impl Forced for Bouncing {}

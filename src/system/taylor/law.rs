@@ -23,8 +23,26 @@ const NEGLIGIBLE: f64 = 1e-18;
 /// Coefficient `order` of the product of two series.
 #[inline]
 pub(super) fn product(one: &[f64], other: &[f64], order: usize) -> f64 {
-    let reversed = other[..=order].iter().rev();
-    one[..=order].iter().zip(reversed).map(|(a, b)| a * b).sum()
+    against(&one[..=order], &other[..=order])
+}
+
+/// Σ a_i·b_(n−i) of two lists of one length, in four sums side by side, as the
+/// processor would otherwise wait for each to end.
+#[inline]
+pub(super) fn against(a: &[f64], b: &[f64]) -> f64 {
+    let count = a.len();
+    let b = &b[..count];
+    let mut sums = [0.0; 4];
+    let whole = count - count % 4;
+    for (four, back) in a[..whole].chunks_exact(4).zip(b.rchunks_exact(4)) {
+        for i in 0..4 {
+            sums[i] += four[i] * back[3 - i];
+        }
+    }
+    for i in whole..count {
+        sums[0] += a[i] * b[count - 1 - i];
+    }
+    (sums[0] + sums[2]) + (sums[1] + sums[3])
 }
 
 /// Coefficients c_j of the polynomial Σ c_j·x^j for f = U′ over x = Δφ/r with
@@ -126,12 +144,7 @@ impl LawSeries {
             // x^(j+1) = x^j·x begins with s^(j+1).
             let (known, rest) = self.powers.split_at_mut(j);
             let power = if order > j {
-                let long = &known[j - 1][j..order];
-                let short = &known[0][1..=order - j];
-                long.iter()
-                    .zip(short.iter().rev())
-                    .map(|(a, b)| a * b)
-                    .sum()
+                against(&known[j - 1][j..order], &known[0][1..=order - j])
             } else {
                 0.0
             };

@@ -1,7 +1,16 @@
 //! Loads along a motion.
 
-use super::law::{HIGHEST, Series, product};
+use super::law::{HIGHEST, Series, against, product};
 use crate::model::LoadLaw;
+use crate::polynomial::first_positive;
+
+/// |φ̇|/width above which friction is constant for the series: from there on
+/// 1 − tanh is below rounding of what one step of [`STEP`] makes of it.
+const SATURATED: f64 = 17.0;
+/// |φ̇|/width down to which a step may lead that starts above it.
+const SEEN: f64 = 15.0;
+/// The farthest that φ̇/width may change in a step that starts below.
+const STEP: f64 = 4.0;
 
 /// What a load that is not linear needs to know of its earlier coefficients.
 #[derive(Clone, Debug)]
@@ -75,14 +84,40 @@ impl LoadSeries {
                 let factor = 2.0 * breakdown_torque * breakdown_slip;
                 self.slip[order] = -speed[order] / synchronous_speed;
                 self.other[order] = product(&self.slip, &self.slip, order);
-                let known = self.other[1..=order].iter();
-                let known: f64 = known
-                    .zip(self.value[..order].iter().rev())
-                    .map(|(a, b)| a * b)
-                    .sum();
+                let known = against(&self.other[1..=order], &self.value[..order]);
                 self.value[order] = (factor * self.slip[order] - known) / self.other[0];
                 self.value[order]
             }
+        }
+    }
+
+    /// Share of the step up to which the series of the force can be relied on:
+    /// that of a tanh does not know of what lies beyond its saturation.
+    pub(super) fn reliable(&self, law: &LoadLaw, speed: &Series, degree: usize) -> f64 {
+        let LoadLaw::Friction { width, .. } = law else {
+            return 1.0;
+        };
+        // Bernstein coefficients of (φ̇ − φ̇₀)/width.
+        let mut change = [0.0; HIGHEST + 1];
+        let mut factor = 1.0 / width;
+        for k in 1..=degree {
+            factor *= k as f64 / (degree + 1 - k) as f64;
+            change[k] = speed[k] * factor;
+        }
+        for level in 1..=degree {
+            for k in (level..=degree).rev() {
+                change[k] += change[k - 1];
+            }
+        }
+        let start = speed[0] / width;
+        let first = |side: f64, most: f64| {
+            let beyond = change.map(|change| side * change - most);
+            first_positive(&beyond[..=degree]).unwrap_or(1.0)
+        };
+        if start.abs() > SATURATED {
+            first(-start.signum(), start.abs() - SEEN)
+        } else {
+            first(1.0, STEP).min(first(-1.0, STEP))
         }
     }
 

@@ -23,11 +23,13 @@ use super::pairs::OPEN;
 use super::passes::{Extent, Work};
 use crate::model::{Closure, LoadLaw};
 use crate::position::Position;
-use law::{LawSeries, Series, polynomial, product};
+use law::{LawSeries, Series, against, polynomial, product};
 use loads::LoadSeries;
 
 /// Share by which the polynomial of a law reaches beyond the way expected.
 const MARGIN: f64 = 1.25;
+/// The polynomial of a law is good a little beyond its reach.
+const BEYOND: f64 = 1.1;
 /// Least reach of the polynomial of a law (rad or m).
 const LEAST_REACH: f64 = 1e-7;
 
@@ -109,9 +111,10 @@ impl Frozen {
     }
 
     /// Series to the power `degree` over the time `length`: coefficients of all
-    /// signals into `out`, one after the other. Returns the longest way that a
-    /// driver goes, in units of that for which its law is known: above 1 only
-    /// the share of the step that brings it back to 1 can be relied on.
+    /// signals into `out`, one after the other. Returns what they take for
+    /// granted, at 1 just all of it: the longest way that a driver goes, in units
+    /// of that for which its law is known, and how many times the length is that
+    /// for which the series of the loads can be relied on.
     pub(super) fn expand(
         &self,
         start: &Start<'_>,
@@ -134,10 +137,21 @@ impl Frozen {
             out.copy_from_slice(&series[..=degree]);
         }
         let bending = self.laws.iter().zip(&taylor.laws);
-        bending
+        let ways = bending
             .filter(|(law, _)| bends(law))
-            .map(|(_, series)| series.way(degree))
-            .fold(0.0, f64::max)
+            .map(|(_, series)| series.way(degree) / BEYOND);
+        // Speeds are known to one order less.
+        let loads = self.loads.iter().zip(&taylor.loads);
+        let shares = loads.map(|(load, series)| {
+            let speed = &taylor.speed[load.node];
+            1.0 / series.reliable(&load.law, speed, degree - 1)
+        });
+        ways.chain(shares).fold(
+            0.0,
+            |greatest: f64, one| {
+                if one.is_nan() { one } else { greatest.max(one) }
+            },
+        )
     }
 
     /// Orders 0 and 1 of all displacements; all orders of drives.
@@ -331,8 +345,7 @@ impl Frozen {
             return force / self.inertia[node];
         }
         let (mass, known) = (&taylor.mass[node], &taylor.acceleration[node]);
-        let before = mass[1..=order].iter().zip(known[..order].iter().rev());
-        let carried: f64 = before.map(|(mass, acceleration)| mass * acceleration).sum();
+        let carried = against(&mass[1..=order], &known[..order]);
         (force - carried) / mass[0]
     }
 
