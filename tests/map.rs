@@ -1,0 +1,499 @@
+//! `dam map`: verdicts and their causes, and that nothing depends on threads or
+//! on interruptions.
+
+use dam::analysis::Control;
+use dam::analysis::axis::Axis;
+use dam::analysis::map::{
+    Cell, Family, Listener, MapResult, Panels, Question, Silent, Study, StudyFault, Verdict,
+    journal, map,
+};
+use dam::report::map::{document, map_csv, text};
+use dam::report::svg;
+use dam::scene::{BuiltIn, Document};
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::sync::Mutex;
+use std::time::{Duration, Instant};
+
+fn scene(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("scenarios")
+        .join(name)
+}
+
+fn load(name: &str) -> Document {
+    Document::parse(name, &std::fs::read(scene(name)).unwrap()).unwrap()
+}
+
+/// A question; settings first, then x, then perhaps y.
+fn question(settings: &[&str], x: &str, y: Option<&str>) -> Question {
+    Question {
+        overrides: settings
+            .iter()
+            .map(|setting| (*setting).to_owned())
+            .collect(),
+        x: Axis::parse(x).unwrap(),
+        y: y.map(|y| Axis::parse(y).unwrap()),
+        panels: Panels::default(),
+        figure: None,
+        check_determined: false,
+    }
+}
+
+fn cells(document: &Document, question: Question) -> Vec<Cell> {
+    let study = Study::new(document, &BuiltIn, question).unwrap();
+    let result = map(
+        &study,
+        BTreeMap::new(),
+        Some(1),
+        &Control::default(),
+        &Silent,
+    )
+    .unwrap();
+    assert!(result.complete);
+    result.panels.concat().into_iter().flatten().collect()
+}
+
+const TWO: &str = "rocker/two_masses.json";
+const TEN: &str = "rocker/ten_masses.json";
+
+#[test]
+fn a_lever_works_lifts_off_or_is_thrown_off() {
+    let found = cells(
+        &load(TWO),
+        question(&[], "rocker.inertia=0.05:0.25:5", None),
+    );
+    let verdicts: Vec<Verdict> = found.iter().map(|cell| cell.verdict).collect();
+    assert_eq!(verdicts[0], Verdict::InWorkingOrder, "{:?}", found[0]);
+    assert_eq!(verdicts[1], Verdict::LiftOff, "{:?}", found[1]);
+    assert_eq!(verdicts[4], Verdict::ThrownOff, "{:?}", found[4]);
+    assert!(
+        found[1].cause.contains("in 5 of 5 cycles"),
+        "{}",
+        found[1].cause
+    );
+    // The scene's own figure.
+    let value = found[1].value.unwrap();
+    approx::assert_relative_eq!(value, 0.00750086, max_relative = 1e-6);
+    // The rigid edge: M − J·A·Ω² in closed form.
+    let carried = std::f64::consts::FRAC_PI_2 * (20.0 * std::f64::consts::PI).powi(2);
+    for (index, cell) in found.iter().enumerate() {
+        let inertia = 0.05 * (index + 1) as f64;
+        let margin = 600.0 - inertia * carried;
+        approx::assert_abs_diff_eq!(cell.rigid_margin.unwrap(), margin, epsilon = 1e-6);
+    }
+}
+
+#[test]
+fn lift_off_of_the_start_is_told_from_lift_off_of_the_motion() {
+    let on_law = ["run.start=on_law", "rocker.loads.closing.constant=-1000"];
+    let found = cells(
+        &load(TEN),
+        question(&on_law, "run.duration=0.4:0.5:2", None),
+    );
+    for cell in &found {
+        assert_eq!(cell.verdict, Verdict::LiftOffDiesAway, "{cell:?}");
+        assert!(cell.cause.contains("not after"), "{}", cell.cause);
+    }
+    // Two cycles are too few to tell.
+    let found = cells(
+        &load(TWO),
+        question(&["run.duration=0.2"], "rocker.inertia=0.1:0.11:2", None),
+    );
+    assert!(
+        found
+            .iter()
+            .all(|cell| cell.verdict == Verdict::LiftOffNotJudged),
+        "{found:?}"
+    );
+}
+
+#[test]
+fn resonance_needs_a_frequency_near_a_harmonic_and_a_large_motion() {
+    let settings = [
+        "rocker.masses=1",
+        "rocker.pair.closure=bilateral",
+        "rocker.damping_capacity=0.2",
+        "run.duration=4",
+        "run.tolerance=1e-8",
+    ];
+    // ω = Ω at c = J·Ω² = 394.8 N·m/rad.
+    let found = cells(
+        &load(TWO),
+        question(&settings, "rocker.stiffness=395:3950:2", None),
+    );
+    assert_eq!(found[0].verdict, Verdict::Resonance, "{:?}", found[0]);
+    assert!(
+        found[0].cause.contains("harmonic 1 of the drive"),
+        "{}",
+        found[0].cause
+    );
+    assert_eq!(found[1].verdict, Verdict::InWorkingOrder, "{:?}", found[1]);
+    // The same by a general method.
+    let mut general = settings.to_vec();
+    general.push("run.method=dop853");
+    let again = cells(
+        &load(TWO),
+        question(&general, "rocker.stiffness=395:3950:2", None),
+    );
+    for (exact, general) in found.iter().zip(&again) {
+        assert_eq!(exact.verdict, general.verdict);
+        let (exact, general) = (exact.value.unwrap(), general.value.unwrap());
+        approx::assert_relative_eq!(exact, general, max_relative = 1e-5);
+    }
+}
+
+#[test]
+fn what_is_no_answer_about_the_mechanism_is_not_mixed_with_one() {
+    // Too few switches allowed: by exact propagation and by a general method.
+    for method in ["run.method=auto", "run.method=dop853"] {
+        let settings = ["run.max_switches=5", method];
+        let found = cells(
+            &load(TWO),
+            question(&settings, "rocker.inertia=0.05:0.1:2", None),
+        );
+        assert_eq!(found[0].verdict, Verdict::InWorkingOrder);
+        assert_eq!(
+            found[1].verdict,
+            Verdict::NumericalFailure,
+            "{:?}",
+            found[1]
+        );
+        assert_eq!(
+            (found[1].value, found[1].verdict.family()),
+            (None, Family::Computation)
+        );
+        assert!(found[1].cause.contains("5 switches"), "{}", found[1].cause);
+    }
+    // A scene that is none at some values.
+    let found = cells(
+        &load(TWO),
+        question(&[], "rocker.inertia=-0.05:0.1:4", None),
+    );
+    assert!(
+        found[..2]
+            .iter()
+            .all(|cell| cell.verdict == Verdict::Refused && cell.value.is_none())
+    );
+    assert!(
+        found[2..]
+            .iter()
+            .all(|cell| cell.verdict.family() == Family::Mechanism)
+    );
+    assert!(found[0].cause.contains("inertia"), "{}", found[0].cause);
+    // A dead position.
+    let short = Question {
+        figure: Some("slide.peak_speed".to_owned()),
+        ..question(
+            &["run.duration=4"],
+            "slide.position.slider_crank.rod=80:120 mm:2",
+            None,
+        )
+    };
+    let found = cells(&load("limits/short_rod.json"), short);
+    assert_eq!(
+        (found[0].verdict, found[0].value),
+        (Verdict::Stopped, None),
+        "{:?}",
+        found[0]
+    );
+    assert_eq!(found[1].verdict, Verdict::InWorkingOrder, "{:?}", found[1]);
+    // A rigid follower that would lift off.
+    let rigid = Question {
+        figure: Some("valve.pair.margin".to_owned()),
+        ..question(&[], "camshaft.motion.speed=1500:3000 rpm:2", None)
+    };
+    let found = cells(&load("valve_train/rigid_margin.json"), rigid);
+    assert_eq!(found[0].verdict, Verdict::InWorkingOrder);
+    assert_eq!(found[1].verdict, Verdict::LiftOff);
+    for cell in &found {
+        let (value, margin) = (cell.value.unwrap(), cell.rigid_margin.unwrap());
+        approx::assert_relative_eq!(value, margin, max_relative = 1e-4);
+    }
+}
+
+#[test]
+fn cells_that_hang_on_the_last_digits_are_marked() {
+    let checked = |x: &str, y: &str| {
+        let question = Question {
+            check_determined: true,
+            ..question(&["run.duration=1"], x, Some(y))
+        };
+        cells(&load(TWO), question)
+    };
+    let found = checked("rocker.inertia=0.44:0.46:3", "rocker.stiffness=1e7:2e7:5");
+    let marked = |cell: &&Cell| cell.verdict == Verdict::NotDetermined;
+    let first = found
+        .iter()
+        .find(marked)
+        .expect("some cell is not determined");
+    assert!(first.value.is_some() && first.moved.is_none_or(|moved| moved > 1e-7));
+    assert!(
+        first.cause.contains("when the loads change by 1e-10"),
+        "{}",
+        first.cause
+    );
+    let quiet = checked("rocker.inertia=0.05:0.06:2", "rocker.stiffness=1e7:2e7:2");
+    for cell in &quiet {
+        assert_eq!(cell.verdict, Verdict::InWorkingOrder);
+        // A deflection under loads moves as the loads do.
+        assert!(cell.moved.unwrap() < 1e-9, "{cell:?}");
+    }
+}
+
+/// The small map of the tests of order and interruption.
+fn small(document: &Document) -> Study<'_> {
+    let question = Question {
+        panels: Panels::parse(&["rocker.loads.closing.constant=-600,-900".to_owned()]).unwrap(),
+        check_determined: true,
+        ..question(
+            &["run.duration=0.3"],
+            "rocker.inertia=0.06:0.16:5",
+            Some("rocker.stiffness=1e6:1e7:4:log"),
+        )
+    };
+    Study::new(document, &BuiltIn, question).unwrap()
+}
+
+fn run(
+    study: &Study<'_>,
+    known: BTreeMap<usize, Vec<Cell>>,
+    threads: usize,
+    listener: &dyn Listener,
+) -> MapResult {
+    map(study, known, Some(threads), &Control::default(), listener).unwrap()
+}
+
+fn everything(study: &Study<'_>, result: &MapResult) -> String {
+    let document = document(study, result);
+    let csv = map_csv(study, result).unwrap();
+    format!(
+        "{document}{csv}{}{}",
+        svg::map::svg(study, result),
+        text(study, result)
+    )
+}
+
+#[test]
+fn the_same_bytes_for_any_number_of_threads() {
+    let document = load(TWO);
+    let study = small(&document);
+    let one = everything(&study, &run(&study, BTreeMap::new(), 1, &Silent));
+    for threads in [2, 5] {
+        let other = everything(&study, &run(&study, BTreeMap::new(), threads, &Silent));
+        assert!(one == other, "{threads} threads");
+    }
+    assert!(!one.contains("NaN") && !one.contains("inf"));
+}
+
+/// Keeps the lines of a journal.
+struct Lines(Mutex<String>);
+
+impl Listener for Lines {
+    fn row(&self, row: usize, cells: &[Cell]) -> Result<(), String> {
+        self.0.lock().unwrap().push_str(&journal::row(row, cells));
+        Ok(())
+    }
+}
+
+#[test]
+fn a_journal_torn_anywhere_gives_the_same_map() {
+    let scene = load(TWO);
+    let study = small(&scene);
+    let lines = Lines(Mutex::new(journal::head(&study)));
+    let whole = run(&study, BTreeMap::new(), 2, &lines);
+    let wanted = everything(&study, &whole);
+    let journal_text = lines.0.into_inner().unwrap();
+    let bytes = journal_text.as_bytes();
+    let head = journal::head(&study).len();
+    for length in 0..=bytes.len() {
+        let read = journal::read(&study, &bytes[..length]).unwrap();
+        assert!(read.whole <= length);
+        let ends = bytes[head.min(length)..length]
+            .iter()
+            .filter(|&&byte| byte == b'\n');
+        assert_eq!(read.rows.len(), ends.count(), "cut at {length}");
+        for (row, cells) in &read.rows {
+            let (panel, range) = study.row(*row);
+            let own = whole.panels[panel][range].iter().flatten();
+            assert!(own.eq(cells), "row {row}, cut at {length}");
+        }
+    }
+    // The rows that are missing are worked out again.
+    for length in [head, bytes.len() / 2, bytes.len() - 1] {
+        let known = journal::read(&study, &bytes[..length]).unwrap().rows;
+        assert_eq!(everything(&study, &run(&study, known, 1, &Silent)), wanted);
+    }
+    // A byte changed in the middle: that line and all after it are not believed.
+    let mut changed = bytes.to_vec();
+    changed[head + 40] ^= 1;
+    assert_eq!(journal::read(&study, &changed).unwrap().rows.len(), 0);
+    // Another study's journal is refused.
+    let other = Study::new(
+        &scene,
+        &BuiltIn,
+        question(&[], "rocker.inertia=0.05:0.1:3", None),
+    )
+    .unwrap();
+    assert!(
+        journal::read(&other, bytes)
+            .unwrap_err()
+            .contains("another study")
+    );
+    assert!(
+        journal::read(&study, b"something else\n")
+            .unwrap_err()
+            .contains("no journal")
+    );
+}
+
+#[test]
+fn questions_without_sense_are_refused() {
+    let document = load(TWO);
+    let ask = |question: Question| match Study::new(&document, &BuiltIn, question) {
+        Ok(_) => panic!("this question makes no sense"),
+        Err(StudyFault::Scene(diagnostics)) => diagnostics.render(false),
+        Err(StudyFault::Question(what)) => what,
+    };
+    let twice = question(&[], "rocker.inertia=1:2:3", Some("rocker.inertia=1:2:3"));
+    assert!(ask(twice).contains("on both axes"));
+    let many = question(
+        &[],
+        "rocker.inertia=1:2:2000",
+        Some("rocker.stiffness=1:2:2000"),
+    );
+    assert!(ask(many).contains("4000000 cells"));
+    let figure = Question {
+        figure: Some("rocker.delta_mx".to_owned()),
+        ..question(&[], "rocker.inertia=1:2:3", None)
+    };
+    assert!(ask(figure).contains("rocker.delta_max"));
+    assert!(ask(question(&[], "roker.inertia=1:2:3", None)).contains("rocker"));
+    assert!(ask(question(&[], "rocker.inertia=1:2 rpm:3", None)).contains("rpm"));
+    let fixed = Question {
+        panels: Panels::parse(&["rocker.inertia=1,2".to_owned()]).unwrap(),
+        ..question(&[], "rocker.inertia=1:2:3", None)
+    };
+    assert!(ask(fixed).contains("on an axis"));
+}
+
+#[test]
+fn determined_cells_agree_with_an_independent_computation() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/reference/map.json");
+    let reference: serde_json::Value =
+        serde_json::from_slice(&std::fs::read(path).unwrap()).unwrap();
+    let document = load(TWO);
+    let mut compared = 0;
+    for entry in reference["cells"].as_array().unwrap() {
+        let number = |name: &str| entry[name].as_f64().unwrap();
+        let (inertia, stiffness) = (number("inertia"), number("stiffness"));
+        let x = format!("rocker.inertia={inertia}:{}:2", inertia + 0.001);
+        let settings = [
+            format!("rocker.stiffness={stiffness}"),
+            "run.duration=0.5".to_owned(),
+        ];
+        let settings: Vec<&str> = settings.iter().map(String::as_str).collect();
+        let asked = Question {
+            check_determined: true,
+            ..question(&settings, &x, None)
+        };
+        let cell = cells(&document, asked).remove(0);
+        if cell.verdict == Verdict::NotDetermined {
+            continue;
+        }
+        compared += 1;
+        approx::assert_relative_eq!(
+            cell.value.unwrap(),
+            number("delta_max"),
+            max_relative = 1e-6
+        );
+    }
+    assert!(compared >= 8, "{compared} cells compared");
+}
+
+fn program() -> Command {
+    Command::new(env!("CARGO_BIN_EXE_dam"))
+}
+
+#[test]
+fn a_killed_map_goes_on_to_the_same_files() {
+    let folder = tempfile::tempdir().unwrap();
+    let (killed, whole) = (folder.path().join("killed"), folder.path().join("whole"));
+    let command = |out: &Path| {
+        let mut command = program();
+        command.arg("map").arg(scene(TWO)).arg("--quiet");
+        // A general method, slow enough to be killed in time.
+        command.args(["--set", "run.method=dop853", "--set", "run.duration=0.3"]);
+        command.args([
+            "--x",
+            "rocker.inertia=0.06:0.12:6",
+            "--y",
+            "rocker.stiffness=1e7:3e7:12",
+        ]);
+        command
+            .args(["--threads", "1", "--unchecked", "--out"])
+            .arg(out);
+        command.stdout(std::process::Stdio::null());
+        command
+    };
+    let mut child = command(&killed).spawn().unwrap();
+    let journal = killed.join("map.journal");
+    let begun = Instant::now();
+    let rows = || std::fs::read_to_string(&journal).map_or(0, |text| text.lines().count());
+    while rows() < 3 && begun.elapsed() < Duration::from_secs(120) {
+        std::thread::sleep(Duration::from_millis(2));
+    }
+    child.kill().unwrap();
+    child.wait().unwrap();
+    assert!(
+        rows() >= 3 && !killed.join("map.csv").exists(),
+        "killed in the middle"
+    );
+    // Without a word the finished rows are not thrown away.
+    let refused = command(&killed).output().unwrap();
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&refused.stderr).contains("--resume"));
+    assert!(command(&killed).arg("--resume").status().unwrap().success());
+    assert!(command(&whole).status().unwrap().success());
+    for name in ["map.csv", "map.json", "map.svg", "report.html"] {
+        let read = |folder: &Path| std::fs::read(folder.join(name)).unwrap();
+        assert!(read(&killed) == read(&whole), "{name}");
+    }
+    assert!(!journal.exists(), "the journal of a complete map goes");
+}
+
+#[test]
+fn wrong_arguments_end_with_status_2_and_say_what_is_right() {
+    for (arguments, word) in [
+        (vec!["--x", "rocker.inertia"], "FROM:TO:COUNT"),
+        (vec!["--x", "rocker.inertia=1:2:1"], "2 to 100000"),
+        (vec!["--x", "rocker.inertia=1:2:3:lin"], "`log`"),
+        (vec!["--x", "rocker.inertja=1:2:3"], "inertia"),
+        (
+            vec!["--x", "rocker.inertia=1:2:3", "--figure", "rocker.delta"],
+            "no figure",
+        ),
+        (
+            vec!["--x", "rocker.inertia=1:2:3", "--panels", "a=1,,2"],
+            "missing",
+        ),
+        (
+            vec!["--x", "rocker.inertia=1:2:3", "--threads", "0"],
+            "--threads",
+        ),
+        (vec!["--x", "rocker.inertia=1:2:3", "--resume"], "--out"),
+        (vec![], "--x"),
+    ] {
+        let output = program()
+            .arg("map")
+            .arg(scene(TWO))
+            .args(&arguments)
+            .output()
+            .unwrap();
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}: {said}");
+        assert!(said.contains(word), "{arguments:?}: {said}");
+        assert!(output.stdout.is_empty(), "{arguments:?}");
+    }
+}
