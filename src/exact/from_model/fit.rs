@@ -261,9 +261,7 @@ fn leaves(
                 *sum += sign * c * b;
             }
         }
-        beyond
-            .iter_mut()
-            .for_each(|b| *b -= sign * edge + rounding);
+        beyond.iter_mut().for_each(|b| *b -= sign * edge + rounding);
         if let Some(s) = first_positive(&beyond) {
             first = Some(first.map_or(s, |other: f64| other.min(s)));
         }

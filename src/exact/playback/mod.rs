@@ -20,9 +20,9 @@ use crate::integrate::{
 use crate::system::{InitialState, Scratch, System};
 use bernstein::{DEGREE, Output};
 use branch::Branch;
+use paces::Paces;
 use std::sync::atomic::Ordering;
 use std::time::Instant;
-use paces::Paces;
 use tracks::Tracks;
 
 /// Two instants closer than this, in units of the clock, are one.

@@ -2,8 +2,6 @@
 
 pub mod charts;
 mod table;
-#[cfg(test)]
-mod tests;
 mod words;
 
 pub use table::{methods_csv, sweep_csv};
