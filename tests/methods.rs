@@ -27,7 +27,7 @@ const WHEEL: &str = r#"{
 
 fn system(text: &str, overrides: &[&str]) -> (System, RunSettings) {
     let document = Document::parse("scene.json", text.as_bytes()).unwrap();
-    let overrides = overrides.iter().map(|text| (*text).to_owned()).collect();
+    let overrides: Vec<String> = overrides.iter().map(|text| (*text).to_owned()).collect();
     let reading = document
         .scene(&BuiltIn, &Overrides::new(overrides))
         .unwrap();
@@ -170,8 +170,8 @@ fn missed_switches_are_counted_against_the_true_ones() {
 
 #[test]
 fn a_long_vibration_is_inaccurate_at_a_loose_tolerance() {
-    // A thousand turns of phase: the error of a step adds up.
-    let overrides = ["wheel.damping=0", "run.duration=10"];
+    // Four thousand turns of phase: the error of a step adds up.
+    let overrides = ["wheel.damping=0", "run.duration=40"];
     let plan = plan(1e-6, &[Method::Exact, Method::Dopri5], &[1e-5], &[]);
     let study = studied(WHEEL, &overrides, &plan);
     let point = only(&study, Method::Dopri5);
@@ -465,7 +465,8 @@ fn bad_arguments_end_with_status_two_and_say_what_is_right() {
         (["--x", "rocker.stiffness=1e6:1e7:9999"], "at most 1000"),
         (["--x", "rocker.nonsense=1:2:3"], "nonsense"),
     ] {
-        let output = dam(&["methods", &scene, arguments[0], arguments[1]]);
+        let joined = format!("{}={}", arguments[0], arguments[1]);
+        let output = dam(&["methods", &scene, &joined]);
         assert_eq!(output.status.code(), Some(2), "{arguments:?}");
         assert!(
             stderr(&output).contains(word),
