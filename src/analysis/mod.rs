@@ -6,6 +6,7 @@ mod document;
 pub mod exact;
 pub mod expectations;
 mod kinematic;
+pub mod map;
 mod method;
 pub mod methods;
 pub mod run;

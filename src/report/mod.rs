@@ -12,6 +12,7 @@ pub mod diagram;
 #[cfg(test)]
 mod fixture;
 pub mod html;
+pub mod map;
 pub mod math;
 pub mod methods;
 pub mod quantity;

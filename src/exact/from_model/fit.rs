@@ -55,7 +55,7 @@ struct Tables {
     bernstein: [[f64; POINTS]; POINTS],
 }
 
-const _: () = assert!(POINTS == MAX_DEGREE + 1);
+const _: () = assert!(POINTS <= MAX_DEGREE + 1);
 
 static TABLES: LazyLock<Tables> = LazyLock::new(|| {
     let angle = |j: usize| std::f64::consts::PI * (j as f64 + 0.5) / POINTS as f64;

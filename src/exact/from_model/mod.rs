@@ -17,7 +17,7 @@ mod load;
 #[cfg(test)]
 mod tests;
 
-pub(crate) use course::Course;
+pub(crate) use course::{Course, within};
 pub(crate) use fit::{Target, fit};
 
 use super::{ExactTree, PairState, Refusal, SpanSource, TreeProblem};

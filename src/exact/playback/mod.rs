@@ -116,8 +116,8 @@ impl Player<'_> {
         for branch in &self.branches {
             branch.take_modes(&mut self.modes);
         }
+        self.tracks.begin(&mut self.modes);
         sink.start(0.0, &self.y, &self.modes);
-        self.tracks.begin();
         for index in 0..self.branches.len() {
             self.go_on(index);
         }
@@ -301,4 +301,4 @@ fn gave_up(system: &System, object: usize, refusal: Refusal) -> Stop {
     }
 }
 
-const _: () = assert!(DEGREE == crate::polynomial::MAX_DEGREE);
+const _: () = assert!(DEGREE <= crate::polynomial::MAX_DEGREE);

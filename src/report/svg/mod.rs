@@ -3,6 +3,7 @@
 pub mod chart;
 pub mod graph;
 pub mod log_chart;
+pub mod map;
 pub mod strips;
 
 /// Characters per line that fit `width` at a font size, for a sans-serif face.
