@@ -43,6 +43,10 @@ impl Dynamics for Stepped {
         out[1] = 0.0;
     }
 
+    fn time_tangent(&self, _: f64, _: &[f64], _: &Modes, (): &mut (), out: &mut [f64]) {
+        out.fill(0.0);
+    }
+
     fn watches(&self, _: &Modes, out: &mut Vec<Watch>) {
         out.clear();
     }
@@ -80,6 +84,11 @@ impl Dynamics for Ending {
         out[1] = 0.0;
     }
 
+    fn time_tangent(&self, t: f64, _: &[f64], _: &Modes, (): &mut (), out: &mut [f64]) {
+        out[0] = 0.0;
+        out[1] = -0.5 / (self.end - t).sqrt();
+    }
+
     fn watches(&self, _: &Modes, out: &mut Vec<Watch>) {
         out.clear();
     }
@@ -111,6 +120,10 @@ impl Dynamics for Collapsing {
     fn tangent(&self, _: f64, y: &[f64], _: &Modes, d: &[f64], (): &mut (), out: &mut [f64]) {
         out[0] = d[1];
         out[1] = 12.0 * y[0] * d[0];
+    }
+
+    fn time_tangent(&self, _: f64, _: &[f64], _: &Modes, (): &mut (), out: &mut [f64]) {
+        out.fill(0.0);
     }
 
     fn watches(&self, _: &Modes, out: &mut Vec<Watch>) {
@@ -164,6 +177,10 @@ impl Dynamics for Swinging {
     fn tangent(&self, _: f64, _: &[f64], _: &Modes, d: &[f64], (): &mut (), out: &mut [f64]) {
         out[0] = d[1];
         out[1] = -d[0] - 2.0 * self.damping * d[1];
+    }
+
+    fn time_tangent(&self, _: f64, _: &[f64], _: &Modes, (): &mut (), out: &mut [f64]) {
+        out.fill(0.0);
     }
 
     fn extra_signals(

@@ -52,6 +52,10 @@ impl Dynamics for Thrown {
         out[1] = 0.0;
     }
 
+    fn time_tangent(&self, _: f64, _: &[f64], _: &Modes, (): &mut (), out: &mut [f64]) {
+        out.fill(0.0);
+    }
+
     fn watches(&self, modes: &Modes, out: &mut Vec<Watch>) {
         out.clear();
         let above = Guard {
@@ -146,6 +150,10 @@ impl Dynamics for Bouncing {
             out[k] = d[self.count + k];
             out[self.count + k] = -self.spring(modes.0[k]) * d[k];
         }
+    }
+
+    fn time_tangent(&self, _: f64, _: &[f64], _: &Modes, (): &mut (), out: &mut [f64]) {
+        out.fill(0.0);
     }
 
     fn watches(&self, modes: &Modes, out: &mut Vec<Watch>) {
