@@ -3,9 +3,10 @@
 use crate::case::{Case, SAMPLES};
 use crate::cvode_peer::Cvode;
 use crate::exact_peer;
-use crate::ladder::{Climb, Miss, Peer, Point, Reached, climb};
+use crate::ladder::{Climb, Point, Reached, climb};
+use crate::peer::{OnCase, Peer};
 use crate::solution::Timing;
-use crate::table::{count, milliseconds, power, table};
+use crate::table::{milliseconds, power, reached, table};
 use dam::exact::Request;
 use std::time::Duration;
 
@@ -105,7 +106,8 @@ fn peers(case: &Case, cvode: Option<&Cvode>, quick: bool) -> Vec<(Peer, Vec<Reac
     for peer in Peer::all(cvode) {
         let first = fastest(&done, |_| true).map_or(f64::INFINITY, |f| f.1.timing.median);
         let longest = (8.0 * first).max(if quick { 0.1 } else { 0.5 });
-        let points = climb(&peer, case, targets, Climb { budget, longest });
+        let runner = OnCase { peer: &peer, case };
+        let points = climb(&runner, targets, Climb { budget, longest });
         done.push((peer, points));
     }
     done
@@ -193,21 +195,6 @@ fn detail(case: &Case, own: &Own, points: &[(Peer, Vec<Reached>)]) -> String {
 
 fn peer_row(peer: &Peer, target: f64, point: &Reached) -> Vec<String> {
     let mut row = vec![peer.name(), power(target)];
-    let missing = |why: String| {
-        let dash = || "-".to_owned();
-        vec![dash(), why, dash(), dash(), dash(), dash()]
-    };
-    row.extend(match point {
-        Ok(point) => vec![
-            power(point.tolerance),
-            power(point.error),
-            count(point.switches),
-            milliseconds(point.timing.median),
-            milliseconds(point.timing.least),
-            point.timing.runs.to_string(),
-        ],
-        Err(Miss::NoTolerance) => missing("not reached".to_owned()),
-        Err(Miss::TooLong(time)) => missing(format!("given up: {time:.1} s a run")),
-    });
+    row.extend(reached(point));
     row
 }
