@@ -77,7 +77,7 @@ fn errors(values: &[f64], reference: &[f64], chosen: &[bool]) -> [f64; 2] {
 }
 
 /// Cells in which max|δ| is determined, and `dam`'s values.
-pub(crate) fn determined() -> (Vec<bool>, Vec<f64>) {
+fn determined() -> (Vec<bool>, Vec<f64>) {
     let all = 0..CELLS * CELLS;
     let values: Vec<f64> = all.clone().into_par_iter().map(|k| peak(k, LOAD)).collect();
     let changed = LOAD * (1.0 + CHANGE[0]);
@@ -102,11 +102,11 @@ fn timed(threads: usize, budget: Duration) -> Result<Timing, String> {
     Ok(Timing::measure(budget, || pool.install(map)))
 }
 
-/// Greatest error of `dam` over the determined cells, and how many these are.
-pub(crate) fn own_error() -> (f64, usize) {
+/// Median and greatest error of `dam`'s values over the determined cells, and
+/// which cells these are.
+pub(crate) fn own_errors() -> ([f64; 2], Vec<bool>) {
     let (chosen, values) = determined();
-    let count = chosen.iter().filter(|chosen| **chosen).count();
-    (errors(&values, &reference(), &chosen)[1], count)
+    (errors(&values, &reference(), &chosen), chosen)
 }
 
 /// Runs the map by `dam`, diffsol and CVODE and returns the table.
@@ -114,12 +114,14 @@ pub(crate) fn own_error() -> (f64, usize) {
 /// # Errors
 /// A determined cell of `dam` is wrong by more than 1e-6, or a peer fails.
 pub(crate) fn map(cvode: Option<&Cvode>, quick: bool) -> Result<String, String> {
-    let (chosen, values) = determined();
+    let (own, chosen) = own_errors();
     let reference = reference();
-    let [median, worst] = errors(&values, &reference, &chosen);
     let count = chosen.iter().filter(|chosen| **chosen).count();
-    if worst > ALLOWED {
-        return Err(format!("a determined cell of dam is wrong by {worst:.1e}"));
+    if own[1] > ALLOWED {
+        return Err(format!(
+            "a determined cell of dam is wrong by {:.1e}",
+            own[1]
+        ));
     }
     let budget = Duration::from_millis(if quick { 300 } else { 1500 });
     let [one, two] = [timed(1, budget)?, timed(2, budget)?];
@@ -132,7 +134,6 @@ pub(crate) fn map(cvode: Option<&Cvode>, quick: bool) -> Result<String, String> 
             format!("{worst:.1e}"),
         ]
     };
-    let own = [median, worst];
     let gain = format!("{:.2} of one thread", one.median / two.median);
     let mut rows = vec![
         row("`dam` exact, one thread", one.median, "", own),

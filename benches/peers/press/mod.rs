@@ -12,7 +12,7 @@ use crate::ladder::{Climb, Point, Reached, Runner, climb};
 use crate::solution::{Solution, Timing};
 use crate::table::{milliseconds, power, reached, table};
 use dam::integrate::{Dynamics, Method};
-use scene::Press;
+pub(crate) use scene::Press;
 use std::time::{Duration, Instant};
 
 /// Errors to be reached.
@@ -162,22 +162,28 @@ fn distance(samples: &[f64], reference: &[f64]) -> f64 {
     greatest / largest
 }
 
-/// A fine solution by two unrelated methods: the first one's samples, how far
-/// the other is from it, and the switches of both.
-fn fine(press: &Press) -> Result<(Vec<f64>, f64, [usize; 2]), String> {
-    let one = own::solve(press, Method::Dop853, 1e-13, SAMPLES)?;
-    let other = diffsol::solve(press, "tsit45", 1e-12, SAMPLES)?;
-    let apart = distance(&other.samples, &one.samples);
-    let switches = [one.switches, other.switches].map(Option::unwrap_or_default);
-    Ok((one.samples, apart, switches))
+/// A fine solution by two unrelated methods.
+pub(crate) struct Fine {
+    /// Samples of the first.
+    pub(crate) samples: Vec<f64>,
+    /// How far the other is from it, relative to max|δ|.
+    pub(crate) apart: f64,
+    /// Switches of both.
+    pub(crate) switches: [usize; 2],
 }
 
-/// How far the two fine solutions are apart, and the switches of both.
+/// The fine solution.
 ///
 /// # Errors
-/// One of them fails.
-pub(crate) fn agreement(masses: usize) -> Result<(f64, [usize; 2]), String> {
-    fine(&Press::new(masses)?).map(|(_, apart, switches)| (apart, switches))
+/// One of the methods fails.
+pub(crate) fn fine(press: &Press) -> Result<Fine, String> {
+    let one = own::solve(press, Method::Dop853, 1e-13, SAMPLES)?;
+    let other = diffsol::solve(press, "tsit45", 1e-12, SAMPLES)?;
+    Ok(Fine {
+        apart: distance(&other.samples, &one.samples),
+        switches: [one.switches, other.switches].map(Option::unwrap_or_default),
+        samples: one.samples,
+    })
 }
 
 /// Runs the press and returns the tables.
@@ -194,7 +200,11 @@ pub(crate) fn press(cvode: Option<&Cvode>, quick: bool) -> Result<String, String
 
 fn one_press(masses: usize, cvode: Option<&Cvode>, quick: bool) -> Result<String, String> {
     let press = Press::new(masses)?;
-    let (reference, apart, switches) = fine(&press)?;
+    let Fine {
+        samples: reference,
+        apart,
+        switches,
+    } = fine(&press)?;
     if apart > 0.1 * TARGETS[2] || switches[0] != switches[1] {
         return Err(format!(
             "press of {masses}: the fine solutions are {apart:.1e} apart, {switches:?} switches"
@@ -206,7 +216,6 @@ fn one_press(masses: usize, cvode: Option<&Cvode>, quick: bool) -> Result<String
         Solver::Own(Method::Taylor),
         Solver::Diffsol("bdf"),
         Solver::Diffsol("esdirk34"),
-        Solver::Diffsol("tr_bdf2"),
         Solver::Diffsol("tsit45"),
         Solver::OdeSolvers("dop853"),
         Solver::OdeSolvers("dopri5"),
@@ -214,20 +223,23 @@ fn one_press(masses: usize, cvode: Option<&Cvode>, quick: bool) -> Result<String
     if let Some(cvode) = cvode {
         solvers.extend(["bdf", "adams"].map(|method| Solver::Cvode(cvode, method)));
     }
-    let limits = Climb {
-        budget: Duration::from_millis(if quick { 50 } else { 300 }),
-        longest: 0.7,
-    };
-    let climbed = solvers.iter().map(|solver| {
+    let mut points: Vec<(&Solver<'_>, Vec<Reached>)> = Vec::new();
+    for solver in &solvers {
         let runner = OnPress {
             solver,
             press: &press,
             masses,
             reference: &reference,
         };
-        (solver, climb(&runner, &TARGETS, limits))
-    });
-    let points: Vec<(&Solver<'_>, Vec<Reached>)> = climbed.collect();
+        // A climb is given up when a single run takes twelve times as long as
+        // `auto` at the smallest error.
+        let auto = points.first().and_then(|auto| auto.1[2].as_ref().ok());
+        let limits = Climb {
+            budget: Duration::from_millis(if quick { 50 } else { 200 }),
+            longest: auto.map_or(3.0, |point| (12.0 * point.timing.median).max(0.2)),
+        };
+        points.push((solver, climb(&runner, &TARGETS, limits)));
+    }
     Ok(format!(
         "\n### {masses} masses\n\nTwo fine solutions (`dam` dop853 at 1e-13, diffsol tsit45 at 1e-12) \
          agree to {apart:.1e}; {} switches.\n\n{}\n{}",
