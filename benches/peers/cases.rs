@@ -25,7 +25,7 @@ From the model ready to 1000 samples of δ and all switch times (ode_solvers loc
 switches), medians of repeated runs. Errors are the greatest of δ over the samples against
 a Taylor series of order 34 in quadruple precision, relative to max|δ|. Every solver has
 the loosest tolerance, in half decades from 1e-3 to 3e-13, that reaches the error; the
-ratio is its time over `dam`'s, with the ratio aimed at in brackets.
+ratio is its time over `dam`'s: of medians, of least times, and in brackets what is aimed at.
 ";
 
 /// What `dam` needs for a case.
@@ -132,7 +132,8 @@ fn ratio_row(case: &Case, own: &Own, points: &[(Peer, Vec<Reached>)]) -> Vec<Str
         };
         let ratio = point.timing.median / own.plain.median;
         let aim = aim.map_or(String::new(), |aim| format!(" ({aim})"));
-        format!("{ratio:.0}{aim}")
+        let least = point.timing.least / own.plain.least;
+        format!("{ratio:.0}, {least:.0}{aim}")
     };
     let time = |point: Option<Point>| {
         point.map_or("-".to_owned(), |point| milliseconds(point.timing.median))
