@@ -63,6 +63,7 @@ mod basis;
 mod bound;
 mod eigenvalues;
 mod functional;
+mod hermite;
 mod lanes;
 mod law;
 mod panel;
