@@ -1,10 +1,14 @@
 //! Questions asked of a system: one file a question.
 
+pub mod axis;
 pub mod compare;
 mod document;
+pub mod exact;
 pub mod expectations;
 mod kinematic;
+pub mod map;
 mod method;
+pub mod methods;
 pub mod run;
 mod settings;
 pub mod spread;

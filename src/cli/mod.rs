@@ -8,6 +8,9 @@ mod console;
 mod failure;
 mod input;
 mod interrupt;
+mod journal;
+mod map;
+mod methods;
 mod output;
 mod progress;
 mod run;
@@ -28,6 +31,8 @@ pub(crate) fn main() -> ExitCode {
         Command::Schema => (Ok(check::schema()), None),
         Command::Show(args) => (show::command(args), Some(&args.scene)),
         Command::Compare(args) => (compare::command(args), Some(&args.scene)),
+        Command::Map(args) => (map::command(args), Some(&args.scene)),
+        Command::Methods(args) => (methods::command(args), Some(&args.scene)),
     };
     match result {
         Ok(status) => ExitCode::from(status.code()),

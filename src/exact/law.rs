@@ -9,7 +9,7 @@ use std::fmt;
 use std::sync::Arc;
 
 /// Highest degree of the polynomial that a span's L̈ may have.
-pub(crate) const LAW_DEGREE: usize = 8;
+pub const LAW_DEGREE: usize = 12;
 
 /// The law over time.
 #[derive(Clone, Debug)]
@@ -50,6 +50,8 @@ pub trait SpanSource: fmt::Debug + Send + Sync {
 pub struct PolynomialSpan {
     /// Start (s).
     pub start: f64,
+    /// What `start` lacks, within its rounding (s).
+    pub low: f64,
     /// End (s), +∞ for ever.
     pub end: f64,
     /// L at the start.
@@ -81,6 +83,18 @@ impl Law {
             Self::Harmonic { sines, .. } => sines.iter().map(|sine| sine.frequency).collect(),
             Self::Spans(_) => Vec::new(),
         }
+    }
+
+    /// L and L̇ at an instant.
+    pub fn at(&self, time: f64) -> (f64, f64) {
+        let mut forcing = self.forcing();
+        self.start(time, 0.0, &mut None, &mut forcing);
+        let (mut value, mut speed) = (forcing.law[0], forcing.law[1]);
+        for (z, omega) in forcing.harmonics.iter().zip(self.frequencies()) {
+            value += z.re;
+            speed -= omega * z.im;
+        }
+        (value, speed)
     }
 
     /// An empty forcing with room for this law's harmonics.
@@ -120,7 +134,7 @@ impl Law {
                 }
                 let span = span.expect("a span was just made");
                 out.end = span.end;
-                recentre(&span, (time - span.start) + low, out);
+                recentre(&span, (time - span.start) + (low - span.low), out);
             }
         }
     }

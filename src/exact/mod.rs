@@ -61,7 +61,9 @@
 
 mod basis;
 mod bound;
+mod cursor;
 mod eigenvalues;
+mod from_model;
 mod functional;
 mod hermite;
 mod lanes;
@@ -69,6 +71,7 @@ mod law;
 mod panel;
 mod pencil;
 mod phase;
+pub(crate) mod playback;
 mod polynomial;
 mod problem;
 mod regime;
@@ -83,9 +86,12 @@ mod tests;
 mod track;
 mod watch;
 
-pub use law::{Law, PolynomialSpan, Sine, SpanSource};
+pub use cursor::{Cursor, MOST_ORDERS};
+pub use from_model::{Part, Parts};
+pub use law::{LAW_DEGREE, Law, PolynomialSpan, Sine, SpanSource};
 pub use problem::{
-    Flank, PairState, Refusal, TimeLoad, TreeMass, TreeObject, TreePair, TreeProblem,
+    Flank, ForcePiece, ForceSource, PairState, Refusal, TimeLoad, TreeMass, TreeObject, TreePair,
+    TreeProblem,
 };
 pub use request::{ExactRun, ExactSwitch, Request};
 pub use track::TreeFigures;
@@ -107,6 +113,16 @@ impl ExactTree {
             functionals,
             first,
         }
+    }
+
+    /// What it was made from.
+    pub fn problem(&self) -> &TreeProblem {
+        &self.problem
+    }
+
+    /// The law it follows.
+    pub fn law(&self) -> &Law {
+        &self.problem.law
     }
 
     /// Runs it.

@@ -12,7 +12,9 @@ pub mod diagram;
 #[cfg(test)]
 mod fixture;
 pub mod html;
+pub mod map;
 pub mod math;
+pub mod methods;
 pub mod quantity;
 pub mod show;
 pub mod svg;
