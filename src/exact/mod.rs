@@ -66,6 +66,8 @@ mod eigenvalues;
 mod from_model;
 mod functional;
 mod hermite;
+#[cfg(test)]
+mod independent;
 mod lanes;
 mod law;
 mod panel;
