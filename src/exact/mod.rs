@@ -67,6 +67,9 @@ mod cursor;
 mod eigenvalues;
 mod from_model;
 mod functional;
+mod hermite;
+#[cfg(test)]
+mod independent;
 mod lanes;
 mod law;
 mod panel;
