@@ -1,10 +1,10 @@
 //! Motions: dimensionless laws of motion, splines, and the prescribed motion of a drive over time.
 
-mod law;
+pub mod law;
 mod spec;
 mod spline;
 
-pub use law::LawName;
+pub use law::{Law, LawName, LawSpec, RunLawName, RunLawSpec};
 pub use spec::DriveMotionSpec;
 pub use spline::Spline;
 

@@ -16,7 +16,7 @@ mod table;
 #[cfg(test)]
 mod tests;
 
-pub use crate::motion::LawName;
+pub use crate::motion::{LawName, LawSpec};
 pub use cam::Cam;
 pub use four_bar::FourBar;
 pub use reach::OutOfReach;

@@ -146,12 +146,12 @@ fn cam_words(cam: &Cam) -> String {
     let spec = cam.spec();
     let degrees = |angle: f64| significant(angle.to_degrees(), 6);
     let laws = if spec.rise_law == spec.return_law {
-        format!("{} both ways", spec.rise_law.name())
+        format!("{} both ways", spec.rise_law.words())
     } else {
         format!(
             "{} up, {} down",
-            spec.rise_law.name(),
-            spec.return_law.name()
+            spec.rise_law.words(),
+            spec.return_law.words()
         )
     };
     format!(

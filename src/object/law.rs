@@ -1,0 +1,174 @@
+//! Laws of motion in scenes.
+
+use super::load::points;
+use crate::fault::Fault;
+use crate::motion::law::{MOST_CONDITIONS, PolynomialSpec, SectionsSpec, TABLE_POINTS};
+use crate::motion::{Law, LawName, LawSpec, RunLawName, RunLawSpec};
+use crate::read::{Bounds, Fields, Slot};
+use crate::units::quantities as q;
+use serde_json::json;
+
+/// Reads the law of a full stroke: a name, or an object with its parameters.
+pub(crate) fn law(slot: Slot<'_>) -> Option<LawSpec> {
+    slot.defined("law", |mut slot| {
+        let names = LawName::ALL.map(|name| (name.name(), LawSpec::Named(name)));
+        let spec = slot.look(|slot| slot.object_or(composed, |slot| slot.choice(&names)))?;
+        match Law::of_stroke(&spec) {
+            Ok(_) => Some(spec),
+            Err(faults) => refuse(slot, faults),
+        }
+    })
+}
+
+/// Reads the law of a run-up: a name, or an object with its parameters.
+pub(crate) fn run_law(slot: Slot<'_>) -> Option<RunLawSpec> {
+    slot.defined("run_law", |mut slot| {
+        let names = RunLawName::ALL.map(|name| (name.name(), RunLawSpec::from(name)));
+        let spec = slot.look(|slot| slot.object_or(run_up, |slot| slot.choice(&names)))?;
+        match Law::of_run_up(&spec) {
+            Ok(_) => Some(spec),
+            Err(faults) => refuse(slot, faults),
+        }
+    })
+}
+
+fn refuse<T>(mut slot: Slot<'_>, faults: Vec<Fault>) -> Option<T> {
+    for fault in faults {
+        let message = match fault.path.as_str() {
+            "" => fault.message,
+            path => format!("`{path}`: {}", fault.message),
+        };
+        let refused = slot.refuse("out-of-range", message);
+        if !fault.hint.is_empty() {
+            refused.hints.push(fault.hint);
+        }
+    }
+    None
+}
+
+fn share(fields: &mut Fields<'_>, name: &'static str, doc: &str) -> Option<f64> {
+    fields.need(name, doc, |slot| slot.number(Bounds::between(0.0, 1.0)))
+}
+
+fn composed(slot: Slot<'_>) -> Option<LawSpec> {
+    slot.record(|fields| {
+        let mut kind = fields.one_of("its law");
+        kind.case(
+            "scca",
+            "Sine, constant and cosine acceleration, symmetric.",
+            |slot| {
+                slot.record(|fields| {
+                    let b = share(fields, "b", "Share of the sines at both ends together.");
+                    let d = share(fields, "d", "Share of the cosine about the middle.");
+                    Some(LawSpec::Scca { b: b?, d: d? })
+                })
+            },
+        );
+        kind.case("sections", "Run-up, uniform motion and run-out.", |slot| {
+            sections(slot).map(LawSpec::Sections)
+        });
+        kind.case(
+            "polynomial",
+            "Polynomial from conditions at its ends; θ and θ′ are 0, 0 and 1, 0 there.",
+            |slot| polynomial(slot).map(LawSpec::Polynomial),
+        );
+        kind.case(
+            "table",
+            "List of [τ, θ] from [0, 0] to [1, 1]: a smooth spline, at rest at both ends.",
+            |slot| table(slot).map(LawSpec::Table),
+        );
+        kind.finish()
+    })
+}
+
+fn sections(slot: Slot<'_>) -> Option<SectionsSpec> {
+    slot.record(|fields| {
+        let up = fields.need("run_up", "Law of the run-up.", run_law);
+        let out = fields.need("run_out", "Law of the run-out, run backwards.", run_law);
+        let skewness = fields.or(
+            "skewness",
+            "Duration of the run-out by that of the run-up.",
+            json!(1.0),
+            |slot| slot.number(Bounds::POSITIVE),
+        );
+        let uniform = fields.or(
+            "uniform",
+            "Share of the whole duration with uniform motion, below 1.",
+            json!(0.0),
+            |slot| slot.number(Bounds::between(0.0, 1.0)),
+        );
+        Some(SectionsSpec {
+            run_up: up?,
+            run_out: out?,
+            skewness: skewness?,
+            uniform: uniform?,
+        })
+    })
+}
+
+fn run_up(slot: Slot<'_>) -> Option<RunLawSpec> {
+    slot.record(|fields| {
+        let mut kind = fields.one_of("its law");
+        kind.case(
+            "trapezoid",
+            "Modified trapezoid of general form: shares of rise and fall of the acceleration, \
+             together at most 1.",
+            |slot| {
+                slot.record(|fields| {
+                    let s1 = share(fields, "s1", "Share of the rise, a quarter sine.");
+                    let s2 = share(fields, "s2", "Share of the fall, a quarter cosine.");
+                    Some(RunLawSpec::Trapezoid { s1: s1?, s2: s2? })
+                })
+            },
+        );
+        kind.case(
+            "polynomial",
+            "Polynomial from conditions at its ends; θ and θ′ are 0, 0 at the start, θ is 1 at the end.",
+            |slot| polynomial(slot).map(RunLawSpec::Polynomial),
+        );
+        kind.case(
+            "table",
+            "List of [τ, θ] from [0, 0] to [1, 1]: a smooth spline, from rest.",
+            |slot| table(slot).map(RunLawSpec::Table),
+        );
+        kind.finish()
+    })
+}
+
+fn polynomial(slot: Slot<'_>) -> Option<PolynomialSpec> {
+    slot.record(|fields| {
+        let numbers =
+            |slot: Slot<'_>| slot.list(1..=MOST_CONDITIONS, |slot| slot.number(Bounds::ANY));
+        let start = fields.need("start", "θ, θ′, θ″, … at τ = 0.", numbers);
+        let end = fields.need("end", "θ, θ′, θ″, … at τ = 1.", numbers);
+        let through = fields.or(
+            "through",
+            "Points [τ, θ] between the ends.",
+            json!([]),
+            |slot| {
+                slot.list(0..=MOST_CONDITIONS, |slot| {
+                    slot.pair(
+                        |slot| slot.number(Bounds::between(0.0, 1.0)),
+                        |slot| slot.number(Bounds::ANY),
+                    )
+                })
+            },
+        );
+        Some(PolynomialSpec {
+            start: start?,
+            end: end?,
+            through: through?,
+        })
+    })
+}
+
+fn table(mut slot: Slot<'_>) -> Option<Vec<(f64, f64)>> {
+    let least = *TABLE_POINTS.start();
+    let found = slot.look(|slot| points(slot, q::NUMBER.into(), q::NUMBER.into(), least))?;
+    if found.len() > *TABLE_POINTS.end() {
+        let message = format!("a law takes at most {} points", TABLE_POINTS.end());
+        slot.refuse("wrong-length", message);
+        return None;
+    }
+    Some(found)
+}
