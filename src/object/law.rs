@@ -50,7 +50,8 @@ fn share(fields: &mut Fields<'_>, name: &'static str, doc: &str) -> Option<f64> 
     fields.need(name, doc, |slot| slot.number(Bounds::between(0.0, 1.0)))
 }
 
-fn composed(slot: Slot<'_>) -> Option<LawSpec> {
+/// Reads a law given by its parameters.
+pub(super) fn composed(slot: Slot<'_>) -> Option<LawSpec> {
     slot.record(|fields| {
         let mut kind = fields.one_of("its law");
         kind.case(

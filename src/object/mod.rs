@@ -14,6 +14,7 @@ mod load;
 mod measures;
 mod motor;
 mod pair;
+mod plan;
 mod position;
 mod rocker;
 mod shaft;

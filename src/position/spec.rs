@@ -1,6 +1,6 @@
 //! Position functions as a scene states them: plain numbers in SI units.
 
-use crate::motion::LawSpec;
+use crate::motion::{CycleSpec, LawSpec};
 
 /// A position function as described in a scene.
 #[derive(Clone, Debug, PartialEq)]
@@ -72,6 +72,9 @@ pub enum PositionSpec {
     },
     /// `{ "cam": { "rise", "dwell", "return", "rest", "lift", "law", "phase" } }`.
     Cam(CamSpec),
+    /// `{ "plan": { "stations", "period", "advance" = 0, "phase" = 0 } }`: any
+    /// number of rises, dwells and returns.
+    Plan(CycleSpec),
 }
 
 /// A cam with one rise and one return per turn.

@@ -62,6 +62,16 @@ impl EndPolynomial {
         }
     }
 
+    /// The first `count` derivatives at `x`, the value first.
+    pub(crate) fn derivatives(&self, x: f64, count: usize) -> Vec<f64> {
+        let form = if x < 0.5 {
+            &self.from_start
+        } else {
+            &self.from_end
+        };
+        form.derivatives(x, count)
+    }
+
     /// True when no coefficient has overflowed.
     pub fn is_finite(&self) -> bool {
         let forms = [&self.from_start, &self.from_end];
@@ -106,6 +116,22 @@ impl Newton {
             nodes,
             coefficients,
         }
+    }
+
+    fn derivatives(&self, x: f64, count: usize) -> Vec<f64> {
+        let mut taylor = vec![0.0; count];
+        for (node, coefficient) in self.nodes.iter().zip(&self.coefficients).rev() {
+            for order in (1..count).rev() {
+                taylor[order] = taylor[order] * (x - node) + taylor[order - 1];
+            }
+            taylor[0] = taylor[0] * (x - node) + coefficient;
+        }
+        let mut factorial = 1.0;
+        for (order, value) in taylor.iter_mut().enumerate().skip(1) {
+            factorial *= order as f64;
+            *value *= factorial;
+        }
+        taylor
     }
 
     fn jet(&self, x: f64) -> Jet {
@@ -154,6 +180,9 @@ mod tests {
         assert_eq!([a.value, a.first, a.second], [0.3, -2.0, 5.0]);
         approx::assert_relative_eq!(a.third, 7.0, max_relative = 1e-14);
         assert_eq!([b.value, b.first, b.second], [1.5, 4.0, -1.0]);
+        let (jet, all) = (p.jet(0.4), p.derivatives(0.4, 4));
+        let jet = [jet.value, jet.first, jet.second, jet.third];
+        approx::assert_relative_eq!(jet[..], all[..], max_relative = 1e-13);
         approx::assert_abs_diff_eq!(p.jet(0.3).value, 0.2, epsilon = 1e-13);
         approx::assert_abs_diff_eq!(p.jet(0.8).value, -1.0, epsilon = 1e-13);
     }
