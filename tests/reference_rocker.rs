@@ -277,6 +277,8 @@ fn compare_samples(
     }
 }
 
+/// The accuracy wanted of exact propagation where the contact is damped.
+const EXACT: f64 = 1e-9;
 /// The accuracy wanted of cases that stay near their law.
 const CLOSE: f64 = 1e-7;
 /// The accuracy wanted of cases that multiply small differences.
@@ -300,4 +302,24 @@ cases! {
     heavy_rocker_thrown_off: "map_J1_c5e7_nu10_M600", THROWN_OFF;
     soft_heavy_rocker_thrown_off: "map_J1_c0.25e7_nu5_M600", THROWN_OFF;
     one_mass_undamped: "one_mass_undamped", THROWN_OFF;
+}
+
+macro_rules! exact_cases {
+    ($($test:ident: $name:literal, $share:ident;)*) => {
+        $(#[test] fn $test() { compare($name, Some(Method::Exact), $share); })*
+    };
+}
+
+exact_cases! {
+    exact_one_mass_damped: "one_mass_damped", EXACT;
+    exact_two_mass_damped: "two_mass_damped", EXACT;
+    exact_ten_mass_damped: "ten_mass_damped", EXACT;
+    exact_ten_mass_closed: "ten_mass_closed", EXACT;
+    exact_two_mass_gap_form_closed: "two_mass_gap_form_closed", EXACT;
+    exact_light_rocker_stays_closed: "map_J0.05_c0.25e7_nu10_M600", EXACT;
+    exact_slow_rocker_stays_closed: "map_J0.5_c2e7_nu1_M600", EXACT;
+    exact_heavy_rocker_closed_hard: "map_J1_c1e7_nu10_M6000", EXACT;
+    exact_heavy_rocker_thrown_off: "map_J1_c5e7_nu10_M600", EXACT;
+    exact_soft_heavy_rocker_thrown_off: "map_J1_c0.25e7_nu5_M600", EXACT;
+    exact_one_mass_undamped: "one_mass_undamped", CLOSE;
 }

@@ -2,6 +2,8 @@
 
 use super::document::can_open;
 use super::settings::RunSettings;
+use crate::exact::Parts;
+use crate::fault::Fault;
 use crate::integrate::{Dynamics, Method, Situation, choose};
 use crate::model::{Model, NodeMotion, ObjectPart, Start};
 use crate::system::System;
@@ -17,26 +19,56 @@ pub(super) struct Choice {
     pub(super) name: &'static str,
     /// Why this one.
     pub(super) why: String,
+    /// What is propagated exactly, when the method is `exact`.
+    pub(super) parts: Option<Parts>,
 }
 
 /// The method asked for, or the one that suits the system.
-pub(super) fn choose_method(system: &System, settings: &RunSettings) -> Choice {
+///
+/// # Errors
+/// `exact` is asked for and cannot be used, with every reason.
+pub(super) fn choose_method(system: &System, settings: &RunSettings) -> Result<Choice, Vec<Fault>> {
     if system.coordinates() == 0 {
-        return Choice {
+        return Ok(Choice {
             method: Method::Dop853,
             name: "kinematic",
             why: "nothing is elastic: the motion follows from the drives".to_owned(),
-        };
+            parts: None,
+        });
     }
-    let (method, why) = match settings.method {
-        Some(method) => (method, "asked for".to_owned()),
-        None => choose(&situation(system, settings)),
+    let (method, why, parts) = match settings.method {
+        Some(Method::Exact) => (
+            Method::Exact,
+            "asked for".to_owned(),
+            Some(super::exact::whole(system)?),
+        ),
+        Some(method) => (method, "asked for".to_owned(), None),
+        None => match super::exact::whole(system) {
+            Ok(parts) => (Method::Exact, why_exact(&parts), Some(parts)),
+            Err(_) => {
+                let (method, why) = choose(&situation(system, settings));
+                (method, why, None)
+            }
+        },
     };
-    Choice {
+    Ok(Choice {
         method,
         name: method.name(),
         why,
-    }
+        parts,
+    })
+}
+
+/// Why a system is propagated exactly.
+fn why_exact(parts: &Parts) -> String {
+    let trees = match parts.trees.len() {
+        1 => String::new(),
+        count => format!(" in each of {count} branches"),
+    };
+    format!(
+        "between switches the motion{trees} is linear and its drive is prescribed: \
+         it is known in closed form, and only the switches are searched for"
+    )
 }
 
 /// What the choice depends on.

@@ -2,6 +2,7 @@
 
 pub mod compare;
 mod document;
+pub mod exact;
 pub mod expectations;
 mod kinematic;
 mod method;

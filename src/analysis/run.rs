@@ -55,7 +55,8 @@ impl RunResult {
 /// beside the recorder.
 ///
 /// # Errors
-/// The start cannot be found: no static balance, a position out of reach, …
+/// The start cannot be found: no static balance, a position out of reach, …;
+/// `exact` is asked for and cannot be used.
 pub fn run(
     system: &System,
     settings: &RunSettings,
@@ -64,7 +65,7 @@ pub fn run(
 ) -> Result<RunResult, Vec<Fault>> {
     let initial = system.initial_state()?;
     let window = choose_window(system.model(), settings.duration, settings.window);
-    let choice = choose_method(system, settings);
+    let choice = choose_method(system, settings)?;
     let mut recorder = Recorder::new(
         system,
         RecorderSettings {
@@ -84,14 +85,12 @@ pub fn run(
         step: settings.step,
     };
     let limits = control.limits(settings);
-    let outcome = follow(
-        system,
-        &initial,
-        settings.duration,
-        &plan,
-        &limits,
-        &mut Tee(&mut all),
-    );
+    let sink: &mut dyn Sink = &mut Tee(&mut all);
+    let duration = settings.duration;
+    let outcome = match &choice.parts {
+        Some(parts) => super::exact::follow(system, parts, &initial, duration, &limits, sink),
+        None => follow(system, &initial, duration, &plan, &limits, sink),
+    };
     let recorded = recorder.finish();
     let run = summary(settings, &outcome, &choice, &recorded, window);
     let known_before = system.model().warnings.iter().cloned();

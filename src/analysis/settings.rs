@@ -103,7 +103,7 @@ fn method_named(name: &str) -> Result<Option<Method>, Fault> {
     if name == "auto" {
         return Ok(None);
     }
-    let known = || Method::ALL.into_iter();
+    let known = || std::iter::once(Method::Exact).chain(Method::ALL);
     known()
         .find(|method| method.name() == name)
         .map(Some)
@@ -125,7 +125,7 @@ mod tests {
     #[test]
     fn methods_are_known_by_name() {
         assert_eq!(method_named("auto"), Ok(None));
-        for method in Method::ALL {
+        for method in Method::ALL.into_iter().chain([Method::Exact]) {
             assert_eq!(method_named(method.name()), Ok(Some(method)));
         }
         assert!(method_named("euler").unwrap_err().hint.contains("dop853"));

@@ -61,13 +61,16 @@
 
 mod basis;
 mod bound;
+mod cursor;
 mod eigenvalues;
+mod from_model;
 mod functional;
 mod lanes;
 mod law;
 mod panel;
 mod pencil;
 mod phase;
+pub(crate) mod playback;
 mod polynomial;
 mod problem;
 mod regime;
@@ -82,9 +85,12 @@ mod tests;
 mod track;
 mod watch;
 
-pub use law::{Law, PolynomialSpan, Sine, SpanSource};
+pub use cursor::{Cursor, MOST_ORDERS};
+pub use from_model::{Part, Parts};
+pub use law::{LAW_DEGREE, Law, PolynomialSpan, Sine, SpanSource};
 pub use problem::{
-    Flank, PairState, Refusal, TimeLoad, TreeMass, TreeObject, TreePair, TreeProblem,
+    Flank, ForcePiece, ForceSource, PairState, Refusal, TimeLoad, TreeMass, TreeObject, TreePair,
+    TreeProblem,
 };
 pub use request::{ExactRun, ExactSwitch, Request};
 pub use track::TreeFigures;

@@ -62,7 +62,7 @@ pub(crate) struct Phase {
     pub(crate) degree: usize,
     pub(crate) flights: Vec<Flight>,
     pub(crate) forcing: Forcing,
-    span: Option<PolynomialSpan>,
+    pub(super) span: Option<PolynomialSpan>,
     /// Forces on the masses as polynomials.
     pub(super) force: Vec<f64>,
 }

@@ -112,10 +112,7 @@ impl Phase {
             let f = &mut self.force[i * POLY..(i + 1) * POLY];
             f[0] = basis.flank_force[i] - mass.ground_stiffness * mass.offset;
             for load in &mass.loads {
-                let (value, slope, next) = load.at(start);
-                f[0] += value;
-                f[1] += slope;
-                end = end.min(next);
+                end = end.min(load.add(start, self.low, f));
             }
             for k in 0..=degree {
                 let (first, second) = ((k + 1) as f64, ((k + 1) * (k + 2)) as f64);

@@ -11,7 +11,9 @@
 //! with constant matrices as long as no pair opens or closes: link forces do
 //! not see the law, loads to the ground do.
 
-use super::law::Law;
+use super::law::{LAW_DEGREE, Law, shift};
+use std::fmt;
+use std::sync::Arc;
 
 /// A tree of masses behind a prescribed law.
 #[derive(Clone, Debug)]
@@ -125,31 +127,71 @@ impl TreePair {
     }
 }
 
-/// A load over time: W(t) is linear between the points and constant outside.
-#[derive(Clone, Debug, PartialEq)]
+/// A load over time.
+#[derive(Clone, Debug)]
 pub enum TimeLoad {
     /// W.
     Constant(f64),
-    /// (t, W), t ascending, at least one.
+    /// (t, W), t ascending, at least one; W(t) is linear between the points
+    /// and constant outside.
     Table(Vec<(f64, f64)>),
+    /// Polynomial pieces made when they are reached.
+    Pieces(Arc<dyn ForceSource>),
+}
+
+/// A load in polynomial pieces.
+pub trait ForceSource: fmt::Debug + Send + Sync {
+    /// The piece in force just after `time`.
+    fn piece(&self, time: f64) -> ForcePiece;
+}
+
+/// W on an interval, as a polynomial in τ = t − start.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ForcePiece {
+    /// Where τ = 0 (s).
+    pub start: f64,
+    /// End (s), +∞ for ever.
+    pub end: f64,
+    /// Coefficients of W in powers of τ.
+    pub coefficients: [f64; LAW_DEGREE + 1],
 }
 
 impl TimeLoad {
-    /// Value and slope just after `time`, and the time of the next kink.
-    pub fn at(&self, time: f64) -> (f64, f64, f64) {
+    /// Adds W to a polynomial of at least [`LAW_DEGREE`] + 1 coefficients in
+    /// the time from `time` + `low` on; returns how long it holds (s).
+    pub(crate) fn add(&self, time: f64, low: f64, force: &mut [f64]) -> f64 {
         match self {
-            Self::Constant(value) => (*value, 0.0, f64::INFINITY),
+            Self::Constant(value) => {
+                force[0] += value;
+                f64::INFINITY
+            }
             Self::Table(points) => {
                 let next = points.iter().position(|point| point.0 > time);
                 match next {
-                    Some(0) => (points[0].1, 0.0, points[0].0),
+                    Some(0) => {
+                        force[0] += points[0].1;
+                        points[0].0
+                    }
                     Some(k) => {
                         let (a, b) = (points[k - 1], points[k]);
                         let slope = (b.1 - a.1) / (b.0 - a.0);
-                        (a.1 + slope * (time - a.0), slope, b.0)
+                        force[0] += a.1 + slope * ((time - a.0) + low);
+                        force[1] += slope;
+                        b.0
                     }
-                    None => (points.last().map_or(0.0, |p| p.1), 0.0, f64::INFINITY),
+                    None => {
+                        force[0] += points.last().map_or(0.0, |p| p.1);
+                        f64::INFINITY
+                    }
                 }
+            }
+            Self::Pieces(source) => {
+                let mut piece = source.piece(time);
+                shift(&mut piece.coefficients, (time - piece.start) + low);
+                for (force, c) in force.iter_mut().zip(piece.coefficients) {
+                    *force += c;
+                }
+                piece.end
             }
         }
     }

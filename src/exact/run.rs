@@ -55,6 +55,21 @@ pub(super) struct Workspace<'a> {
     /// Panel in use and whether the object's link transmits force.
     pub(super) variants: Vec<(usize, bool)>,
     pub(super) out: ExactRun,
+    /// Where the run stands, as a double-double (s).
+    pub(super) at: (f64, f64),
+    /// Switches at one and the same instant.
+    stalled: usize,
+}
+
+/// A phase gone through.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Passed {
+    /// Number of its regime.
+    pub(super) regime: usize,
+    /// Its length (s).
+    pub(super) length: f64,
+    /// The watch that ended it; `None`: the end of its validity.
+    pub(super) event: Option<usize>,
 }
 
 /// One track an object, when figures are asked for.
@@ -119,7 +134,7 @@ pub(crate) fn run_plain(
 }
 
 impl<'a> Workspace<'a> {
-    fn new(
+    pub(super) fn new(
         problem: &'a TreeProblem,
         functionals: &'a [Functional],
         first: &'a [usize],
@@ -156,65 +171,100 @@ impl<'a> Workspace<'a> {
                 columns: if request.all_masses { 2 * n } else { 1 },
                 ..ExactRun::default()
             },
+            at: (0.0, 0.0),
+            stalled: 0,
         })
     }
 
     #[inline(always)]
     fn run<A: Arith>(mut self, request: &Request) -> Result<ExactRun, Refusal> {
-        let mut at = (0.0, 0.0);
-        let mut stalled = 0;
         loop {
-            let regime = self.regime()?;
-            self.out.phases += 1;
-            let entry = &self.regimes[regime];
-            // The projection uses q, v up; the tracks look at the copy.
-            self.q_end.copy_from_slice(&self.q);
-            self.v_end.copy_from_slice(&self.v);
-            let (q, v) = (&mut self.q, &mut self.v);
-            self.phase
-                .begin::<A>(self.problem, &entry.basis, entry.steady.as_ref(), at, q, v);
-            let horizon = self.phase.local(request.end).min(self.phase.reach);
-            self.begin_tracks::<A>(regime);
-            let event = self.pass::<A>(regime, horizon)?;
-            let entry = &self.regimes[regime];
-            let s = self.search.e.s;
-            self.phase.state::<A>(
-                &entry.basis,
-                &self.search.e,
-                &mut self.q_end,
-                &mut self.v_end,
-            );
-            self.sampler
-                .phase::<A>(&entry.basis, &self.phase, s, &mut self.out.samples);
-            self.end_tracks::<A>(regime);
-            at = self.phase.time(s);
-            std::mem::swap(&mut self.q, &mut self.q_end);
-            std::mem::swap(&mut self.v, &mut self.v_end);
-            self.zeros.fill(0);
-            if let Some(number) = event {
-                stalled = if s > 0.0 { 0 } else { stalled + 1 };
-                if stalled > 8 * self.states.len() {
-                    return Err(Refusal::new("", "pairs switch without end at one instant"));
-                }
-                self.switch(number, at.0);
-            }
-            if at.0 + at.1 >= request.end || self.out.switches.len() as u64 > request.switches {
+            let passed = self.forward::<A>(request.end)?;
+            self.settle(&passed)?;
+            if self.reached(request.end) || self.out.switches.len() as u64 > request.switches {
                 break;
             }
         }
-        let length = at.0;
+        Ok(self.finish(request))
+    }
+
+    /// The run's figures and end state.
+    fn finish(mut self, request: &Request) -> ExactRun {
+        let length = self.at.0;
         for track in &mut self.tracks {
             track.figures.sigma = track.area / length;
             self.out.figures.push(track.figures);
         }
-        self.out.time = at.0;
-        self.out.complete = at.0 + at.1 >= request.end;
+        self.out.time = self.at.0;
+        self.out.complete = self.reached(request.end);
         self.out.displacement = self.q;
         self.out.speed = self.v;
         self.out.steps = self.search.steps;
         self.out.evaluations = self.search.evaluations;
         self.out.grazing = self.search.grazing;
-        Ok(self.out)
+        self.out
+    }
+
+    /// True when the run stands at `end`.
+    #[inline(always)]
+    pub(super) fn reached(&self, end: f64) -> bool {
+        self.at.0 + self.at.1 >= end
+    }
+
+    /// One phase, up to its switch or to the end of its validity; the run then
+    /// stands there, the switch not yet taken.
+    #[inline(always)]
+    pub(super) fn forward<A: Arith>(&mut self, end: f64) -> Result<Passed, Refusal> {
+        let regime = self.regime()?;
+        self.out.phases += 1;
+        let entry = &self.regimes[regime];
+        // The projection uses q, v up; the tracks look at the copy.
+        self.q_end.copy_from_slice(&self.q);
+        self.v_end.copy_from_slice(&self.v);
+        let (basis, steady) = (&entry.basis, entry.steady.as_ref());
+        let (q, v) = (&mut self.q, &mut self.v);
+        self.phase
+            .begin::<A>(self.problem, basis, steady, self.at, q, v);
+        let horizon = self.phase.local(end).min(self.phase.reach);
+        self.begin_tracks::<A>(regime);
+        let event = self.pass::<A>(regime, horizon)?;
+        let entry = &self.regimes[regime];
+        let s = self.search.e.s;
+        self.phase.state::<A>(
+            &entry.basis,
+            &self.search.e,
+            &mut self.q_end,
+            &mut self.v_end,
+        );
+        self.sampler
+            .phase::<A>(&entry.basis, &self.phase, s, &mut self.out.samples);
+        self.end_tracks::<A>(regime);
+        self.at = self.phase.time(s);
+        std::mem::swap(&mut self.q, &mut self.q_end);
+        std::mem::swap(&mut self.v, &mut self.v_end);
+        self.zeros.fill(0);
+        Ok(Passed {
+            regime,
+            length: s,
+            event,
+        })
+    }
+
+    /// Takes the switch that ended a phase, if one did.
+    #[inline(always)]
+    pub(super) fn settle(&mut self, passed: &Passed) -> Result<(), Refusal> {
+        if let Some(number) = passed.event {
+            self.stalled = if passed.length > 0.0 {
+                0
+            } else {
+                self.stalled + 1
+            };
+            if self.stalled > 8 * self.states.len() {
+                return Err(Refusal::new("", "pairs switch without end at one instant"));
+            }
+            self.switch(number, self.at.0);
+        }
+        Ok(())
     }
 
     /// Takes the tracks into the phase: engaged, or open near the flank that is

@@ -1,6 +1,7 @@
 //! The states of the pairs just after t = 0.
 
 use super::functional::Functional;
+use super::law::LAW_DEGREE;
 use super::pencil::C;
 use super::problem::{Flank, PairState, Refusal, TreeProblem};
 
@@ -140,10 +141,12 @@ fn derivatives(problem: &TreeProblem, states: &[PairState], orders: usize) -> Ve
             if order == 0 {
                 force[i] -= mass.ground_stiffness * mass.offset;
             }
-            for load in &mass.loads {
-                let (value, slope, _) = load.at(0.0);
-                force[i] += [value, slope].get(order).copied().unwrap_or(0.0);
+            let mut load = [0.0; LAW_DEGREE + 1];
+            for own in &mass.loads {
+                own.add(0.0, 0.0, &mut load);
             }
+            let factorial: f64 = (1..=order).map(|k| k as f64).product();
+            force[i] += load.get(order).map_or(0.0, |c| c * factorial);
             let (flanks, count) = mass.pair.flanks();
             let relaxed = match states[i] {
                 _ if count == 0 => 0.0,

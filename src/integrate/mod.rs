@@ -37,6 +37,9 @@ pub const FINEST_TOLERANCE: f64 = 1e-14;
 #[cfg(not(feature = "diffsol"))]
 const WITHOUT_DIFFSOL: &str = "this build of dam has no diffsol: build it with --features diffsol";
 
+/// Why exact propagation cannot be integrated with.
+const EXACT_IS_NO_INTEGRATION: &str = "it propagates whole scenes and integrates nothing";
+
 /// Integrates a system from (`start`, `y0`, `modes`) to `end` into a sink.
 ///
 /// `modes` are those just after `start`; breaks in time at `start` itself have
@@ -84,6 +87,10 @@ pub fn integrate<D: Dynamics>(
                 Method::Rk4 | Method::Dopri5 | Method::Dop853 => ode_solvers_adapter::leg(&mut run),
                 #[cfg(feature = "diffsol")]
                 Method::Bdf | Method::TrBdf2 | Method::Esdirk34 => diffsol_adapter::leg(&mut run),
+                Method::Exact => {
+                    let (time, reason) = (run.from.time, EXACT_IS_NO_INTEGRATION.to_owned());
+                    run.refuse(time, reason);
+                }
                 #[cfg(not(feature = "diffsol"))]
                 Method::Bdf | Method::TrBdf2 | Method::Esdirk34 => {
                     let (time, reason) = (run.from.time, WITHOUT_DIFFSOL.to_owned());

@@ -23,10 +23,14 @@ pub enum Method {
     TrBdf2,
     /// ESDIRK 3(4), L-stable (diffsol).
     Esdirk34,
+    /// Exact propagation between switches ([`crate::exact`]); no method of
+    /// integration: [`super::integrate`] refuses it.
+    Exact,
 }
 
 impl Method {
-    /// All methods, in the order they are presented.
+    /// All methods of integration, in the order they are presented; `exact`
+    /// is not among them.
     pub const ALL: [Self; 6] = [
         Self::Rk4,
         Self::Dopri5,
@@ -45,6 +49,7 @@ impl Method {
             Self::Bdf => "bdf",
             Self::TrBdf2 => "tr_bdf2",
             Self::Esdirk34 => "esdirk34",
+            Self::Exact => "exact",
         }
     }
 }

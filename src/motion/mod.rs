@@ -205,6 +205,16 @@ impl DriveMotion {
         }
     }
 
+    /// Times at which any derivative jumps, ascending: [`Self::breaks`], and
+    /// the points of a table.
+    pub fn joints(&self) -> Vec<f64> {
+        match self {
+            Self::Constant { .. } => Vec::new(),
+            Self::RunUp { time, .. } => vec![*time],
+            Self::Table(spline) => spline.knots().to_vec(),
+        }
+    }
+
     /// Times at which the formula changes.
     pub fn breaks(&self) -> Breaks {
         let points = match self {

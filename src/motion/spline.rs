@@ -126,6 +126,11 @@ impl Spline {
         (self.knots[0], self.knots[self.knots.len() - 1])
     }
 
+    /// The knots, ascending: the third derivative jumps there.
+    pub fn knots(&self) -> &[f64] {
+        &self.knots
+    }
+
     /// True when the spline repeats.
     pub fn is_periodic(&self) -> bool {
         self.periodic

@@ -209,6 +209,26 @@ impl Position {
         }
     }
 
+    /// Where any derivative jumps: [`Self::breaks`], and the points of a table.
+    pub fn joints(&self) -> Breaks {
+        let Self::Table(table) = self else {
+            return self.breaks();
+        };
+        let knots = table.knots();
+        let (first, last) = table.ends();
+        if table.is_periodic() {
+            Breaks {
+                points: knots[..knots.len() - 1].to_vec(),
+                period: Some(last - first),
+            }
+        } else {
+            Breaks {
+                points: knots.to_vec(),
+                period: None,
+            }
+        }
+    }
+
     /// The open interval of φ around `phi` in which the function exists;
     /// `None`: everywhere. At its ends the linkage is in a dead position.
     ///

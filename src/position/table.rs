@@ -80,6 +80,11 @@ impl Table {
         self.spline.ends()
     }
 
+    /// φ of all points: U‴ jumps there.
+    pub fn knots(&self) -> &[f64] {
+        self.spline.knots()
+    }
+
     /// True when the table repeats.
     pub fn is_periodic(&self) -> bool {
         self.spline.is_periodic()

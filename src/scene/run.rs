@@ -77,7 +77,8 @@ pub(super) fn read(slot: Slot<'_>, known: &Known) -> Option<RunSpec> {
 }
 
 fn method(slot: Slot<'_>) -> Option<String> {
-    let mut names = vec![("auto", "auto")];
+    let exact = Method::Exact.name();
+    let mut names = vec![("auto", "auto"), (exact, exact)];
     names.extend(Method::ALL.map(|method| (method.name(), method.name())));
     slot.choice(&names).map(str::to_owned)
 }

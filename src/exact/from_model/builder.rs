@@ -1,0 +1,369 @@
+//! Objects, drivers first, to trees.
+
+use super::course::{Course, straight};
+use super::{MassPlace, Part, Parts, law, load};
+use crate::exact::{Law, Refusal, TimeLoad, TreeMass, TreeObject, TreePair, TreeProblem};
+use crate::model::{
+    Closure, DampingLaw, Law as ModelLaw, LinkBase, Load, LoadLaw, Model, NodeMotion, ObjectPart,
+    Pair, TrackSource,
+};
+use crate::system::System;
+
+/// What a node is to exact propagation.
+#[derive(Clone, Debug)]
+enum Role<'m> {
+    /// Its motion is known: the course and the position functions on the way.
+    Prescribed(Course, Vec<&'m ModelLaw>),
+    /// φ = ratio·φ_mass + offset, of a mass of a tree.
+    Moved(Moved),
+    /// Behind something that cannot be propagated exactly.
+    Unfit,
+}
+
+/// A node that moves with a mass.
+#[derive(Clone, Copy, Debug)]
+struct Moved {
+    tree: usize,
+    mass: usize,
+    ratio: f64,
+    offset: f64,
+}
+
+struct Builder<'m> {
+    system: &'m System,
+    model: &'m Model,
+    roles: Vec<Role<'m>>,
+    trees: Vec<Part>,
+    /// Trees with an object that stands against exact propagation.
+    spoiled: Vec<bool>,
+    refusals: Vec<Refusal>,
+}
+
+/// Takes a system apart.
+pub(super) fn build(system: &System) -> Parts {
+    let model = system.model();
+    let mut builder = Builder {
+        system,
+        model,
+        roles: vec![Role::Unfit; model.nodes.len()],
+        trees: Vec::new(),
+        spoiled: Vec::new(),
+        refusals: Vec::new(),
+    };
+    let mut order: Vec<usize> = (0..model.objects.len()).collect();
+    order.sort_by_key(|&object| model.objects[object].nodes[0]);
+    for object in order {
+        builder.object(object);
+    }
+    for load in &model.loads {
+        builder.load(load);
+    }
+    builder.look_at_tracks();
+    builder.look_at_laws();
+    builder.finish()
+}
+
+impl<'m> Builder<'m> {
+    fn refuse(&mut self, object: usize, reason: impl Into<String>) {
+        let id = &self.model.objects[object].id;
+        self.refusals.push(Refusal::new(id, reason));
+        for (tree, spoiled) in self.trees.iter().zip(&mut self.spoiled) {
+            *spoiled |= tree.objects.contains(&object);
+        }
+    }
+
+    /// Refuses an object and what it hangs on.
+    fn refuse_behind(&mut self, object: usize, role: &Role<'_>, reason: impl Into<String>) {
+        if let Role::Moved(moved) = role {
+            self.spoiled[moved.tree] = true;
+        }
+        self.refuse(object, reason);
+    }
+
+    fn object(&mut self, object: usize) {
+        let part = &self.model.objects[object];
+        let node = part.nodes[0];
+        match &self.model.nodes[node].motion {
+            NodeMotion::Prescribed { motion, .. } => {
+                self.roles[node] = Role::Prescribed(Course::new(motion), Vec::new());
+            }
+            NodeMotion::Rotor { .. } => self.refuse(
+                object,
+                "it is turned by a torque: its motion is not known beforehand",
+            ),
+            NodeMotion::Rigid { law } => self.rigid(object, law),
+            NodeMotion::Mass { law } => self.chain(object, law),
+        }
+    }
+
+    /// What drives an object, with its id.
+    fn driver(&self, law: &ModelLaw) -> Role<'m> {
+        self.roles[law.driver].clone()
+    }
+
+    /// The straight line of a law behind an elastic object.
+    fn line(&mut self, object: usize, law: &ModelLaw, role: &Role<'_>) -> Option<(f64, f64)> {
+        let line = straight(&law.position).map(|(r, o)| (law.lever * r, law.lever * o));
+        if line.is_none() {
+            let driver = self.model.objects[object].driver;
+            let driver = driver.map_or("its driver", |driver| &self.model.objects[driver].id);
+            let reason = format!(
+                "its position function is not a straight line, and `{driver}`, which drives it, \
+                 moves elastically"
+            );
+            self.refuse_behind(object, role, reason);
+        }
+        line
+    }
+
+    fn rigid(&mut self, object: usize, law: &'m ModelLaw) {
+        let node = self.model.objects[object].nodes[0];
+        let role = self.driver(law);
+        self.roles[node] = match &role {
+            Role::Unfit => Role::Unfit,
+            Role::Prescribed(course, laws) => follow(course, laws, law),
+            Role::Moved(moved) => {
+                let Some((ratio, offset)) = self.line(object, law, &role) else {
+                    return;
+                };
+                let on = Moved {
+                    ratio: ratio * moved.ratio,
+                    offset: ratio * moved.offset + offset,
+                    ..*moved
+                };
+                let mass = &mut self.trees[on.tree].problem.masses[on.mass];
+                mass.inertia += on.ratio * on.ratio * self.model.nodes[node].inertia;
+                Role::Moved(on)
+            }
+        };
+    }
+
+    fn chain(&mut self, object: usize, law: &'m ModelLaw) {
+        let role = self.driver(law);
+        let (tree, base) = match &role {
+            Role::Unfit => return,
+            Role::Prescribed(course, laws) => {
+                let Role::Prescribed(course, laws) = follow(course, laws, law) else {
+                    return;
+                };
+                self.trees.push(Part {
+                    problem: TreeProblem {
+                        masses: Vec::new(),
+                        law: law::law(&course, &laws),
+                        displacement: Vec::new(),
+                        speed: Vec::new(),
+                        objects: Vec::new(),
+                    },
+                    masses: Vec::new(),
+                    objects: Vec::new(),
+                    pairs: Vec::new(),
+                });
+                self.spoiled.push(false);
+                (self.trees.len() - 1, None)
+            }
+            Role::Moved(moved) => {
+                let Some((ratio, offset)) = self.line(object, law, &role) else {
+                    return;
+                };
+                let on = Moved {
+                    ratio: ratio * moved.ratio,
+                    offset: ratio * moved.offset + offset,
+                    ..*moved
+                };
+                (moved.tree, Some(on))
+            }
+        };
+        self.masses(object, tree, base);
+    }
+
+    /// Adds the masses of a chain behind `base`, or behind the law itself.
+    fn masses(&mut self, object: usize, tree: usize, base: Option<Moved>) {
+        let part = &self.model.objects[object];
+        let hunt_crossley = "its contact force is not linear (Hunt–Crossley)";
+        let first = self.trees[tree].problem.masses.len();
+        let coordinate = self.system.first_coordinate(object).unwrap_or(0);
+        for (m, (&node, &link)) in part.nodes.iter().zip(&part.links).enumerate() {
+            let link = &self.model.links[link];
+            let problem = &mut self.trees[tree].problem;
+            let mut mass = TreeMass::new(
+                self.model.nodes[node].inertia,
+                (m > 0).then(|| first + m - 1),
+                link.stiffness,
+                link.damping,
+            );
+            if let Some(base) = base {
+                let driver = &problem.masses[base.mass];
+                mass.ratio = base.ratio * driver.ratio;
+                mass.offset = base.ratio * driver.offset + base.offset;
+                if m == 0 {
+                    (mass.parent, mass.lever) = (Some(base.mass), base.ratio);
+                }
+            }
+            let mut linear = true;
+            if let LinkBase::Law { pair } = &link.base {
+                (mass.pair, linear) = tree_pair(pair);
+            }
+            problem.masses.push(mass);
+            problem.displacement.push(0.0);
+            problem.speed.push(0.0);
+            self.trees[tree].masses.push(MassPlace {
+                coordinate: coordinate + m,
+                base: base.map(|base| (base.mass, base.ratio)),
+            });
+            self.roles[node] = Role::Moved(Moved {
+                tree,
+                mass: first + m,
+                ratio: 1.0,
+                offset: 0.0,
+            });
+            if !linear {
+                self.spoiled[tree] = true;
+                self.refuse(object, hunt_crossley);
+            }
+        }
+        let added = &mut self.trees[tree];
+        added.problem.objects.push(TreeObject {
+            first,
+            last: added.problem.masses.len() - 1,
+            driver: base.map(|base| (base.mass, base.ratio)),
+        });
+        added.objects.push(object);
+        if let Some(component) = self.system.pair_component(object) {
+            added.pairs.push((first, component));
+        }
+    }
+
+    fn load(&mut self, load: &'m Load) {
+        let Role::Moved(on) = self.roles[load.node] else {
+            return;
+        };
+        let mass = &mut self.trees[on.tree].problem.masses[on.mass];
+        let r = on.ratio;
+        match &load.law {
+            LoadLaw::Constant(force) => add_constant(mass, r * force),
+            LoadLaw::Spring { rate, preload } => {
+                mass.ground_stiffness += r * r * rate;
+                add_constant(mass, -r * preload);
+                // The mass's own offset is in its spring's force already.
+                add_constant(mass, -r * rate * on.offset);
+            }
+            LoadLaw::Viscous(damping) => mass.ground_damping += r * r * damping,
+            LoadLaw::Pieces { track, pieces } => {
+                let track = &self.model.tracks[*track];
+                let breaks = &track.breaks;
+                let made = match track.source {
+                    TrackSource::Time => load::table(breaks, pieces, r)
+                        .or_else(|| Some(load::load(Course::time(), breaks, pieces, r))),
+                    TrackSource::Node(node) => match &self.roles[node] {
+                        Role::Prescribed(course, _) => {
+                            Some(load::load(course.clone(), breaks, pieces, r))
+                        }
+                        _ => None,
+                    },
+                };
+                match made {
+                    Some(made) => mass.loads.push(made),
+                    None => self.refuse_load(
+                        load,
+                        on,
+                        "depends on a displacement that is not prescribed",
+                    ),
+                }
+            }
+            LoadLaw::Friction { .. } => {
+                self.refuse_load(load, on, "is friction, which is not linear")
+            }
+            LoadLaw::LinearMotor { .. } | LoadLaw::Kloss { .. } | LoadLaw::SpeedTable(_) => {
+                self.refuse_load(load, on, "is a motor's torque over its speed");
+            }
+        }
+    }
+
+    fn refuse_load(&mut self, load: &Load, on: Moved, reason: &str) {
+        self.spoiled[on.tree] = true;
+        let holds = |part: &ObjectPart| part.nodes.contains(&load.node);
+        let object = self.model.objects.iter().position(holds).unwrap_or(0);
+        let name = load.name.rsplit('.').next().unwrap_or(&load.name);
+        let reason = format!("its load `{name}` {reason}");
+        let id = &self.model.objects[object].id;
+        // A load on all masses is one load.
+        if !self
+            .refusals
+            .iter()
+            .any(|r| r.object == *id && r.reason == reason)
+        {
+            self.refuse(object, reason);
+        }
+    }
+
+    /// Dead positions are looked for by the general methods only.
+    fn look_at_tracks(&mut self) {
+        for track in self.model.tracks.iter().filter(|track| track.stops) {
+            if let TrackSource::Node(node) = track.source
+                && matches!(self.roles[node], Role::Prescribed(..))
+            {
+                let reason = "it has dead positions, which a run must look for";
+                self.refuse(track.object, reason);
+            }
+        }
+    }
+
+    /// Laws in spans must have a first one.
+    fn look_at_laws(&mut self) {
+        for tree in 0..self.trees.len() {
+            if let Law::Spans(source) = &self.trees[tree].problem.law
+                && !source.span(0.0).value.is_finite()
+            {
+                self.spoiled[tree] = true;
+                let object = self.trees[tree].objects[0];
+                let reason = "the motion that it follows cannot be fitted to rounding";
+                self.refuse(object, reason);
+            }
+        }
+    }
+
+    fn finish(self) -> Parts {
+        let sound = self.trees.into_iter().zip(&self.spoiled);
+        let course = |role: Role<'_>| match role {
+            Role::Prescribed(course, _) => Some(course),
+            _ => None,
+        };
+        Parts {
+            trees: sound
+                .filter(|(_, spoiled)| !**spoiled)
+                .map(|(tree, _)| tree)
+                .collect(),
+            refusals: self.refusals,
+            courses: self.roles.into_iter().map(course).collect(),
+        }
+    }
+}
+
+fn follow<'m>(course: &Course, laws: &[&'m ModelLaw], law: &'m ModelLaw) -> Role<'m> {
+    let mut all = laws.to_vec();
+    all.push(law);
+    Role::Prescribed(course.through(&law.position, law.lever), all)
+}
+
+fn add_constant(mass: &mut TreeMass, force: f64) {
+    if force == 0.0 {
+        return;
+    }
+    for load in &mut mass.loads {
+        if let TimeLoad::Constant(value) = load {
+            *value += force;
+            return;
+        }
+    }
+    mass.loads.push(TimeLoad::Constant(force));
+}
+
+/// The pair, and whether its force is linear while it is engaged.
+fn tree_pair(pair: &Pair) -> (TreePair, bool) {
+    let linear = pair.law == DampingLaw::KelvinVoigt;
+    match pair.closure {
+        Closure::Bilateral => (TreePair::Bilateral, true),
+        Closure::Force => (TreePair::Force { opens: pair.opens }, linear),
+        Closure::Form => (TreePair::Form { gap: pair.gap }, linear),
+    }
+}

@@ -1,0 +1,264 @@
+//! A motion that the drive prescribes: its law over time, led through the
+//! position functions of rigid objects.
+//!
+//! Where any derivative of it jumps (a *joint*: a break of a law, a point of a
+//! table) a new formula begins. Which formula holds at an instant is decided
+//! once, for the motion just after it; polynomials are then fitted to that
+//! formula alone and end where the motion leaves it.
+
+use crate::breaks::Breaks;
+use crate::motion::DriveMotion;
+use crate::position::Position;
+use std::f64::consts::TAU;
+
+/// Rounding of a place on an axis, in units of the numbers that make it.
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
+
+/// A position function on the way, with its factor.
+#[derive(Clone, Debug)]
+pub(crate) struct Stage {
+    position: Position,
+    lever: f64,
+    breaks: Breaks,
+    joints: Breaks,
+}
+
+impl Stage {
+    /// lever·U.
+    pub(crate) fn new(position: &Position, lever: f64) -> Self {
+        Self {
+            position: position.clone(),
+            lever,
+            breaks: position.breaks(),
+            joints: position.joints(),
+        }
+    }
+}
+
+/// The prescribed motion of a node.
+#[derive(Clone, Debug)]
+pub(crate) struct Course {
+    pub(crate) motion: DriveMotion,
+    pub(crate) stages: Vec<Stage>,
+    /// Breaks and joints of the motion over time.
+    breaks: Breaks,
+    joints: Vec<f64>,
+}
+
+/// The formulas in force just after an instant.
+#[derive(Clone, Debug)]
+pub(crate) struct Formulas {
+    /// Piece of the drive's motion.
+    piece: i64,
+    /// When the motion's formula changes (s).
+    pub(crate) until: f64,
+    /// For each stage its segment, and the limits of its argument.
+    segments: Vec<i64>,
+    pub(crate) limits: Vec<(f64, f64)>,
+}
+
+/// A motion at an instant.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Instant {
+    pub(crate) value: f64,
+    pub(crate) speed: f64,
+    pub(crate) acceleration: f64,
+    /// Sum of the magnitudes that make the acceleration: what it is rounded to.
+    pub(crate) size: f64,
+}
+
+/// How a motion goes on for ever after some time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Rhythm {
+    /// With constant speed (rad/s).
+    Uniform(f64),
+    /// It repeats with this period (s), advanced by so much (rad).
+    Periodic(f64, f64),
+    /// Neither.
+    None,
+}
+
+impl Course {
+    /// A drive's own motion.
+    pub(crate) fn new(motion: &DriveMotion) -> Self {
+        Self {
+            motion: motion.clone(),
+            stages: Vec::new(),
+            breaks: motion.breaks(),
+            joints: motion.joints(),
+        }
+    }
+
+    /// Time itself as a motion.
+    pub(crate) fn time() -> Self {
+        Self::new(&DriveMotion::Constant {
+            speed: 1.0,
+            angle: 0.0,
+        })
+    }
+
+    /// This motion led through one more position function.
+    pub(crate) fn through(&self, position: &Position, lever: f64) -> Self {
+        let mut on = self.clone();
+        on.stages.push(Stage::new(position, lever));
+        on
+    }
+
+    /// Time from which on the drive turns uniformly (s).
+    pub(crate) fn settled(&self) -> f64 {
+        self.joints.last().copied().unwrap_or(0.0).max(0.0)
+    }
+
+    /// The formulas in force just after `time`.
+    pub(crate) fn formulas(&self, time: f64) -> Formulas {
+        let near = |a: f64, b: f64| ROUNDING * a.abs().max(b.abs());
+        let later = |&&joint: &&f64| joint > time + near(time, joint);
+        let until = self.joints.iter().find(later).copied();
+        let piece = self.breaks.locate(time + near(time, 0.0), 1.0);
+        let mut formulas = Formulas {
+            piece,
+            until: until.unwrap_or(f64::INFINITY),
+            segments: Vec::with_capacity(self.stages.len()),
+            limits: Vec::with_capacity(self.stages.len()),
+        };
+        for stage in &self.stages {
+            let limits = self.around(&stage.joints, &formulas, time);
+            // Any place between two joints tells the segment.
+            let inside = match limits {
+                (low, high) if low.is_finite() && high.is_finite() => 0.5 * (low + high),
+                (low, high) if low.is_finite() => low + 1.0 + near(low, high.min(1.0)),
+                (_, high) if high.is_finite() => high - 1.0,
+                _ => 0.0,
+            };
+            formulas.segments.push(stage.breaks.locate(inside, 1.0));
+            formulas.limits.push(limits);
+        }
+        formulas
+    }
+
+    /// The interval between two points of `axis` in which the motion, through
+    /// as many stages as have their formulas, goes on just after `time`.
+    pub(crate) fn around(&self, axis: &Breaks, formulas: &Formulas, time: f64) -> (f64, f64) {
+        if axis.is_empty() {
+            return (f64::NEG_INFINITY, f64::INFINITY);
+        }
+        let depth = formulas.segments.len();
+        let now = self.at(formulas, depth, time);
+        let mut sense = now.speed;
+        if sense.abs() <= ROUNDING * now.value.abs() {
+            // At rest: look where it goes.
+            let ahead = (formulas.until - time).min(1.0) * 1e-4;
+            sense = self.at(formulas, depth, time + ahead).value - now.value;
+        }
+        let nudge = ROUNDING * (now.value.abs() + (now.speed * time).abs());
+        let place = now.value + nudge * if sense < 0.0 { -1.0 } else { 1.0 };
+        axis.edges(axis.locate(place, sense))
+    }
+
+    /// The motion after its first `depth` stages at `time`.
+    pub(crate) fn at(&self, formulas: &Formulas, depth: usize, time: f64) -> Instant {
+        let jet = self.motion.jet(formulas.piece, time);
+        let mut now = Instant {
+            value: jet.value,
+            speed: jet.first,
+            acceleration: jet.second,
+            size: jet.second.abs(),
+        };
+        for (stage, &segment) in self.stages.iter().zip(&formulas.segments).take(depth) {
+            let jet = stage.position.jet(segment, now.value).scaled(stage.lever);
+            let square = now.speed * now.speed;
+            now = Instant {
+                value: jet.value,
+                speed: jet.first * now.speed,
+                acceleration: jet.first * now.acceleration + jet.second * square,
+                size: jet.first.abs() * now.size + jet.second.abs() * square,
+            };
+        }
+        now
+    }
+
+    /// How the motion goes on after [`Self::settled`].
+    pub(crate) fn rhythm(&self) -> Rhythm {
+        let settled = self.settled();
+        let formulas = self.formulas(settled);
+        let mut rhythm = Rhythm::Uniform(self.at(&formulas, 0, settled).speed);
+        for stage in &self.stages {
+            rhythm = stage.rhythm(rhythm);
+        }
+        rhythm
+    }
+}
+
+impl Stage {
+    /// Period of U over its argument and its advance in it; `None`: U is
+    /// straight (`Ok` holds its slope) or repeats nowhere (`Err`).
+    fn period(&self) -> Result<(f64, f64), Option<f64>> {
+        match &self.position {
+            position if straight(position).is_some() => Err(straight(position).map(|line| line.0)),
+            Position::Sine { harmonic, .. } if *harmonic == 0.0 => Err(Some(0.0)),
+            Position::Sine { harmonic, .. } => Ok((TAU / harmonic.abs(), 0.0)),
+            Position::SliderCrank(_) => Ok((TAU, 0.0)),
+            Position::Cam(_) => Ok((TAU, 0.0)),
+            Position::FourBar(linkage) => {
+                let turn = linkage.jet(TAU).value - linkage.jet(0.0).value;
+                if turn.is_finite() {
+                    Ok((TAU, TAU * (turn / TAU).round()))
+                } else {
+                    Err(None)
+                }
+            }
+            Position::Table(table) if table.is_periodic() => {
+                let (first, last) = table.ends();
+                Ok((last - first, 0.0))
+            }
+            _ => Err(None),
+        }
+    }
+
+    fn rhythm(&self, input: Rhythm) -> Rhythm {
+        match (self.period(), input) {
+            (_, Rhythm::None) => Rhythm::None,
+            (_, Rhythm::Uniform(0.0)) => Rhythm::Uniform(0.0),
+            (_, Rhythm::Periodic(time, 0.0)) => Rhythm::Periodic(time, 0.0),
+            (Err(Some(slope)), Rhythm::Uniform(speed)) => {
+                Rhythm::Uniform(self.lever * slope * speed)
+            }
+            (Err(Some(slope)), Rhythm::Periodic(time, advance)) => {
+                Rhythm::Periodic(time, self.lever * slope * advance)
+            }
+            (Err(None), _) => Rhythm::None,
+            (Ok((period, turn)), Rhythm::Uniform(speed)) => {
+                Rhythm::Periodic(period / speed.abs(), self.lever * turn * speed.signum())
+            }
+            (Ok((period, turn)), Rhythm::Periodic(time, advance)) => {
+                let (times, turns) = match whole(advance / period) {
+                    Some(turns) => (1.0, turns),
+                    None => match whole(period / advance) {
+                        Some(times) => (times.abs(), times.signum()),
+                        None => return Rhythm::None,
+                    },
+                };
+                Rhythm::Periodic(time * times, self.lever * turn * turns)
+            }
+        }
+    }
+}
+
+/// Slope and value at zero of a position function that is a straight line.
+pub(crate) fn straight(position: &Position) -> Option<(f64, f64)> {
+    match position {
+        Position::Ratio { ratio, offset } => Some((*ratio, *offset)),
+        Position::Polynomial(c) if c.len() <= 2 => Some((
+            c.get(1).copied().unwrap_or(0.0),
+            c.first().copied().unwrap_or(0.0),
+        )),
+        _ => None,
+    }
+}
+
+/// A ratio that is a whole number of moderate size, other than zero.
+fn whole(ratio: f64) -> Option<f64> {
+    let nearest = ratio.round();
+    let near = (ratio - nearest).abs() <= 1e-12 * nearest.abs();
+    (near && nearest != 0.0 && nearest.abs() <= 64.0).then_some(nearest)
+}

@@ -1,0 +1,310 @@
+//! Polynomials for a prescribed motion, to rounding.
+//!
+//! The motion is interpolated at Chebyshev's points of an interval; the
+//! interval is halved until the last coefficients, beyond the degree that is
+//! kept, are below rounding of the function, and until the coefficients in
+//! powers of the time from its start do not cancel either.
+
+use super::course::{Course, Formulas};
+use crate::exact::LAW_DEGREE;
+use crate::polynomial::{MAX_DEGREE, first_positive};
+use std::sync::LazyLock;
+
+/// Points of an interpolation: three coefficients more than are kept.
+const POINTS: usize = LAW_DEGREE + 4;
+
+/// Greatest coefficient beyond those kept, in units of the rounding of the
+/// function's parts.
+const TAIL: f64 = 16.0 * f64::EPSILON;
+
+/// Greatest ratio of the sum of the coefficients in powers to the function.
+const CANCELLATION: f64 = 60.0;
+
+/// What is fitted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Target {
+    /// The displacement.
+    Displacement,
+    /// The acceleration.
+    Acceleration,
+}
+
+/// A polynomial in the time from its start.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Fit {
+    /// End of its validity (s): a joint, or of accuracy.
+    pub(crate) end: f64,
+    /// Displacement and speed at its start.
+    pub(crate) value: f64,
+    pub(crate) speed: f64,
+    /// Coefficients of the target.
+    pub(crate) coefficients: [f64; LAW_DEGREE + 1],
+    /// Limits that the final displacement was held to.
+    pub(crate) limits: (f64, f64),
+}
+
+/// Tables of the interpolation.
+struct Tables {
+    /// The points in [0, 1].
+    places: [f64; POINTS],
+    /// T_k at the points.
+    values: [[f64; POINTS]; POINTS],
+    /// T_k in powers of s ∈ [0, 1].
+    powers: [[f64; POINTS]; POINTS],
+    /// T_k in Bernstein's form of degree POINTS − 1.
+    bernstein: [[f64; POINTS]; POINTS],
+}
+
+const _: () = assert!(POINTS == MAX_DEGREE + 1);
+
+static TABLES: LazyLock<Tables> = LazyLock::new(|| {
+    let angle = |j: usize| std::f64::consts::PI * (j as f64 + 0.5) / POINTS as f64;
+    let mut powers = [[0.0; POINTS]; POINTS];
+    // T₀ = 1, T₁ = 2s − 1, T_{k+1} = 2(2s − 1)T_k − T_{k−1}: whole numbers.
+    powers[0][0] = 1.0;
+    powers[1][..2].copy_from_slice(&[-1.0, 2.0]);
+    for k in 1..POINTS - 1 {
+        for j in 0..POINTS {
+            let up = if j > 0 { 4.0 * powers[k][j - 1] } else { 0.0 };
+            powers[k + 1][j] = up - 2.0 * powers[k][j] - powers[k - 1][j];
+        }
+    }
+    Tables {
+        places: std::array::from_fn(|j| (0.5 * angle(j)).sin().powi(2)),
+        values: std::array::from_fn(|k| {
+            // cos of the angle measured from the other end: x = 2s − 1 = −cos.
+            std::array::from_fn(|j| {
+                let sign = if k % 2 == 0 { 1.0 } else { -1.0 };
+                sign * (k as f64 * angle(j)).cos()
+            })
+        }),
+        bernstein: std::array::from_fn(bernstein_of),
+        powers,
+    }
+});
+
+/// T_k over [0, 1] in Bernstein's form: (−1)^{k−i}·C(2k, 2i)/C(k, i), raised
+/// to the degree of the tables.
+fn bernstein_of(k: usize) -> [f64; POINTS] {
+    let choose = |n: usize, m: usize| -> f64 {
+        (0..m)
+            .map(|j| (n - j) as f64 / (j + 1) as f64)
+            .product::<f64>()
+            .round()
+    };
+    let mut c = [0.0; POINTS];
+    for (i, c) in c[..=k].iter_mut().enumerate() {
+        let sign = if (k - i) % 2 == 0 { 1.0 } else { -1.0 };
+        *c = sign * choose(2 * k, 2 * i) / choose(k, i);
+    }
+    for degree in k..POINTS - 1 {
+        for i in (0..=degree + 1).rev() {
+            let share = i as f64 / (degree + 1) as f64;
+            let before = if i > 0 { c[i - 1] } else { 0.0 };
+            let own = if i <= degree { c[i] } else { 0.0 };
+            c[i] = share * before + (1.0 - share) * own;
+        }
+    }
+    c
+}
+
+/// Chebyshev's coefficients of a function with given values at the points.
+fn coefficients(values: &[f64; POINTS]) -> [f64; POINTS] {
+    std::array::from_fn(|k| {
+        let row = &TABLES.values[k];
+        let sum: f64 = row.iter().zip(values).map(|(t, f)| t * f).sum();
+        sum * if k == 0 { 1.0 } else { 2.0 } / POINTS as f64
+    })
+}
+
+/// What became of a trial.
+enum Trial {
+    Good(Fit),
+    /// The motion leaves its formula after so many seconds.
+    Leaves(f64),
+    /// Too long.
+    Long,
+}
+
+/// Fits `target` of a course from `time` on, over at most `longest` seconds,
+/// within its formulas there; `axis` holds further places of the displacement
+/// at which the fit ends. `None`: the motion cannot be fitted.
+pub(crate) fn fit(
+    course: &Course,
+    time: f64,
+    longest: f64,
+    target: Target,
+    axis: Option<&crate::breaks::Breaks>,
+) -> Option<Fit> {
+    let formulas = course.formulas(time);
+    let last = axis.map_or((f64::NEG_INFINITY, f64::INFINITY), |axis| {
+        course.around(axis, &formulas, time)
+    });
+    let mut length = longest.min(formulas.until - time);
+    let mut end = if length < longest {
+        formulas.until
+    } else {
+        time + length
+    };
+    for _ in 0..120 {
+        if !(time + length > time) {
+            return None;
+        }
+        match attempt(course, &formulas, last, time, length, target) {
+            Trial::Good(fit) => return Some(Fit { end, ..fit }),
+            Trial::Leaves(after) => length = after,
+            Trial::Long => length *= 0.5,
+        }
+        end = time + length;
+    }
+    None
+}
+
+fn attempt(
+    course: &Course,
+    formulas: &Formulas,
+    last: (f64, f64),
+    time: f64,
+    length: f64,
+    target: Target,
+) -> Trial {
+    let depth = course.stages.len();
+    for (index, &limits) in formulas.limits.iter().chain([&last]).enumerate() {
+        if limits.0.is_finite() || limits.1.is_finite() {
+            match leaves(course, formulas, index, limits, time, length) {
+                Ok(None) => {}
+                Ok(Some(after)) => return Trial::Leaves(after),
+                Err(()) => return Trial::Long,
+            }
+        }
+    }
+    let mut size = 0.0f64;
+    let values = TABLES.places.map(|place| {
+        let now = course.at(formulas, depth, time + place * length);
+        let (value, own) = match target {
+            Target::Displacement => (now.value, now.value.abs()),
+            Target::Acceleration => (now.acceleration, now.size),
+        };
+        size = size.max(own);
+        value
+    });
+    let c = coefficients(&values);
+    let rest = c[LAW_DEGREE + 1..]
+        .iter()
+        .fold(0.0, |m: f64, c| m.max(c.abs()));
+    if !(rest <= TAIL * size) {
+        return Trial::Long;
+    }
+    let kept = c[..=LAW_DEGREE].iter().rposition(|c| c.abs() > TAIL * size);
+    let kept = kept.unwrap_or(0);
+    let mut powers = [0.0; LAW_DEGREE + 1];
+    for (c, row) in c[..=kept].iter().zip(&TABLES.powers) {
+        for (sum, t) in powers.iter_mut().zip(row) {
+            *sum += c * t;
+        }
+    }
+    let sum: f64 = powers.iter().map(|c| c.abs()).sum();
+    if sum > CANCELLATION * size {
+        return Trial::Long;
+    }
+    let mut scale = 1.0;
+    for c in &mut powers {
+        *c *= scale;
+        scale /= length;
+    }
+    let now = course.at(formulas, depth, time);
+    Trial::Good(Fit {
+        end: time + length,
+        value: now.value,
+        speed: now.speed,
+        coefficients: powers,
+        limits: last,
+    })
+}
+
+/// When the displacement after `depth` stages leaves `limits` within `length`;
+/// `Err`: the interval is too long to tell.
+fn leaves(
+    course: &Course,
+    formulas: &Formulas,
+    depth: usize,
+    (low, high): (f64, f64),
+    time: f64,
+    length: f64,
+) -> Result<Option<f64>, ()> {
+    let values = TABLES
+        .places
+        .map(|place| course.at(formulas, depth, time + place * length).value);
+    let c = coefficients(&values);
+    let spread: f64 = c[1..].iter().map(|c| c.abs()).sum();
+    let rest = c[LAW_DEGREE + 1..]
+        .iter()
+        .fold(0.0, |m: f64, c| m.max(c.abs()));
+    // Only the place of the crossing is wanted from it, to be polished.
+    if !(rest <= 1e-9 * spread + TAIL * c[0].abs()) {
+        return Err(());
+    }
+    if c[0] - spread >= low && c[0] + spread <= high {
+        return Ok(None);
+    }
+    let start = course.at(formulas, depth, time).value;
+    let rounding = 8.0 * TAIL * start.abs() + 1e-9 * rest;
+    let mut first: Option<f64> = None;
+    for (edge, sign) in [(low, -1.0), (high, 1.0)] {
+        if !edge.is_finite() {
+            continue;
+        }
+        let mut beyond = [0.0; POINTS];
+        for (c, row) in c.iter().zip(&TABLES.bernstein) {
+            for (sum, b) in beyond.iter_mut().zip(row) {
+                *sum += sign * c * b;
+            }
+        }
+        beyond.iter_mut().for_each(|b| *b -= sign * edge);
+        // It starts inside, or on the edge.
+        let residue = beyond[0];
+        if residue.abs() <= rounding + 1e-12 * spread {
+            beyond.iter_mut().for_each(|b| *b -= residue);
+        }
+        if let Some(s) = first_positive(&beyond) {
+            first = Some(first.map_or(s, |other: f64| other.min(s)));
+        }
+    }
+    let Some(s) = first.filter(|&s| s < 1.0 - 1e-9) else {
+        return Ok(None);
+    };
+    Ok(Some(polish(
+        course,
+        formulas,
+        depth,
+        (low, high),
+        time,
+        s * length,
+    )))
+}
+
+/// The crossing near `after`, by Newton's method on the motion itself.
+fn polish(
+    course: &Course,
+    formulas: &Formulas,
+    depth: usize,
+    (low, high): (f64, f64),
+    time: f64,
+    mut after: f64,
+) -> f64 {
+    let guess = after;
+    for _ in 0..8 {
+        let now = course.at(formulas, depth, time + after);
+        let edge = if now.speed > 0.0 { high } else { low };
+        let next = after - (now.value - edge) / now.speed;
+        // Only a correction of the guess is believed.
+        if !((next - guess).abs() <= 1e-3 * guess) {
+            return guess;
+        }
+        if (next - after).abs() <= f64::EPSILON * (time.abs() + after) {
+            return next;
+        }
+        after = next;
+    }
+    after
+}

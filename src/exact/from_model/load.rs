@@ -1,0 +1,105 @@
+//! Loads that are tables over time, or over a displacement that is prescribed.
+
+use super::course::Course;
+use super::fit::{Target, fit};
+use crate::breaks::Breaks;
+use crate::exact::{ForcePiece, ForceSource, LAW_DEGREE, TimeLoad};
+use crate::model::LinearPiece;
+use std::sync::Arc;
+
+/// A table over a prescribed displacement, times a factor.
+#[derive(Debug)]
+struct CourseLoad {
+    course: Course,
+    breaks: Breaks,
+    pieces: Vec<LinearPiece>,
+    factor: f64,
+}
+
+/// The load `factor`·table(course) over time.
+pub(super) fn load(
+    course: Course,
+    breaks: &Breaks,
+    pieces: &[LinearPiece],
+    factor: f64,
+) -> TimeLoad {
+    TimeLoad::Pieces(Arc::new(CourseLoad {
+        course,
+        breaks: breaks.clone(),
+        pieces: pieces.to_vec(),
+        factor,
+    }))
+}
+
+/// A table over time that does not repeat: straight lines between its points.
+pub(super) fn table(breaks: &Breaks, pieces: &[LinearPiece], factor: f64) -> Option<TimeLoad> {
+    let joined = |k: usize| {
+        let (before, at) = (&pieces[k], breaks.points[k]);
+        let end = before.value + before.slope * (at - before.start);
+        let next = &pieces[k + 1];
+        next.start == at && (end - next.value).abs() <= 1e-12 * (end.abs() + next.value.abs())
+    };
+    let flat = |piece: &LinearPiece| piece.slope == 0.0;
+    let whole = breaks.period.is_none() && pieces.len() == breaks.points.len() + 1;
+    if !(whole && flat(pieces.first()?) && flat(pieces.last()?)) {
+        return None;
+    }
+    if !(0..breaks.points.len()).all(joined) {
+        return None;
+    }
+    let points = breaks.points.iter().zip(&pieces[1..]);
+    Some(TimeLoad::Table(
+        points
+            .map(|(&at, piece)| (at, factor * piece.value))
+            .collect(),
+    ))
+}
+
+impl CourseLoad {
+    fn longest(&self, time: f64) -> f64 {
+        let formulas = self.course.formulas(time);
+        let speed = self.course.at(&formulas, 0, time).speed.abs();
+        let rest = formulas.until - time;
+        if speed > 0.0 {
+            rest.min(std::f64::consts::TAU / speed)
+        } else {
+            rest.min(1e9)
+        }
+    }
+}
+
+impl ForceSource for CourseLoad {
+    fn piece(&self, time: f64) -> ForcePiece {
+        let longest = self.longest(time);
+        let nothing = |value: f64| ForcePiece {
+            start: time,
+            end: f64::INFINITY,
+            coefficients: [value; LAW_DEGREE + 1],
+        };
+        let Some(fit) = fit(
+            &self.course,
+            time,
+            longest,
+            Target::Displacement,
+            Some(&self.breaks),
+        ) else {
+            return nothing(f64::NAN);
+        };
+        let (low, high) = fit.limits;
+        let inside = match (low.is_finite(), high.is_finite()) {
+            (true, true) => 0.5 * (low + high),
+            (true, false) => low + low.abs().max(1.0),
+            (false, true) => high - high.abs().max(1.0),
+            (false, false) => fit.value,
+        };
+        let (index, shift) = self.breaks.piece(self.breaks.locate(inside, 1.0));
+        let piece = self.pieces[index.min(self.pieces.len() - 1)];
+        let mut coefficients = fit.coefficients.map(|c| self.factor * piece.slope * c);
+        coefficients[0] += self.factor * (piece.value - piece.slope * (shift + piece.start));
+        ForcePiece {
+            start: time,
+            end: fit.end,
+            coefficients,
+        }
+    }
+}

@@ -1,0 +1,111 @@
+//! From a model to the trees that can be propagated exactly.
+//!
+//! Every chain of masses behind a motion that its drive prescribes, with all
+//! that hangs on it through constant ratios, is one tree. In the deviation q
+//! from where the rigid mechanism would be, an elastic object behind an elastic
+//! one with the ratio r has u = q − r·q_driver; a rigid object behind an
+//! elastic one adds r²J, r·W, r²c and r²b to the mass that carries it.
+//!
+//! What is not linear in q between switches, or not known beforehand as a
+//! function of time, is refused with the object and the reason.
+
+mod builder;
+mod course;
+mod fit;
+mod law;
+mod load;
+#[cfg(test)]
+mod tests;
+
+pub(crate) use course::Course;
+pub(crate) use fit::{Target, fit};
+
+use super::{ExactTree, PairState, Refusal, TreeProblem};
+use crate::system::System;
+
+/// The parts of a system that can be propagated exactly, and why others cannot.
+#[derive(Debug)]
+pub struct Parts {
+    /// One for each tree of masses.
+    pub trees: Vec<Part>,
+    /// Objects that stand against it, with the reason.
+    pub refusals: Vec<Refusal>,
+    /// The prescribed motions, by node of the model.
+    pub(crate) courses: Vec<Option<Course>>,
+}
+
+/// A tree of masses behind one prescribed law.
+#[derive(Debug)]
+pub struct Part {
+    /// The tree; displacements and speeds at t = 0 still zero.
+    problem: TreeProblem,
+    /// For each mass its coordinate of the system, and the mass and ratio that
+    /// its deviation u is measured from.
+    pub(crate) masses: Vec<MassPlace>,
+    /// For each of the tree's objects its index in the model.
+    pub objects: Vec<usize>,
+    /// For each mass whose link holds a pair that can open its component of
+    /// the modes.
+    pub(crate) pairs: Vec<(usize, usize)>,
+}
+
+/// Where a mass is in the system's state.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct MassPlace {
+    /// Its coordinate u.
+    pub(crate) coordinate: usize,
+    /// u = q − ratio·q of another mass.
+    pub(crate) base: Option<(usize, f64)>,
+}
+
+impl Parts {
+    /// Takes a system apart.
+    pub fn of(system: &System) -> Self {
+        builder::build(system)
+    }
+
+    /// True when every coordinate of the system is in a tree, and there is one.
+    pub fn is_whole(&self) -> bool {
+        self.refusals.is_empty() && !self.trees.is_empty()
+    }
+}
+
+impl Part {
+    /// The tree with the state y = [u, u̇] of the system at t = 0.
+    pub fn tree(&self, y: &[f64]) -> ExactTree {
+        let mut problem = self.problem.clone();
+        let n = y.len() / 2;
+        // Drivers stand before what they drive.
+        for (mass, place) in self.masses.iter().enumerate() {
+            let (mut q, mut v) = (y[place.coordinate], y[n + place.coordinate]);
+            if let Some((base, ratio)) = place.base {
+                q += ratio * problem.displacement[base];
+                v += ratio * problem.speed[base];
+            }
+            problem.displacement[mass] = q;
+            problem.speed[mass] = v;
+        }
+        ExactTree::new(problem)
+    }
+
+    /// The tree's description; displacements and speeds are zero.
+    pub fn problem(&self) -> &TreeProblem {
+        &self.problem
+    }
+
+    /// Mode of a pair in the system (0 open, −1 on the lower flank, +1 on the
+    /// upper) for its state in the tree.
+    pub(crate) fn mode(&self, mass: usize, state: PairState) -> i64 {
+        match state {
+            PairState::Engaged(flank) => {
+                let (flanks, _) = self.problem.masses[mass].pair.flanks();
+                if flanks[usize::from(flank)].sign > 0.0 {
+                    -1
+                } else {
+                    1
+                }
+            }
+            PairState::Free | PairState::Pressed(_) => 0,
+        }
+    }
+}

@@ -1,0 +1,125 @@
+//! Which piece of a law or table is in force: tracks over prescribed motions
+//! and over time.
+
+use crate::breaks::Breaks;
+use crate::exact::Parts;
+use crate::exact::from_model::{Course, Target, fit};
+use crate::integrate::{Dynamics, Modes};
+use crate::model::TrackSource;
+use crate::system::System;
+use std::f64::consts::TAU;
+
+/// A track over a prescribed displacement.
+struct Follower<'a> {
+    course: &'a Course,
+    breaks: &'a Breaks,
+    component: usize,
+    /// When it next changes, and to which segment; +∞: not before the end.
+    next: (f64, i64),
+}
+
+/// All tracks of a system.
+pub(super) struct Tracks<'a> {
+    followers: Vec<Follower<'a>>,
+    end: f64,
+}
+
+impl<'a> Tracks<'a> {
+    pub(super) fn new(system: &'a System, parts: &'a Parts, end: f64) -> Self {
+        let model = system.model();
+        let pairs = (0..)
+            .take_while(|&component| system.is_pair(component))
+            .count();
+        let followers = model
+            .tracks
+            .iter()
+            .enumerate()
+            .filter_map(|(index, track)| {
+                let TrackSource::Node(node) = track.source else {
+                    return None;
+                };
+                let course = parts.courses[node].as_ref()?;
+                Some(Follower {
+                    course,
+                    breaks: &track.breaks,
+                    component: pairs + index,
+                    next: (f64::INFINITY, 0),
+                })
+            });
+        Self {
+            followers: followers.collect(),
+            end,
+        }
+    }
+
+    /// Looks for the first changes after the start.
+    pub(super) fn begin(&mut self) {
+        for follower in &mut self.followers {
+            follower.look(0.0, self.end);
+        }
+    }
+
+    /// The next change of any track after `time` (s).
+    pub(super) fn next(&self, system: &System, time: f64, modes: &Modes) -> f64 {
+        let followers = self.followers.iter().map(|follower| follower.next.0);
+        let over_time = system.next_break(time, modes);
+        followers.fold(over_time, f64::min)
+    }
+
+    /// The components that change at `time`, and their new values.
+    pub(super) fn due(&mut self, system: &System, time: f64, modes: &Modes) -> Vec<(usize, i64)> {
+        let now = time + super::RESOLUTION * time.abs();
+        let mut changes = Vec::new();
+        let mut after = modes.clone();
+        system.pass_break(time, &mut after);
+        for (component, (old, new)) in modes.0.iter().zip(&after.0).enumerate() {
+            if old != new {
+                changes.push((component, *new));
+            }
+        }
+        for follower in &mut self.followers {
+            if follower.next.0 <= now {
+                changes.push((follower.component, follower.next.1));
+                follower.look(follower.next.0, self.end);
+            }
+        }
+        changes
+    }
+}
+
+impl Follower<'_> {
+    /// Finds the next change after `time`, up to `end`.
+    fn look(&mut self, mut time: f64, end: f64) {
+        self.next = (f64::INFINITY, 0);
+        let held = self
+            .course
+            .around(self.breaks, &self.course.formulas(time), time);
+        while time < end {
+            let formulas = self.course.formulas(time);
+            let speed = self.course.at(&formulas, 0, time).speed.abs();
+            let turn = if speed > 0.0 { TAU / speed } else { end };
+            let axis = Some(self.breaks);
+            let found = fit(
+                self.course,
+                time,
+                turn.min(end - time).max(1e-12 * end),
+                Target::Displacement,
+                axis,
+            );
+            let Some(found) = found else { return };
+            time = found.end;
+            let formulas = self.course.formulas(time);
+            let (low, high) = self.course.around(self.breaks, &formulas, time);
+            if (low, high) != held {
+                let inside = match (low.is_finite(), high.is_finite()) {
+                    (true, true) => 0.5 * (low + high),
+                    (true, false) => low + low.abs().max(1.0),
+                    (false, true) => high - high.abs().max(1.0),
+                    (false, false) => 0.0,
+                };
+                self.next = (time, self.breaks.locate(inside, 1.0));
+                return;
+            }
+        }
+    }
+}
