@@ -6,8 +6,8 @@ mod spec;
 mod spline;
 pub mod stroke;
 
-pub use law::{Law, LawName, LawSpec, RunLawName, RunLawSpec};
 pub use cycle::{Cycle, CycleSpec};
+pub use law::{Law, LawName, LawSpec, RunLawName, RunLawSpec};
 pub use spec::DriveMotionSpec;
 pub use spline::Spline;
 
@@ -206,11 +206,13 @@ impl DriveMotion {
     }
 
     /// Times at which any derivative jumps, ascending: [`Self::breaks`], and
-    /// the points of a table.
+    /// the points of a table; of a plan that repeats, those of its first cycle.
     pub fn joints(&self) -> Vec<f64> {
         match self {
             Self::Constant { .. } => Vec::new(),
             Self::RunUp { time, .. } => vec![*time],
+            Self::Plan(cycle) => cycle.breaks().points.clone(),
+            Self::LawRunUp(run_up) => run_up.breaks(),
             Self::Table(spline) => spline.knots().to_vec(),
         }
     }

@@ -1,7 +1,7 @@
 //! Drives: where motion comes from.
 
-use super::load::{On, points, read_all};
 use super::law::run_law;
+use super::load::{On, points, read_all};
 use super::motor;
 use super::plan;
 use super::spec::{DriveMotionSpec, DriveSpec};

@@ -173,3 +173,148 @@ fn table(mut slot: Slot<'_>) -> Option<Vec<(f64, f64)>> {
     }
     Some(found)
 }
+
+/// A law named or described outside a scene.
+#[derive(Clone, Debug, PartialEq)]
+pub enum AnyLaw {
+    /// Of a full stroke, from rest to rest.
+    Stroke(LawSpec),
+    /// Of a run-up, from rest to uniform motion.
+    RunUp(RunLawSpec),
+}
+
+impl AnyLaw {
+    /// The law, laid out.
+    ///
+    /// # Errors
+    /// Everything wrong with its numbers.
+    pub fn law(&self) -> Result<Law, Vec<Fault>> {
+        match self {
+            Self::Stroke(spec) => Law::of_stroke(spec),
+            Self::RunUp(spec) => Law::of_run_up(spec),
+        }
+    }
+
+    /// What it is, in a few words.
+    pub fn words(&self) -> String {
+        match self {
+            Self::Stroke(spec) => spec.words(),
+            Self::RunUp(spec) => spec.words(),
+        }
+    }
+}
+
+/// The law of a full stroke as an argument gives it: a name, `scca:b,d`, or
+/// JSON as in a scene.
+///
+/// # Errors
+/// What a scene would be told of it.
+pub fn stroke_law(text: &str) -> Result<LawSpec, Diagnostics> {
+    let text = shorthand(text, "scca", ["b", "d"]);
+    read_argument("law", &text, law)
+}
+
+/// The law of a run-up as an argument gives it: a name, `trapezoid:s1,s2`, or
+/// JSON as in a scene.
+///
+/// # Errors
+/// What a scene would be told of it.
+pub fn run_up_law(text: &str) -> Result<RunLawSpec, Diagnostics> {
+    let text = shorthand(text, "trapezoid", ["s1", "s2"]);
+    read_argument("law", &text, run_law)
+}
+
+/// A law of either kind; of names that both have, the stroke's.
+///
+/// # Errors
+/// What a scene would be told of it.
+pub fn any_law(text: &str) -> Result<AnyLaw, Diagnostics> {
+    let run_up = RunLawName::ALL.iter().any(|name| name.name() == text);
+    let stroke = LawName::ALL.iter().any(|name| name.name() == text);
+    if !stroke && (run_up || text.contains("trapezoid:") || text.contains("\"trapezoid\"")) {
+        if !text.contains("\"sections\"") {
+            return run_up_law(text).map(AnyLaw::RunUp);
+        }
+    }
+    stroke_law(text).map(AnyLaw::Stroke)
+}
+
+/// `kind:1,2` as JSON; anything else as it stands.
+fn shorthand(text: &str, kind: &str, names: [&str; 2]) -> String {
+    let numbers = text
+        .strip_prefix(kind)
+        .and_then(|rest| rest.strip_prefix(':'))
+        .and_then(|rest| rest.split_once(','));
+    match numbers {
+        Some((one, other)) => {
+            let (one, other) = (one.trim(), other.trim());
+            let [a, b] = names;
+            format!("{{\"{kind}\": {{\"{a}\": {one}, \"{b}\": {other}}}}}")
+        }
+        None => text.to_owned(),
+    }
+}
+
+/// Reads an argument of a command by the declarations of scenes; a text that
+/// is not JSON stands for itself.
+///
+/// # Errors
+/// What a scene would be told of it.
+pub fn read_argument<T>(
+    name: &str,
+    text: &str,
+    read: impl FnOnce(Slot<'_>) -> Option<T>,
+) -> Result<T, Diagnostics> {
+    let mut sources = Sources::default();
+    let source = sources.add(Arc::new(Source {
+        name: name.to_owned(),
+        text: text.to_owned(),
+    }));
+    let node = match parse_fragment(text, source, 0) {
+        Ok(node) => node,
+        Err(faults) if faults.iter().all(|fault| fault.code == "not-json") => Node {
+            place: Place::new(source, 0..text.len()),
+            value: Value::Text(text.to_owned()),
+        },
+        Err(faults) => return Err(Diagnostics::new(sources, faults)),
+    };
+    let mut reader = Reader::new();
+    let (value, _) = reader.read(Some(&node), name, read);
+    match value.filter(|_| reader.diagnostics.is_empty()) {
+        Some(value) => Ok(value),
+        None => Err(Diagnostics::new(sources, reader.diagnostics)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{AnyLaw, any_law, run_up_law, stroke_law};
+    use crate::motion::{LawName, LawSpec, RunLawSpec};
+
+    #[test]
+    fn arguments_name_or_describe_laws() {
+        let named = any_law("modified_sine").unwrap();
+        assert_eq!(named, AnyLaw::Stroke(LawName::ModifiedSine.into()));
+        let cosine = RunLawSpec::Trapezoid { s1: 0.0, s2: 1.0 };
+        assert_eq!(any_law("cosine").unwrap(), AnyLaw::RunUp(cosine));
+        let general = RunLawSpec::Trapezoid { s1: 0.2, s2: 0.3 };
+        assert_eq!(run_up_law("trapezoid:0.2, 0.3").unwrap(), general);
+        assert_eq!(any_law("trapezoid:0.2,0.3").unwrap(), AnyLaw::RunUp(general));
+        let scca = LawSpec::Scca { b: 0.2, d: 0.5 };
+        assert_eq!(stroke_law("scca:0.2,0.5").unwrap(), scca);
+        let table = any_law("{\"table\": [[0, 0], [0.5, 0.5], [1, 1]]}").unwrap();
+        assert!(matches!(table, AnyLaw::Stroke(LawSpec::Table(_))));
+        let sections = r#"{"sections": {"run_up": {"trapezoid": {"s1": 0, "s2": 1}}, "run_out": "sine"}}"#;
+        let law = any_law(sections).unwrap();
+        assert!(matches!(law, AnyLaw::Stroke(LawSpec::Sections(_))));
+    }
+
+    #[test]
+    fn slips_are_told_as_in_a_scene() {
+        let fault = |text: &str| any_law(text).unwrap_err().lines().join("\n");
+        assert!(fault("cycloid").contains("did you mean `cycloidal`"), "{}", fault("cycloid"));
+        assert!(fault("trapezoid:0.7,0.7").contains("together at most 1"));
+        assert!(fault("scca:0.7").contains("unknown law"));
+        assert!(fault("{\"scca\": {\"b\": 0.1}}").contains("no `d`"));
+    }
+}

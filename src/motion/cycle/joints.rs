@@ -31,7 +31,11 @@ pub(super) fn segments(
     let unknowns = plan.solve(&derivatives);
     let Some(unknowns) = unknowns else {
         let message = "the smooth motions do not determine each other";
-        faults.add("stations", message, "prescribe a speed at one of the stations");
+        faults.add(
+            "stations",
+            message,
+            "prescribe a speed at one of the stations",
+        );
         return all;
     };
     let value = |derivative: &Derivative| match *derivative {
@@ -141,7 +145,10 @@ impl Plan<'_> {
     fn check_prescribed(&self, faults: &mut Faults) {
         for (index, station) in self.stations.iter().enumerate() {
             let taken = self.beside(index).iter().any(|&side| self.is_smooth(side));
-            let given = [("speed", station.speed), ("acceleration", station.acceleration)];
+            let given = [
+                ("speed", station.speed),
+                ("acceleration", station.acceleration),
+            ];
             for (name, _) in given.iter().filter(|(_, value)| value.is_some() && !taken) {
                 let message = format!("no smooth motion meets here to take this {name}");
                 let hint = "make the motion before or after it `smooth`";

@@ -50,7 +50,10 @@ fn at(cycle: &Cycle, phi: f64) -> Jet {
 
 #[test]
 fn stations_are_reached_and_the_cycle_repeats() {
-    let spec = CycleSpec { phase: 0.3, ..cam() };
+    let spec = CycleSpec {
+        phase: 0.3,
+        ..cam()
+    };
     let cycle = Cycle::new(&spec).unwrap();
     for turn in [-2.0, 0.0, 3.0] {
         for station in &spec.stations {
@@ -170,7 +173,10 @@ fn uniform_sections_are_taken_over_and_prescribed_derivatives_hold() {
     }
     assert!(cycle.jumps().iter().all(|jump| jump.order == 3));
     // Uniform motion straight from a dwell: hard shocks, listed.
-    let hard = vec![station(0.0, 0.0, Motion::Uniform), station(1.0, 1.0, Motion::Dwell)];
+    let hard = vec![
+        station(0.0, 0.0, Motion::Uniform),
+        station(1.0, 1.0, Motion::Dwell),
+    ];
     let cycle = Cycle::new(&plan(hard, None)).unwrap();
     let hard: Vec<f64> = cycle.jumps().iter().map(|jump| jump.at).collect();
     assert_eq!(hard, [0.0, 1.0]);
@@ -207,7 +213,10 @@ fn faults_name_their_place() {
     assert!(fault.message.contains("not periodic"), "{fault:?}");
     let mut spec = cam();
     spec.stations.push(station(TAU, 0.0, Motion::Dwell));
-    assert_eq!(Cycle::new(&spec).unwrap().jumps(), Cycle::new(&cam()).unwrap().jumps());
+    assert_eq!(
+        Cycle::new(&spec).unwrap().jumps(),
+        Cycle::new(&cam()).unwrap().jumps()
+    );
     let mut spec = cam();
     spec.stations[3].at = 1.2;
     assert_eq!(refused(spec).path, "stations[3].at");

@@ -77,8 +77,7 @@ impl Law {
         let after = !self.run_up;
         let jumps = self.jumps();
         Law::assemble(Parts {
-            filling_after: after
-                .then(|| speed.value / ((1.0 - last) * deceleration.value.abs())),
+            filling_after: after.then(|| speed.value / ((1.0 - last) * deceleration.value.abs())),
             centre_after: after.then(|| last + (1.0 - self.at(last).value) / speed.value),
             filling: speed.value / (speed.at * acceleration.value),
             centre: speed.at - self.value_before(speed.at) / speed.value,

@@ -131,7 +131,10 @@ fn the_family_has_the_samples_of_the_reference() {
             let second = (jet.second - number(sample, "theta2")).abs();
             assert!(second <= scale, "θ″: {second}");
             let third = (jet.third - number(sample, "theta3")).abs();
-            assert!(third <= 1e-12 * law.constants().jerk.value.max(1.0), "θ‴: {third}");
+            assert!(
+                third <= 1e-12 * law.constants().jerk.value.max(1.0),
+                "θ‴: {third}"
+            );
             samples += 1;
         }
     }
@@ -226,8 +229,14 @@ fn strokes_start_and_end_at_rest_and_their_pieces_join() {
     for (name, law) in strokes() {
         let last = law.joints().len();
         let (start, end) = (law.jet(0, 0.0), law.jet(last, 1.0));
-        assert!(start.value.abs() < 1e-15 && (end.value - 1.0).abs() < 1e-15, "{name}");
-        assert!(start.first.abs() < 1e-15 && end.first.abs() < 1e-15, "{name}");
+        assert!(
+            start.value.abs() < 1e-15 && (end.value - 1.0).abs() < 1e-15,
+            "{name}"
+        );
+        assert!(
+            start.first.abs() < 1e-15 && end.first.abs() < 1e-15,
+            "{name}"
+        );
         assert!(law.joints().is_sorted(), "{name}");
         for (piece, &joint) in law.joints().iter().enumerate() {
             let (left, right) = (law.jet(piece, joint), law.jet(piece + 1, joint));
@@ -254,7 +263,10 @@ fn named_laws_are_antisymmetric() {
 fn derivatives_agree_with_differences() {
     let mut laws = strokes();
     for name in RunLawName::ALL {
-        laws.push((name.name().to_owned(), Law::of_run_up(&name.into()).unwrap()));
+        laws.push((
+            name.name().to_owned(),
+            Law::of_run_up(&name.into()).unwrap(),
+        ));
     }
     for (name, law) in laws {
         for (piece, from, to) in law.pieces() {
@@ -317,7 +329,10 @@ fn extremes_are_above_every_sample() {
                 assert!(over(jet.second, found.acceleration.value), "{name}");
                 assert!(over(-jet.second, -found.deceleration.value), "{name}");
                 assert!(over(jet.third.abs(), found.jerk.value), "{name}");
-                assert!(over((jet.first * jet.second).abs(), found.torque_factor), "{name}");
+                assert!(
+                    over((jet.first * jet.second).abs(), found.torque_factor),
+                    "{name}"
+                );
             }
         }
     }
@@ -333,12 +348,20 @@ fn shocks_and_continuity_classes() {
     assert_eq!(class(LawName::Polynomial345.into()), 2);
     assert_eq!(class(LawName::Polynomial4567.into()), 3);
     let jumps = stroke(LawName::Harmonic).constants().jumps;
-    let soft: Vec<f64> = jumps.iter().filter(|j| j.order == 2).map(|j| j.at).collect();
+    let soft: Vec<f64> = jumps
+        .iter()
+        .filter(|j| j.order == 2)
+        .map(|j| j.at)
+        .collect();
     assert_eq!(soft, [0.0, 1.0]);
     same(jumps[0].after, 0.5 * PI * PI, "jump");
     // A run-up without fall passes into uniform motion with a soft shock.
     let jumps = run_up(0.5, 0.0).constants().jumps;
-    let soft: Vec<f64> = jumps.iter().filter(|j| j.order == 2).map(|j| j.at).collect();
+    let soft: Vec<f64> = jumps
+        .iter()
+        .filter(|j| j.order == 2)
+        .map(|j| j.at)
+        .collect();
     assert_eq!(soft, [1.0]);
 }
 
@@ -357,7 +380,10 @@ fn faulty_laws_are_refused_with_their_place() {
     assert_eq!(refused(sections(f64::NAN, 0.0)).path, "sections.skewness");
     assert_eq!(refused(LawSpec::Scca { b: 0.7, d: 0.7 }).path, "scca");
     let moving = polynomial(&[0.0, 1.0], &[1.0, 0.0], &[]);
-    assert_eq!(refused(LawSpec::Polynomial(moving)).path, "polynomial.start");
+    assert_eq!(
+        refused(LawSpec::Polynomial(moving)).path,
+        "polynomial.start"
+    );
     let table = vec![(0.0, 0.0), (0.5, 0.4), (0.9, 1.0)];
     assert_eq!(refused(LawSpec::Table(table)).path, "table");
     // θ = 3τ² − 2τ³ is fastest in the middle: no run-up.

@@ -151,9 +151,7 @@ impl Stroke {
 
     fn law_side(&self, section: &RunSection, tau: f64, after: bool) -> Jet {
         let joints = section.law.joints();
-        let piece = joints.partition_point(|&joint| {
-            if after { joint <= tau } else { joint < tau }
-        });
+        let piece = joints.partition_point(|&joint| if after { joint <= tau } else { joint < tau });
         section.law.jet(piece, tau)
     }
 

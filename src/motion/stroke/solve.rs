@@ -172,11 +172,7 @@ fn check_count(spec: &StrokeSpec, faults: &mut Faults) {
 }
 
 /// The stroke for a known skewness.
-pub(super) fn figures(
-    laws: &Laws,
-    spec: &StrokeSpec,
-    f: f64,
-) -> Result<StrokeFigures, Vec<Fault>> {
+pub(super) fn figures(laws: &Laws, spec: &StrokeSpec, f: f64) -> Result<StrokeFigures, Vec<Fault>> {
     let g = laws.g(f);
     let given_share = match (spec.uniform_stroke, spec.uniform_span) {
         (Some(share), _) => Some(share),
