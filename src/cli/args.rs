@@ -1,5 +1,6 @@
 //! The command line's arguments.
 
+use super::law::args::LawCommand;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
 
@@ -26,6 +27,9 @@ pub(crate) enum Command {
     Show(ShowArgs),
     /// Run a scene for several values of a parameter and compare the figures
     Compare(CompareArgs),
+    /// Laws of motion: list, show, synthesize
+    #[command(subcommand)]
+    Law(LawCommand),
 }
 
 /// What every command on a scene takes.

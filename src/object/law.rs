@@ -1,12 +1,14 @@
-//! Laws of motion in scenes.
+//! Laws of motion in scenes and in arguments of commands.
 
 use super::load::points;
+use crate::diagnostics::{Diagnostics, Place, Source, Sources};
 use crate::fault::Fault;
 use crate::motion::law::{MOST_CONDITIONS, PolynomialSpec, SectionsSpec, TABLE_POINTS};
 use crate::motion::{Law, LawName, LawSpec, RunLawName, RunLawSpec};
-use crate::read::{Bounds, Fields, Slot};
+use crate::read::{Bounds, Fields, Node, Reader, Slot, Value, parse_fragment};
 use crate::units::quantities as q;
 use serde_json::json;
+use std::sync::Arc;
 
 /// Reads the law of a full stroke: a name, or an object with its parameters.
 pub(crate) fn law(slot: Slot<'_>) -> Option<LawSpec> {
@@ -299,12 +301,16 @@ mod tests {
         assert_eq!(any_law("cosine").unwrap(), AnyLaw::RunUp(cosine));
         let general = RunLawSpec::Trapezoid { s1: 0.2, s2: 0.3 };
         assert_eq!(run_up_law("trapezoid:0.2, 0.3").unwrap(), general);
-        assert_eq!(any_law("trapezoid:0.2,0.3").unwrap(), AnyLaw::RunUp(general));
+        assert_eq!(
+            any_law("trapezoid:0.2,0.3").unwrap(),
+            AnyLaw::RunUp(general)
+        );
         let scca = LawSpec::Scca { b: 0.2, d: 0.5 };
         assert_eq!(stroke_law("scca:0.2,0.5").unwrap(), scca);
         let table = any_law("{\"table\": [[0, 0], [0.5, 0.5], [1, 1]]}").unwrap();
         assert!(matches!(table, AnyLaw::Stroke(LawSpec::Table(_))));
-        let sections = r#"{"sections": {"run_up": {"trapezoid": {"s1": 0, "s2": 1}}, "run_out": "sine"}}"#;
+        let sections =
+            r#"{"sections": {"run_up": {"trapezoid": {"s1": 0, "s2": 1}}, "run_out": "sine"}}"#;
         let law = any_law(sections).unwrap();
         assert!(matches!(law, AnyLaw::Stroke(LawSpec::Sections(_))));
     }
@@ -312,7 +318,11 @@ mod tests {
     #[test]
     fn slips_are_told_as_in_a_scene() {
         let fault = |text: &str| any_law(text).unwrap_err().lines().join("\n");
-        assert!(fault("cycloid").contains("did you mean `cycloidal`"), "{}", fault("cycloid"));
+        assert!(
+            fault("cycloid").contains("did you mean `cycloidal`"),
+            "{}",
+            fault("cycloid")
+        );
         assert!(fault("trapezoid:0.7,0.7").contains("together at most 1"));
         assert!(fault("scca:0.7").contains("unknown law"));
         assert!(fault("{\"scca\": {\"b\": 0.1}}").contains("no `d`"));

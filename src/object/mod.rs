@@ -9,7 +9,7 @@ mod chain;
 mod crank;
 mod drive;
 mod geometry;
-pub(crate) mod law;
+pub mod law;
 mod load;
 mod measures;
 mod motor;
