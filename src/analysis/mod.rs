@@ -5,6 +5,7 @@ mod document;
 pub mod exact;
 pub mod expectations;
 mod kinematic;
+pub mod law;
 mod method;
 pub mod run;
 mod settings;

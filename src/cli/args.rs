@@ -27,7 +27,7 @@ pub(crate) enum Command {
     Show(ShowArgs),
     /// Run a scene for several values of a parameter and compare the figures
     Compare(CompareArgs),
-    /// Laws of motion: list, show, synthesize
+    /// Laws of motion: list, show, synthesize, compare
     #[command(subcommand)]
     Law(LawCommand),
 }
@@ -135,7 +135,7 @@ pub(crate) struct CompareArgs {
     pub(crate) time_limit: Option<f64>,
 }
 
-fn positive_seconds(text: &str) -> Result<f64, String> {
+pub(crate) fn positive_seconds(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
         // Duration::from_secs_f64 panics beyond about 1.8e19 s.
         Ok(seconds) if seconds > 0.0 && seconds < 1e15 => Ok(seconds),

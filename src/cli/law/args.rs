@@ -1,5 +1,6 @@
 //! Arguments of `dam law …`.
 
+use crate::cli::args::{SceneArgs, positive_seconds};
 use clap::{Args, Subcommand, ValueEnum};
 
 /// Commands on laws of motion.
@@ -11,6 +12,8 @@ pub(crate) enum LawCommand {
     Show(ShowArgs),
     /// Work out a stroke of run-up, uniform section and run-out
     Synthesize(SynthesizeArgs),
+    /// Rank laws by their constants and by the response of a scene
+    Compare(CompareArgs),
 }
 
 impl LawCommand {
@@ -20,6 +23,7 @@ impl LawCommand {
             Self::List(args) => args.json,
             Self::Show(args) => args.form.json,
             Self::Synthesize(args) => args.form.json,
+            Self::Compare(args) => args.scene.json,
         }
     }
 }
@@ -129,4 +133,44 @@ pub(crate) struct SynthesizeArgs {
     pub(crate) least_torque: Option<f64>,
     #[command(flatten)]
     pub(crate) form: FormArgs,
+}
+
+/// Arguments of `dam law compare`.
+#[derive(Debug, Args)]
+pub(crate) struct CompareArgs {
+    #[command(flatten)]
+    pub(crate) scene: SceneArgs,
+    /// Where the law stands in the scene: valve.position.cam.law
+    #[arg(long, value_name = "PATH")]
+    pub(crate) at: String,
+    /// A law to compare: a name, scca:B,D, or JSON as in a scene; repeat it; default: all named ones
+    #[arg(long, value_name = "LAW")]
+    pub(crate) law: Vec<String>,
+    /// What the laws are ranked by
+    #[arg(long, value_enum, default_value_t = RankBy::ContactForce)]
+    pub(crate) by: RankBy,
+    /// Also find the speed of the drive at which the pair begins to open (some 20 runs a law)
+    #[arg(long)]
+    pub(crate) lift_off: bool,
+    /// Print a table as CSV
+    #[arg(long, conflicts_with = "json")]
+    pub(crate) csv: bool,
+    /// End each run after this much wall-clock time (seconds)
+    #[arg(long, value_name = "SECONDS", value_parser = positive_seconds)]
+    pub(crate) time_limit: Option<f64>,
+}
+
+/// Figures of the response.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum RankBy {
+    /// Residual vibration in the dwells
+    Residual,
+    /// Greatest deviation
+    Deviation,
+    /// Greatest contact force
+    ContactForce,
+    /// Greatest torque asked of the driver
+    DriverTorque,
+    /// Lift-off speed (needs --lift-off)
+    LiftOff,
 }

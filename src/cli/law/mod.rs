@@ -1,6 +1,7 @@
 //! `dam law`: laws of motion.
 
 pub(crate) mod args;
+mod compare;
 mod synthesize;
 
 use super::console;
@@ -21,6 +22,7 @@ pub(crate) fn command(command: &LawCommand) -> Result<Status, Failure> {
         LawCommand::List(args) => list(args)?,
         LawCommand::Show(args) => show(args)?,
         LawCommand::Synthesize(args) => synthesize::command(args)?,
+        LawCommand::Compare(args) => return compare::command(args),
     }
     Ok(Status::Answered)
 }

@@ -1,9 +1,11 @@
 //! Laws of motion as text, tables and diagrams.
 
+mod compare;
 mod stroke;
 #[cfg(test)]
 mod tests;
 
+pub use compare::{comparison_csv, comparison_text};
 pub use stroke::{stroke_chart, stroke_csv, stroke_text};
 
 use super::csv::{number, write};
