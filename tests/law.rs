@@ -71,7 +71,10 @@ fn laws_are_listed_and_shown() {
 #[test]
 fn strokes_are_synthesized_and_refusals_give_the_interval() {
     let basic = ["law", "synthesize", "--run-up", "equilateral_trapezoid"];
-    let with = |more: &[&str]| [&basic[..], more].concat();
+    fn joined<'a>(first: &[&'a str], more: &[&'a str]) -> Vec<&'a str> {
+        [first, more].concat()
+    }
+    let with = |more: &[&'static str]| joined(&basic, more);
     let found = dam(&with(&[
         "--stroke",
         "50 mm",

@@ -132,7 +132,7 @@ mod tests {
         let csv = comparison_csv(&laws).unwrap();
         assert!(csv.starts_with("law,C_v,C_v place"), "{csv}");
         assert!(
-            csv.contains("\nparabolic,2,1,4,1,0,1,8,1,0.002,2,"),
+            csv.contains("\nparabolic,2,1,4,1,0,1,8,1,2e-3,2,"),
             "{csv}"
         );
     }
