@@ -53,11 +53,20 @@ impl<'a> Step<'a> {
 }
 
 /// Value and derivative at s of a polynomial in Bernstein form (de Casteljau
-/// on a copy of at most [`MAX_DEGREE`] + 1 coefficients).
+/// on a copy of at most [`MAX_DEGREE`] + 1 coefficients; sums of powers of
+/// s/(1 − s) for the high degrees of power series).
 pub fn evaluate(coefficients: &[f64], s: f64) -> (f64, f64) {
     let degree = coefficients.len() - 1;
     if degree == 0 {
         return (coefficients[0], 0.0);
+    }
+    if degree > LONG && (0.0..=1.0).contains(&s) {
+        return if s <= 0.5 {
+            evaluate_long(degree, s, |i| coefficients[i])
+        } else {
+            let (value, slope) = evaluate_long(degree, 1.0 - s, |i| coefficients[degree - i]);
+            (value, -slope)
+        };
     }
     let mut work = [0.0; MAX_DEGREE + 1];
     work[..=degree].copy_from_slice(coefficients);
@@ -70,12 +79,68 @@ pub fn evaluate(coefficients: &[f64], s: f64) -> (f64, f64) {
     (work[0] + s * slope, degree as f64 * slope)
 }
 
+/// Degree above which the work of de Casteljau's scheme, a square, tells.
+const LONG: usize = 9;
+
+/// Value and derivative at 0 ≤ s ≤ ½, by Horner's scheme in q = s/(1 − s) ≤ 1 on
+/// the differences from the first coefficient: nothing cancels that is not small.
+fn evaluate_long(degree: usize, s: f64, coefficient: impl Fn(usize) -> f64) -> (f64, f64) {
+    let q = s / (1.0 - s);
+    let first = coefficient(0);
+    let (mut value, mut slope, mut binomial, mut lower) = (0.0, 0.0, 1.0, 1.0);
+    let mut above = coefficient(degree) - first;
+    value = value * q + above;
+    for i in (0..degree).rev() {
+        let here = coefficient(i) - first;
+        binomial *= (i + 1) as f64 / (degree - i) as f64;
+        value = value * q + binomial * here;
+        slope = slope * q + lower * (above - here);
+        lower *= i as f64 / (degree - i) as f64;
+        above = here;
+    }
+    let power = (1.0 - s).powi(degree as i32 - 1);
+    (
+        first + power * (1.0 - s) * value,
+        degree as f64 * power * slope,
+    )
+}
+
 /// Highest degree of a continuous output.
-pub const MAX_DEGREE: usize = 15;
+pub const MAX_DEGREE: usize = 24;
 
 #[cfg(test)]
 mod tests {
-    use super::evaluate;
+    use super::{MAX_DEGREE, evaluate};
+
+    /// Powers have the Bernstein coefficients (i over k)/(d over k).
+    #[test]
+    fn high_degrees_agree_with_powers() {
+        let binomial = |n: usize, k: usize| -> f64 {
+            (0..k).map(|j| (n - j) as f64 / (j + 1) as f64).product()
+        };
+        for degree in [10, 16, MAX_DEGREE] {
+            for power in [1, 2, 7, degree] {
+                let coefficients: Vec<f64> = (0..=degree)
+                    .map(|i| {
+                        if i < power {
+                            0.0
+                        } else {
+                            binomial(i, power) / binomial(degree, power)
+                        }
+                    })
+                    .map(|c| 1e6 + c)
+                    .collect();
+                for k in 0..=20 {
+                    let s = f64::from(k) / 20.0;
+                    let (value, slope) = evaluate(&coefficients, s);
+                    let power = power as i32;
+                    approx::assert_abs_diff_eq!(value - 1e6, s.powi(power), epsilon = 1e-9);
+                    let expected = f64::from(power) * s.powi(power - 1);
+                    approx::assert_abs_diff_eq!(slope, expected, epsilon = 1e-8);
+                }
+            }
+        }
+    }
 
     #[test]
     fn a_cubic_in_bernstein_form_has_its_value_and_slope() {

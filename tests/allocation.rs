@@ -1,6 +1,6 @@
 //! The right-hand side and everything called at every step allocate nothing.
 
-use dam::integrate::Dynamics;
+use dam::integrate::{Dynamics, Limits, Method, Modes, Settings, Sink, Stop, integrate};
 use dam::model::*;
 use dam::motion::DriveMotion;
 use dam::position::{Position, PositionSpec};
@@ -212,4 +212,78 @@ fn nothing_that_a_step_calls_allocates() {
     // The counter counts.
     let kept = Box::new([sum; 3]);
     assert!(ALLOCATIONS.with(Cell::get) > after && kept.len() == 3);
+}
+
+/// A motor that drives a rigid slider-crank and a chain without a gap: nothing
+/// switches.
+fn quiet_model() -> Model {
+    let mut model = model();
+    for node in &mut model.nodes {
+        if let NodeMotion::Mass { law } = &mut node.motion {
+            law.track = None;
+            law.position = Position::Sine {
+                amplitude: 0.3,
+                harmonic: 1.0,
+                phase: 0.0,
+                offset: 0.0,
+            };
+        }
+    }
+    for link in &mut model.links {
+        if let LinkBase::Law { pair } = &mut link.base {
+            pair.closure = Closure::Bilateral;
+            pair.law = DampingLaw::KelvinVoigt;
+            pair.gap = 0.0;
+        }
+    }
+    model.tracks.clear();
+    model
+        .loads
+        .retain(|load| !matches!(load.law, LoadLaw::Pieces { .. } | LoadLaw::SpeedTable(_)));
+    model
+}
+
+/// Listens to nothing.
+struct Nobody;
+
+impl Sink for Nobody {
+    fn start(&mut self, _: f64, _: &[f64], _: &Modes) {}
+    fn step(&mut self, _: &dam::polynomial::Step<'_>, _: &Modes) {}
+    fn switch(&mut self, _: &dam::integrate::SwitchEvent<'_>) {}
+}
+
+#[test]
+fn the_steps_of_the_own_methods_allocate_nothing() {
+    let system = System::new(quiet_model()).unwrap();
+    let start = system.initial_state().unwrap();
+    for method in [Method::Taylor, Method::Rodas5p] {
+        let count = |duration: f64| {
+            let settings = Settings {
+                method,
+                tolerance: 1e-6,
+                step: Some(1e-3),
+            };
+            let limits = Limits {
+                switches: 10,
+                steps: 1_000_000,
+                wall_clock: None,
+                interrupt: None,
+            };
+            let before = ALLOCATIONS.with(Cell::get);
+            let outcome = integrate(
+                &system,
+                0.0,
+                duration,
+                &start.y,
+                &start.modes,
+                &settings,
+                &limits,
+                &mut Nobody,
+            );
+            assert_eq!(outcome.stop, Stop::Complete, "{method}");
+            assert!(outcome.statistics.steps as f64 >= 999.0 * duration);
+            ALLOCATIONS.with(Cell::get) - before
+        };
+        assert_eq!(count(0.05), count(0.5), "{method}");
+    }
 }

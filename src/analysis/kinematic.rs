@@ -91,6 +91,46 @@ impl Dynamics for Driven<'_> {
         }
     }
 
+    fn time_tangent(
+        &self,
+        time: f64,
+        y: &[f64],
+        modes: &Modes,
+        scratch: &mut Scratch,
+        out: &mut [f64],
+    ) {
+        if self.idle {
+            out.fill(0.0);
+        } else {
+            self.system.time_tangent(time, y, modes, scratch, out);
+        }
+    }
+
+    fn expands(&self) -> bool {
+        !self.idle && self.system.expands()
+    }
+
+    fn expand(
+        &self,
+        span: [f64; 2],
+        y: &[f64],
+        dy: &[f64],
+        modes: &Modes,
+        degree: usize,
+        scratch: &mut Scratch,
+        out: &mut [f64],
+    ) -> f64 {
+        self.system.expand(span, y, dy, modes, degree, scratch, out)
+    }
+
+    fn pattern(&self) -> Vec<Vec<usize>> {
+        if self.idle {
+            vec![vec![0]]
+        } else {
+            self.system.pattern()
+        }
+    }
+
     fn extra_signals(
         &self,
         time: f64,

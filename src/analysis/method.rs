@@ -5,7 +5,7 @@ use super::settings::RunSettings;
 use crate::exact::Parts;
 use crate::fault::Fault;
 use crate::integrate::{Dynamics, Method, Situation, choose};
-use crate::model::{Model, NodeMotion, ObjectPart, Start};
+use crate::model::{Model, NodeMotion, Start};
 use crate::system::System;
 
 /// Instants at which the speed of a prescribed drive is looked at.
@@ -73,12 +73,6 @@ fn why_exact(parts: &Parts) -> String {
 
 /// What the choice depends on.
 fn situation(system: &System, settings: &RunSettings) -> Situation {
-    let model = system.model();
-    let damped = |part: &ObjectPart| {
-        part.links
-            .iter()
-            .all(|&link| model.links[link].damping > 0.0)
-    };
     // A run shorter than a turn shows at least its own duration.
     let slowest = 1.0 / settings.duration;
     Situation {
@@ -86,7 +80,7 @@ fn situation(system: &System, settings: &RunSettings) -> Situation {
         resolved: driving_speeds(system, settings.duration)
             .chain(shown_frequencies(system))
             .fold(slowest, f64::max),
-        damped: model.objects.iter().all(damped),
+        expands: system.expands(),
         tolerance: settings.tolerance,
         coordinates: system.coordinates(),
         duration: settings.duration,

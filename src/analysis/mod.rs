@@ -1,12 +1,15 @@
 //! Questions asked of a system: one file a question.
 
+pub mod axis;
 pub mod compare;
 mod document;
 pub mod exact;
 pub mod expectations;
 mod kinematic;
 pub mod law;
+pub mod map;
 mod method;
+pub mod methods;
 pub mod run;
 mod settings;
 pub mod spread;

@@ -104,17 +104,27 @@ fn method_named(name: &str) -> Result<Option<Method>, Fault> {
         return Ok(None);
     }
     let known = || std::iter::once(Method::Exact).chain(Method::ALL);
-    known()
-        .find(|method| method.name() == name)
-        .map(Some)
-        .ok_or_else(|| {
+    match known().find(|method| method.name() == name) {
+        Some(method) if method.is_available() => Ok(Some(method)),
+        Some(method) => Err(without_diffsol(method)),
+        None => {
             let names: Vec<&str> = known().map(Method::name).collect();
-            Fault::new(
+            Err(Fault::new(
                 "run.method",
                 format!("unknown method `{name}`"),
                 format!("one of auto, {}", names.join(", ")),
-            )
-        })
+            ))
+        }
+    }
+}
+
+/// A method that this build of the program does not have.
+fn without_diffsol(method: Method) -> Fault {
+    Fault::new(
+        "run.method",
+        format!("`{method}` is a method of diffsol, which this build of dam does not have"),
+        "build with `cargo build --release --features diffsol`, or use `rodas5p` or `auto`",
+    )
 }
 
 #[cfg(test)]
@@ -125,7 +135,12 @@ mod tests {
     #[test]
     fn methods_are_known_by_name() {
         assert_eq!(method_named("auto"), Ok(None));
-        for method in Method::ALL.into_iter().chain([Method::Exact]) {
+        assert!(super::without_diffsol(Method::Bdf).message.contains("bdf"));
+        for method in Method::ALL
+            .into_iter()
+            .chain([Method::Exact])
+            .filter(|method| method.is_available())
+        {
             assert_eq!(method_named(method.name()), Ok(Some(method)));
         }
         assert!(method_named("euler").unwrap_err().hint.contains("dop853"));

@@ -107,14 +107,14 @@ fn differences(base: &RunResult, loads: &RunResult, tolerance: &RunResult) -> Ve
 }
 
 /// Figures of the mechanism, not of the computation.
-fn is_result(figure: &str) -> bool {
+pub(super) fn is_result(figure: &str) -> bool {
     let of_run = figure.starts_with("run.");
     matches!(figure, "run.time" | "run.switches" | "run.complete")
         || !(of_run || figure.contains(".switch_times."))
 }
 
 /// The model with all loads and gaps multiplied by `factor`.
-fn changed_loads(mut model: Model, factor: f64) -> Model {
+pub(super) fn changed_loads(mut model: Model, factor: f64) -> Model {
     for load in &mut model.loads {
         change_load(&mut load.law, factor);
     }

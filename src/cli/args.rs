@@ -1,5 +1,9 @@
 //! The command line's arguments.
 
+mod methods;
+
+pub(crate) use methods::MethodsArgs;
+
 use super::law::args::LawCommand;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
@@ -30,6 +34,10 @@ pub(crate) enum Command {
     /// Laws of motion: list, show, synthesize, compare
     #[command(subcommand)]
     Law(LawCommand),
+    /// Show a figure over one or two parameters, with a verdict and its cause for every point
+    Map(MapArgs),
+    /// Chart speed against accuracy of every method on a scene, and where and why methods fail
+    Methods(MethodsArgs),
 }
 
 /// What every command on a scene takes.
@@ -133,6 +141,39 @@ pub(crate) struct CompareArgs {
     /// End each run after this much wall-clock time (seconds)
     #[arg(long, value_name = "SECONDS", value_parser = positive_seconds)]
     pub(crate) time_limit: Option<f64>,
+}
+
+/// Arguments of `dam map`.
+#[derive(Debug, Args)]
+pub(crate) struct MapArgs {
+    #[command(flatten)]
+    pub(crate) scene: SceneArgs,
+    /// The parameter along the map: rocker.inertia=0.05:1:20, or …:20:log; a unit may stand after
+    /// the ends: shaft.motion.speed=100:900 rpm:50
+    #[arg(long, value_name = "PATH=FROM:TO:COUNT")]
+    pub(crate) x: String,
+    /// The parameter up the map; without it the map is a curve
+    #[arg(long, value_name = "PATH=FROM:TO:COUNT")]
+    pub(crate) y: Option<String>,
+    /// The figure shown; δ_max of the last elastic object if not given
+    #[arg(long, value_name = "FIGURE")]
+    pub(crate) figure: Option<String>,
+    /// One map for each value: rocker.masses=1,2. Lists that go together are separated by
+    /// semicolons; given several times, the lists multiply
+    #[arg(long, value_name = "PATH=LIST")]
+    pub(crate) panels: Vec<String>,
+    /// Do not run every cell a second time with its loads changed by one part in 10¹⁰: twice as
+    /// fast, but nothing is said of cells whose figure is not determined
+    #[arg(long)]
+    pub(crate) unchecked: bool,
+    /// Threads; one for every processor core if not given
+    #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub(crate) threads: Option<u16>,
+    #[command(flatten)]
+    pub(crate) out: OutArgs,
+    /// Go on where an interrupted map into the same folder was
+    #[arg(long, requires = "out")]
+    pub(crate) resume: bool,
 }
 
 pub(crate) fn positive_seconds(text: &str) -> Result<f64, String> {

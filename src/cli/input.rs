@@ -60,12 +60,21 @@ impl Input {
         self.document.text()
     }
 
+    /// The scene's text as a tree.
+    pub(crate) fn document(&self) -> &Document {
+        &self.document
+    }
+
+    /// Where `from` looks: the folder beside the scene, then what is built in.
+    pub(crate) fn catalogue(&self) -> Layered<'_, dyn Catalogue + Sync, dyn Catalogue + Sync> {
+        Layered(&self.folder, &BuiltIn)
+    }
+
     /// Decodes the scene with further overrides.
     pub(crate) fn decode(&self, further: &[String]) -> Result<Reading, Diagnostics> {
         let mut all = self.overrides.arguments().to_vec();
         all.extend_from_slice(further);
-        let catalogue = Layered(&self.folder, &BuiltIn);
-        self.document.scene(&catalogue, &Overrides::new(all))
+        self.document.scene(&self.catalogue(), &Overrides::new(all))
     }
 
     /// Decodes the scene and builds its system; every fault of one stage at once.

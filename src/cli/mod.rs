@@ -8,7 +8,10 @@ mod console;
 mod failure;
 mod input;
 mod interrupt;
+mod journal;
 mod law;
+mod map;
+mod methods;
 mod output;
 mod progress;
 mod run;
@@ -30,6 +33,8 @@ pub(crate) fn main() -> ExitCode {
         Command::Show(args) => (show::command(args), Some(&args.scene)),
         Command::Compare(args) => (compare::command(args), Some(&args.scene)),
         Command::Law(args) => (law::command(args), None),
+        Command::Map(args) => (map::command(args), Some(&args.scene)),
+        Command::Methods(args) => (methods::command(args), Some(&args.scene)),
     };
     match result {
         Ok(status) => ExitCode::from(status.code()),

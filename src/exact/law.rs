@@ -85,6 +85,18 @@ impl Law {
         }
     }
 
+    /// L and L̇ at an instant.
+    pub fn at(&self, time: f64) -> (f64, f64) {
+        let mut forcing = self.forcing();
+        self.start(time, 0.0, &mut None, &mut forcing);
+        let (mut value, mut speed) = (forcing.law[0], forcing.law[1]);
+        for (z, omega) in forcing.harmonics.iter().zip(self.frequencies()) {
+            value += z.re;
+            speed -= omega * z.im;
+        }
+        (value, speed)
+    }
+
     /// An empty forcing with room for this law's harmonics.
     pub(crate) fn forcing(&self) -> Forcing {
         Forcing {

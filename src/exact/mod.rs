@@ -114,6 +114,16 @@ impl ExactTree {
         }
     }
 
+    /// What it was made from.
+    pub fn problem(&self) -> &TreeProblem {
+        &self.problem
+    }
+
+    /// The law it follows.
+    pub fn law(&self) -> &Law {
+        &self.problem.law
+    }
+
     /// Runs it.
     ///
     /// # Errors

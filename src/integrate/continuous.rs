@@ -20,7 +20,7 @@ const MIDDLE: [f64; 1] = [0.5];
 /// value over the step is least (β ≈ 0.0495).
 const THREE: [f64; 3] = [0.2767, 0.5, 0.7233];
 
-/// Highest degree built here.
+/// Highest degree built from what the right-hand side gives.
 const HIGHEST: usize = 5 + THREE.len();
 
 /// One end of a step.
@@ -121,6 +121,45 @@ impl Output {
         self.length = to.time - from.time;
         self.degree = 5;
         self.fill_ends(from, to);
+    }
+
+    /// The motion itself: power series of all signals of a degree, over a time of
+    /// which the step takes a `share`.
+    pub(super) fn series(
+        &mut self,
+        from: &End,
+        to: &End,
+        series: &[f64],
+        degree: usize,
+        share: f64,
+    ) {
+        self.start = from.time;
+        self.length = to.time - from.time;
+        self.degree = degree;
+        self.coefficients.resize(series.len(), 0.0);
+        self.coefficients.copy_from_slice(series);
+        let rows = self.coefficients.chunks_exact_mut(degree + 1);
+        for (row, (a, b)) in rows.zip(from.signals.iter().zip(&to.signals)) {
+            // c_k·share^k over the binomial (degree over k) …
+            let mut factor = 1.0;
+            for (k, c) in row.iter_mut().enumerate().skip(1) {
+                factor *= share * k as f64 / (degree + 1 - k) as f64;
+                *c *= factor;
+            }
+            // … summed up to Bernstein coefficients, without the value at the
+            // start, so that a great common value costs no digits.
+            row[0] = 0.0;
+            for level in 1..=degree {
+                for k in (level..=degree).rev() {
+                    row[k] += row[k - 1];
+                }
+            }
+            for c in row.iter_mut() {
+                *c += a[0];
+            }
+            row[0] = a[0];
+            row[degree] = b[0];
+        }
     }
 
     /// The quintic through (s, ṡ) of both ends and of the middle of the step.

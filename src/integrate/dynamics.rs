@@ -107,6 +107,50 @@ pub trait Dynamics: Sync {
         out: &mut [f64],
     );
 
+    /// Derivative of `derivatives` with respect to time at a fixed state.
+    fn time_tangent(
+        &self,
+        time: f64,
+        y: &[f64],
+        modes: &Modes,
+        scratch: &mut Self::Scratch,
+        out: &mut [f64],
+    );
+
+    /// True when [`Self::expand`] works. Default: false.
+    fn expands(&self) -> bool {
+        false
+    }
+
+    /// The motion from a state with derivative `dy` as power series in
+    /// s = (t − `time`)/`length`, the modes unchanged: coefficients of the powers
+    /// 0 … `degree` of every signal, one signal after the other, into `out`.
+    /// 2 ≤ `degree` ≤ 24. Returns the share of `length` used up by what the
+    /// series take for granted: at 2, only the first half can be relied on.
+    /// Must not allocate after the first call with a scratch.
+    #[allow(clippy::too_many_arguments)] // a state, what is asked for, and room for it
+    fn expand(
+        &self,
+        [_time, _length]: [f64; 2],
+        _y: &[f64],
+        _dy: &[f64],
+        _modes: &Modes,
+        _degree: usize,
+        _scratch: &mut Self::Scratch,
+        out: &mut [f64],
+    ) -> f64 {
+        out.fill(f64::NAN);
+        f64::INFINITY
+    }
+
+    /// For every coordinate, the coordinates whose value or rate its
+    /// acceleration may depend on, in any modes: where the Jacobian may not be
+    /// zero. Default: all.
+    fn pattern(&self) -> Vec<Vec<usize>> {
+        let count = self.coordinates();
+        vec![(0..count).collect(); count]
+    }
+
     /// The signals beyond the coordinates, each as (s, ṡ, s̈), at a state whose
     /// derivative `dy` is known; `out[0]` is signal n.
     fn extra_signals(

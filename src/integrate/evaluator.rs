@@ -37,13 +37,39 @@ impl<'a, D: Dynamics> Evaluator<'a, D> {
     }
 
     /// Jacobian times `direction`.
-    #[cfg_attr(not(feature = "diffsol"), allow(dead_code))] // until an own implicit method needs it
     pub(super) fn tangent(&self, time: f64, y: &[f64], direction: &[f64], out: &mut [f64]) {
         let modes = self.modes.borrow();
         let mut scratch = self.scratch.borrow_mut();
         self.dynamics
             .tangent(time, y, &modes, direction, &mut scratch, out);
         self.evaluations.set(self.evaluations.get() + 1);
+    }
+
+    /// Derivative with respect to time at a fixed state.
+    pub(super) fn time_tangent(&self, time: f64, y: &[f64], out: &mut [f64]) {
+        let modes = self.modes.borrow();
+        let mut scratch = self.scratch.borrow_mut();
+        self.dynamics
+            .time_tangent(time, y, &modes, &mut scratch, out);
+        self.evaluations.set(self.evaluations.get() + 1);
+    }
+
+    /// The motion as power series, see [`Dynamics::expand`]; counted as one
+    /// evaluation for every order.
+    pub(super) fn expand(
+        &self,
+        span: [f64; 2],
+        y: &[f64],
+        dy: &[f64],
+        degree: usize,
+        out: &mut [f64],
+    ) -> f64 {
+        let modes = self.modes.borrow();
+        let mut scratch = self.scratch.borrow_mut();
+        self.evaluations
+            .set(self.evaluations.get() + degree as u64 - 1);
+        self.dynamics
+            .expand(span, y, dy, &modes, degree, &mut scratch, out)
     }
 
     /// All signals as (s, ṡ, s̈) at a state whose derivative is known.

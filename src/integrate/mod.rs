@@ -18,7 +18,9 @@ mod outcome;
 mod pace;
 #[cfg(test)]
 pub(crate) mod problems;
+mod rosenbrock;
 mod run;
+mod taylor;
 #[cfg(test)]
 mod tests;
 
@@ -85,6 +87,8 @@ pub fn integrate<D: Dynamics>(
         } else {
             match settings.method {
                 Method::Rk4 | Method::Dopri5 | Method::Dop853 => ode_solvers_adapter::leg(&mut run),
+                Method::Taylor => taylor::leg(&mut run),
+                Method::Rodas5p => rosenbrock::leg(&mut run),
                 #[cfg(feature = "diffsol")]
                 Method::Bdf | Method::TrBdf2 | Method::Esdirk34 => diffsol_adapter::leg(&mut run),
                 Method::Exact => {

@@ -17,6 +17,10 @@ pub enum Method {
     Dopri5,
     /// Dormand–Prince 8(5,3) (ode_solvers).
     Dop853,
+    /// Taylor series of an order that follows the tolerance.
+    Taylor,
+    /// Rodas5P, a Rosenbrock method of order 5(4), L-stable.
+    Rodas5p,
     /// Backward differentiation formulas of variable order (diffsol).
     Bdf,
     /// TR-BDF2, L-stable, order 2 (diffsol).
@@ -31,14 +35,22 @@ pub enum Method {
 impl Method {
     /// All methods of integration, in the order they are presented; `exact`
     /// is not among them.
-    pub const ALL: [Self; 6] = [
+    pub const ALL: [Self; 8] = [
         Self::Rk4,
         Self::Dopri5,
         Self::Dop853,
+        Self::Taylor,
+        Self::Rodas5p,
         Self::Bdf,
         Self::TrBdf2,
         Self::Esdirk34,
     ];
+
+    /// True when this build has the method: those of diffsol need the feature
+    /// of that name.
+    pub fn is_available(self) -> bool {
+        cfg!(feature = "diffsol") || !matches!(self, Self::Bdf | Self::TrBdf2 | Self::Esdirk34)
+    }
 
     /// Name in scenes and results.
     pub fn name(self) -> &'static str {
@@ -46,6 +58,8 @@ impl Method {
             Self::Rk4 => "rk4",
             Self::Dopri5 => "dopri5",
             Self::Dop853 => "dop853",
+            Self::Taylor => "taylor",
+            Self::Rodas5p => "rodas5p",
             Self::Bdf => "bdf",
             Self::TrBdf2 => "tr_bdf2",
             Self::Esdirk34 => "esdirk34",

@@ -5,6 +5,8 @@ use super::edges::Edges;
 use super::evaluator::Evaluator;
 use super::locate::{Located, Stretch};
 use super::pace::Pace;
+use super::rosenbrock::Stepper;
+use super::taylor::Series;
 use super::{
     Dynamics, Edge, Guard, Limits, Method, Modes, Settings, Sink, Stop, SwitchEvent, Watch,
 };
@@ -23,6 +25,19 @@ pub(super) enum Verdict {
     Restart,
     /// The run is over.
     Stop,
+}
+
+/// What a method knows of a step between its ends.
+#[derive(Debug)]
+pub(super) enum Given<'g> {
+    /// Nothing: the right-hand side is to be asked.
+    Nothing,
+    /// The state in the middle: of implicit methods, whose steps may pass over
+    /// fast modes, so that the right-hand side does not help.
+    Middle(&'g [f64]),
+    /// The motion itself: power series of all signals of a degree, over a time
+    /// of which the step takes a share.
+    Series(&'g [f64], usize, f64),
 }
 
 /// State of a run between the steps of a method.
@@ -51,6 +66,10 @@ pub(super) struct Run<'a, D: Dynamics> {
     switches_at_once: u32,
     begun: Instant,
     pub(super) pace: Pace,
+    /// The own stiff method, with its memory, once it has been used.
+    pub(super) rosenbrock: Option<Box<Stepper>>,
+    /// Memory of the own method of Taylor series.
+    pub(super) series: Series,
 }
 
 impl<'a, D: Dynamics> Run<'a, D> {
@@ -85,6 +104,8 @@ impl<'a, D: Dynamics> Run<'a, D> {
             switches_at_once: 0,
             begun: Instant::now(),
             pace: Pace::default(),
+            rosenbrock: None,
+            series: Series::default(),
         }
     }
 
@@ -116,22 +137,36 @@ impl<'a, D: Dynamics> Run<'a, D> {
         dy: &[f64],
         middle: Option<&[f64]>,
     ) -> Verdict {
+        self.accept_with(time, y, dy, middle.map_or(Given::Nothing, Given::Middle))
+    }
+
+    /// The same for a step of which something else is known.
+    pub(super) fn accept_with(
+        &mut self,
+        time: f64,
+        y: &[f64],
+        dy: &[f64],
+        given: Given<'_>,
+    ) -> Verdict {
         self.to.set(self.evaluator, time, y, dy);
         if let Some(index) = self.to.not_finite() {
             return self.fail(self.not_finite(index));
         }
         let mut shorter = std::mem::take(&mut self.shorter_middle);
         let edge = self.look_at_edges(&mut shorter);
-        let verdict = edge.map(|edge| match (middle, edge) {
-            (Some(_), Some(edge)) => self.take_step(time, Some(&shorter), Some(edge)),
-            (middle, edge) => self.take_step(time, middle, edge),
+        let verdict = edge.map(|edge| match (given, edge) {
+            (Given::Middle(_), Some(edge)) => {
+                self.take_step(time, Given::Middle(&shorter), Some(edge))
+            }
+            (_, Some(edge)) => self.take_step(time, Given::Nothing, Some(edge)),
+            (given, None) => self.take_step(time, given, None),
         });
         self.shorter_middle = shorter;
         verdict.unwrap_or_else(|verdict| verdict)
     }
 
     /// The step from `from` to `to`, which ends at an `edge` or at `time`.
-    fn take_step(&mut self, time: f64, middle: Option<&[f64]>, edge: Option<Edge>) -> Verdict {
+    fn take_step(&mut self, time: f64, given: Given<'_>, edge: Option<Edge>) -> Verdict {
         if let Some(index) = self.to.not_finite() {
             return self.fail(self.not_finite(index));
         }
@@ -140,9 +175,14 @@ impl<'a, D: Dynamics> Run<'a, D> {
         if time < self.target && edge.is_none() {
             self.pace.last_length = Some(time - self.from.time);
         }
-        let found = match middle {
-            Some(middle) => self.earliest_of_stiff(middle),
-            None => self.earliest_of_smooth(),
+        let found = match given {
+            Given::Middle(middle) => self.earliest_of_stiff(middle),
+            Given::Nothing => self.earliest_of_smooth(),
+            Given::Series(series, degree, share) => {
+                self.output
+                    .series(&self.from, &self.to, series, degree, share);
+                self.earliest()
+            }
         };
         // Trial points beyond a switch may leave the domain; that is no failure.
         self.evaluator.take_not_finite();

@@ -6,7 +6,7 @@ use crate::fault::Fault;
 use crate::model::Coordinate;
 use crate::motion::cycle::{MOST_STATIONS, Motion, Station, USUAL_ORDER};
 use crate::motion::{Cycle, CycleSpec, LawName, LawSpec};
-use crate::read::{Bounds, Fields, Slot, Wanted};
+use crate::read::{Bounds, Fields, Slot, Value, Wanted};
 use crate::units::quantities as q;
 use serde_json::json;
 use std::f64::consts::TAU;
@@ -93,7 +93,18 @@ fn refuse(slot: &mut Slot<'_>, fault: &Fault) {
         Some(number) => format!("station {}: {}", number + 1, fault.message),
         None => fault.message.clone(),
     };
+    let place = number.and_then(|number| {
+        let stations = &slot.node()?.member("stations")?.value;
+        match &stations.value {
+            Value::List(items) => items.get(number).map(|item| item.place.clone()),
+            _ => None,
+        }
+    });
     let refused = slot.refuse("contradiction", message);
+    if let (Some(place), Some(number)) = (place, number) {
+        refused.place = Some(place);
+        refused.path = format!("{}.stations[{number}]", refused.path);
+    }
     if !fault.hint.is_empty() {
         refused.hints.push(fault.hint.clone());
     }

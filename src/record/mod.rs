@@ -18,7 +18,7 @@ pub use audit::EnergyAudit;
 pub use figures::{Figures, FinalState, ObjectFigures, PairFigures, RunSummary, Units};
 pub use recorder::{Recorded, Recorder, RecorderSettings};
 pub use tee::Tee;
-pub use window::{choose_window, drive_cycle};
+pub use window::{choose_window, choose_window_of, drive_cycle};
 
 /// A table over time.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -17,6 +17,18 @@ pub fn choose_window(
     duration: f64,
     asked: Option<(f64, f64)>,
 ) -> Result<[f64; 2], String> {
+    choose_window_of(drive_cycle(model), duration, asked)
+}
+
+/// The same where the drive's cycle is known already.
+///
+/// # Errors
+/// Why there is none, in words.
+pub fn choose_window_of(
+    cycle: Result<f64, String>,
+    duration: f64,
+    asked: Option<(f64, f64)>,
+) -> Result<[f64; 2], String> {
     if let Some((from, to)) = asked {
         return if 0.0 <= from && from < to && to <= duration {
             Ok([from, to])
@@ -26,7 +38,12 @@ pub fn choose_window(
             ))
         };
     }
-    let cycle = drive_cycle(model)?;
+    last_cycle(duration, cycle?)
+}
+
+/// The last whole cycle `[from, to]` (s) of a run over [0, `duration`] that
+/// has at least three.
+fn last_cycle(duration: f64, cycle: f64) -> Result<[f64; 2], String> {
     // A duration meant as a whole number of cycles may fall short by rounding.
     let cycles = (duration / cycle * (1.0 + 1e-12)).floor();
     if cycles < CYCLES_BEFORE_STEADY {

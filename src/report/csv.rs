@@ -50,7 +50,7 @@ pub fn table_csv(table: &Table) -> Result<String, csv::Error> {
 }
 
 /// A header and rows as CSV.
-pub(super) fn write<R>(
+pub(in crate::report) fn write<R>(
     header: impl Iterator<Item = String>,
     rows: impl Iterator<Item = R>,
 ) -> Result<String, csv::Error>
@@ -69,7 +69,7 @@ where
 }
 
 /// The shortest decimal that reads back as the same double.
-pub(super) fn number(value: f64) -> String {
+pub(in crate::report) fn number(value: f64) -> String {
     let plain = value.to_string();
     let scientific = format!("{value:e}");
     if scientific.len() < plain.len() {

@@ -2,6 +2,7 @@
 
 use super::frozen::Frozen;
 use super::passes::{Extent, Work};
+use super::taylor::{Start, Taylor};
 use super::{Scratch, System};
 use crate::integrate::{Dynamics, Edge, Modes, PhysicalStop, Watch};
 use crate::number::Dual;
@@ -15,6 +16,7 @@ impl Scratch {
             dual_work: Work::new(frozen),
             dual_state: vec![Dual::default(); 2 * coordinates],
             dual_accelerations: vec![Dual::default(); coordinates],
+            taylor: None,
         }
     }
 }
@@ -74,6 +76,62 @@ impl Dynamics for System {
         for (out, dual) in accelerations.iter_mut().zip(&scratch.dual_accelerations) {
             *out = dual.derivative;
         }
+    }
+
+    fn time_tangent(
+        &self,
+        time: f64,
+        y: &[f64],
+        modes: &Modes,
+        scratch: &mut Scratch,
+        out: &mut [f64],
+    ) {
+        for (state, &value) in scratch.dual_state.iter_mut().zip(y) {
+            *state = Dual::from(value);
+        }
+        self.frozen.evaluate(
+            Dual::new(time, 1.0),
+            &scratch.dual_state,
+            &modes.0,
+            Extent::Needed,
+            &mut scratch.dual_work,
+            &mut scratch.dual_accelerations,
+        );
+        let (speeds, accelerations) = out.split_at_mut(self.frozen.coordinates);
+        speeds.fill(0.0);
+        for (out, dual) in accelerations.iter_mut().zip(&scratch.dual_accelerations) {
+            *out = dual.derivative;
+        }
+    }
+
+    fn expands(&self) -> bool {
+        self.frozen.expands()
+    }
+
+    fn expand(
+        &self,
+        [time, length]: [f64; 2],
+        y: &[f64],
+        dy: &[f64],
+        modes: &Modes,
+        degree: usize,
+        scratch: &mut Scratch,
+        out: &mut [f64],
+    ) -> f64 {
+        let start = Start {
+            time,
+            y,
+            dy,
+            modes: &modes.0,
+        };
+        let Scratch { work, taylor, .. } = scratch;
+        let taylor = taylor.get_or_insert_with(|| Box::new(Taylor::new(&self.frozen)));
+        self.frozen
+            .expand(&start, degree, length, work, taylor, out)
+    }
+
+    fn pattern(&self) -> Vec<Vec<usize>> {
+        self.frozen.pattern()
     }
 
     fn extra_signals(

@@ -93,13 +93,42 @@ impl System {
     /// (|λ|·h below 2 to 6). With stiffness-proportional damping it can exceed
     /// the fastest frequency many times.
     pub fn fastest_rate(&self) -> f64 {
+        let jacobian = self.engaged_jacobian();
+        let norm = jacobian.norm();
+        if jacobian.is_empty() || !norm.is_finite() {
+            return 0.0;
+        }
+        // The norm bounds every eigenvalue, should the iteration not converge.
+        eigenvalues(jacobian).map_or(norm, |values| {
+            values
+                .iter()
+                .fold(0.0, |a: f64, [re, im]| a.max(re.hypot(*im)))
+        })
+    }
+
+    /// Eigenvalues (real and imaginary part, 1/s) of the system linearised at
+    /// t = 0 with all pairs engaged, damping included; two for each coordinate.
+    /// A method is stable at a step h when every h·λ lies in its region of
+    /// stability. `None` when they cannot be found. Takes time in proportion to
+    /// the cube of the number of coordinates.
+    pub fn eigenvalues(&self) -> Option<Vec<[f64; 2]>> {
+        let jacobian = self.engaged_jacobian();
+        if jacobian.is_empty() {
+            return Some(Vec::new());
+        }
+        jacobian.norm().is_finite().then_some(())?;
+        eigenvalues(jacobian)
+    }
+
+    /// Jacobian on the law at t = 0 with all pairs engaged, in units of the
+    /// scales: numbers of one size, and no less exact.
+    fn engaged_jacobian(&self) -> DMatrix<f64> {
         let n = self.frozen.coordinates;
         let modes = Modes(self.start_modes());
         let y = self.frozen.law_state();
         let mut scratch = self.scratch();
         let mut jacobian = DMatrix::zeros(2 * n, 2 * n);
         let (mut direction, mut column) = (vec![0.0; 2 * n], vec![0.0; 2 * n]);
-        // In units of the scales: numbers of one size, and no less exact.
         for j in 0..2 * n {
             direction[j] = self.scales[j];
             self.tangent(0.0, &y, &modes, &direction, &mut scratch, &mut column);
@@ -108,16 +137,7 @@ impl System {
                 jacobian[(i, j)] = column[i] / self.scales[i];
             }
         }
-        let norm = jacobian.norm();
-        if n == 0 || !norm.is_finite() {
-            return 0.0;
-        }
-        let largest = |schur: Schur<f64, nalgebra::Dyn>| {
-            let values = schur.complex_eigenvalues();
-            values.iter().fold(0.0, |a: f64, b| a.max(b.re.hypot(b.im)))
-        };
-        // The norm bounds every eigenvalue, should the iteration not converge.
-        Schur::try_new(jacobian, f64::EPSILON, 10_000).map_or(norm, largest)
+        jacobian
     }
 
     /// Modes at t = 0 with every pair engaged on its first flank.
@@ -131,6 +151,13 @@ impl System {
         }
         modes
     }
+}
+
+/// Eigenvalues of a real matrix; `None` when the iteration does not converge.
+fn eigenvalues(matrix: DMatrix<f64>) -> Option<Vec<[f64; 2]>> {
+    let schur = Schur::try_new(matrix, f64::EPSILON, 10_000)?;
+    let values = schur.complex_eigenvalues();
+    Some(values.iter().map(|value| [value.re, value.im]).collect())
 }
 
 /// A shape with its largest entry +1.
@@ -304,5 +331,11 @@ mod tests {
         // Damping ratio 10: λ = ω₀·(10 + √99).
         let exact = 1e4 * (10.0 + 99.0f64.sqrt());
         approx::assert_relative_eq!(system.fastest_rate(), exact, max_relative = 1e-9);
+        let mut values = system.eigenvalues().unwrap();
+        values.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        approx::assert_relative_eq!(values[0][0], -exact, max_relative = 1e-9);
+        // The product of both is ω₀².
+        approx::assert_relative_eq!(values[1][0], -1e8 / exact, max_relative = 1e-7);
+        assert!(values.iter().all(|value| value[1] == 0.0));
     }
 }

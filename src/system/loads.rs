@@ -81,6 +81,17 @@ impl FrozenLoad {
         }
     }
 
+    /// Slope of the piece of a table that a segment selects; 0 for other laws.
+    pub(super) fn slope(&self, segment: i64) -> f64 {
+        match (&self.law, &self.argument) {
+            (LoadLaw::Pieces { pieces, .. }, Some(axis)) => {
+                let (index, _) = axis.breaks.piece(segment);
+                pieces[index.min(pieces.len() - 1)].slope
+            }
+            _ => 0.0,
+        }
+    }
+
     /// True for loads that a body at rest does not feel: viscous, friction and
     /// motor torques.
     pub(super) fn needs_speed(&self) -> bool {

@@ -23,6 +23,7 @@ mod observe;
 mod onset;
 mod pairs;
 mod passes;
+mod pattern;
 mod placing;
 mod quantity;
 mod scales;
@@ -32,6 +33,7 @@ mod start_messages;
 #[cfg(test)]
 mod start_tests;
 mod switches;
+mod taylor;
 #[cfg(test)]
 mod testing;
 #[cfg(test)]
@@ -48,6 +50,7 @@ use crate::number::Dual;
 use frozen::Frozen;
 use observe::{Body, ObjectPlace};
 use passes::Work;
+use taylor::Taylor;
 
 /// A model frozen for integration; implements [`crate::integrate::Dynamics`].
 #[derive(Debug)]
@@ -69,6 +72,8 @@ pub struct Scratch {
     dual_work: Work<Dual>,
     dual_state: Vec<Dual>,
     dual_accelerations: Vec<Dual>,
+    /// Series of the motion, once they have been asked for.
+    taylor: Option<Box<Taylor>>,
 }
 
 /// What one object is doing at an instant.

@@ -236,8 +236,10 @@ fn law_sample(frozen: &Frozen, law: &FrozenLaw, motion: &[[f64; 3]]) -> ([f64; 3
     if !inside {
         return ([f64::NAN; 3], 0.0);
     }
-    let mut modes = vec![0; frozen.pairs.len() + frozen.tracks.len()];
+    // Laws without break points look at no modes.
+    let mut modes = Vec::new();
     if let Some(component) = law.component {
+        modes.resize(frozen.pairs.len() + frozen.tracks.len(), 0);
         let track = &frozen.tracks[component - frozen.pairs.len()];
         modes[component] = track.breaks.locate(displacement, speed);
     }

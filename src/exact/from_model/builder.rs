@@ -330,6 +330,14 @@ impl<'m> Builder<'m> {
     }
 
     fn finish(self) -> Parts {
+        let spans = self.roles.iter().filter_map(|role| match role {
+            Role::Prescribed(course, laws) if !laws.is_empty() => match law::law(course, laws) {
+                Law::Spans(source) => Some(source),
+                Law::Harmonic { .. } => None,
+            },
+            _ => None,
+        });
+        let spans = spans.collect();
         let sound = self.trees.into_iter().zip(&self.spoiled);
         let course = |role: Role<'_>| match role {
             Role::Prescribed(course, _) => Some(course),
@@ -342,6 +350,7 @@ impl<'m> Builder<'m> {
                 .collect(),
             refusals: self.refusals,
             courses: self.roles.into_iter().map(course).collect(),
+            spans,
         }
     }
 }

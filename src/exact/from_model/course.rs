@@ -124,12 +124,7 @@ impl Course {
         for stage in &self.stages {
             let limits = self.around(&stage.joints, &formulas, time);
             // Any place between two joints tells the segment.
-            let inside = match limits {
-                (low, high) if low.is_finite() && high.is_finite() => 0.5 * (low + high),
-                (low, high) if low.is_finite() => low + 1.0 + near(low, high.min(1.0)),
-                (_, high) if high.is_finite() => high - 1.0,
-                _ => 0.0,
-            };
+            let inside = within(limits);
             formulas.segments.push(stage.breaks.locate(inside, 1.0));
             formulas.limits.push(limits);
         }
@@ -257,6 +252,16 @@ pub(crate) fn straight(position: &Position) -> Option<(f64, f64)> {
             c.first().copied().unwrap_or(0.0),
         )),
         _ => None,
+    }
+}
+
+/// A place well inside an interval that may be open to one side or both.
+pub(crate) fn within((low, high): (f64, f64)) -> f64 {
+    match (low.is_finite(), high.is_finite()) {
+        (true, true) => 0.5 * (low + high),
+        (true, false) => low + low.abs().max(1.0),
+        (false, true) => high - high.abs().max(1.0),
+        (false, false) => 0.0,
     }
 }
 

@@ -55,7 +55,7 @@ struct Tables {
     bernstein: [[f64; POINTS]; POINTS],
 }
 
-const _: () = assert!(POINTS == MAX_DEGREE + 1);
+const _: () = assert!(POINTS <= MAX_DEGREE + 1);
 
 static TABLES: LazyLock<Tables> = LazyLock::new(|| {
     let angle = |j: usize| std::f64::consts::PI * (j as f64 + 0.5) / POINTS as f64;
@@ -247,8 +247,9 @@ fn leaves(
     if c[0] - spread >= low && c[0] + spread <= high {
         return Ok(None);
     }
-    let start = course.at(formulas, depth, time).value;
-    let rounding = 8.0 * TAIL * start.abs() + 1e-9 * rest;
+    // Beyond an edge is beyond it by more than rounding: the motion may start
+    // and end on one, and rest there.
+    let rounding = TAIL * (spread + c[0].abs()) + rest;
     let mut first: Option<f64> = None;
     for (edge, sign) in [(low, -1.0), (high, 1.0)] {
         if !edge.is_finite() {
@@ -260,17 +261,12 @@ fn leaves(
                 *sum += sign * c * b;
             }
         }
-        beyond.iter_mut().for_each(|b| *b -= sign * edge);
-        // It starts inside, or on the edge.
-        let residue = beyond[0];
-        if residue.abs() <= rounding + 1e-12 * spread {
-            beyond.iter_mut().for_each(|b| *b -= residue);
-        }
+        beyond.iter_mut().for_each(|b| *b -= sign * edge + rounding);
         if let Some(s) = first_positive(&beyond) {
             first = Some(first.map_or(s, |other: f64| other.min(s)));
         }
     }
-    let Some(s) = first.filter(|&s| s < 1.0 - 1e-9) else {
+    let Some(s) = first else {
         return Ok(None);
     };
     Ok(Some(polish(

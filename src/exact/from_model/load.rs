@@ -1,6 +1,6 @@
 //! Loads that are tables over time, or over a displacement that is prescribed.
 
-use super::course::Course;
+use super::course::{Course, within};
 use super::fit::{Target, fit};
 use crate::breaks::Breaks;
 use crate::exact::{ForcePiece, ForceSource, LAW_DEGREE, TimeLoad};
@@ -85,14 +85,9 @@ impl ForceSource for CourseLoad {
         ) else {
             return nothing(f64::NAN);
         };
-        let (low, high) = fit.limits;
-        let inside = match (low.is_finite(), high.is_finite()) {
-            (true, true) => 0.5 * (low + high),
-            (true, false) => low + low.abs().max(1.0),
-            (false, true) => high - high.abs().max(1.0),
-            (false, false) => fit.value,
-        };
-        let (index, shift) = self.breaks.piece(self.breaks.locate(inside, 1.0));
+        let (index, shift) = self
+            .breaks
+            .piece(self.breaks.locate(within(fit.limits), 1.0));
         let piece = self.pieces[index.min(self.pieces.len() - 1)];
         let mut coefficients = fit.coefficients.map(|c| self.factor * piece.slope * c);
         coefficients[0] += self.factor * (piece.value - piece.slope * (shift + piece.start));

@@ -17,11 +17,12 @@ mod load;
 #[cfg(test)]
 mod tests;
 
-pub(crate) use course::Course;
+pub(crate) use course::{Course, within};
 pub(crate) use fit::{Target, fit};
 
-use super::{ExactTree, PairState, Refusal, TreeProblem};
+use super::{ExactTree, PairState, Refusal, SpanSource, TreeProblem};
 use crate::system::System;
+use std::sync::Arc;
 
 /// The parts of a system that can be propagated exactly, and why others cannot.
 #[derive(Debug)]
@@ -32,6 +33,8 @@ pub struct Parts {
     pub refusals: Vec<Refusal>,
     /// The prescribed motions, by node of the model.
     pub(crate) courses: Vec<Option<Course>>,
+    /// Prescribed motions of rigid objects that are made of spans.
+    pub(crate) spans: Vec<Arc<dyn SpanSource>>,
 }
 
 /// A tree of masses behind one prescribed law.

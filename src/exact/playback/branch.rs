@@ -8,8 +8,8 @@ use crate::integrate::Modes;
 /// of its power is then exact to about 1e-12.
 const POWER_RADIANS: f64 = 0.7;
 
-/// Relative size above which the power of a mode matters.
-const POWER_SIZE: f64 = 1e-6;
+/// Relative size of a mode's speed above which its power matters.
+const POWER_SHARE: f64 = 1e-4;
 
 /// 16!·4⁸·1e-15: the error of the polynomial of degree 15 with eight
 /// derivatives given at either end is size·(|λ|h)¹⁶/(16!·4⁸).
@@ -79,15 +79,19 @@ impl<'a> Branch<'a> {
         let s = self.cursor.local(time).clamp(0.0, self.cursor.length());
         let places = self.q.chunks_exact(MOST_ORDERS).map(|q| q[0].abs());
         let mut size = places.fold(0.0, f64::max);
-        self.cursor.lanes(s, |_, own| size = size.max(own));
+        let speeds = self.q.chunks_exact(MOST_ORDERS).map(|q| q[1].abs());
+        let mut speed = speeds.fold(0.0, f64::max);
+        self.cursor.lanes(s, |rate, own| {
+            size = size.max(own);
+            speed = speed.max(rate * own);
+        });
         let mut longest = self.cursor.pace();
         self.cursor.lanes(s, |rate, own| {
             if own <= 1e-17 * size || rate == 0.0 {
                 return;
             }
-            let share = own / size;
-            let mut radians = (HERMITE / share).powf(1.0 / 16.0);
-            if share >= POWER_SIZE {
+            let mut radians = (HERMITE * size / own).powf(1.0 / 16.0);
+            if rate * own >= POWER_SHARE * speed {
                 radians = radians.min(POWER_RADIANS);
             }
             longest = longest.min(radians / rate);

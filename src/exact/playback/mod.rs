@@ -10,6 +10,7 @@
 
 mod bernstein;
 mod branch;
+mod paces;
 mod tracks;
 
 use super::{Parts, Refusal};
@@ -19,6 +20,7 @@ use crate::integrate::{
 use crate::system::{InitialState, Scratch, System};
 use bernstein::{DEGREE, Output};
 use branch::Branch;
+use paces::Paces;
 use std::sync::atomic::Ordering;
 use std::time::Instant;
 use tracks::Tracks;
@@ -70,6 +72,7 @@ pub(crate) fn play(
         system,
         branches,
         tracks: Tracks::new(system, parts, piece.end),
+        paces: Paces::new(&parts.spans),
         modes: initial.modes.clone(),
         y: initial.y.clone(),
         dy: vec![0.0; initial.y.len()],
@@ -92,6 +95,7 @@ struct Player<'a> {
     system: &'a System,
     branches: Vec<Branch<'a>>,
     tracks: Tracks<'a>,
+    paces: Paces<'a>,
     modes: Modes,
     y: Vec<f64>,
     dy: Vec<f64>,
@@ -112,8 +116,8 @@ impl Player<'_> {
         for branch in &self.branches {
             branch.take_modes(&mut self.modes);
         }
+        self.tracks.begin(&mut self.modes);
         sink.start(0.0, &self.y, &self.modes);
-        self.tracks.begin();
         for index in 0..self.branches.len() {
             self.go_on(index);
         }
@@ -121,6 +125,7 @@ impl Player<'_> {
             let ends = self.branches.iter().map(|branch| branch.cursor.time());
             let cut = ends.fold(self.piece.end, f64::min);
             let cut = cut.min(self.tracks.next(self.system, self.time, &self.modes));
+            let cut = cut.min(self.paces.next(self.time));
             self.steps_to(cut, sink);
             if self.stop.is_none() {
                 self.time = cut;
@@ -141,7 +146,8 @@ impl Player<'_> {
             }
             let rest = cut - self.time;
             let longest = self.branches.iter().map(|b| b.longest(self.time));
-            let longest = longest.fold(self.piece.step, f64::min);
+            let greatest = self.piece.step.min(self.paces.longest());
+            let longest = longest.fold(greatest, f64::min);
             // Equal steps, if no more than a few are left.
             let length = rest / (rest / longest).ceil().max(1.0);
             let to = if rest - length <= 0.5 * RESOLUTION * cut.abs() {
@@ -295,4 +301,4 @@ fn gave_up(system: &System, object: usize, refusal: Refusal) -> Stop {
     }
 }
 
-const _: () = assert!(DEGREE == crate::polynomial::MAX_DEGREE);
+const _: () = assert!(DEGREE <= crate::polynomial::MAX_DEGREE);

@@ -3,7 +3,7 @@
 
 use crate::breaks::Breaks;
 use crate::exact::Parts;
-use crate::exact::from_model::{Course, Target, fit};
+use crate::exact::from_model::{Course, Target, fit, within};
 use crate::integrate::{Dynamics, Modes};
 use crate::model::TrackSource;
 use crate::system::System;
@@ -52,9 +52,14 @@ impl<'a> Tracks<'a> {
         }
     }
 
-    /// Looks for the first changes after the start.
-    pub(super) fn begin(&mut self) {
+    /// Sets the segments in which the motion leaves the start (a drive that
+    /// starts from rest on an edge shows only later which way it goes), and
+    /// looks for the first changes.
+    pub(super) fn begin(&mut self, modes: &mut Modes) {
         for follower in &mut self.followers {
+            let formulas = follower.course.formulas(0.0);
+            let limits = follower.course.around(follower.breaks, &formulas, 0.0);
+            modes.0[follower.component] = follower.breaks.locate(within(limits), 1.0);
             follower.look(0.0, self.end);
         }
     }
@@ -111,12 +116,7 @@ impl Follower<'_> {
             let formulas = self.course.formulas(time);
             let (low, high) = self.course.around(self.breaks, &formulas, time);
             if (low, high) != held {
-                let inside = match (low.is_finite(), high.is_finite()) {
-                    (true, true) => 0.5 * (low + high),
-                    (true, false) => low + low.abs().max(1.0),
-                    (false, true) => high - high.abs().max(1.0),
-                    (false, false) => 0.0,
-                };
+                let inside = within((low, high));
                 self.next = (time, self.breaks.locate(inside, 1.0));
                 return;
             }

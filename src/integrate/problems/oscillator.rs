@@ -1,6 +1,6 @@
 //! The oscillator with one mass.
 
-use super::plain_system;
+use super::{Forced, plain_system, sine};
 use crate::integrate::{Dynamics, Modes, Watch};
 use std::f64::consts::TAU;
 
@@ -71,6 +71,11 @@ impl Dynamics for Oscillator {
         out[1] = -self.omega * (self.omega * d[0] + 2.0 * self.damping * d[1]);
     }
 
+    fn time_tangent(&self, t: f64, _: &[f64], _: &Modes, (): &mut (), out: &mut [f64]) {
+        out[0] = 0.0;
+        out[1] = self.amplitude * self.driving * (self.driving * t).cos();
+    }
+
     fn watches(&self, _: &Modes, out: &mut Vec<Watch>) {
         out.clear();
     }
@@ -80,4 +85,10 @@ impl Dynamics for Oscillator {
     }
 
     fn pass_break(&self, _: f64, _: &mut Modes) {}
+}
+
+impl Forced for Oscillator {
+    fn forced(&self, order: usize, span: [f64; 2], _: &[f64], _: usize, out: &mut [f64]) {
+        out[0] += sine(self.amplitude, self.driving, span, order);
+    }
 }

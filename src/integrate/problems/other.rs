@@ -1,7 +1,7 @@
 //! Systems for what the others do not show: breaks in time, a right-hand side
 //! that ends, a mechanism that stops, a signal that is no coordinate.
 
-use super::{plain_system, watch};
+use super::{Forced, plain_system, watch};
 use crate::integrate::{Dynamics, Guard, Modes, PhysicalStop, Watch};
 
 /// u″ jumps at given times: piece k holds from `breaks[k−1]` to `breaks[k]`.
@@ -43,6 +43,10 @@ impl Dynamics for Stepped {
         out[1] = 0.0;
     }
 
+    fn time_tangent(&self, _: f64, _: &[f64], _: &Modes, (): &mut (), out: &mut [f64]) {
+        out.fill(0.0);
+    }
+
     fn watches(&self, _: &Modes, out: &mut Vec<Watch>) {
         out.clear();
     }
@@ -80,6 +84,11 @@ impl Dynamics for Ending {
         out[1] = 0.0;
     }
 
+    fn time_tangent(&self, t: f64, _: &[f64], _: &Modes, (): &mut (), out: &mut [f64]) {
+        out[0] = 0.0;
+        out[1] = -0.5 / (self.end - t).sqrt();
+    }
+
     fn watches(&self, _: &Modes, out: &mut Vec<Watch>) {
         out.clear();
     }
@@ -111,6 +120,10 @@ impl Dynamics for Collapsing {
     fn tangent(&self, _: f64, y: &[f64], _: &Modes, d: &[f64], (): &mut (), out: &mut [f64]) {
         out[0] = d[1];
         out[1] = 12.0 * y[0] * d[0];
+    }
+
+    fn time_tangent(&self, _: f64, _: &[f64], _: &Modes, (): &mut (), out: &mut [f64]) {
+        out.fill(0.0);
     }
 
     fn watches(&self, _: &Modes, out: &mut Vec<Watch>) {
@@ -166,6 +179,10 @@ impl Dynamics for Swinging {
         out[1] = -d[0] - 2.0 * self.damping * d[1];
     }
 
+    fn time_tangent(&self, _: f64, _: &[f64], _: &Modes, (): &mut (), out: &mut [f64]) {
+        out.fill(0.0);
+    }
+
     fn extra_signals(
         &self,
         _: f64,
@@ -215,4 +232,46 @@ impl Dynamics for Swinging {
     fn is_pair(&self, _: usize) -> bool {
         true
     }
+
+    fn expands(&self) -> bool {
+        true
+    }
+
+    fn expand(
+        &self,
+        span: [f64; 2],
+        y: &[f64],
+        dy: &[f64],
+        modes: &Modes,
+        degree: usize,
+        (): &mut (),
+        out: &mut [f64],
+    ) -> f64 {
+        let (u, square) = out.split_at_mut(degree + 1);
+        let way = super::expand(self, span, y, dy, modes, degree, u);
+        for (order, out) in square.iter_mut().enumerate() {
+            *out = (0..=order).map(|i| u[i] * u[order - i]).sum();
+        }
+        way
+    }
 }
+
+impl Forced for Stepped {}
+
+impl Forced for Ending {
+    /// √(e − L·s) by the binomial series.
+    fn forced(&self, order: usize, [t, length]: [f64; 2], _: &[f64], _: usize, out: &mut [f64]) {
+        let rest = self.end - t;
+        let factor = |k: usize| (0.5 - (k - 1) as f64) / k as f64 * (-length / rest);
+        out[0] += rest.sqrt() * (1..=order).map(factor).product::<f64>();
+    }
+}
+
+impl Forced for Collapsing {
+    /// Of 6u² what is not 12·u₀·u_order.
+    fn forced(&self, order: usize, _: [f64; 2], u: &[f64], _: usize, out: &mut [f64]) {
+        out[0] += (1..order).map(|i| 6.0 * u[i] * u[order - i]).sum::<f64>();
+    }
+}
+
+impl Forced for Swinging {}

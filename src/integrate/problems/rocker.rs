@@ -1,6 +1,6 @@
 //! The published test lever as a chain of n masses.
 
-use super::plain_system;
+use super::{Forced, plain_system, sine};
 use crate::integrate::{Dynamics, Guard, Modes, Watch};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -96,6 +96,12 @@ impl Dynamics for Rocker {
         self.forces(m.0[0] != 0, d, 0.0, 0.0, out);
     }
 
+    fn time_tangent(&self, t: f64, _: &[f64], _: &Modes, (): &mut (), out: &mut [f64]) {
+        let n = self.inertia.len();
+        out[..n].fill(0.0);
+        out[n..].fill(FRAC_PI_2 * self.omega.powi(3) * (self.omega * t).cos());
+    }
+
     fn watches(&self, modes: &Modes, out: &mut Vec<Watch>) {
         out.clear();
         let touching = Guard {
@@ -121,4 +127,13 @@ impl Dynamics for Rocker {
     }
 
     fn pass_break(&self, _: f64, _: &mut Modes) {}
+}
+
+impl Forced for Rocker {
+    fn forced(&self, order: usize, span: [f64; 2], _: &[f64], _: usize, out: &mut [f64]) {
+        let amplitude = FRAC_PI_2 * self.omega * self.omega;
+        for out in out {
+            *out += sine(amplitude, self.omega, span, order);
+        }
+    }
 }

@@ -1,6 +1,6 @@
 //! Masses in free flight: every crossing in closed form.
 
-use super::{plain_system, watch};
+use super::{Forced, plain_system, watch};
 use crate::integrate::{Dynamics, Guard, Modes, Watch};
 
 /// One mass thrown upwards, u″ = −gravity, and a level: component 0 is 1 above
@@ -50,6 +50,10 @@ impl Dynamics for Thrown {
     fn tangent(&self, _: f64, _: &[f64], _: &Modes, d: &[f64], (): &mut (), out: &mut [f64]) {
         out[0] = d[1];
         out[1] = 0.0;
+    }
+
+    fn time_tangent(&self, _: f64, _: &[f64], _: &Modes, (): &mut (), out: &mut [f64]) {
+        out.fill(0.0);
     }
 
     fn watches(&self, modes: &Modes, out: &mut Vec<Watch>) {
@@ -148,6 +152,10 @@ impl Dynamics for Bouncing {
         }
     }
 
+    fn time_tangent(&self, _: f64, _: &[f64], _: &Modes, (): &mut (), out: &mut [f64]) {
+        out.fill(0.0);
+    }
+
     fn watches(&self, modes: &Modes, out: &mut Vec<Watch>) {
         out.clear();
         for (k, &mode) in modes.0.iter().enumerate().rev() {
@@ -167,3 +175,7 @@ impl Dynamics for Bouncing {
 
     fn pass_break(&self, _: f64, _: &mut Modes) {}
 }
+
+impl Forced for Thrown {}
+
+impl Forced for Bouncing {}

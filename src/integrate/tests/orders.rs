@@ -74,6 +74,25 @@ fn tr_bdf2_is_of_order_two_and_esdirk34_of_order_three() {
     }
 }
 
+/// Long steps, whose error is far above rounding.
+#[test]
+fn rodas5p_is_of_order_five_also_where_the_right_hand_side_depends_on_time() {
+    for damping in [0.0, 0.1] {
+        let order = slope(Method::Rodas5p, damping, 20);
+        assert!((order - 5.0).abs() < 0.3, "{damping}: {order}");
+    }
+}
+
+/// The series has degree 10 at this tolerance: the error of the displacement
+/// after so many steps is of order 10.
+#[test]
+fn taylor_is_of_the_order_of_its_degree() {
+    for damping in [0.0, 0.1] {
+        let order = slope(Method::Taylor, damping, 3);
+        assert!((order - 10.0).abs() < 1.0, "{damping}: {order}");
+    }
+}
+
 /// For every adaptive method the error follows the tolerance, and stays below
 /// a few times its size over five oscillations.
 #[test]
@@ -83,6 +102,8 @@ fn the_error_follows_the_tolerance() {
     for (method, bound, power) in [
         (Method::Dopri5, 1.0, 1.0),
         (Method::Dop853, 1.0, 1.0),
+        (Method::Taylor, 1.0, 0.9),
+        (Method::Rodas5p, 10.0, 0.9),
         (Method::Bdf, 20.0, 0.9),
         (Method::TrBdf2, 2000.0, 0.6),
         (Method::Esdirk34, 200.0, 0.7),
@@ -118,6 +139,8 @@ fn the_continuous_output_keeps_the_tolerance_too() {
     for (method, factor) in [
         (Method::Dopri5, 2.0),
         (Method::Dop853, 2.0),
+        (Method::Taylor, 2.0),
+        (Method::Rodas5p, 10.0),
         (Method::Bdf, 50.0),
         (Method::Esdirk34, 500.0),
     ] {

@@ -33,13 +33,13 @@ pub struct LawConstants {
     pub speed: Peak,
     /// C_a: greatest θ″.
     pub acceleration: Peak,
-    /// Least θ″, the greatest deceleration, ≤ 0.
+    /// Least θ″ if below 0, the greatest deceleration; else 0.
     pub deceleration: Peak,
     /// C_j: greatest |θ‴|; jumps of θ″ are not in it.
     pub jerk: Peak,
     /// Greatest θ′θ″: torque that accelerates a mass.
     pub torque: Peak,
-    /// Least θ′θ″: torque that brakes it, ≤ 0.
+    /// Least θ′θ″ if below 0: torque that brakes it; else 0.
     pub braking_torque: Peak,
     /// C_m = max|θ′θ″|: torque factor.
     pub torque_factor: f64,
@@ -68,11 +68,15 @@ impl Law {
     pub fn constants(&self) -> LawConstants {
         let speed = self.sharp_peak(|j| j.first, |j| j.second);
         let acceleration = self.sharp_peak(|j| j.second, |j| j.third);
-        let deceleration = self.sharp_peak(|j| -j.second, |j| -j.third).negated();
+        let deceleration = self
+            .sharp_peak(|j| -j.second, |j| -j.third)
+            .negated(acceleration.value);
         let product = |j: &Jet| j.first * j.second;
         let slope = |j: &Jet| j.second * j.second + j.first * j.third;
         let torque = self.sharp_peak(product, slope);
-        let braking = self.sharp_peak(|j| -product(j), |j| -slope(j)).negated();
+        let braking = self
+            .sharp_peak(|j| -product(j), |j| -slope(j))
+            .negated(torque.value);
         let last = self.last_at_speed(speed);
         let after = !self.run_up;
         let jumps = self.jumps();
@@ -179,11 +183,14 @@ struct Parts {
 }
 
 impl Peak {
-    /// The same place, the value with the other sign.
-    fn negated(self) -> Self {
-        Self {
-            value: -self.value + 0.0,
-            ..self
-        }
+    /// The same place, the value with the other sign; nothing (0) where that
+    /// would be above zero, or is rounding of numbers of this `size`.
+    fn negated(self, size: f64) -> Self {
+        let value = if self.value > 1e-14 * size {
+            -self.value
+        } else {
+            0.0
+        };
+        Self { value, ..self }
     }
 }

@@ -131,9 +131,6 @@ mod tests {
         assert!(text.contains("by C_a alone it would have been: parabolic"));
         let csv = comparison_csv(&laws).unwrap();
         assert!(csv.starts_with("law,C_v,C_v place"), "{csv}");
-        assert!(
-            csv.contains("\nparabolic,2,1,4,1,0,1,8,1,2e-3,2,"),
-            "{csv}"
-        );
+        assert!(csv.contains("\nparabolic,2,1,4,1,0,1,8,1,2e-3,2,"), "{csv}");
     }
 }

@@ -31,7 +31,7 @@ fn columns(constants: &LawConstants) -> [(&'static str, f64); 7] {
     [
         ("C_v", constants.speed.value),
         ("C_a", constants.acceleration.value),
-        ("least", constants.deceleration.value),
+        ("least θ″", constants.deceleration.value),
         ("C_j", constants.jerk.value),
         ("C_m", constants.torque_factor),
         ("σ", constants.filling),

@@ -1,7 +1,10 @@
-//! Stand-alone pictures: the object graph and line charts.
+//! Stand-alone pictures: the object graph, line charts, charts on logarithmic axes, strips of regions.
 
 pub mod chart;
 pub mod graph;
+pub mod log_chart;
+pub mod map;
+pub mod strips;
 
 /// Characters per line that fit `width` at a font size, for a sans-serif face.
 fn fits(width: f64, font_size: f64) -> usize {

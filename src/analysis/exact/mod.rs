@@ -1,5 +1,9 @@
 //! Exact propagation of whole scenes.
 
+mod quick;
+
+pub use quick::{Quick, QuickObject, QuickRun};
+
 use crate::exact::Parts;
 use crate::exact::playback::{Piece, play};
 use crate::fault::Fault;

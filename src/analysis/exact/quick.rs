@@ -1,0 +1,262 @@
+//! Exact propagation without a recorder: for maps and charts, which want the
+//! figures of many runs and no columns.
+
+use crate::exact::{
+    ExactRun, ExactSwitch, ExactTree, PairState, Parts, Refusal, Request, TreeFigures,
+};
+use crate::fault::Fault;
+use crate::record::{FinalState, ObjectFigures, PairFigures, choose_window_of};
+use crate::system::System;
+
+/// A system that is propagated exactly as a whole, ready to be run.
+#[derive(Debug)]
+pub struct Quick {
+    trees: Vec<Branch>,
+    /// Window of steady figures asked for when it was made.
+    window: Option<(f64, f64)>,
+    /// The model's own cycle decides the window when none is asked for.
+    cycle: Result<f64, String>,
+}
+
+/// One tree and what of it is looked at.
+#[derive(Debug)]
+struct Branch {
+    tree: ExactTree,
+    objects: Vec<Watched>,
+}
+
+/// An object of a tree.
+#[derive(Clone, Copy, Debug)]
+struct Watched {
+    /// Index in the model.
+    object: usize,
+    /// Its first and last mass in the tree.
+    first: usize,
+    last: usize,
+    /// δ = q_last − ratio·q of this mass.
+    base: Option<(usize, f64)>,
+    /// True when its pair can open.
+    opens: bool,
+}
+
+/// What a quick run leaves.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct QuickRun {
+    /// The elastic objects, in the order of the model.
+    pub objects: Vec<QuickObject>,
+    /// False when there were more switches than allowed.
+    pub complete: bool,
+    /// Time reached (s).
+    pub time: f64,
+    /// Switches of all pairs.
+    pub switches: u64,
+    /// Phases gone through.
+    pub phases: u64,
+    /// Evaluations in the search for switches.
+    pub evaluations: u64,
+    /// Search steps over which a pair function could not be told from zero:
+    /// there the count of switches is not guaranteed.
+    pub grazing: u64,
+}
+
+/// One elastic object.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct QuickObject {
+    /// Index in the model.
+    pub object: usize,
+    /// δ at the ends of the sample intervals (t = 0 is not among them).
+    pub delta: Vec<f64>,
+    /// Times of the switches of its pair (s).
+    pub switch_times: Vec<f64>,
+    /// Its figures, when asked for.
+    pub figures: Option<ObjectFigures>,
+}
+
+impl Quick {
+    /// Prepares a system: its parts and its state at t = 0.
+    ///
+    /// # Errors
+    /// A fault for every object that stands against exact propagation, or
+    /// there is no start.
+    pub fn new(system: &System) -> Result<Self, Vec<Fault>> {
+        let parts = super::whole(system)?;
+        let initial = system.initial_state()?;
+        Ok(Self::of(system, &parts, &initial.y))
+    }
+
+    /// The parts of a system from the state y at t = 0.
+    pub fn of(system: &System, parts: &Parts, y: &[f64]) -> Self {
+        let branch = |part: &crate::exact::Part| {
+            let watched = part.objects.iter().zip(&part.problem().objects);
+            Branch {
+                tree: part.tree(y),
+                objects: watched
+                    .map(|(&object, place)| Watched {
+                        object,
+                        first: place.first,
+                        last: place.last,
+                        base: place.driver,
+                        opens: system.pair_component(object).is_some(),
+                    })
+                    .collect(),
+            }
+        };
+        Self {
+            trees: parts.trees.iter().map(branch).collect(),
+            window: None,
+            cycle: crate::record::drive_cycle(system.model()),
+        }
+    }
+
+    /// With a window of steady figures (s) in place of the last whole cycle.
+    #[must_use]
+    pub fn with_window(mut self, window: Option<(f64, f64)>) -> Self {
+        self.window = window;
+        self
+    }
+
+    /// Runs to `end` (s) with `samples` equal sample intervals and at most
+    /// `switches` switches of each tree.
+    ///
+    /// # Errors
+    /// Modes that cannot be separated, or numbers that are no longer finite.
+    pub fn run(
+        &self,
+        end: f64,
+        samples: usize,
+        figures: bool,
+        switches: u64,
+    ) -> Result<QuickRun, Refusal> {
+        let mut out = QuickRun {
+            complete: true,
+            time: end,
+            ..QuickRun::default()
+        };
+        for branch in &self.trees {
+            let all_masses = !branch.last_alone();
+            let run = branch.tree.run(&Request {
+                end,
+                samples,
+                all_masses,
+                switches,
+                figures,
+            })?;
+            out.complete &= run.complete;
+            out.time = out.time.min(run.time);
+            out.switches += run.switches.len() as u64;
+            out.phases += run.phases;
+            out.evaluations += run.evaluations;
+            out.grazing += run.grazing;
+            for (index, watched) in branch.objects.iter().enumerate() {
+                out.objects.push(QuickObject {
+                    object: watched.object,
+                    delta: watched.deltas(&run, all_masses),
+                    switch_times: watched.switches(&run).map(|switch| switch.time).collect(),
+                    figures: figures.then(|| self.figures(branch, index, &run)),
+                });
+            }
+        }
+        out.objects.sort_by_key(|object| object.object);
+        Ok(out)
+    }
+
+    fn figures(&self, branch: &Branch, index: usize, run: &ExactRun) -> ObjectFigures {
+        let watched = &branch.objects[index];
+        let found: &TreeFigures = &run.figures[index];
+        let (place, speed) = branch.tree.law().at(run.time);
+        let mass = &branch.tree.problem().masses[watched.last];
+        ObjectFigures {
+            delta_max: found.delta_max,
+            delta_min: found.delta_min,
+            sigma: found.sigma,
+            peak_speed: found.peak_speed,
+            peak_acceleration: found.peak_acceleration,
+            peak_reaction: found.peak_reaction,
+            end: FinalState {
+                displacement: run.displacement[watched.last] + mass.ratio * place + mass.offset,
+                speed: run.speed[watched.last] + mass.ratio * speed,
+            },
+            pair: watched.opens.then(|| {
+                let mut pair = watched.pair(run, found);
+                pair.in_working_order = self.working(watched, run);
+                pair
+            }),
+        }
+    }
+
+    /// No separation within the window; `None` without one.
+    fn working(&self, watched: &Watched, run: &ExactRun) -> Option<bool> {
+        if !run.complete {
+            return None;
+        }
+        let [from, to] = choose_window_of(self.cycle.clone(), run.time, self.window).ok()?;
+        let overlaps = |open: &[f64; 2]| open[0] < to && open[1] > from && open[1] > open[0];
+        Some(!watched.open_intervals(run).iter().any(overlaps))
+    }
+}
+
+impl Branch {
+    /// True when the tree's last mass is all that is sampled.
+    fn last_alone(&self) -> bool {
+        let last = self.tree.problem().masses.len() - 1;
+        matches!(&self.objects[..], [only] if only.last == last && only.base.is_none())
+    }
+}
+
+impl Watched {
+    fn deltas(&self, run: &ExactRun, all_masses: bool) -> Vec<f64> {
+        if !all_masses {
+            return run.samples.clone();
+        }
+        let rows = run.samples.chunks_exact(run.columns);
+        let base = self.base;
+        rows.map(|row| row[self.last] - base.map_or(0.0, |(mass, ratio)| ratio * row[mass]))
+            .collect()
+    }
+
+    fn switches<'r>(&self, run: &'r ExactRun) -> impl Iterator<Item = &'r ExactSwitch> {
+        let first = self.first;
+        run.switches
+            .iter()
+            .filter(move |switch| switch.mass == first)
+    }
+
+    /// Open intervals, the last up to the end of the run.
+    fn open_intervals(&self, run: &ExactRun) -> Vec<[f64; 2]> {
+        let mut since = (!run.start[self.first].engaged()).then_some(0.0);
+        let mut intervals = Vec::new();
+        for switch in self.switches(run) {
+            if let (true, Some(from)) = (switch.after.engaged(), since.take()) {
+                intervals.push([from, switch.time]);
+            }
+            if !switch.after.engaged() {
+                since = Some(switch.time);
+            }
+        }
+        if let Some(from) = since {
+            intervals.push([from, run.time]);
+        }
+        intervals
+    }
+
+    fn pair(&self, run: &ExactRun, found: &TreeFigures) -> PairFigures {
+        let mut pair = PairFigures {
+            max_lift: found.max_lift,
+            max_contact_force: found.peak_reaction,
+            ..PairFigures::default()
+        };
+        for switch in self.switches(run) {
+            pair.switch_times.push(switch.time);
+            pair.separations += u64::from(switch.before.engaged());
+            if let PairState::Engaged(_) = switch.after {
+                pair.closures += 1;
+                pair.max_approach_speed = pair.max_approach_speed.max(-switch.speed);
+            }
+        }
+        for [from, to] in self.open_intervals(run) {
+            pair.separated_time += to - from;
+            pair.longest_separation = pair.longest_separation.max(to - from);
+        }
+        pair
+    }
+}

@@ -1,0 +1,88 @@
+//! The figure that a map shows.
+
+use crate::analysis::document::blank;
+use crate::fault::Fault;
+use crate::model::{Coordinate, Model};
+use crate::record::{AddressError, Figures, ObjectFigures};
+
+/// The figure of a map when none is asked for: δ_max of the last elastic
+/// object, drivers before what they drive; `None` when nothing is elastic.
+pub(super) fn default_figure(model: &Model, order: &[String]) -> Option<String> {
+    let elastic = |id: &&String| {
+        let part = model.objects.iter().find(|part| part.id == **id);
+        part.is_some_and(|part| !part.links.is_empty())
+    };
+    let last = order.iter().rev().find(elastic)?;
+    Some(format!("{last}.delta_max"))
+}
+
+/// Checks that a run of a model has a figure.
+pub(super) fn check_figure(figure: &str, model: &Model) -> Result<(), Fault> {
+    let Err(AddressError::Unknown { close }) = blank(model).value(figure) else {
+        return Ok(());
+    };
+    // How many switches there will be is not known before a run.
+    if figure.contains(".pair.switch_times.") {
+        return Ok(());
+    }
+    let hint = match close.is_empty() {
+        true => String::new(),
+        false => format!("did you mean {}?", close.join(" or ")),
+    };
+    Err(Fault::new(
+        "",
+        format!("there is no figure `{figure}`"),
+        hint,
+    ))
+}
+
+/// A figure of an object that needs no document to be read, by its name.
+pub(super) fn quick_read(figures: &ObjectFigures, name: &str) -> Option<f64> {
+    let pair = figures.pair.as_ref();
+    Some(match name {
+        "delta_max" => figures.delta_max,
+        "delta_min" => figures.delta_min,
+        "sigma" => figures.sigma,
+        "peak_speed" => figures.peak_speed,
+        "peak_acceleration" => figures.peak_acceleration,
+        "peak_reaction" => figures.peak_reaction,
+        "final.displacement" => figures.end.displacement,
+        "final.speed" => figures.end.speed,
+        "pair.separations" => pair?.separations as f64,
+        "pair.closures" => pair?.closures as f64,
+        "pair.separated_time" => pair?.separated_time,
+        "pair.longest_separation" => pair?.longest_separation,
+        "pair.max_lift" => pair?.max_lift,
+        "pair.max_approach_speed" => pair?.max_approach_speed,
+        "pair.max_contact_force" => pair?.max_contact_force,
+        _ => return None,
+    })
+}
+
+/// The value of a figure; `None` when it has none in this run.
+pub(super) fn read(figures: &Figures, figure: &str) -> Option<f64> {
+    let quick = figure
+        .split_once('.')
+        .and_then(|(id, name)| quick_read(figures.objects.get(id)?, name));
+    quick.or_else(|| figures.value(figure).ok())
+}
+
+/// SI unit of a figure; empty for counts and answers.
+pub(super) fn unit(figure: &str, model: &Model) -> &'static str {
+    let (id, name) = figure.split_once('.').unwrap_or((figure, ""));
+    let part = model.objects.iter().find(|part| part.id == id);
+    let turning = part.is_none_or(|part| part.coordinate == Coordinate::Turning);
+    let either = |turned, slid| if turning { turned } else { slid };
+    match name {
+        "delta_max" | "delta_min" | "sigma" | "final.displacement" | "pair.max_lift" => {
+            either("rad", "m")
+        }
+        "peak_speed" | "final.speed" | "pair.max_approach_speed" => either("rad/s", "m/s"),
+        "peak_acceleration" => either("rad/s²", "m/s²"),
+        "peak_reaction" | "pair.max_contact_force" | "pair.margin" => either("N m", "N"),
+        "pair.separated_time" | "pair.longest_separation" => "s",
+        "time" if part.is_none() => "s",
+        name if name.starts_with("pair.switch_times.") => "s",
+        _ => "",
+    }
+}

@@ -1,0 +1,149 @@
+//! Finished rows as lines of text, so that a study that was killed goes on
+//! where it was.
+//!
+//! The first line names the study by its hash; every further line holds one
+//! row. Each line begins with a digest of the rest of it: a line that was torn
+//! when the program was killed is recognised, and everything from there on is
+//! worked out again. Numbers keep all their digits.
+
+use super::cell::Cell;
+use super::study::Study;
+use super::verdict::Verdict;
+use serde::{Deserialize, Serialize};
+use sha2::{Digest, Sha256};
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+
+/// Length of the digest of a line, in hexadecimal digits.
+const DIGITS: usize = 16;
+
+/// What the first line says.
+#[derive(Debug, Deserialize, PartialEq, Serialize)]
+struct Head {
+    dam_map: u32,
+    hash: String,
+}
+
+/// Cells in a line: value, verdict, cause, how far it moves, rigid margin.
+type Stored = (Option<f64>, Verdict, String, Option<f64>, Option<f64>);
+
+/// One row.
+#[derive(Debug, Deserialize, Serialize)]
+struct Row {
+    row: usize,
+    cells: Vec<Stored>,
+}
+
+/// What a journal holds.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Journal {
+    /// The rows.
+    pub rows: BTreeMap<usize, Vec<Cell>>,
+    /// Bytes up to the last whole line: what follows them is torn.
+    pub whole: usize,
+}
+
+/// The first line of a study's journal.
+pub fn head(study: &Study<'_>) -> String {
+    line(&Head {
+        dam_map: 1,
+        hash: study.hash.clone(),
+    })
+}
+
+/// The line of a row.
+pub fn row(row: usize, cells: &[Cell]) -> String {
+    let stored = |cell: &Cell| {
+        (
+            cell.value,
+            cell.verdict,
+            cell.cause.clone(),
+            cell.moved,
+            cell.rigid_margin,
+        )
+    };
+    line(&Row {
+        row,
+        cells: cells.iter().map(stored).collect(),
+    })
+}
+
+fn line(content: &impl Serialize) -> String {
+    // Plain data cannot fail to serialise; an empty line would be dropped on reading.
+    let body = serde_json::to_string(content).unwrap_or_default();
+    format!("{} {body}\n", digest(&body))
+}
+
+fn digest(body: &str) -> String {
+    let mut text = String::new();
+    for byte in &Sha256::digest(body.as_bytes())[..DIGITS / 2] {
+        // Writing to a string cannot fail.
+        let _ = write!(text, "{byte:02x}");
+    }
+    text
+}
+
+/// Reads a journal. An empty one, or one torn within its first line, is that of
+/// a study that has not begun.
+///
+/// # Errors
+/// It is the journal of another study, or no journal at all, in words.
+pub fn read(study: &Study<'_>, bytes: &[u8]) -> Result<Journal, String> {
+    let first = head(study);
+    if first.as_bytes().starts_with(bytes) {
+        let whole = if bytes.len() == first.len() {
+            first.len()
+        } else {
+            0
+        };
+        return Ok(Journal {
+            whole,
+            ..Journal::default()
+        });
+    }
+    if !bytes.starts_with(first.as_bytes()) {
+        let known = bytes
+            .split(|&byte| byte == b'\n')
+            .next()
+            .and_then(body::<Head>);
+        return Err(match known {
+            Some(_) => "it belongs to another study: the scene, the axes, the figure, the \
+                        settings or the program have changed since"
+                .to_owned(),
+            None => "it is no journal of a map".to_owned(),
+        });
+    }
+    let mut journal = Journal {
+        whole: first.len(),
+        ..Journal::default()
+    };
+    for line in bytes[first.len()..].split_inclusive(|&byte| byte == b'\n') {
+        let Some(row) = line.strip_suffix(b"\n").and_then(body::<Row>) else {
+            break;
+        };
+        if row.row >= study.rows() || row.cells.len() != study.row(row.row).1.len() {
+            break;
+        }
+        journal.whole += line.len();
+        let cells = row.cells.into_iter().map(restored).collect();
+        journal.rows.insert(row.row, cells);
+    }
+    Ok(journal)
+}
+
+/// What a whole line holds; `None` when it was torn or changed.
+fn body<T: for<'de> Deserialize<'de>>(line: &[u8]) -> Option<T> {
+    let text = std::str::from_utf8(line).ok()?;
+    let (found, body) = text.split_once(' ')?;
+    (found == digest(body)).then(|| serde_json::from_str(body).ok())?
+}
+
+fn restored((value, verdict, cause, moved, rigid_margin): Stored) -> Cell {
+    Cell {
+        value,
+        verdict,
+        cause,
+        moved,
+        rigid_margin,
+    }
+}

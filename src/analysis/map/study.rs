@@ -1,0 +1,295 @@
+//! What is asked: a scene, axes, panels and a figure, checked before any run.
+
+use super::figure::{check_figure, default_figure, unit};
+use super::panels::Panels;
+use crate::analysis::RunSettings;
+use crate::analysis::axis::Axis;
+use crate::diagnostics::Diagnostics;
+use crate::lower::lower;
+use crate::scene::{Catalogue, Document, Overrides, Reading};
+use crate::system::System;
+use serde_json::json;
+use sha2::{Digest, Sha256};
+use std::fmt::Write as _;
+
+/// Most cells of a study, all panels together.
+pub const MOST_CELLS: usize = 1_000_000;
+
+/// Cells of a row when there is one axis only.
+const STRETCH: usize = 8;
+
+/// What is asked of a scene.
+#[derive(Clone, Debug)]
+pub struct Question {
+    /// Settings made before everything else.
+    pub overrides: Vec<String>,
+    /// The parameter along the map.
+    pub x: Axis,
+    /// The parameter up the map; `None`: a curve.
+    pub y: Option<Axis>,
+    /// The maps.
+    pub panels: Panels,
+    /// Address of the figure; `None`: δ_max of the last elastic object.
+    pub figure: Option<String>,
+    /// True: every cell is run a second time with its loads changed by one part
+    /// in 10¹⁰, to see whether its figure is determined.
+    pub check_determined: bool,
+}
+
+/// A question about a scene, found to make sense.
+pub struct Study<'a> {
+    document: &'a Document,
+    catalogue: &'a (dyn Catalogue + Sync),
+    overrides: Vec<String>,
+    x_values: Vec<f64>,
+    y_values: Vec<f64>,
+    /// Name of the scene.
+    pub scene: String,
+    /// The parameter along the map.
+    pub x: Axis,
+    /// The parameter up the map; `None`: a curve.
+    pub y: Option<Axis>,
+    /// The maps.
+    pub panels: Panels,
+    /// Address of the figure.
+    pub figure: String,
+    /// Its SI unit; empty for counts and answers.
+    pub unit: &'static str,
+    /// See [`Question::check_determined`].
+    pub check_determined: bool,
+    /// SHA-256 (hex) of everything that the results depend on: version of the
+    /// program, text of the scene, what its `from` copies, and the question.
+    pub hash: String,
+}
+
+/// Why a question makes no sense.
+#[derive(Debug)]
+pub enum StudyFault {
+    /// The scene is wrong, at every point of a map that was tried.
+    Scene(Box<Diagnostics>),
+    /// The question is wrong.
+    Question(String),
+}
+
+impl<'a> Study<'a> {
+    /// Checks a question: a panel must be a mechanism at one of its corners or
+    /// in its middle, and the figure must exist. Points inside may still be
+    /// refused, each by itself.
+    ///
+    /// # Errors
+    /// A scene that is wrong at all those points, a figure that does not
+    /// exist, a parameter on both axes, too many cells.
+    pub fn new(
+        document: &'a Document,
+        catalogue: &'a (dyn Catalogue + Sync),
+        question: Question,
+    ) -> Result<Self, StudyFault> {
+        check(&question).map_err(StudyFault::Question)?;
+        let mut study = Self {
+            document,
+            catalogue,
+            overrides: question.overrides,
+            x_values: question.x.values(),
+            y_values: question.y.as_ref().map(Axis::values).unwrap_or_default(),
+            scene: String::new(),
+            x: question.x,
+            y: question.y,
+            panels: question.panels,
+            figure: question.figure.unwrap_or_default(),
+            unit: "",
+            check_determined: question.check_determined,
+            hash: String::new(),
+        };
+        let mut hashes = Vec::new();
+        for panel in 0..study.panels.panels.len() {
+            let (reading, system) = study.probe(panel)?;
+            study.choose_figure(&reading, &system)?;
+            study.scene.clone_from(&reading.scene.name);
+            hashes.push(reading.scene.hash);
+        }
+        study.hash = study.digest(&hashes);
+        Ok(study)
+    }
+
+    /// The first of a panel's corners and its middle that is a mechanism.
+    fn probe(&self, panel: usize) -> Result<(Reading, System), StudyFault> {
+        let (columns, rows) = (self.columns(), self.cells_in_panel() / self.columns());
+        let (last, top) = (columns - 1, rows - 1);
+        let points = [
+            (0, 0),
+            (last, top),
+            (last, 0),
+            (0, top),
+            (last / 2, top / 2),
+        ];
+        let mut first = None;
+        for (column, row) in points {
+            match self.try_cell(panel, row * columns + column) {
+                Ok(found) => return Ok(found),
+                Err(diagnostics) => first = first.or(Some(diagnostics)),
+            }
+        }
+        Err(StudyFault::Scene(Box::new(first.unwrap_or_default())))
+    }
+
+    fn try_cell(&self, panel: usize, cell: usize) -> Result<(Reading, System), Diagnostics> {
+        let reading = self.read(&self.settings(panel, cell))?;
+        let diagnose = |faults: Vec<crate::fault::Fault>| reading.places.diagnose(&faults);
+        let model = lower(&reading.scene).map_err(diagnose)?;
+        let system = System::new(model).map_err(diagnose)?;
+        RunSettings::of(&reading.scene).map_err(|fault| diagnose(vec![fault]))?;
+        Ok((reading, system))
+    }
+
+    fn choose_figure(&mut self, reading: &Reading, system: &System) -> Result<(), StudyFault> {
+        let model = system.model();
+        if self.figure.is_empty() {
+            self.figure = default_figure(model, &reading.scene.order()).ok_or_else(|| {
+                StudyFault::Question(
+                    "nothing in this scene is elastic, so that there is no δ_max to map; \
+                     name a figure, for example --figure rocker.peak_reaction"
+                        .to_owned(),
+                )
+            })?;
+        }
+        check_figure(&self.figure, model).map_err(|fault| {
+            let hint = match fault.hint.is_empty() {
+                true => "write object.figure, for example rocker.delta_max",
+                false => fault.hint.as_str(),
+            };
+            StudyFault::Question(format!("{}; {hint}", fault.message))
+        })?;
+        self.unit = unit(&self.figure, model);
+        Ok(())
+    }
+
+    fn digest(&self, hashes: &[String]) -> String {
+        let all = json!({
+            "version": env!("CARGO_PKG_VERSION"),
+            "text": self.document.text(),
+            "scenes": hashes,
+            "overrides": self.overrides,
+            "x": self.x,
+            "y": self.y,
+            "panels": self.panels,
+            "figure": self.figure,
+            "check_determined": self.check_determined,
+        });
+        let mut hash = String::new();
+        for byte in Sha256::digest(all.to_string().as_bytes()) {
+            // Writing to a string cannot fail.
+            let _ = write!(hash, "{byte:02x}");
+        }
+        hash
+    }
+
+    /// Decodes the scene with further settings.
+    pub(super) fn read(&self, settings: &[String]) -> Result<Reading, Diagnostics> {
+        let all = self.overrides.iter().chain(settings).cloned();
+        self.document.scene(self.catalogue, &Overrides::new(all))
+    }
+
+    /// Settings of a cell, counted along the x axis first.
+    pub fn settings(&self, panel: usize, cell: usize) -> Vec<String> {
+        let (x, y) = self.place(cell);
+        let mut settings = self.panels.panels[panel].settings.clone();
+        settings.push(self.x.setting(x));
+        if let (Some(axis), Some(y)) = (&self.y, y) {
+            settings.push(axis.setting(y));
+        }
+        settings
+    }
+
+    /// Values of the parameters at a cell, in the units of the axes.
+    pub fn place(&self, cell: usize) -> (f64, Option<f64>) {
+        let columns = self.columns();
+        (
+            self.x_values[cell % columns],
+            self.y_values.get(cell / columns).copied(),
+        )
+    }
+
+    /// Cells along the x axis.
+    pub fn columns(&self) -> usize {
+        self.x_values.len()
+    }
+
+    /// Cells of a panel.
+    pub fn cells_in_panel(&self) -> usize {
+        self.columns() * self.y_values.len().max(1)
+    }
+
+    /// Cells of all panels.
+    pub fn cells(&self) -> usize {
+        self.cells_in_panel() * self.panels.panels.len()
+    }
+
+    /// Cells of a row, the unit of work that is finished and kept as a whole.
+    pub fn cells_in_row(&self) -> usize {
+        match self.y {
+            Some(_) => self.columns(),
+            None => STRETCH.min(self.columns()),
+        }
+    }
+
+    /// Rows of a panel.
+    pub fn rows_in_panel(&self) -> usize {
+        self.cells_in_panel().div_ceil(self.cells_in_row())
+    }
+
+    /// Rows of all panels.
+    pub fn rows(&self) -> usize {
+        self.rows_in_panel() * self.panels.panels.len()
+    }
+
+    /// Panel of a row, and its cells in that panel.
+    pub fn row(&self, row: usize) -> (usize, std::ops::Range<usize>) {
+        let (panel, row) = (row / self.rows_in_panel(), row % self.rows_in_panel());
+        let from = row * self.cells_in_row();
+        let to = (from + self.cells_in_row()).min(self.cells_in_panel());
+        (panel, from..to)
+    }
+}
+
+impl std::fmt::Debug for Study<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Study")
+            .field("scene", &self.scene)
+            .field("figure", &self.figure)
+            .field("x", &self.x)
+            .field("y", &self.y)
+            .field("panels", &self.panels)
+            .finish_non_exhaustive()
+    }
+}
+
+fn check(question: &Question) -> Result<(), String> {
+    let rows = question.y.as_ref().map_or(1, |axis| axis.count);
+    let panels = question.panels.panels.len();
+    let cells = question.x.count as u128 * rows as u128 * panels as u128;
+    if cells > MOST_CELLS as u128 {
+        return Err(format!(
+            "{cells} cells are wanted, and at most {MOST_CELLS} are worked out at a time; \
+             take fewer values on the axes"
+        ));
+    }
+    let path = &question.x.path;
+    if question.y.as_ref().is_some_and(|axis| axis.path == *path) {
+        return Err(format!(
+            "`{path}` is on both axes; take another parameter for one of them"
+        ));
+    }
+    let fixed = |setting: &&String| {
+        let own = setting.split('=').next().unwrap_or("").trim();
+        own == path || question.y.as_ref().is_some_and(|axis| axis.path == own)
+    };
+    let mut settings = question
+        .panels
+        .panels
+        .iter()
+        .flat_map(|panel| &panel.settings);
+    match settings.find(fixed) {
+        Some(setting) => Err(format!("the panels set `{setting}`, which is on an axis")),
+        None => Ok(()),
+    }
+}

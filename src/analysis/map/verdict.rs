@@ -1,0 +1,154 @@
+//! Verdicts: what became of the mechanism at one point of a map, or why nothing
+//! can be said.
+
+use serde::{Deserialize, Serialize};
+
+/// Share of the amplitude of its law beyond which an object counts as thrown
+/// off: its greatest |δ| exceeds this many times half the stroke of its law. At
+/// 1 it no longer follows: resting in the middle of the stroke it would be
+/// nearer to where it should be.
+pub const THROWN_OFF: f64 = 1.0;
+
+/// Dynamic magnification from which on an engaged motion counts as resonance:
+/// max|δ| over the last whole cycle against the quasi-static deflection
+/// δ* = (Σ|loads| + J·max|U″φ̇² + U′φ̈|)/c. A load that is applied suddenly, or a
+/// jump of the law's acceleration, deflects one undamped mode twice as far as
+/// the same load at rest and never further; more than that is built up over
+/// many cycles.
+pub const RESONANCE: f64 = 2.5;
+
+/// Magnification of one mode from which on a harmonic of the drive counts as
+/// near: 1/|1 − (kΩ/ω)²| ≥ 2, so kΩ lies between 0.707 ω and 1.225 ω (steady
+/// forced vibration of one mode, damping left out).
+pub const NEAR_HARMONIC: f64 = 2.0;
+
+/// Share by which the vibration may shrink from the last cycle but one to the
+/// last and still count as periodic (or growing), not as the start dying away.
+pub const STEADY: f64 = 0.01;
+
+/// What became of the mechanism at one point of a map.
+///
+/// Loss of working order belongs to the mechanism, failure to the computation;
+/// the two are never mixed: see [`Verdict::family`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Verdict {
+    /// Every pair stays engaged over the whole run.
+    InWorkingOrder,
+    /// Some pair opens, but none within the window of steady figures.
+    LiftOffDiesAway,
+    /// Some pair opens within the window of steady figures, in every cycle or
+    /// in some; a rigid object's pair would.
+    LiftOff,
+    /// Some pair opens, and the run has no window of steady figures in which to
+    /// see whether it goes on.
+    LiftOffNotJudged,
+    /// Some pair opens and the object leaves its law by more than
+    /// [`THROWN_OFF`] times the amplitude of the law.
+    ThrownOff,
+    /// Engaged motion, periodic, [`RESONANCE`] times beyond the quasi-static
+    /// deflection, with a natural frequency near a harmonic of the drive.
+    Resonance,
+    /// The mechanism cannot go on: a dead position.
+    Stopped,
+    /// A change of the loads by one part in 10¹⁰ moves the figure by more than
+    /// one part in 10⁷ of its scale.
+    NotDetermined,
+    /// The computation failed: the method gave up, a number was not finite, the
+    /// energies do not balance, or the budget of steps or switches was spent.
+    NumericalFailure,
+    /// There is no such mechanism: the scene is refused at these values.
+    Refused,
+}
+
+/// What a verdict speaks of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Family {
+    /// The mechanism.
+    Mechanism,
+    /// The question: its answer hangs on what nobody can know.
+    Question,
+    /// The computation.
+    Computation,
+    /// The scene.
+    Scene,
+}
+
+impl Verdict {
+    /// All verdicts, in the order of legends.
+    pub const ALL: [Self; 10] = [
+        Self::InWorkingOrder,
+        Self::LiftOffDiesAway,
+        Self::LiftOff,
+        Self::LiftOffNotJudged,
+        Self::ThrownOff,
+        Self::Resonance,
+        Self::Stopped,
+        Self::NotDetermined,
+        Self::NumericalFailure,
+        Self::Refused,
+    ];
+
+    /// Short stable name, as in files: `in_working_order`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::InWorkingOrder => "in_working_order",
+            Self::LiftOffDiesAway => "lift_off_dies_away",
+            Self::LiftOff => "lift_off",
+            Self::LiftOffNotJudged => "lift_off_not_judged",
+            Self::ThrownOff => "thrown_off",
+            Self::Resonance => "resonance",
+            Self::Stopped => "stopped",
+            Self::NotDetermined => "not_determined",
+            Self::NumericalFailure => "numerical_failure",
+            Self::Refused => "refused",
+        }
+    }
+
+    /// The verdict of a name.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|verdict| verdict.name() == name)
+    }
+
+    /// In words, for legends.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::InWorkingOrder => "in working order",
+            Self::LiftOffDiesAway => "lift-off that dies away",
+            Self::LiftOff => "lift-off again and again",
+            Self::LiftOffNotJudged => "lift-off, run too short to judge",
+            Self::ThrownOff => "thrown off",
+            Self::Resonance => "resonance",
+            Self::Stopped => "dead position",
+            Self::NotDetermined => "not determined",
+            Self::NumericalFailure => "computation failed",
+            Self::Refused => "no such mechanism",
+        }
+    }
+
+    /// What the verdict speaks of.
+    pub fn family(self) -> Family {
+        match self {
+            Self::NotDetermined => Family::Question,
+            Self::NumericalFailure => Family::Computation,
+            Self::Refused => Family::Scene,
+            _ => Family::Mechanism,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Verdict;
+
+    #[test]
+    fn names_are_those_of_the_files() {
+        for verdict in Verdict::ALL {
+            assert_eq!(Verdict::named(verdict.name()), Some(verdict));
+            let json = serde_json::to_value(verdict).unwrap();
+            assert_eq!(json, verdict.name());
+        }
+        assert_eq!(Verdict::named("liftoff"), None);
+    }
+}

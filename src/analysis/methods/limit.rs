@@ -1,0 +1,137 @@
+//! The greatest stable step of a method of fixed step, measured.
+
+use super::attempt::{Attempt, Effort, Problem};
+use super::reference::Truth;
+use super::setting::Setting;
+use super::stability::Bound;
+use super::verdict::{Verdict, axis, judge};
+use crate::analysis::RunSettings;
+use crate::integrate::Method;
+use serde::Serialize;
+
+/// The stable and the unstable step are brought this close to each other.
+const RATIO: f64 = 1.004;
+
+/// Least number of steps of a run that decides whether a step is stable: what
+/// grows by a hundredth a step from rounding is then seen. Shorter scenes go on
+/// beyond their end.
+const STEPS: f64 = 1500.0;
+
+/// A motion that goes on beyond the scene's end has grown when it exceeds the
+/// true one within it by this factor.
+const GROWN_BEYOND: f64 = 1e3;
+
+/// True when a point has failed because its step is too long.
+pub(super) fn too_long(verdict: Verdict) -> bool {
+    matches!(verdict, Verdict::Unstable | Verdict::Chatter)
+}
+
+/// The limit of stability of a method on a system.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct StabilityLimit {
+    /// The eigenvalue that bounds the step, real and imaginary part (1/s), all
+    /// pairs engaged; null when theory knows no limit.
+    pub eigenvalue: Option<[f64; 2]>,
+    /// Its place in words.
+    pub place: Option<&'static str>,
+    /// Greatest |λ|h by theory.
+    pub theory: Option<f64>,
+    /// Greatest stable step by theory (s).
+    pub theory_step: Option<f64>,
+    /// Greatest |λ|h at which the motion did not grow; null: not measured.
+    pub measured: Option<f64>,
+    /// The step at that (s).
+    pub measured_step: Option<f64>,
+    /// What there is to say where there is no limit.
+    pub remark: Option<&'static str>,
+}
+
+impl StabilityLimit {
+    /// What theory says.
+    pub(super) fn by_theory(bound: Option<&Bound>, remark: Option<&'static str>) -> Self {
+        Self {
+            eigenvalue: bound.map(|bound| bound.eigenvalue),
+            place: bound.map(|bound| axis(bound.eigenvalue)),
+            theory: bound.map(|bound| bound.limit),
+            theory_step: bound.map(Bound::step),
+            measured: None,
+            measured_step: None,
+            remark,
+        }
+    }
+
+    /// Adds what is measured: the steps between the greatest stable and the
+    /// least unstable one tried so far are halved until they meet. `tried`: the
+    /// longest step taken, and whether the motion grew.
+    pub(super) fn measure(
+        &mut self,
+        problem: &Problem<'_>,
+        method: Method,
+        truth: &Truth,
+        bound: Option<&Bound>,
+        tried: &[(f64, bool)],
+        effort: &Effort<'_>,
+    ) {
+        let unstable = tried.iter().filter(|(_, grew)| *grew);
+        let Some(mut high) = unstable.map(|(step, _)| *step).reduce(f64::min) else {
+            return;
+        };
+        let stable = tried.iter().filter(|(step, grew)| !*grew && *step < high);
+        let Some(mut low) = stable.map(|(step, _)| *step).reduce(f64::max) else {
+            return;
+        };
+        while high > RATIO * low {
+            let middle = (low * high).sqrt();
+            let Some((taken, grew)) = try_step(problem, method, truth, bound, middle, effort)
+            else {
+                return;
+            };
+            // The step that was really taken: a whole number of them fits the run.
+            let taken = if taken > low && taken < high {
+                taken
+            } else {
+                middle
+            };
+            if grew {
+                high = taken;
+            } else {
+                low = taken;
+            }
+        }
+        self.measured_step = Some(low);
+        self.measured = bound.map(|bound| bound.rate() * low);
+    }
+}
+
+/// Runs with a step: the longest one taken, and whether the motion grew.
+/// `None`: interrupted, or out of time.
+fn try_step(
+    problem: &Problem<'_>,
+    method: Method,
+    truth: &Truth,
+    bound: Option<&Bound>,
+    step: f64,
+    effort: &Effort<'_>,
+) -> Option<(f64, bool)> {
+    let duration = problem.settings.duration;
+    let longer = RunSettings {
+        duration: duration.max(STEPS * step),
+        ..problem.settings.clone()
+    };
+    let goes_on = longer.duration > duration;
+    let problem = Problem {
+        settings: &longer,
+        ..*problem
+    };
+    let attempt = Attempt::light(&problem, method, Setting::Step(step), effort);
+    if attempt.was_interrupted() || attempt.is_out_of_time() {
+        return None;
+    }
+    let judged = judge(&attempt, Some(truth), 1.0, bound);
+    let grew = match goes_on {
+        true => !attempt.has_ended_well() || judged.growth.is_some_and(|g| g > GROWN_BEYOND),
+        false => too_long(judged.verdict),
+    };
+    let taken = attempt.timed.as_ref()?.trace.longest_step;
+    Some((taken, grew))
+}

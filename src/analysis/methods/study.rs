@@ -1,0 +1,277 @@
+//! All methods at all their settings.
+
+use super::attempt::{Attempt, Effort, Problem};
+use super::light::tracks;
+use super::limit::{StabilityLimit, too_long};
+use super::point::Point;
+use super::recommend::{Recommendation, recommend};
+use super::reference::{Distance, Reference, Truth, find};
+use super::setting::{Setting, all_methods, is_fixed_step, ladder};
+use super::stability::{Spectrum, remark};
+use super::verdict::{INACCURATE, judge};
+use crate::analysis::{Control, RunSettings};
+use crate::fault::Fault;
+use crate::integrate::Method;
+use crate::system::System;
+use serde::Serialize;
+use std::sync::atomic::Ordering;
+use std::time::Duration;
+
+/// What to try.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Plan {
+    /// Error of δ wanted, relative to max|δ|.
+    pub accuracy: f64,
+    /// The methods.
+    pub methods: Vec<Method>,
+    /// Tolerances, the coarsest first.
+    pub tolerances: Vec<f64>,
+    /// Steps of methods of fixed step (s), the longest first; `None`: from just
+    /// beyond the greatest stable step downwards.
+    pub steps: Option<Vec<f64>>,
+    /// Timed runs of a point at most.
+    pub repeats: usize,
+    /// Longest time of a point.
+    pub point_limit: Duration,
+}
+
+impl Plan {
+    /// All methods at tolerances from 1e-3 to 1e-13, five repetitions, at most
+    /// five seconds a point.
+    pub fn new(accuracy: f64) -> Self {
+        Self {
+            accuracy,
+            methods: all_methods(),
+            tolerances: (3..=13).map(|digits| 10f64.powi(-digits)).collect(),
+            steps: None,
+            repeats: 5,
+            point_limit: Duration::from_secs(5),
+        }
+    }
+}
+
+/// What is being done, for whoever waits.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Now {
+    /// Points done.
+    pub done: usize,
+    /// Points in all, at most.
+    pub total: usize,
+    /// The method under way.
+    pub method: Method,
+    /// Its setting.
+    pub setting: Setting,
+}
+
+/// Speed against accuracy of all methods on one scene.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Study {
+    /// Name of the scene.
+    pub scene: String,
+    /// Hash of the canonical scene.
+    pub hash: String,
+    /// Error of δ wanted, relative to max|δ|.
+    pub accuracy: f64,
+    /// An error beyond the tolerance times this is inaccurate.
+    pub inaccurate_factor: f64,
+    /// False when interrupted: what is there was done until then.
+    pub complete: bool,
+    /// Simulated time (s).
+    pub duration: f64,
+    /// Samples of δ in a run.
+    pub samples: usize,
+    /// Greatest rate |λ| of the system (1/s), all pairs engaged.
+    pub fastest_rate: f64,
+    /// What errors are taken against; null when it cannot be known.
+    pub reference: Option<Reference>,
+    /// Where there is no reference: how far the finest points are apart.
+    pub mutual_distances: Vec<Distance>,
+    /// One entry a method.
+    pub methods: Vec<MethodLine>,
+    /// Which to take.
+    pub recommendation: Recommendation,
+}
+
+/// One method at all its settings.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct MethodLine {
+    /// The method.
+    pub method: Method,
+    /// True: the points are steps; false: tolerances.
+    pub fixed_step: bool,
+    /// The limit of its stability.
+    pub stability: StabilityLimit,
+    /// Its points, the coarsest first.
+    pub points: Vec<Point>,
+}
+
+/// Tries every method of a plan on a system; `progress` hears of every point.
+///
+/// # Errors
+/// The start cannot be found, or there is nothing to integrate.
+pub fn study(
+    system: &System,
+    settings: &RunSettings,
+    plan: &Plan,
+    control: &Control<'_>,
+    progress: &mut dyn FnMut(&Now),
+) -> Result<Study, Vec<Fault>> {
+    let tracks = tracks(system);
+    if tracks.is_empty() {
+        return Err(vec![nothing_to_choose()]);
+    }
+    let initial = system.initial_state()?;
+    let problem = Problem {
+        system,
+        initial: &initial,
+        tracks: &tracks,
+        settings,
+    };
+    let effort = Effort {
+        repeats: plan.repeats,
+        limit: plan.point_limit,
+        control: *control,
+    };
+    let coordinates = crate::integrate::Dynamics::coordinates(system);
+    let spectrum = Spectrum::of(system, coordinates);
+    let (attempts, complete) = attempts(&problem, plan, &spectrum, &effort, progress);
+    // What was done before an interrupt is still judged; no limits are measured.
+    let interrupt = control.interrupt.filter(|_| complete);
+    let effort = Effort {
+        control: Control {
+            interrupt,
+            ..*control
+        },
+        ..effort
+    };
+    let found = find(&problem, &attempts, &effort);
+    let mut methods = lines(plan, &spectrum, &attempts, found.as_ref().ok());
+    if let (Ok(truth), true) = (&found, complete) {
+        measure_limits(&problem, &spectrum, truth, &mut methods, &effort);
+    }
+    let (reference, mutual_distances) = match found {
+        Ok(truth) => (Some(truth.public), Vec::new()),
+        Err(distances) => (None, distances),
+    };
+    Ok(Study {
+        scene: settings.scene.clone(),
+        hash: settings.hash.clone(),
+        accuracy: plan.accuracy,
+        inaccurate_factor: INACCURATE,
+        complete,
+        duration: settings.duration,
+        samples: settings.samples,
+        fastest_rate: spectrum.fastest,
+        reference,
+        mutual_distances,
+        recommendation: recommend(&methods, plan.accuracy),
+        methods,
+    })
+}
+
+fn nothing_to_choose() -> Fault {
+    Fault::new(
+        "objects",
+        "nothing in the scene is elastic or driven by a motor: the motion follows from the \
+         drives, and there is no method to choose",
+        "give an object `masses` and a `stiffness`",
+    )
+}
+
+/// Runs all points; false: interrupted.
+fn attempts(
+    problem: &Problem<'_>,
+    plan: &Plan,
+    spectrum: &Spectrum,
+    effort: &Effort<'_>,
+    progress: &mut dyn FnMut(&Now),
+) -> (Vec<Attempt>, bool) {
+    let duration = problem.settings.duration;
+    let steps = plan.steps.as_deref();
+    let ladders: Vec<(Method, Vec<Setting>)> = plan
+        .methods
+        .iter()
+        .map(|&method| {
+            (
+                method,
+                ladder(method, &plan.tolerances, steps, spectrum, duration),
+            )
+        })
+        .collect();
+    let total = ladders.iter().map(|(_, ladder)| ladder.len()).sum();
+    let mut attempts = Vec::new();
+    let mut done = 0;
+    for (method, ladder) in ladders {
+        let rungs = ladder.len();
+        for (rung, setting) in ladder.into_iter().enumerate() {
+            progress(&Now {
+                done: done + rung,
+                total,
+                method,
+                setting,
+            });
+            let attempt = Attempt::new(problem, method, setting, effort);
+            let flag = effort.control.interrupt;
+            if attempt.was_interrupted() || flag.is_some_and(|f| f.load(Ordering::Relaxed)) {
+                return (attempts, false);
+            }
+            let last = attempt.ends_ladder();
+            attempts.push(attempt);
+            if last {
+                break;
+            }
+        }
+        done += rungs;
+    }
+    (attempts, true)
+}
+
+/// Judges all points.
+fn lines(
+    plan: &Plan,
+    spectrum: &Spectrum,
+    attempts: &[Attempt],
+    truth: Option<&Truth>,
+) -> Vec<MethodLine> {
+    let line = |&method: &Method| {
+        let bound = spectrum.bound(method);
+        let bound = bound.as_ref();
+        let point = |(index, attempt): (usize, &Attempt)| {
+            let judged = judge(attempt, truth, plan.accuracy, bound);
+            let is_reference = truth.is_some_and(|truth| truth.index == index);
+            Point::new(attempt, judged, truth, bound, is_reference)
+        };
+        let own = attempts.iter().enumerate();
+        MethodLine {
+            method,
+            fixed_step: is_fixed_step(method),
+            stability: StabilityLimit::by_theory(bound, remark(method)),
+            points: own
+                .filter(|(_, attempt)| attempt.method == method)
+                .map(point)
+                .collect(),
+        }
+    };
+    let lines = plan.methods.iter().map(line);
+    lines.filter(|line| !line.points.is_empty()).collect()
+}
+
+/// Measures the greatest stable steps of the methods of fixed step.
+fn measure_limits(
+    problem: &Problem<'_>,
+    spectrum: &Spectrum,
+    truth: &Truth,
+    lines: &mut [MethodLine],
+    effort: &Effort<'_>,
+) {
+    for line in lines.iter_mut().filter(|line| line.fixed_step) {
+        let tried: Vec<(f64, bool)> = line
+            .points
+            .iter()
+            .filter_map(|point| Some((point.longest_step?, too_long(point.verdict))))
+            .collect();
+        let bound = spectrum.bound(line.method);
+        let (method, stability) = (line.method, &mut line.stability);
+        stability.measure(problem, method, truth, bound.as_ref(), &tried, effort);
+    }
+}

@@ -1,0 +1,229 @@
+//! `dam map`: a figure over one or two parameters, with a cause for every point.
+
+use super::args::MapArgs;
+use super::console;
+use super::failure::{Failure, Status};
+use super::input::Input;
+use super::journal::Journal;
+use super::output::{OutputFolder, ResultFile};
+use super::run::control;
+use dam::analysis::axis::Axis;
+use dam::analysis::map::{Cell, Listener, MapResult, Panels, Question, Study, StudyFault, map};
+use dam::report::map::{MapReport, document, map_csv, page, text};
+use dam::report::svg;
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use serde_json::Value;
+use std::collections::BTreeMap;
+use std::io::IsTerminal;
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+const FILES: [&str; 5] = [
+    "map.csv",
+    "map.json",
+    "map.svg",
+    "report.html",
+    "timing.json",
+];
+
+/// Maps that take less time than this show no bar.
+const PATIENCE: Duration = Duration::from_secs(1);
+
+/// Runs the command.
+pub(crate) fn command(args: &MapArgs) -> Result<Status, Failure> {
+    let question = question(args)?;
+    let input = Input::load(&args.scene)?;
+    let catalogue = input.catalogue();
+    let study =
+        Study::new(input.document(), &catalogue, question).map_err(|fault| match fault {
+            StudyFault::Scene(diagnostics) => Failure::Scene(diagnostics),
+            StudyFault::Question(what) => Failure::Other(what),
+        })?;
+    let folder = match &args.out.out {
+        Some(path) => Some(prepare_folder(args, &study, path)?),
+        None => None,
+    };
+    let (folder, journal, known) = match folder {
+        Some((folder, journal, known)) => (Some(folder), Some(journal), known),
+        None => (None, None, BTreeMap::new()),
+    };
+    let begun = Instant::now();
+    let kept: usize = known.values().map(Vec::len).sum();
+    let watch = Watch::new(&study, kept, journal.as_ref(), args.scene.quiet);
+    let threads = args.threads.map(usize::from);
+    let result = map(&study, known, threads, &control(None), &watch);
+    watch.finish();
+    let result = result?;
+    let seconds = begun.elapsed().as_secs_f64();
+    if let (true, Some(folder)) = (result.complete, &folder) {
+        folder.write(
+            "map",
+            &study.hash,
+            &files(&input, &study, &result, seconds)?,
+        )?;
+    }
+    if let (true, Some(journal)) = (result.complete, journal) {
+        journal.remove()?;
+    }
+    let document = document(&study, &result);
+    if args.scene.json {
+        console::json(&document)?;
+    } else {
+        console::data(&text(&study, &result));
+    }
+    if !args.scene.quiet {
+        talk(&study, &result, folder.as_ref(), seconds, kept);
+    }
+    Ok(status(&result))
+}
+
+/// Every cell has its verdict: the question is answered, whatever they are.
+fn status(result: &MapResult) -> Status {
+    match result.complete {
+        true => Status::Answered,
+        false => Status::Interrupted,
+    }
+}
+
+fn question(args: &MapArgs) -> Result<Question, Failure> {
+    let axis = |name: &str, text: &str| {
+        Axis::parse(text).map_err(|what| Failure::Other(format!("--{name} {what}")))
+    };
+    Ok(Question {
+        overrides: args.scene.set.clone(),
+        x: axis("x", &args.x)?,
+        y: args.y.as_deref().map(|text| axis("y", text)).transpose()?,
+        panels: Panels::parse(&args.panels).map_err(|what| format!("--panels {what}"))?,
+        figure: args.figure.clone(),
+        check_determined: !args.unchecked,
+    })
+}
+
+type Known = BTreeMap<usize, Vec<Cell>>;
+
+/// The folder, checked, with its journal and the rows that this one knows.
+fn prepare_folder(
+    args: &MapArgs,
+    study: &Study<'_>,
+    path: &Path,
+) -> Result<(OutputFolder, Journal, Known), Failure> {
+    let folder = OutputFolder::prepare(path, &study.scene, &FILES, args.out.force)?;
+    let (journal, known) = Journal::open(path, study, args.resume, args.out.force)?;
+    Ok((folder, journal, known))
+}
+
+fn files(
+    input: &Input,
+    study: &Study<'_>,
+    result: &MapResult,
+    seconds: f64,
+) -> Result<Vec<ResultFile>, Failure> {
+    let document: Value = document(study, result);
+    let table = map_csv(study, result).map_err(|error| error.to_string())?;
+    let report = page(&MapReport {
+        study,
+        result,
+        scene: input.text(),
+        version: env!("CARGO_PKG_VERSION"),
+    });
+    let timing = serde_json::json!({
+        "dam": 1,
+        "scene": study.scene,
+        "cells": study.cells(),
+        "map_s": seconds,
+    });
+    Ok(vec![
+        ResultFile::new(FILES[0], table),
+        ResultFile::new(FILES[1], format!("{document:#}\n")),
+        ResultFile::new(FILES[2], svg::map::svg(study, result)),
+        ResultFile::new(FILES[3], report),
+        ResultFile::new(FILES[4], format!("{timing:#}\n")),
+    ])
+}
+
+fn talk(
+    study: &Study<'_>,
+    result: &MapResult,
+    folder: Option<&OutputFolder>,
+    seconds: f64,
+    kept: usize,
+) {
+    let known = result.panels.iter().flatten().flatten().count();
+    let done = known - kept;
+    console::talk(&format!(
+        "{done} cells in {seconds:.3} s, {:.0} cells/s",
+        done as f64 / seconds.max(1e-9)
+    ));
+    if kept > 0 {
+        console::talk(&format!(
+            "{kept} cells were known from before the interruption"
+        ));
+    }
+    match (result.complete, folder) {
+        (true, Some(folder)) => {
+            console::talk(&format!("report: {}", folder.path("report.html").display()));
+        }
+        (false, Some(_)) => console::talk(&format!(
+            "interrupted: {known} of {} cells are kept; go on with --resume",
+            study.cells()
+        )),
+        (false, None) => console::talk("interrupted: nothing is kept without --out"),
+        (true, None) => {}
+    }
+}
+
+/// Keeps finished rows and shows how far the map is.
+struct Watch<'a> {
+    journal: Option<&'a Journal>,
+    bar: Option<ProgressBar>,
+    begun: Instant,
+}
+
+impl<'a> Watch<'a> {
+    fn new(study: &Study<'_>, kept: usize, journal: Option<&'a Journal>, quiet: bool) -> Self {
+        let visible = !quiet && std::io::stderr().is_terminal();
+        let bar = visible.then(|| {
+            let bar = ProgressBar::hidden();
+            bar.set_length(study.cells() as u64);
+            // Known cells cost no time: rate and time left are those of the others.
+            bar.set_position(kept as u64);
+            bar.reset_eta();
+            bar.set_style(style());
+            bar.set_prefix(study.scene.clone());
+            bar
+        });
+        Self {
+            journal,
+            bar,
+            begun: Instant::now(),
+        }
+    }
+
+    fn finish(&self) {
+        if let Some(bar) = &self.bar {
+            bar.finish_and_clear();
+        }
+    }
+}
+
+fn style() -> ProgressStyle {
+    let template = "{prefix} {bar:30} {pos} of {len} cells, {per_sec}, {eta} left";
+    ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar())
+}
+
+impl Listener for Watch<'_> {
+    fn cell(&self) {
+        let Some(bar) = &self.bar else { return };
+        if bar.is_hidden() && self.begun.elapsed() > PATIENCE {
+            bar.set_draw_target(ProgressDrawTarget::stderr());
+        }
+        bar.inc(1);
+    }
+
+    fn row(&self, row: usize, cells: &[Cell]) -> Result<(), String> {
+        match self.journal {
+            Some(journal) => journal.add(row, cells),
+            None => Ok(()),
+        }
+    }
+}

@@ -1,0 +1,181 @@
+//! `dam methods`: speed against accuracy of every method, and where they fail.
+
+mod bar;
+mod files;
+mod text;
+
+use super::args::MethodsArgs;
+use super::console;
+use super::failure::{Failure, Status};
+use super::input::{Input, Ready};
+use super::output::OutputFolder;
+use super::run::control;
+use bar::PointBar;
+use dam::analysis::Control;
+use dam::analysis::axis::Axis;
+use dam::analysis::methods::sweep::{Sweep, sweep};
+use dam::analysis::methods::{Plan, Study, all_methods, study};
+use dam::integrate::Method;
+use std::time::Duration;
+
+/// Most values of an axis: each is a study of its own.
+const MOST_VALUES: usize = 1000;
+
+/// Runs the command.
+pub(crate) fn command(args: &MethodsArgs) -> Result<Status, Failure> {
+    let input = Input::load(&args.scene)?;
+    let axis = args.x.as_deref().map(axis).transpose()?;
+    // Of an axis the first value shows whether the scene can take it.
+    let further: Vec<String> = axis.iter().map(|axis| axis.setting(axis.from)).collect();
+    let ready = input.prepare(&further)?;
+    let plan = plan(args, &ready)?;
+    let folder = prepare_folder(args, &ready)?;
+    let control = control(None);
+    let complete = match &axis {
+        None => {
+            let found = single(args, &ready, &plan, &control)?;
+            if let Some(folder) = &folder {
+                let files = files::of_study(input.text(), &ready, &found)?;
+                folder.write("methods", &ready.scene().hash, &files)?;
+            }
+            show(args, &found, || text::study(&found))?;
+            found.complete
+        }
+        Some(axis) => {
+            let found = over(args, &input, &ready, axis, &plan, &control)?;
+            if let Some(folder) = &folder {
+                let files = files::of_sweep(input.text(), &ready, &found)?;
+                folder.write("methods", &ready.scene().hash, &files)?;
+            }
+            let scene = &ready.scene().name;
+            show(args, &found, || text::sweep(scene, &plan.methods, &found))?;
+            found.complete
+        }
+    };
+    if let (Some(folder), false) = (&folder, args.scene.quiet) {
+        let report = folder.path("report.html");
+        console::talk(&format!("report: {}", report.display()));
+    }
+    Ok(match complete {
+        true => Status::Answered,
+        false => Status::Interrupted,
+    })
+}
+
+/// The folder for the results, checked before the work.
+fn prepare_folder(args: &MethodsArgs, ready: &Ready) -> Result<Option<OutputFolder>, Failure> {
+    let Some(path) = &args.out.out else {
+        return Ok(None);
+    };
+    let names: &[&str] = match args.x {
+        None => &files::OF_STUDY,
+        Some(_) => &files::OF_SWEEP,
+    };
+    let scene = &ready.scene().name;
+    let folder = OutputFolder::prepare(path, scene, names, args.out.force)?;
+    Ok(Some(folder))
+}
+
+/// Prints a document or a text.
+fn show(
+    args: &MethodsArgs,
+    document: &impl serde::Serialize,
+    text: impl FnOnce() -> String,
+) -> Result<(), Failure> {
+    if args.scene.json {
+        console::json(document)?;
+    } else {
+        console::data(&text());
+    }
+    Ok(())
+}
+
+fn axis(text: &str) -> Result<Axis, Failure> {
+    let axis = Axis::parse(text).map_err(|what| Failure::Other(format!("--x {what}")))?;
+    if axis.count > MOST_VALUES {
+        return Err(Failure::Other(format!(
+            "--x {text}: {} values, each a study of its own; at most {MOST_VALUES} are taken",
+            axis.count
+        )));
+    }
+    Ok(axis)
+}
+
+/// What the arguments and the scene ask for.
+fn plan(args: &MethodsArgs, ready: &Ready) -> Result<Plan, Failure> {
+    let accuracy = args.accuracy.unwrap_or(ready.settings.tolerance);
+    let mut plan = Plan {
+        repeats: args.repeats as usize,
+        point_limit: Duration::from_secs_f64(args.point_limit),
+        ..Plan::new(accuracy)
+    };
+    if !args.methods.is_empty() {
+        let named: Result<Vec<Method>, Failure> =
+            args.methods.iter().map(|name| method(name)).collect();
+        let named = named?;
+        plan.methods.retain(|method| named.contains(method));
+    }
+    if !args.tolerances.is_empty() {
+        plan.tolerances.clone_from(&args.tolerances);
+        plan.tolerances.sort_by(|a, b| b.total_cmp(a));
+        plan.tolerances.dedup();
+    }
+    if !args.steps.is_empty() {
+        let mut steps = args.steps.clone();
+        steps.sort_by(|a, b| b.total_cmp(a));
+        steps.dedup();
+        plan.steps = Some(steps);
+    }
+    Ok(plan)
+}
+
+fn method(name: &str) -> Result<Method, Failure> {
+    let known = all_methods();
+    let found = known.iter().find(|method| method.name() == name.trim());
+    found.copied().ok_or_else(|| {
+        let names: Vec<&str> = known.iter().map(|method| method.name()).collect();
+        Failure::Other(format!(
+            "--methods {name}: unknown method; one of {}",
+            names.join(", ")
+        ))
+    })
+}
+
+/// One study, with a progress bar.
+fn single(
+    args: &MethodsArgs,
+    ready: &Ready,
+    plan: &Plan,
+    control: &Control<'_>,
+) -> Result<Study, Failure> {
+    let bar = PointBar::new(1, args.scene.quiet);
+    let mut tell = |now: &_| bar.at(0, now);
+    let found = study(&ready.system, &ready.settings, plan, control, &mut tell);
+    bar.finish();
+    found.map_err(|faults| ready.reading.places.diagnose(&faults).into())
+}
+
+/// A study at every value of an axis, with a progress bar.
+fn over(
+    args: &MethodsArgs,
+    input: &Input,
+    first: &Ready,
+    axis: &Axis,
+    plan: &Plan,
+    control: &Control<'_>,
+) -> Result<Sweep, Failure> {
+    let bar = PointBar::new(axis.count, args.scene.quiet);
+    let found = sweep(
+        axis,
+        plan,
+        control,
+        |x| {
+            let ready = input.prepare(&[axis.setting(x)])?;
+            Ok((ready.system, ready.settings))
+        },
+        |_, faults| first.reading.places.diagnose(&faults).into(),
+        &mut |index, now| bar.at(index, now),
+    );
+    bar.finish();
+    found
+}

@@ -1,0 +1,53 @@
+//! A map as one JSON document.
+
+use crate::analysis::axis::Axis;
+use crate::analysis::map::{Cell, MapResult, NEAR_HARMONIC, RESONANCE, Study, THROWN_OFF, summary};
+use crate::analysis::spread::{CHANGE, DETERMINED};
+use serde_json::{Value, json};
+
+/// The document that `dam map --json` prints. Cells stand in the order of the
+/// rows, along the x axis first; unknown ones are null.
+pub fn document(study: &Study<'_>, result: &MapResult) -> Value {
+    let of = |cells: &[Option<Cell>], read: &dyn Fn(&Cell) -> Value| -> Value {
+        let one = |cell: &Option<Cell>| cell.as_ref().map_or(Value::Null, read);
+        cells.iter().map(one).collect()
+    };
+    let panels: Vec<Value> = (study.panels.panels.iter())
+        .zip(&result.panels)
+        .zip(summary(study, result))
+        .map(|((panel, cells), summary)| {
+            json!({
+                "label": panel.label,
+                "settings": panel.settings,
+                "summary": summary,
+                "values": of(cells, &|cell| json!(cell.value)),
+                "verdicts": of(cells, &|cell| json!(cell.verdict)),
+                "causes": of(cells, &|cell| json!(cell.cause)),
+                "moved": of(cells, &|cell| json!(cell.moved)),
+                "rigid_margin": of(cells, &|cell| json!(cell.rigid_margin)),
+            })
+        })
+        .collect();
+    json!({
+        "dam": 1,
+        "scene": study.scene,
+        "hash": study.hash,
+        "figure": study.figure,
+        "unit": study.unit,
+        "x": axis(&study.x),
+        "y": study.y.as_ref().map(axis),
+        "complete": result.complete,
+        "thresholds": {
+            "thrown_off": THROWN_OFF,
+            "resonance": RESONANCE,
+            "near_harmonic": NEAR_HARMONIC,
+            "change_of_loads": study.check_determined.then_some(CHANGE),
+            "determined": study.check_determined.then_some(DETERMINED),
+        },
+        "panels": panels,
+    })
+}
+
+fn axis(axis: &Axis) -> Value {
+    json!({ "path": axis.path, "unit": axis.unit, "log": axis.log, "values": axis.values() })
+}

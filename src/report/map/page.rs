@@ -1,0 +1,232 @@
+//! A map as a page that opens without a network.
+
+use crate::analysis::map::{
+    Cell, MOST_STEPS, MapResult, NEAR_HARMONIC, RESONANCE, STEADY, Study, THROWN_OFF, Verdict,
+    summary,
+};
+use crate::analysis::spread::{CHANGE, DETERMINED};
+use crate::report::html::data::PlotData;
+use crate::report::html::{facts, header, scene, shell};
+use crate::report::quantity::{escape, with_unit};
+use crate::report::svg;
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+
+/// Causes listed of each verdict and panel.
+const MOST_CAUSES: usize = 12;
+
+/// Everything that goes into the page of a map.
+#[derive(Clone, Copy, Debug)]
+pub struct MapReport<'a> {
+    /// What was asked.
+    pub study: &'a Study<'a>,
+    /// What came out.
+    pub result: &'a MapResult,
+    /// The scene's text, shown as it is.
+    pub scene: &'a str,
+    /// Version of `dam`.
+    pub version: &'a str,
+}
+
+/// The page.
+pub fn page(report: &MapReport<'_>) -> String {
+    let study = report.study;
+    let over = match &study.y {
+        Some(y) => format!("{} over {} and {}", study.figure, study.x.path, y.path),
+        None => format!("{} over {}", study.figure, study.x.path),
+    };
+    let mut body = header(&study.scene, &over, None);
+    body.push_str("<main>\n");
+    let _ = write!(
+        body,
+        "<div class=\"graph scroll\">\n{}</div>\n",
+        svg::map::svg(study, report.result)
+    );
+    body.push_str(&counts(report));
+    body.push_str(&meanings(report));
+    body.push_str(&causes(report));
+    body.push_str(&scene(report.scene));
+    body.push_str("</main>\n");
+    let rows = [
+        ("Scene", study.scene.clone()),
+        ("SHA-256 of the study", study.hash.clone()),
+        ("Program", format!("dam {}", report.version)),
+    ];
+    let _ = write!(
+        body,
+        "<footer>\n<h2>Provenance</h2>\n{}</footer>\n",
+        facts(&rows)
+    );
+    shell(&study.scene, &body, &PlotData::new(&[]).json())
+}
+
+/// One row a panel: how often each verdict, and the extremes.
+fn counts(report: &MapReport<'_>) -> String {
+    let panels = summary(report.study, report.result);
+    let occurring: Vec<Verdict> = (Verdict::ALL.into_iter())
+        .filter(|verdict| {
+            panels
+                .iter()
+                .any(|panel| panel.verdicts.contains_key(verdict))
+        })
+        .collect();
+    let mut head = String::from("<th>panel</th>");
+    for verdict in &occurring {
+        let _ = write!(head, "<th>{}</th>", verdict.words());
+    }
+    let mut rows = String::new();
+    for panel in &panels {
+        let label = if panel.label.is_empty() {
+            "map"
+        } else {
+            &panel.label
+        };
+        let _ = write!(rows, "<tr><th>{}</th>", escape(label));
+        for verdict in &occurring {
+            let _ = write!(
+                rows,
+                "<td>{}</td>",
+                panel.verdicts.get(verdict).unwrap_or(&0)
+            );
+        }
+        for extreme in [&panel.least, &panel.greatest] {
+            let value = |extreme: &crate::analysis::map::Extreme| {
+                let y = extreme
+                    .y
+                    .as_ref()
+                    .map(|y| format!("; {y}"))
+                    .unwrap_or_default();
+                format!(
+                    "{}<span class=\"sub\">at {}{}</span>",
+                    escape(&with_unit(extreme.value, report.study.unit, 6)),
+                    escape(&extreme.x),
+                    escape(&y)
+                )
+            };
+            let text = extreme.as_ref().map_or("–".to_owned(), value);
+            let _ = write!(rows, "<td>{text}</td>");
+        }
+        rows.push_str("</tr>\n");
+    }
+    format!(
+        "<h2>Verdicts</h2>\n<div class=\"scroll\"><table>\n<thead><tr>{head}<th>least</th>\
+         <th>greatest</th></tr></thead>\n<tbody>\n{rows}</tbody></table></div>\n"
+    )
+}
+
+/// What the verdicts that occur mean, with the bounds they rest on.
+fn meanings(report: &MapReport<'_>) -> String {
+    let mut occurring: BTreeMap<Verdict, ()> = BTreeMap::new();
+    for cell in report.result.panels.iter().flatten().flatten() {
+        occurring.insert(cell.verdict, ());
+    }
+    let rows: Vec<(&str, String)> = (occurring.keys())
+        .map(|&verdict| (verdict.words(), meaning(verdict)))
+        .collect();
+    format!("<h2>What they mean</h2>\n{}", facts(&rows))
+}
+
+fn meaning(verdict: Verdict) -> String {
+    match verdict {
+        Verdict::InWorkingOrder => "No pair opens in the whole run.".to_owned(),
+        Verdict::LiftOffDiesAway => {
+            "A pair opens after the start, and not in the window of steady figures.".to_owned()
+        }
+        Verdict::LiftOff => {
+            "A pair opens in the window of steady figures: the mechanism is not in \
+             working order. Of a rigid object: its motion needs a pull."
+                .to_owned()
+        }
+        Verdict::LiftOffNotJudged => {
+            "A pair opens, and the run has no window of steady figures: give it three turns of \
+             the drive or more."
+                .to_owned()
+        }
+        Verdict::ThrownOff => format!(
+            "A pair opens and the object leaves its law by more than {THROWN_OFF} times the \
+             amplitude of the law."
+        ),
+        Verdict::Resonance => format!(
+            "No pair opens, and over the last cycle the deviation is at least {RESONANCE} times \
+             the quasi-static one, is not dying away (less than {} % a cycle), and a natural \
+             frequency lies near a harmonic of the drive: one mode would magnify it at least \
+             {NEAR_HARMONIC} times.",
+            100.0 * STEADY
+        ),
+        Verdict::Stopped => "The mechanism reaches a dead position.".to_owned(),
+        Verdict::NotDetermined => format!(
+            "The loads changed by one part in {:e} move the figure by more than {DETERMINED:e} of \
+             its scale (ten times the tolerance of a general method, where that is more): nobody \
+             knows the figure to more digits than the map shows as settled.",
+            1.0 / CHANGE
+        ),
+        Verdict::NumericalFailure => format!(
+            "The computation failed: the method gave up, a number was not finite, the energies do \
+             not balance, or more than {MOST_STEPS} steps were needed. It says nothing about the \
+             mechanism."
+        ),
+        Verdict::Refused => "The scene is refused at these values.".to_owned(),
+    }
+}
+
+/// The causes of everything that is no plain answer.
+fn causes(report: &MapReport<'_>) -> String {
+    let told = |cell: &Cell| {
+        matches!(
+            cell.verdict,
+            Verdict::NotDetermined
+                | Verdict::NumericalFailure
+                | Verdict::Refused
+                | Verdict::Stopped
+        )
+    };
+    let mut rows = String::new();
+    for (panel, cells) in report.result.panels.iter().enumerate() {
+        let mut seen: BTreeMap<Verdict, usize> = BTreeMap::new();
+        for (index, cell) in cells.iter().enumerate() {
+            let Some(cell) = cell.as_ref().filter(|cell| told(cell)) else {
+                continue;
+            };
+            let count = seen.entry(cell.verdict).or_insert(0);
+            *count += 1;
+            if *count <= MOST_CAUSES {
+                rows.push_str(&cause(report, panel, index, cell));
+            }
+        }
+        for (verdict, count) in seen.into_iter().filter(|(_, count)| *count > MOST_CAUSES) {
+            let _ = writeln!(
+                rows,
+                "<tr><td>{}</td><td></td><td class=\"left\">{}</td><td class=\"left\">and {} \
+                 more, in map.csv</td></tr>",
+                panel + 1,
+                verdict.words(),
+                count - MOST_CAUSES
+            );
+        }
+    }
+    if rows.is_empty() {
+        return rows;
+    }
+    format!(
+        "<h2>Causes</h2>\n<div class=\"scroll\"><table>\n<thead><tr><th>panel</th><th \
+         class=\"left\">where</th><th class=\"left\">verdict</th><th class=\"left\">cause</th>\
+         </tr></thead>\n<tbody>\n{rows}</tbody></table></div>\n"
+    )
+}
+
+fn cause(report: &MapReport<'_>, panel: usize, index: usize, cell: &Cell) -> String {
+    let study = report.study;
+    let (x, y) = study.place(index);
+    let mut place = study.x.written(x);
+    if let (Some(axis), Some(y)) = (&study.y, y) {
+        let _ = write!(place, "; {}", axis.written(y));
+    }
+    format!(
+        "<tr><td>{}</td><td class=\"left\">{}</td><td class=\"left\">{}</td>\
+         <td class=\"left\">{}</td></tr>\n",
+        panel + 1,
+        escape(&place),
+        cell.verdict.words(),
+        escape(&cell.cause)
+    )
+}

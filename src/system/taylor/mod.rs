@@ -1,0 +1,388 @@
+//! The motion as a power series in time, from the equations of motion.
+//!
+//! With s = (t − t₀)/L, every quantity of the passes (see `passes`) is a series
+//! Σ q_k·s^k. Accelerations of order k need displacements up to order k + 1
+//! only, and give those of order k + 2: one pass over the equations for each
+//! order, each operation by its rule for series (product, quotient, and for
+//! tanh its differential equation), as in the Taylor methods of A. Griewank and
+//! A. Walther, Evaluating derivatives (2008), chapter 13. Laws are taken along
+//! the way of their driver, see [`law`].
+//!
+//! The speed table of a motor has kinks that no series knows of: systems with
+//! one have no expansion here.
+
+mod law;
+mod loads;
+#[cfg(test)]
+mod tests;
+
+pub(crate) use law::HIGHEST;
+
+use super::frozen::{Chain, Frozen, Step, segment};
+use super::pairs::OPEN;
+use super::passes::{Extent, Work};
+use crate::model::{Closure, LoadLaw};
+use crate::position::Position;
+use law::{LawSeries, Series, against, polynomial, product};
+use loads::LoadSeries;
+
+/// Share by which the polynomial of a law reaches beyond the way expected.
+const MARGIN: f64 = 1.25;
+/// The polynomial of a law is good a little beyond its reach.
+const BEYOND: f64 = 1.1;
+/// Least reach of the polynomial of a law (rad or m).
+const LEAST_REACH: f64 = 1e-7;
+
+const ZERO: Series = [0.0; HIGHEST + 1];
+
+/// Series of everything; made once, used for every step.
+#[derive(Clone, Debug)]
+pub(super) struct Taylor {
+    /// φ and φ̇ of the nodes (k).
+    pub(super) displacement: Vec<Series>,
+    pub(super) speed: Vec<Series>,
+    /// φ̈.
+    acceleration: Vec<Series>,
+    force: Vec<Series>,
+    mass: Vec<Series>,
+    /// F of each chain's link 1.
+    reaction: Vec<Series>,
+    /// U″φ̇² of each law and φ̇² of its driver, where rigid objects need them.
+    bias: Vec<Series>,
+    square: Vec<Series>,
+    laws: Vec<LawSeries>,
+    loads: Vec<LoadSeries>,
+    /// u and u̇ of the coordinates (n).
+    u: Vec<Series>,
+    v: Vec<Series>,
+    /// Time of the whole series, s from 0 to 1 (s).
+    length: f64,
+}
+
+impl Taylor {
+    pub(super) fn new(frozen: &Frozen) -> Self {
+        let (nodes, laws) = (frozen.inertia.len(), frozen.laws.len());
+        let series = |count: usize| vec![ZERO; count];
+        Self {
+            displacement: series(nodes),
+            speed: series(nodes),
+            acceleration: series(nodes),
+            force: series(nodes),
+            mass: series(nodes),
+            reaction: series(frozen.chains.len()),
+            bias: series(laws),
+            square: series(laws),
+            laws: vec![LawSeries::default(); laws],
+            loads: vec![LoadSeries::default(); frozen.loads.len()],
+            u: series(frozen.coordinates),
+            v: series(frozen.coordinates),
+            length: 1.0,
+        }
+    }
+
+    /// Factor from coefficient k of φ̈ to coefficient k + 2 of φ.
+    fn twice(&self, order: usize) -> f64 {
+        self.length * self.length / ((order + 1) * (order + 2)) as f64
+    }
+
+    /// Sets φ of a node at an order, and φ̇ at the one before.
+    fn place(&mut self, node: usize, order: usize, value: f64) {
+        self.displacement[node][order] = value;
+        if order > 0 {
+            self.speed[node][order - 1] = order as f64 * value / self.length;
+        }
+    }
+}
+
+/// Where a motion starts.
+pub(super) struct Start<'a> {
+    pub(super) time: f64,
+    pub(super) y: &'a [f64],
+    /// Derivative there.
+    pub(super) dy: &'a [f64],
+    pub(super) modes: &'a [i64],
+}
+
+impl Frozen {
+    /// True when motions can be expanded.
+    pub(super) fn expands(&self) -> bool {
+        let known = |law: &LoadLaw| !matches!(law, LoadLaw::SpeedTable(_));
+        self.loads.iter().all(|load| known(&load.law))
+    }
+
+    /// Series to the power `degree` over the time `length`: coefficients of all
+    /// signals into `out`, one after the other. Returns what they take for
+    /// granted, at 1 just all of it: the longest way that a driver goes, in units
+    /// of that for which its law is known, and how many times the length is that
+    /// for which the series of the loads can be relied on.
+    pub(super) fn expand(
+        &self,
+        start: &Start<'_>,
+        degree: usize,
+        length: f64,
+        work: &mut Work<f64>,
+        taylor: &mut Taylor,
+        out: &mut [f64],
+    ) -> f64 {
+        taylor.length = length;
+        self.begin(start, work, taylor);
+        for order in 0..=degree - 2 {
+            self.forces_of(start, order, work, taylor);
+            self.reduce_of(order, taylor);
+            self.accelerations_of(order, taylor);
+        }
+        let extra = self.extra.iter().map(|&node| &taylor.displacement[node]);
+        let signals = taylor.u.iter().chain(extra);
+        for (out, series) in out.chunks_exact_mut(degree + 1).zip(signals) {
+            out.copy_from_slice(&series[..=degree]);
+        }
+        let bending = self.laws.iter().zip(&taylor.laws);
+        let ways = bending
+            .filter(|(law, _)| bends(law))
+            .map(|(_, series)| series.way(degree) / BEYOND);
+        // Speeds are known to one order less.
+        let loads = self.loads.iter().zip(&taylor.loads);
+        let shares = loads.map(|(load, series)| {
+            let speed = &taylor.speed[load.node];
+            1.0 / series.reliable(&load.law, speed, degree - 1)
+        });
+        ways.chain(shares).fold(
+            0.0,
+            |greatest: f64, one| {
+                if one.is_nan() { one } else { greatest.max(one) }
+            },
+        )
+    }
+
+    /// Orders 0 and 1 of all displacements; all orders of drives.
+    fn begin(&self, start: &Start<'_>, work: &mut Work<f64>, taylor: &mut Taylor) {
+        let Start { time, y, dy, modes } = *start;
+        self.motion(time, y, modes, Extent::Full, work);
+        self.known_accelerations(&dy[self.coordinates..], work);
+        let (u, v) = y.split_at(self.coordinates);
+        for (coordinate, series) in taylor.u.iter_mut().enumerate() {
+            series[0] = u[coordinate];
+            series[1] = v[coordinate] * taylor.length;
+            taylor.v[coordinate][0] = v[coordinate];
+        }
+        for step in &self.steps {
+            match step {
+                Step::Prescribed(drive) => {
+                    taylor.displacement[drive.node] = ZERO;
+                    taylor.speed[drive.node] = ZERO;
+                    let (piece, length) = (segment(modes, drive.component), taylor.length);
+                    let jet = |shift: f64| drive.motion.jet(piece, time + shift);
+                    let middle = jet(0.0);
+                    let speeds = polynomial(middle, jet(-length), jet(length), length);
+                    taylor.place(drive.node, 0, middle.value);
+                    for (j, c) in speeds.iter().enumerate() {
+                        taylor.place(drive.node, j + 1, length * c / (j + 1) as f64);
+                    }
+                    for order in 0..HIGHEST - 1 {
+                        taylor.acceleration[drive.node][order] = (order + 1) as f64
+                            * taylor.speed[drive.node][order + 1]
+                            / taylor.length;
+                    }
+                }
+                Step::Rotor(rotor) => {
+                    taylor.place(rotor.node, 0, u[rotor.coordinate]);
+                    taylor.place(rotor.node, 1, v[rotor.coordinate] * taylor.length);
+                }
+                Step::Rigid(index) => {
+                    let rigid = self.rigids[*index];
+                    self.begin_law(rigid.law, modes, work, taylor);
+                    for order in 0..2 {
+                        taylor.place(rigid.node, order, taylor.laws[rigid.law].value[order]);
+                    }
+                }
+                Step::Chain(index) => self.begin_chain(&self.chains[*index], modes, work, taylor),
+            }
+        }
+    }
+
+    fn begin_chain(&self, chain: &Chain, modes: &[i64], work: &Work<f64>, taylor: &mut Taylor) {
+        self.begin_law(chain.law, modes, work, taylor);
+        for (node, coordinate) in chain.nodes().zip(chain.coordinates()) {
+            for order in 0..2 {
+                let law = taylor.laws[chain.law].value[order];
+                taylor.place(node, order, law + taylor.u[coordinate][order]);
+            }
+        }
+    }
+
+    fn begin_law(&self, index: usize, modes: &[i64], work: &Work<f64>, taylor: &mut Taylor) {
+        let law = &self.laws[index];
+        let (driver, length) = (law.driver, taylor.length);
+        let phi = taylor.displacement[driver][0];
+        if bends(law) {
+            let (speed, acceleration) = (work.speed[driver], work.acceleration[driver]);
+            let way = length * (speed.abs() + 0.5 * length * acceleration.abs());
+            let radius = (MARGIN * way).max(LEAST_REACH);
+            taylor.laws[index].begin(phi, radius, |phi| law.jet(modes, phi));
+        } else {
+            taylor.laws[index].begin_straight(law.jet(modes, phi));
+        }
+        taylor.laws[index].advance(1, taylor.displacement[driver][1]);
+    }
+
+    /// Loads and reactions of an order.
+    fn forces_of(&self, start: &Start<'_>, order: usize, work: &Work<f64>, taylor: &mut Taylor) {
+        for (force, &constant) in taylor.force.iter_mut().zip(&self.constant_force) {
+            force[order] = if order == 0 { constant } else { 0.0 };
+        }
+        for (index, load) in self.loads.iter().enumerate() {
+            let force = if order == 0 {
+                let place = [load.node].map(|node| taylor.speed[node][0]);
+                taylor.loads[index].begin(&load.law, place[0]);
+                self.load(index, start.time, start.modes, work)
+            } else {
+                let argument = load.argument.as_ref().map(|axis| {
+                    let time = if order == 1 { taylor.length } else { 0.0 };
+                    let place = axis
+                        .node
+                        .map_or(time, |node| taylor.displacement[node][order]);
+                    place * load.slope(start.modes[axis.component])
+                });
+                let motion = [&taylor.displacement[load.node], &taylor.speed[load.node]];
+                taylor.loads[index].advance(&load.law, order, motion, argument.unwrap_or(0.0))
+            };
+            taylor.force[load.node][order] += force;
+        }
+        for (index, chain) in self.chains.iter().enumerate() {
+            let reaction = self.reaction_of(chain, start.modes, order, taylor);
+            taylor.reaction[index][order] = reaction;
+            let first = &taylor.laws[chain.law].first;
+            taylor.force[self.laws[chain.law].driver][order] +=
+                product(&taylor.reaction[index], first, order);
+        }
+    }
+
+    /// F of a chain's link 1 at an order.
+    fn reaction_of(&self, chain: &Chain, modes: &[i64], order: usize, taylor: &Taylor) -> f64 {
+        let first = chain.first_coordinate;
+        let (c, b) = (self.stiffness[first], self.damping[first]);
+        let (x, v) = (&taylor.u[first], &taylor.v[first]);
+        let contact = &chain.contact;
+        let mode = self.pair_mode(chain, modes);
+        if contact.closure == Closure::Bilateral {
+            return c * x[order] + b * v[order];
+        }
+        if mode == OPEN {
+            return 0.0;
+        }
+        let side = mode as f64;
+        let clearance = if order == 0 { contact.half_gap } else { 0.0 };
+        let Some(kappa) = contact.kappa else {
+            return c * (x[order] - side * clearance) + b * v[order];
+        };
+        // c·p·(1 + κ·ṗ), p = side·x − η/2.
+        let depth = side * x[order] - clearance;
+        let crossed = product(x, v, order) - side * contact.half_gap * v[order];
+        side * c * (depth + kappa * crossed)
+    }
+
+    /// Rigid nodes hand inertia and forces of an order to their drivers.
+    fn reduce_of(&self, order: usize, taylor: &mut Taylor) {
+        if self.rigids.is_empty() {
+            return;
+        }
+        for (mass, &inertia) in taylor.mass.iter_mut().zip(&self.inertia) {
+            mass[order] = if order == 0 { inertia } else { 0.0 };
+        }
+        for rigid in self.rigids.iter().rev() {
+            let driver = self.laws[rigid.law].driver;
+            let speed = &taylor.speed[driver];
+            taylor.square[rigid.law][order] = product(speed, speed, order);
+            let first = taylor.laws[rigid.law].first;
+            let bias = product(
+                &taylor.laws[rigid.law].second,
+                &taylor.square[rigid.law],
+                order,
+            );
+            taylor.bias[rigid.law][order] = bias;
+            let mass = taylor.mass[rigid.node];
+            // U′²·M and U′·(F − M·bias), product by product.
+            let mut slope = ZERO;
+            let mut rest = ZERO;
+            for k in 0..=order {
+                slope[k] = product(&first, &mass, k);
+                rest[k] = taylor.force[rigid.node][k] - product(&mass, &taylor.bias[rigid.law], k);
+            }
+            taylor.mass[driver][order] += product(&first, &slope, order);
+            taylor.force[driver][order] += product(&first, &rest, order);
+        }
+    }
+
+    /// Accelerations of an order, drivers before driven, and the displacements
+    /// two orders on.
+    fn accelerations_of(&self, order: usize, taylor: &mut Taylor) {
+        for step in &self.steps {
+            match step {
+                Step::Prescribed(_) => {}
+                Step::Rotor(rotor) => {
+                    let acceleration = self.quotient(rotor.node, 0.0, order, taylor);
+                    let place = taylor.twice(order) * acceleration;
+                    taylor.acceleration[rotor.node][order] = acceleration;
+                    taylor.place(rotor.node, order + 2, place);
+                    taylor.u[rotor.coordinate][order + 2] = place;
+                    taylor.v[rotor.coordinate][order + 1] = taylor.speed[rotor.node][order + 1];
+                }
+                Step::Rigid(index) => {
+                    let rigid = self.rigids[*index];
+                    let place = self.advance_law(rigid.law, order, taylor);
+                    taylor.place(rigid.node, order + 2, place);
+                    taylor.acceleration[rigid.node][order] = place / taylor.twice(order);
+                }
+                Step::Chain(index) => self.accelerate_of(*index, order, taylor),
+            }
+        }
+    }
+
+    /// Coefficient `order` of φ̈ of a node from its forces and the links'.
+    fn quotient(&self, node: usize, links: f64, order: usize, taylor: &Taylor) -> f64 {
+        let force = taylor.force[node][order] + links;
+        if self.rigids.is_empty() {
+            return force / self.inertia[node];
+        }
+        let (mass, known) = (&taylor.mass[node], &taylor.acceleration[node]);
+        let carried = against(&mass[1..=order], &known[..order]);
+        (force - carried) / mass[0]
+    }
+
+    /// The law's next coefficient of U, its driver's being known.
+    fn advance_law(&self, law: usize, order: usize, taylor: &mut Taylor) -> f64 {
+        let phi = taylor.displacement[self.laws[law].driver][order + 2];
+        taylor.laws[law].advance(order + 2, phi);
+        taylor.laws[law].value[order + 2]
+    }
+
+    fn accelerate_of(&self, index: usize, order: usize, taylor: &mut Taylor) {
+        let chain = &self.chains[index];
+        let base = self.advance_law(chain.law, order, taylor);
+        let twice = taylor.twice(order);
+        let rate = (order + 2) as f64 / taylor.length;
+        let mut below = taylor.reaction[index][order];
+        let last = chain.coordinates().end - 1;
+        for (node, m) in chain.nodes().zip(chain.coordinates()) {
+            let above = if m < last {
+                let (u, v) = (&taylor.u, &taylor.v);
+                self.stiffness[m + 1] * (u[m + 1][order] - u[m][order])
+                    + self.damping[m + 1] * (v[m + 1][order] - v[m][order])
+            } else {
+                0.0
+            };
+            let acceleration = self.quotient(node, above - below, order, taylor);
+            below = above;
+            let place = twice * acceleration;
+            taylor.acceleration[node][order] = acceleration;
+            taylor.place(node, order + 2, place);
+            taylor.u[m][order + 2] = place - base;
+            taylor.v[m][order + 1] = rate * (place - base);
+        }
+    }
+}
+
+/// True when U′ of a law is not a constant.
+fn bends(law: &super::frozen::FrozenLaw) -> bool {
+    !matches!(law.position, Position::Ratio { .. })
+}

@@ -1,0 +1,462 @@
+//! Exact propagation of scenes against integration at a tight tolerance, and
+//! what it refuses.
+
+use dam::analysis::exact::Quick;
+use dam::analysis::run::{RunResult, run};
+use dam::analysis::{Control, RunSettings};
+use dam::exact::Parts;
+use dam::fault::Fault;
+use dam::integrate::Method;
+use dam::lower::lower;
+use dam::scene::{BuiltIn, Document, Overrides};
+use dam::system::System;
+use serde_json::{Value, json};
+
+fn prepare(objects: &Value, run: &Value) -> Result<(System, RunSettings), String> {
+    let text = json!({ "dam": 1, "name": "test", "objects": objects, "run": run }).to_string();
+    let document = Document::parse("scene.json", text.as_bytes()).expect("a document");
+    let reading = document
+        .scene(&BuiltIn, &Overrides::none())
+        .map_err(|faults| faults.to_string())?;
+    let model = lower(&reading.scene).map_err(|faults| format!("{faults:?}"))?;
+    let system = System::new(model).map_err(|faults| format!("{faults:?}"))?;
+    let settings = RunSettings::of(&reading.scene).map_err(|fault| format!("{fault:?}"))?;
+    Ok((system, settings))
+}
+
+fn solve(
+    system: &System,
+    settings: &RunSettings,
+    method: Method,
+    tolerance: f64,
+) -> Result<RunResult, Vec<Fault>> {
+    let settings = RunSettings {
+        method: Some(method),
+        tolerance,
+        ..settings.clone()
+    };
+    run(system, &settings, &Control::default(), &mut [])
+}
+
+/// Deterministic random numbers (SplitMix64).
+struct Random(u64);
+
+impl Random {
+    fn unit(&mut self) -> f64 {
+        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
+    }
+
+    fn between(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * self.unit()
+    }
+
+    fn below(&mut self, count: usize) -> usize {
+        (self.unit() * count as f64) as usize
+    }
+
+    fn signed(&mut self, low: f64, high: f64) -> f64 {
+        let size = self.between(low, high);
+        if self.below(2) == 0 { size } else { -size }
+    }
+}
+
+fn drive(random: &mut Random) -> Value {
+    let speed = random.signed(15.0, 60.0);
+    match random.below(4) {
+        0 => json!({ "kind": "drive", "motion": { "run_up": { "speed": speed, "time": 0.12 } } }),
+        1 => {
+            let points: Vec<_> = (0..6)
+                .map(|k| json!([0.05 * f64::from(k), random.between(-2.0, 2.0)]))
+                .collect();
+            json!({ "kind": "drive", "motion": { "table": points } })
+        }
+        _ => {
+            json!({ "kind": "drive", "motion": { "speed": speed, "angle": random.between(0.0, 6.0) } })
+        }
+    }
+}
+
+/// A position function for something that turns.
+fn position(random: &mut Random) -> Value {
+    match random.below(7) {
+        0 => json!({ "ratio": random.signed(0.3, 2.0) }),
+        1 => {
+            json!({ "sine": { "amplitude": random.between(0.05, 0.5), "harmonic": 1 + random.below(3), "phase": 0.4 } })
+        }
+        2 => json!({ "polynomial": { "coefficients": [0.1, 0.2, random.between(-0.01, 0.01)] } }),
+        3 => {
+            let top = random.between(0.1, 0.4);
+            json!({ "table": { "periodic": true, "points":
+                [[0, 0], [1, 0.4 * top], [2, top], [4, 0.3 * top], [std::f64::consts::TAU, 0]] } })
+        }
+        4 => {
+            json!({ "four_bar": { "crank": 0.04, "coupler": 0.12, "rocker": 0.1, "frame": 0.13, "phase": random.between(0.0, 6.0) } })
+        }
+        _ => {
+            let laws = [
+                "harmonic",
+                "cycloidal",
+                "3-4-5",
+                "4-5-6-7",
+                "modified_trapezoid",
+            ];
+            json!({ "cam": { "lift": random.signed(0.05, 0.3), "rise": "100 deg", "dwell": "30 deg",
+                "return": format!("{} deg", random.between(80.0, 150.0)), "phase": "-20 deg",
+                "law": { "rise": laws[random.below(5)], "return": laws[random.below(5)] } } })
+        }
+    }
+}
+
+fn loads(random: &mut Random, over_position: bool) -> Value {
+    let mut loads = json!({});
+    if random.below(2) == 0 {
+        loads["spring"] = json!({ "spring": { "rate": random.between(10.0, 500.0), "preload": random.between(-5.0, 5.0) } });
+    }
+    if random.below(2) == 0 {
+        loads["oil"] = json!({ "viscous": random.between(0.01, 2.0), "mass": "first" });
+    }
+    if random.below(2) == 0 {
+        let force = random.signed(1.0, 50.0);
+        loads["table"] =
+            json!({ "time_table": [[0.03, 0], [0.05, force], [0.11, 0.5 * force], [0.2, -force]] });
+    }
+    if over_position && random.below(2) == 0 {
+        loads["window"] =
+            json!({ "window": { "from": 0.3, "to": 1.4, "force": random.signed(1.0, 30.0) } });
+        loads["over"] = json!({ "position_table": {
+            "points": [[0, 0], [1, random.between(-20.0, 20.0)], [2.5, 3], [4, 0]], "period": "360 deg" } });
+    }
+    loads
+}
+
+fn elastic(random: &mut Random, input: &str, position: Value, over_position: bool) -> Value {
+    let mut object = json!({
+        "kind": "rocker", "input": input, "position": position,
+        "inertia": random.between(0.05, 0.3), "stiffness": random.between(2e4, 3e5),
+        "masses": 1 + random.below(3), "damping_capacity": random.between(0.3, 2.0),
+        "loads": loads(random, over_position),
+    });
+    match random.below(3) {
+        0 => {
+            let opens = if random.below(2) == 0 { "+" } else { "-" };
+            let force = if opens == "+" { -1.0 } else { 1.0 } * random.between(30.0, 200.0);
+            object["pair"] = json!({ "closure": "force", "opens": opens });
+            object["loads"]["closing"] = json!({ "constant": force });
+        }
+        1 => object["pair"] = json!({ "closure": "form", "gap": random.between(1e-4, 2e-3) }),
+        _ => {}
+    }
+    object
+}
+
+/// A random scene all of which can be propagated exactly.
+fn scene(random: &mut Random) -> Value {
+    let mut objects = json!({ "drive": drive(random) });
+    let mut prescribed = vec!["drive".to_owned()];
+    if random.below(2) == 0 {
+        objects["lever"] = json!({ "kind": "rocker", "input": "drive", "position": position(random),
+            "inertia": 0.1, "masses": 0 });
+        prescribed.push("lever".to_owned());
+    }
+    for name in ["a", "b"].iter().take(1 + random.below(2)) {
+        let input = prescribed[random.below(prescribed.len())].clone();
+        let law = position(random);
+        objects[name] = elastic(random, &input, law, true);
+        let mut carrier = (*name).to_owned();
+        if random.below(2) == 0 {
+            let rigid = format!("{name}_rigid");
+            objects[&rigid] = json!({ "kind": "shaft", "input": carrier, "masses": 0,
+                "position": { "ratio": { "ratio": random.signed(0.3, 2.0), "offset": 0.1 } },
+                "inertia": random.between(0.01, 0.2), "loads": loads(random, false) });
+            carrier = rigid;
+        }
+        for follower in 0..random.below(3) {
+            let ratio = json!({ "ratio": { "ratio": random.signed(0.3, 2.0), "offset": -0.2 } });
+            objects[format!("{name}_{follower}")] = elastic(random, &carrier, ratio, false);
+        }
+    }
+    objects
+}
+
+fn delta_columns(result: &RunResult) -> Vec<(&str, &[f64])> {
+    let columns = result.record.columns.iter();
+    columns
+        .filter(|column| column.quantity == "delta")
+        .map(|column| (column.object.as_str(), column.values.as_slice()))
+        .collect()
+}
+
+/// Greatest difference of δ of any object, relative to its greatest |δ|.
+fn difference(one: &RunResult, other: &RunResult) -> f64 {
+    let columns = delta_columns(one).into_iter().zip(delta_columns(other));
+    columns
+        .map(|((_, a), (_, b))| {
+            let size = b.iter().fold(0.0f64, |m, x| m.max(x.abs()));
+            let off = a.iter().zip(b).map(|(a, b)| (a - b).abs());
+            let off = off.fold(0.0, f64::max);
+            if size > 0.0 { off / size } else { off }
+        })
+        .fold(0.0, f64::max)
+}
+
+/// The quick run's figures are those of the recorder.
+fn compare_quick(system: &System, settings: &RunSettings, exact: &RunResult, label: &str) {
+    let quick = Quick::new(system).expect("it qualifies");
+    let quick = quick.with_window(settings.window);
+    let found = quick
+        .run(settings.duration, settings.samples, true, 1_000_000)
+        .expect("it runs");
+    assert_eq!(found.switches, exact.outcome.statistics.switches, "{label}");
+    for object in &found.objects {
+        let id = &system.model().objects[object.object].id;
+        let wanted = &exact.figures.objects[id];
+        let own = object.figures.as_ref().expect("asked for");
+        let near = |what: &str, a: f64, b: f64, scale: f64| {
+            let size = b.abs().max(scale);
+            assert!(
+                (a - b).abs() <= 1e-9 * size,
+                "{label} {id} {what}: {a} for {b}"
+            );
+        };
+        let delta = wanted.delta_max.abs().max(wanted.delta_min.abs());
+        near("delta_max", own.delta_max, wanted.delta_max, delta);
+        near("delta_min", own.delta_min, wanted.delta_min, delta);
+        near("sigma", own.sigma, wanted.sigma, delta);
+        near("peak_speed", own.peak_speed, wanted.peak_speed, 0.0);
+        near(
+            "peak_acceleration",
+            own.peak_acceleration,
+            wanted.peak_acceleration,
+            0.0,
+        );
+        near(
+            "peak_reaction",
+            own.peak_reaction,
+            wanted.peak_reaction,
+            0.0,
+        );
+        near(
+            "displacement",
+            own.end.displacement,
+            wanted.end.displacement,
+            delta,
+        );
+        near("speed", own.end.speed, wanted.end.speed, wanted.peak_speed);
+        let columns = delta_columns(exact);
+        let (_, samples) = columns
+            .iter()
+            .find(|(name, _)| name == id)
+            .expect("a column");
+        assert_eq!(object.delta.len() + 1, samples.len());
+        for (a, b) in object.delta.iter().zip(&samples[1..]) {
+            near("sample", *a, *b, delta);
+        }
+        match (&own.pair, &wanted.pair) {
+            (None, None) => {}
+            (Some(own), Some(wanted)) => {
+                assert_eq!(own.separations, wanted.separations, "{label} {id}");
+                assert_eq!(own.closures, wanted.closures, "{label} {id}");
+                assert_eq!(
+                    own.in_working_order, wanted.in_working_order,
+                    "{label} {id}"
+                );
+                assert_eq!(own.switch_times.len(), wanted.switch_times.len());
+                let end = settings.duration;
+                near("separated", own.separated_time, wanted.separated_time, end);
+                near(
+                    "longest",
+                    own.longest_separation,
+                    wanted.longest_separation,
+                    end,
+                );
+                near("lift", own.max_lift, wanted.max_lift, delta);
+                near(
+                    "approach",
+                    own.max_approach_speed,
+                    wanted.max_approach_speed,
+                    0.0,
+                );
+                near(
+                    "contact",
+                    own.max_contact_force,
+                    wanted.max_contact_force,
+                    0.0,
+                );
+            }
+            other => panic!("{label} {id}: {other:?}"),
+        }
+    }
+}
+
+#[test]
+fn random_scenes_agree_with_integration_at_a_tight_tolerance() {
+    let (mut compared, mut switches, mut worst) = (0, 0, 0.0f64);
+    for seed in 0..40 {
+        let mut random = Random(seed);
+        let objects = scene(&mut random);
+        let start = ["on_law", "static"][random.below(2)];
+        let settings = json!({ "duration": 0.25, "start": start, "samples": 200 });
+        let Ok((system, settings)) = prepare(&objects, &settings) else {
+            continue;
+        };
+        let parts = Parts::of(&system);
+        assert!(parts.is_whole(), "seed {seed}: {:?}", parts.refusals);
+        let Ok(exact) = solve(&system, &settings, Method::Exact, 1e-12) else {
+            continue; // no static balance
+        };
+        let label = format!("seed {seed}: {objects}");
+        assert!(exact.is_complete(), "{label}: {:?}", exact.outcome);
+        assert!(
+            exact.audit.error() < 1e-10,
+            "{label}: {:e}",
+            exact.audit.error()
+        );
+        let coarse = solve(&system, &settings, Method::Dop853, 1e-10).expect("it starts");
+        let fine = solve(&system, &settings, Method::Dop853, 1e-12).expect("it starts");
+        // Where integration is not sure of itself it judges nobody.
+        let unsure = difference(&coarse, &fine);
+        if unsure > 1e-7 || !fine.is_complete() {
+            continue;
+        }
+        let off = difference(&exact, &fine);
+        println!(
+            "seed {seed}: off {off:.1e}, unsure {unsure:.1e}, {} switches",
+            exact.outcome.statistics.switches
+        );
+        assert!(off < 1e-8, "off {off:e} (unsure {unsure:e}) {label}");
+        let counts = [&exact, &fine].map(|result| result.outcome.statistics.switches);
+        assert_eq!(counts[0], counts[1], "{label}");
+        compare_quick(&system, &settings, &exact, &label);
+        (compared, switches, worst) = (compared + 1, switches + counts[0], worst.max(off));
+    }
+    println!("{compared} scenes, {switches} switches, worst {worst:.1e}");
+    assert!(
+        compared >= 30 && switches > 500,
+        "{compared} scenes, {switches} switches"
+    );
+}
+
+#[test]
+fn a_thousand_cycles_bring_no_drift() {
+    let cam = json!({ "cam": { "lift": 0.1, "rise": "110 deg", "dwell": "20 deg", "return": "130 deg", "law": "modified_trapezoid" } });
+    for position in [
+        cam,
+        json!({ "slider_crank": { "crank": 0.04, "rod": 0.13 } }),
+    ] {
+        let kind = if position.get("cam").is_some() {
+            "rocker"
+        } else {
+            "slider"
+        };
+        let objects = json!({
+            "drive": { "kind": "drive", "motion": { "speed": "600 rpm" } },
+            "arm": { "kind": kind, "input": "drive", "position": position, "inertia": 0.1,
+                "stiffness": 1e5, "masses": 2, "damping_capacity": 1.5,
+                "loads": { "return": { "spring": { "rate": 300 } } } },
+        });
+        let settings = json!({ "duration": 100.0, "samples": 1000 });
+        let (system, settings) = prepare(&objects, &settings).expect("a scene");
+        let quick = Quick::new(&system).expect("it qualifies");
+        let run = quick
+            .run(settings.duration, 64_000, false, 1_000)
+            .expect("it runs");
+        let delta = &run.objects[0].delta;
+        let size = delta.iter().fold(0.0f64, |m, x| m.max(x.abs()));
+        let cycle = |k: usize| &delta[64 * k..64 * (k + 1)];
+        let pairs = cycle(20).iter().zip(cycle(999));
+        let off = pairs.fold(0.0f64, |m, (a, b)| m.max((a - b).abs())) / size;
+        assert!(off < 1e-11, "{kind}: {off:e}");
+    }
+}
+
+#[test]
+fn what_does_not_qualify_is_refused_with_its_reason() {
+    let arm = |input: &str| {
+        json!({ "kind": "rocker", "input": input, "position": { "ratio": 1 }, "inertia": 0.1,
+            "stiffness": 1e5, "masses": 1 })
+    };
+    let drive = json!({ "kind": "drive", "motion": { "speed": 30 } });
+    let with = |key: &str, value: Value| {
+        let mut arm = arm("drive");
+        arm[key] = value;
+        json!({ "drive": drive, "arm": arm })
+    };
+    let behind = |value: Value| {
+        let mut objects = json!({ "drive": drive, "arm": arm("drive"), "tip": arm("arm") });
+        for (key, value) in value.as_object().expect("an object") {
+            objects["tip"][key] = value.clone();
+        }
+        objects
+    };
+    let motor = json!({ "drive": { "kind": "drive", "motor": { "inertia": 1, "torque": { "constant": 3 } } }, "arm": arm("drive") });
+    let stuck = json!({ "drive": drive, "arm": arm("drive"),
+        "slide": { "kind": "slider", "input": "drive", "masses": 0, "inertia": 1,
+            "position": { "slider_crank": { "crank": 0.25, "rod": 0.2 } } } });
+    let cases = [
+        (motor, "drive", "turned by a torque"),
+        (
+            with(
+                "pair",
+                json!({ "closure": "force", "law": { "hunt_crossley": { "kappa": 1 } } }),
+            ),
+            "arm",
+            "Hunt–Crossley",
+        ),
+        (
+            with(
+                "loads",
+                json!({ "rub": { "friction": { "force": 3, "width": 0.1 } } }),
+            ),
+            "arm",
+            "`rub` is friction",
+        ),
+        (
+            behind(json!({ "position": { "sine": { "amplitude": 0.2 } } })),
+            "tip",
+            "not a straight line, and `arm`",
+        ),
+        (
+            behind(
+                json!({ "loads": { "cut": { "window": { "from": 0.1, "to": 0.2, "force": 5 } } } }),
+            ),
+            "tip",
+            "`cut` depends on a displacement",
+        ),
+        (stuck, "slide", "dead positions"),
+    ];
+    for (objects, object, reason) in cases {
+        let run = json!({ "duration": 0.1, "start": "on_law" });
+        let (system, settings) = prepare(&objects, &run).expect("a scene");
+        let faults = solve(&system, &settings, Method::Exact, 1e-6).expect_err(reason);
+        assert_eq!(faults.len(), 1, "{faults:?}");
+        assert_eq!(faults[0].path, "run.method");
+        let message = &faults[0].message;
+        assert!(
+            message.contains(&format!("{object}: ")) && message.contains(reason),
+            "{message}"
+        );
+        let free = RunSettings {
+            method: None,
+            ..settings
+        };
+        let chosen = dam::analysis::run::run(&system, &free, &Control::default(), &mut []);
+        assert_ne!(chosen.expect("it runs").method, Method::Exact);
+    }
+}
+
+#[test]
+fn exact_is_chosen_where_everything_qualifies() {
+    let objects = json!({
+        "drive": { "kind": "drive", "motion": { "speed": 30 } },
+        "arm": { "kind": "rocker", "input": "drive", "position": { "sine": { "amplitude": 0.2 } },
+            "inertia": 0.1, "stiffness": 1e5, "masses": 1 },
+    });
+    let (system, settings) = prepare(&objects, &json!({ "duration": 0.1 })).expect("a scene");
+    let result = run(&system, &settings, &Control::default(), &mut []).expect("it runs");
+    assert_eq!(result.method, Method::Exact);
+    assert!(result.figures.run.why.contains("closed form"));
+}
