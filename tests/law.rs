@@ -181,3 +181,31 @@ fn laws_are_ranked_by_the_response_of_a_scene() {
         &["nobody"],
     );
 }
+
+#[test]
+fn the_cycle_of_a_cam_is_shown_with_its_shocks() {
+    let root = PathBuf::from(env!("CARGO_MANIFEST_DIR"));
+    let scene = root.join("scenarios/indexing/thread_guide.json");
+    let scene = scene.display().to_string();
+    let shown = text(&dam(&["law", "cycle", &scene, "--of", "guide"]));
+    assert_eq!(shown.matches("soft shock").count(), 1, "{shown}");
+    let found = json(&dam(&["law", "cycle", &scene, "--of", "guide", "--json"]));
+    // The cosine run-out ends in the dwell, 180 deg after the rest of 30 deg.
+    let at = found["cycle"]["jumps"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .find(|jump| jump["order"] == 2)
+        .unwrap()["at"]
+        .as_f64()
+        .unwrap();
+    assert!((at - std::f64::consts::PI).abs() < 1e-12, "{at}");
+    let csv = text(&dam(&[
+        "law", "cycle", &scene, "--of", "guide", "--form", "csv",
+    ]));
+    assert!(csv.starts_with("phi [rad],U [m],"), "{csv}");
+    refused(
+        &["law", "cycle", &scene, "--of", "cam"],
+        &["a drive follows no law"],
+    );
+}

@@ -2,6 +2,7 @@
 
 pub mod axis;
 pub mod compare;
+pub mod cycle;
 mod document;
 pub mod exact;
 pub mod expectations;

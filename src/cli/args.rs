@@ -31,7 +31,7 @@ pub(crate) enum Command {
     Show(ShowArgs),
     /// Run a scene for several values of a parameter and compare the figures
     Compare(CompareArgs),
-    /// Laws of motion: list, show, synthesize, compare
+    /// Laws of motion: list, show, synthesize, cycle, compare
     #[command(subcommand)]
     Law(LawCommand),
     /// Show a figure over one or two parameters, with a verdict and its cause for every point

@@ -1,13 +1,16 @@
 //! Motions: dimensionless laws of motion, splines, and the prescribed motion of a drive over time.
 
 pub mod cycle;
+pub(crate) mod extremes;
 pub mod law;
+mod run_up;
 mod spec;
 mod spline;
 pub mod stroke;
 
 pub use cycle::{Cycle, CycleSpec};
 pub use law::{Law, LawName, LawSpec, RunLawName, RunLawSpec};
+pub use run_up::LawRunUp;
 pub use spec::DriveMotionSpec;
 pub use spline::Spline;
 
@@ -48,54 +51,6 @@ pub enum DriveMotion {
     Table(Spline),
 }
 
-/// A run-up by a law of motion.
-#[derive(Clone, Debug)]
-pub struct LawRunUp {
-    law: Law,
-    /// What the law was made from.
-    pub spec: RunLawSpec,
-    /// Final speed (rad/s).
-    pub speed: f64,
-    /// Duration of the run-up (s), > 0.
-    pub time: f64,
-    /// φ at t = 0 (rad).
-    pub angle: f64,
-}
-
-impl LawRunUp {
-    /// Angle turned during the run-up (rad).
-    pub fn turned(&self) -> f64 {
-        self.speed * self.time / self.law.at(1.0).first
-    }
-
-    fn jet(&self, segment: i64, time: f64) -> Jet {
-        let last = self.law.joints().len();
-        let piece = match segment {
-            i64::MIN..=0 => return uniform(self.angle, 0.0, time),
-            segment => segment as usize - 1,
-        };
-        if piece > last {
-            return uniform(self.angle + self.turned(), self.speed, time - self.time);
-        }
-        let jet = self.law.jet(piece, time / self.time);
-        let (turned, rate) = (self.turned(), 1.0 / self.time);
-        Jet {
-            value: self.angle + turned * jet.value,
-            first: turned * rate * jet.first,
-            second: turned * rate * rate * jet.second,
-            third: turned * rate * rate * rate * jet.third,
-        }
-    }
-
-    fn breaks(&self) -> Vec<f64> {
-        let joints = self.law.joints().iter().map(|joint| joint * self.time);
-        std::iter::once(0.0)
-            .chain(joints)
-            .chain([self.time])
-            .collect()
-    }
-}
-
 impl DriveMotion {
     /// The motion that a scene describes.
     ///
@@ -125,14 +80,8 @@ impl DriveMotion {
                 let Some(spec) = law else {
                     return Ok(Self::RunUp { speed, time, angle });
                 };
-                match Law::of_run_up(spec) {
-                    Ok(law) => Ok(Self::LawRunUp(Box::new(LawRunUp {
-                        law,
-                        spec: spec.clone(),
-                        speed,
-                        time,
-                        angle,
-                    }))),
+                match LawRunUp::new(spec, speed, time, angle) {
+                    Ok(run_up) => Ok(Self::LawRunUp(Box::new(run_up))),
                     Err(found) => {
                         faults.absorb("run_up.law", found);
                         faults.check()?;

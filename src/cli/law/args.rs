@@ -12,6 +12,8 @@ pub(crate) enum LawCommand {
     Show(ShowArgs),
     /// Work out a stroke of run-up, uniform section and run-out
     Synthesize(SynthesizeArgs),
+    /// Show the whole cycle of a cam or plan in a scene: joints, extremes, shocks
+    Cycle(CycleArgs),
     /// Rank laws by their constants and by the response of a scene
     Compare(CompareArgs),
 }
@@ -23,6 +25,7 @@ impl LawCommand {
             Self::List(args) => args.json,
             Self::Show(args) => args.form.json,
             Self::Synthesize(args) => args.form.json,
+            Self::Cycle(args) => args.scene.json,
             Self::Compare(args) => args.scene.json,
         }
     }
@@ -173,4 +176,20 @@ pub(crate) enum RankBy {
     DriverTorque,
     /// Lift-off speed (needs --lift-off)
     LiftOff,
+}
+
+/// Arguments of `dam law cycle`.
+#[derive(Debug, Args)]
+pub(crate) struct CycleArgs {
+    #[command(flatten)]
+    pub(crate) scene: SceneArgs,
+    /// The object that follows the cam
+    #[arg(long, value_name = "OBJECT")]
+    pub(crate) of: String,
+    /// In which form
+    #[arg(long, value_enum, default_value_t = Form::Text, conflicts_with = "json")]
+    pub(crate) form: Form,
+    /// Equal steps of the samples in CSV
+    #[arg(long, default_value_t = 360, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+    pub(crate) samples: u32,
 }

@@ -2,6 +2,7 @@
 
 pub(crate) mod args;
 mod compare;
+mod cycle;
 mod synthesize;
 
 use super::console;
@@ -22,6 +23,7 @@ pub(crate) fn command(command: &LawCommand) -> Result<Status, Failure> {
         LawCommand::List(args) => list(args)?,
         LawCommand::Show(args) => show(args)?,
         LawCommand::Synthesize(args) => synthesize::command(args)?,
+        LawCommand::Cycle(args) => cycle::command(args)?,
         LawCommand::Compare(args) => return compare::command(args),
     }
     Ok(Status::Answered)

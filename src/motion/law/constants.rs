@@ -85,7 +85,7 @@ impl Law {
             centre_after: after.then(|| last + (1.0 - self.at(last).value) / speed.value),
             filling: speed.value / (speed.at * acceleration.value),
             centre: speed.at - self.value_before(speed.at) / speed.value,
-            jerk: self.peak_of(|j| j.third.abs(), true),
+            jerk: self.peak_of(|j| j.third.abs()),
             speed,
             acceleration,
             deceleration,

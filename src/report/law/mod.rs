@@ -1,11 +1,13 @@
 //! Laws of motion as text, tables and diagrams.
 
 mod compare;
+mod cycle;
 mod stroke;
 #[cfg(test)]
 mod tests;
 
 pub use compare::{comparison_csv, comparison_text};
+pub use cycle::{cycle_chart, cycle_csv, cycle_text};
 pub use stroke::{stroke_chart, stroke_csv, stroke_text};
 
 use super::csv::{number, write};
