@@ -208,6 +208,10 @@ impl Stage {
                     Err(None)
                 }
             }
+            Position::Plan(plan) if plan.spec().period.is_some() => {
+                let spec = plan.spec();
+                Ok((spec.period.unwrap_or(TAU), spec.advance))
+            }
             Position::Table(table) if table.is_periodic() => {
                 let (first, last) = table.ends();
                 Ok((last - first, 0.0))
