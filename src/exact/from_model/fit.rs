@@ -5,7 +5,7 @@
 //! kept, are below rounding of the function, and until the coefficients in
 //! powers of the time from its start do not cancel either.
 
-use super::course::{Course, Formulas};
+use super::course::{Course, Formulas, Instant, ROUNDING};
 use crate::exact::LAW_DEGREE;
 use crate::polynomial::{MAX_DEGREE, first_positive};
 use std::sync::LazyLock;
@@ -244,15 +244,15 @@ fn leaves(
         .iter()
         .fold(0.0, |m: f64, c| m.max(c.abs()));
     // Only the place of the crossing is wanted from it, to be polished.
-    if !(rest <= 1e-9 * spread + TAIL * size) {
+    if !(rest <= 1e-12 * spread + TAIL * size) {
         return Err(());
     }
     if c[0] - spread >= low && c[0] + spread <= high {
         return Ok(None);
     }
     // Beyond an edge is beyond it by more than rounding: the motion may start
-    // and end on one, and rest there.
-    let rounding = TAIL * size + rest;
+    // and end on one, and rest there. (Formulas are told within ROUNDING.)
+    let rounding = 2.0 * ROUNDING * size + rest;
     let mut first: Option<f64> = None;
     for (edge, sign) in [(low, -1.0), (high, 1.0)] {
         if !edge.is_finite() {
@@ -272,38 +272,29 @@ fn leaves(
     let Some(s) = first else {
         return Ok(None);
     };
-    Ok(Some(polish(
-        course,
-        formulas,
-        depth,
-        (low, high),
-        time,
-        s * length,
-    )))
+    let edges = (low, high);
+    let at = |after: f64| course.at(formulas, depth, time + after);
+    Ok(Some(polish(at, edges, s * length, rounding)))
 }
 
-/// The crossing near `after`, by Newton's method on the motion itself.
-fn polish(
-    course: &Course,
-    formulas: &Formulas,
-    depth: usize,
-    (low, high): (f64, f64),
-    time: f64,
-    mut after: f64,
-) -> f64 {
-    let guess = after;
+/// The crossing near `guess`, where the motion is beyond its edge by about
+/// `rounding`, by Newton's method on the motion itself.
+fn polish(at: impl Fn(f64) -> Instant, (low, high): (f64, f64), guess: f64, rounding: f64) -> f64 {
+    let mut after = guess;
     for _ in 0..8 {
-        let now = course.at(formulas, depth, time + after);
+        let now = at(after);
         let edge = if now.speed > 0.0 { high } else { low };
         let next = after - (now.value - edge) / now.speed;
-        // Only a correction of the guess is believed.
-        if !((next - guess).abs() <= 1e-3 * guess) {
+        // Only a correction of the size of the error is believed.
+        let allowed = 8.0 * rounding / now.speed.abs() + 1e-6 * guess;
+        if !((next - guess).abs() <= allowed && next > 0.0) {
             return guess;
         }
-        if (next - after).abs() <= f64::EPSILON * (time.abs() + after) {
-            return next;
-        }
+        let done = (next - after).abs() <= f64::EPSILON * after;
         after = next;
+        if done {
+            break;
+        }
     }
     after
 }
