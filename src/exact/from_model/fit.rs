@@ -15,7 +15,7 @@ const POINTS: usize = LAW_DEGREE + 4;
 
 /// Greatest coefficient beyond those kept, in units of the rounding of the
 /// function's parts.
-const TAIL: f64 = 4.0 * f64::EPSILON;
+const TAIL: f64 = 16.0 * f64::EPSILON;
 
 /// Greatest ratio of the sum of the coefficients in powers to the function.
 const CANCELLATION: f64 = 60.0;
@@ -140,22 +140,27 @@ pub(crate) fn fit(
     let last = axis.map_or((f64::NEG_INFINITY, f64::INFINITY), |axis| {
         course.around(axis, &formulas, time)
     });
-    let mut length = longest.min(formulas.until - time);
-    let mut end = if length < longest {
+    let longest = longest.min(formulas.until - time);
+    let whole = if longest == formulas.until - time {
         formulas.until
     } else {
-        time + length
+        time + longest
     };
-    for _ in 0..120 {
-        if !(time + length > time) {
-            return None;
+    // A motion that is rounded more than its parts tell is fitted as closely
+    // as it goes, within reason.
+    for (tail, trials) in [(TAIL, 24), (4.0 * TAIL, 24), (32.0 * TAIL, 90)] {
+        let (mut length, mut end) = (longest, whole);
+        for _ in 0..trials {
+            if !(time + length > time) {
+                break;
+            }
+            match attempt(course, &formulas, last, (time, length), target, tail) {
+                Trial::Good(fit) => return Some(Fit { end, ..fit }),
+                Trial::Leaves(after) => length = after,
+                Trial::Long => length *= 0.5,
+            }
+            end = time + length;
         }
-        match attempt(course, &formulas, last, time, length, target) {
-            Trial::Good(fit) => return Some(Fit { end, ..fit }),
-            Trial::Leaves(after) => length = after,
-            Trial::Long => length *= 0.5,
-        }
-        end = time + length;
     }
     None
 }
@@ -164,9 +169,9 @@ fn attempt(
     course: &Course,
     formulas: &Formulas,
     last: (f64, f64),
-    time: f64,
-    length: f64,
+    (time, length): (f64, f64),
     target: Target,
+    tail: f64,
 ) -> Trial {
     let depth = course.stages.len();
     for (index, &limits) in formulas.limits.iter().chain([&last]).enumerate() {
@@ -192,10 +197,10 @@ fn attempt(
     let rest = c[LAW_DEGREE + 1..]
         .iter()
         .fold(0.0, |m: f64, c| m.max(c.abs()));
-    if !(rest <= TAIL * size) {
+    if !(rest <= tail * size) {
         return Trial::Long;
     }
-    let kept = c[..=LAW_DEGREE].iter().rposition(|c| c.abs() > TAIL * size);
+    let kept = c[..=LAW_DEGREE].iter().rposition(|c| c.abs() > tail * size);
     let kept = kept.unwrap_or(0);
     let mut powers = [0.0; LAW_DEGREE + 1];
     for (c, row) in c[..=kept].iter().zip(&TABLES.powers) {
@@ -244,7 +249,7 @@ fn leaves(
         .iter()
         .fold(0.0, |m: f64, c| m.max(c.abs()));
     // Only the place of the crossing is wanted from it, to be polished.
-    if !(rest <= 1e-12 * spread + TAIL * size) {
+    if !(rest <= 1e-12 * spread + 4.0 * TAIL * size) {
         return Err(());
     }
     if c[0] - spread >= low && c[0] + spread <= high {
