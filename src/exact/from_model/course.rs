@@ -12,7 +12,7 @@ use crate::position::Position;
 use std::f64::consts::TAU;
 
 /// Rounding of a place on an axis, in units of the numbers that make it.
-const ROUNDING: f64 = 16.0 * f64::EPSILON;
+pub(crate) const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// A position function on the way, with its factor.
 #[derive(Clone, Debug)]
