@@ -1,18 +1,11 @@
-//! `dam map`: verdicts and their causes, and that nothing depends on threads or
-//! on interruptions.
+//! Maps: verdicts, their causes, and values.
 
 use dam::analysis::Control;
 use dam::analysis::axis::Axis;
-use dam::analysis::map::{
-    Cell, Family, Listener, MapResult, Panels, Question, Silent, Study, StudyFault, Verdict,
-    journal, map,
-};
-use dam::report::map::{document, map_csv, text};
-use dam::report::svg;
+use dam::analysis::map::{Cell, Family, Panels, Question, Silent, Study, StudyFault, Verdict, map};
 use dam::scene::{BuiltIn, Document};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-use std::sync::Mutex;
 
 fn scene(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR"))
@@ -238,112 +231,6 @@ fn cells_that_hang_on_the_last_digits_are_marked() {
         // A deflection under loads moves as the loads do.
         assert!(cell.moved.unwrap() < 1e-9, "{cell:?}");
     }
-}
-
-/// The small map of the tests of order and interruption.
-fn small(document: &Document) -> Study<'_> {
-    let question = Question {
-        panels: Panels::parse(&["rocker.loads.closing.constant=-600,-900".to_owned()]).unwrap(),
-        check_determined: true,
-        ..question(
-            &["run.duration=0.3"],
-            "rocker.inertia=0.06:0.16:5",
-            Some("rocker.stiffness=1e6:1e7:4:log"),
-        )
-    };
-    Study::new(document, &BuiltIn, question).unwrap()
-}
-
-fn run(
-    study: &Study<'_>,
-    known: BTreeMap<usize, Vec<Cell>>,
-    threads: usize,
-    listener: &dyn Listener,
-) -> MapResult {
-    map(study, known, Some(threads), &Control::default(), listener).unwrap()
-}
-
-fn everything(study: &Study<'_>, result: &MapResult) -> String {
-    let document = document(study, result);
-    let csv = map_csv(study, result).unwrap();
-    format!(
-        "{document}{csv}{}{}",
-        svg::map::svg(study, result),
-        text(study, result)
-    )
-}
-
-#[test]
-fn the_same_bytes_for_any_number_of_threads() {
-    let document = load(TWO);
-    let study = small(&document);
-    let one = everything(&study, &run(&study, BTreeMap::new(), 1, &Silent));
-    for threads in [2, 5] {
-        let other = everything(&study, &run(&study, BTreeMap::new(), threads, &Silent));
-        assert!(one == other, "{threads} threads");
-    }
-    assert!(!one.contains("NaN") && !one.contains("inf"));
-}
-
-/// Keeps the lines of a journal.
-struct Lines(Mutex<String>);
-
-impl Listener for Lines {
-    fn row(&self, row: usize, cells: &[Cell]) -> Result<(), String> {
-        self.0.lock().unwrap().push_str(&journal::row(row, cells));
-        Ok(())
-    }
-}
-
-#[test]
-fn a_journal_torn_anywhere_gives_the_same_map() {
-    let scene = load(TWO);
-    let study = small(&scene);
-    let lines = Lines(Mutex::new(journal::head(&study)));
-    let whole = run(&study, BTreeMap::new(), 2, &lines);
-    let wanted = everything(&study, &whole);
-    let journal_text = lines.0.into_inner().unwrap();
-    let bytes = journal_text.as_bytes();
-    let head = journal::head(&study).len();
-    for length in 0..=bytes.len() {
-        let read = journal::read(&study, &bytes[..length]).unwrap();
-        assert!(read.whole <= length);
-        let ends = bytes[head.min(length)..length]
-            .iter()
-            .filter(|&&byte| byte == b'\n');
-        assert_eq!(read.rows.len(), ends.count(), "cut at {length}");
-        for (row, cells) in &read.rows {
-            let (panel, range) = study.row(*row);
-            let own = whole.panels[panel][range].iter().flatten();
-            assert!(own.eq(cells), "row {row}, cut at {length}");
-        }
-    }
-    // The rows that are missing are worked out again.
-    for length in [head, bytes.len() / 2, bytes.len() - 1] {
-        let known = journal::read(&study, &bytes[..length]).unwrap().rows;
-        assert_eq!(everything(&study, &run(&study, known, 1, &Silent)), wanted);
-    }
-    // A byte changed in the middle: that line and all after it are not believed.
-    let mut changed = bytes.to_vec();
-    changed[head + 40] ^= 1;
-    assert_eq!(journal::read(&study, &changed).unwrap().rows.len(), 0);
-    // Another study's journal is refused.
-    let other = Study::new(
-        &scene,
-        &BuiltIn,
-        question(&[], "rocker.inertia=0.05:0.1:3", None),
-    )
-    .unwrap();
-    assert!(
-        journal::read(&other, bytes)
-            .unwrap_err()
-            .contains("another study")
-    );
-    assert!(
-        journal::read(&study, b"something else\n")
-            .unwrap_err()
-            .contains("no journal")
-    );
 }
 
 #[test]
