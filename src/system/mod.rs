@@ -9,7 +9,6 @@
 //! `observe` and `energy` what is read off; `scales` and `frequencies` what the
 //! methods are chosen and steered by.
 
-mod alike;
 mod balance;
 mod build;
 mod check;
@@ -51,6 +50,7 @@ use crate::number::Dual;
 use frozen::Frozen;
 use observe::{Body, ObjectPlace};
 use passes::Work;
+use std::sync::OnceLock;
 use taylor::Taylor;
 
 /// A model frozen for integration; implements [`crate::integrate::Dynamics`].
@@ -60,10 +60,8 @@ pub struct System {
     frozen: Frozen,
     /// Where each of the model's objects is in the frozen layout.
     places: Vec<ObjectPlace>,
-    /// Scale of each state entry.
-    scales: Vec<f64>,
-    /// What the scales were made from.
-    sampled: scales::Sampled,
+    /// Scale of each state entry, found when first asked for.
+    scales: OnceLock<Vec<f64>>,
 }
 
 /// Working memory of one evaluation; made by
@@ -146,34 +144,23 @@ impl System {
     /// # Errors
     /// Every fault that only shows in numbers.
     pub fn new(model: Model) -> Result<Self, Vec<Fault>> {
-        Self::like(model, None)
-    }
-
-    /// Freezes a model, much faster when it moves like a system at hand, that
-    /// is, when drives and laws are the same and nothing but inertias, links
-    /// and loads differs. Gives the same as [`Self::new`] in every bit.
-    ///
-    /// # Errors
-    /// Every fault that only shows in numbers.
-    pub fn like(model: Model, other: Option<&Self>) -> Result<Self, Vec<Fault>> {
         let frozen = build::freeze(&model)?;
-        let other = other.filter(|other| alike::moves_alike(&model, &other.model));
-        let sampled = match other {
-            Some(other) => other.sampled.clone(),
-            None => scales::Sampled::of(&frozen),
-        };
         let find = |part| ObjectPlace::find(&frozen, &model, part);
         let places = model.objects.iter().map(find).collect();
-        let scales = scales::scales(&frozen, &sampled);
         let mut system = Self {
             model,
             frozen,
             places,
-            scales,
-            sampled,
+            scales: OnceLock::new(),
         };
         system.find_kappas()?;
         Ok(system)
+    }
+
+    /// Scale of each state entry. (Exact propagation needs none: thousands of
+    /// samples of the laws are saved in a map.)
+    fn scales_of_state(&self) -> &[f64] {
+        self.scales.get_or_init(|| scales::scales(&self.frozen))
     }
 
     /// The model it was made from.

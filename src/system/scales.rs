@@ -34,27 +34,12 @@ struct Range {
     acceleration: f64,
 }
 
-/// What the mechanism does on its laws: the dear part of the scales, the same
-/// for all systems that move alike.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Sampled {
-    ranges: Vec<Range>,
-    slopes: Vec<f64>,
-}
-
-impl Sampled {
-    /// Follows the mechanism of a frozen model.
-    pub(super) fn of(frozen: &Frozen) -> Self {
-        let (ranges, slopes) = sample(frozen);
-        Self { ranges, slopes }
-    }
-}
-
 /// Scales of all 2n entries: > 0 and finite.
-pub(super) fn scales(frozen: &Frozen, sampled: &Sampled) -> Vec<f64> {
+pub(super) fn scales(frozen: &Frozen) -> Vec<f64> {
     let n = frozen.coordinates;
     let mut scales = vec![1.0; 2 * n];
-    let carried = carried_loads(frozen, &sampled.ranges, &sampled.slopes);
+    let (ranges, slopes) = sample(frozen);
+    let carried = carried_loads(frozen, &ranges, &slopes);
     for step in &frozen.steps {
         match step {
             Step::Prescribed(_) | Step::Rigid(_) => {}

@@ -70,7 +70,7 @@ pub(super) fn evaluate(
             return refused(first.unwrap_or("the scene is wrong").to_owned());
         }
     };
-    let (system, settings) = match prepare(&reading, study.sample(panel)) {
+    let (system, settings) = match prepare(&reading) {
         Ok(ready) => ready,
         Err(faults) => return refused(in_words(&faults)),
     };
@@ -91,8 +91,8 @@ pub(super) fn evaluate(
 }
 
 /// A system and how to run it within a map.
-fn prepare(reading: &Reading, sample: &System) -> Result<(System, RunSettings), Vec<Fault>> {
-    let system = System::like(lower(&reading.scene)?, Some(sample))?;
+fn prepare(reading: &Reading) -> Result<(System, RunSettings), Vec<Fault>> {
+    let system = System::new(lower(&reading.scene)?)?;
     let mut settings = RunSettings::of(&reading.scene).map_err(|fault| vec![fault])?;
     settings.max_steps = settings.max_steps.min(MOST_STEPS);
     settings.switch_rows = false;
@@ -215,7 +215,7 @@ fn moves(
         ..settings.clone()
     };
     let changed = changed_loads(system.model().clone(), 1.0 + CHANGE);
-    let changed = System::like(changed, Some(system))?;
+    let changed = System::new(changed)?;
     let other = run(&changed, &same_method, control, &mut [])?;
     if other.outcome.stop == Stop::Interrupted {
         return Ok(None);

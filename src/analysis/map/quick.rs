@@ -177,7 +177,7 @@ fn moves(
     scale: f64,
 ) -> f64 {
     let changed = changed_loads(system.model().clone(), 1.0 + CHANGE);
-    let changed = System::like(changed, Some(system));
+    let changed = System::new(changed);
     let run = changed
         .ok()
         .and_then(|changed| propagate(&changed, settings, 0)?.ok());

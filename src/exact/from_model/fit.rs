@@ -15,7 +15,7 @@ const POINTS: usize = LAW_DEGREE + 4;
 
 /// Greatest coefficient beyond those kept, in units of the rounding of the
 /// function's parts.
-const TAIL: f64 = 16.0 * f64::EPSILON;
+const TAIL: f64 = 4.0 * f64::EPSILON;
 
 /// Greatest ratio of the sum of the coefficients in powers to the function.
 const CANCELLATION: f64 = 60.0;
@@ -182,7 +182,7 @@ fn attempt(
     let values = TABLES.places.map(|place| {
         let now = course.at(formulas, depth, time + place * length);
         let (value, own) = match target {
-            Target::Displacement => (now.value, now.value.abs()),
+            Target::Displacement => (now.value, now.span),
             Target::Acceleration => (now.acceleration, now.size),
         };
         size = size.max(own);
@@ -232,16 +232,19 @@ fn leaves(
     time: f64,
     length: f64,
 ) -> Result<Option<f64>, ()> {
-    let values = TABLES
-        .places
-        .map(|place| course.at(formulas, depth, time + place * length).value);
+    let mut size = 0.0f64;
+    let values = TABLES.places.map(|place| {
+        let now = course.at(formulas, depth, time + place * length);
+        size = size.max(now.span);
+        now.value
+    });
     let c = coefficients(&values);
     let spread: f64 = c[1..].iter().map(|c| c.abs()).sum();
     let rest = c[LAW_DEGREE + 1..]
         .iter()
         .fold(0.0, |m: f64, c| m.max(c.abs()));
     // Only the place of the crossing is wanted from it, to be polished.
-    if !(rest <= 1e-9 * spread + TAIL * c[0].abs()) {
+    if !(rest <= 1e-9 * spread + TAIL * size) {
         return Err(());
     }
     if c[0] - spread >= low && c[0] + spread <= high {
@@ -249,7 +252,7 @@ fn leaves(
     }
     // Beyond an edge is beyond it by more than rounding: the motion may start
     // and end on one, and rest there.
-    let rounding = TAIL * (spread + c[0].abs()) + rest;
+    let rounding = TAIL * size + rest;
     let mut first: Option<f64> = None;
     for (edge, sign) in [(low, -1.0), (high, 1.0)] {
         if !edge.is_finite() {
