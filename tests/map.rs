@@ -1,20 +1,11 @@
-//! `dam map`: verdicts and their causes, and that nothing depends on threads or
-//! on interruptions.
+//! Maps: verdicts, their causes, and values.
 
 use dam::analysis::Control;
 use dam::analysis::axis::Axis;
-use dam::analysis::map::{
-    Cell, Family, Listener, MapResult, Panels, Question, Silent, Study, StudyFault, Verdict,
-    journal, map,
-};
-use dam::report::map::{document, map_csv, text};
-use dam::report::svg;
+use dam::analysis::map::{Cell, Family, Panels, Question, Silent, Study, StudyFault, Verdict, map};
 use dam::scene::{BuiltIn, Document};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-use std::process::Command;
-use std::sync::Mutex;
-use std::time::{Duration, Instant};
 
 fn scene(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR"))
@@ -242,112 +233,6 @@ fn cells_that_hang_on_the_last_digits_are_marked() {
     }
 }
 
-/// The small map of the tests of order and interruption.
-fn small(document: &Document) -> Study<'_> {
-    let question = Question {
-        panels: Panels::parse(&["rocker.loads.closing.constant=-600,-900".to_owned()]).unwrap(),
-        check_determined: true,
-        ..question(
-            &["run.duration=0.3"],
-            "rocker.inertia=0.06:0.16:5",
-            Some("rocker.stiffness=1e6:1e7:4:log"),
-        )
-    };
-    Study::new(document, &BuiltIn, question).unwrap()
-}
-
-fn run(
-    study: &Study<'_>,
-    known: BTreeMap<usize, Vec<Cell>>,
-    threads: usize,
-    listener: &dyn Listener,
-) -> MapResult {
-    map(study, known, Some(threads), &Control::default(), listener).unwrap()
-}
-
-fn everything(study: &Study<'_>, result: &MapResult) -> String {
-    let document = document(study, result);
-    let csv = map_csv(study, result).unwrap();
-    format!(
-        "{document}{csv}{}{}",
-        svg::map::svg(study, result),
-        text(study, result)
-    )
-}
-
-#[test]
-fn the_same_bytes_for_any_number_of_threads() {
-    let document = load(TWO);
-    let study = small(&document);
-    let one = everything(&study, &run(&study, BTreeMap::new(), 1, &Silent));
-    for threads in [2, 5] {
-        let other = everything(&study, &run(&study, BTreeMap::new(), threads, &Silent));
-        assert!(one == other, "{threads} threads");
-    }
-    assert!(!one.contains("NaN") && !one.contains("inf"));
-}
-
-/// Keeps the lines of a journal.
-struct Lines(Mutex<String>);
-
-impl Listener for Lines {
-    fn row(&self, row: usize, cells: &[Cell]) -> Result<(), String> {
-        self.0.lock().unwrap().push_str(&journal::row(row, cells));
-        Ok(())
-    }
-}
-
-#[test]
-fn a_journal_torn_anywhere_gives_the_same_map() {
-    let scene = load(TWO);
-    let study = small(&scene);
-    let lines = Lines(Mutex::new(journal::head(&study)));
-    let whole = run(&study, BTreeMap::new(), 2, &lines);
-    let wanted = everything(&study, &whole);
-    let journal_text = lines.0.into_inner().unwrap();
-    let bytes = journal_text.as_bytes();
-    let head = journal::head(&study).len();
-    for length in 0..=bytes.len() {
-        let read = journal::read(&study, &bytes[..length]).unwrap();
-        assert!(read.whole <= length);
-        let ends = bytes[head.min(length)..length]
-            .iter()
-            .filter(|&&byte| byte == b'\n');
-        assert_eq!(read.rows.len(), ends.count(), "cut at {length}");
-        for (row, cells) in &read.rows {
-            let (panel, range) = study.row(*row);
-            let own = whole.panels[panel][range].iter().flatten();
-            assert!(own.eq(cells), "row {row}, cut at {length}");
-        }
-    }
-    // The rows that are missing are worked out again.
-    for length in [head, bytes.len() / 2, bytes.len() - 1] {
-        let known = journal::read(&study, &bytes[..length]).unwrap().rows;
-        assert_eq!(everything(&study, &run(&study, known, 1, &Silent)), wanted);
-    }
-    // A byte changed in the middle: that line and all after it are not believed.
-    let mut changed = bytes.to_vec();
-    changed[head + 40] ^= 1;
-    assert_eq!(journal::read(&study, &changed).unwrap().rows.len(), 0);
-    // Another study's journal is refused.
-    let other = Study::new(
-        &scene,
-        &BuiltIn,
-        question(&[], "rocker.inertia=0.05:0.1:3", None),
-    )
-    .unwrap();
-    assert!(
-        journal::read(&other, bytes)
-            .unwrap_err()
-            .contains("another study")
-    );
-    assert!(
-        journal::read(&study, b"something else\n")
-            .unwrap_err()
-            .contains("no journal")
-    );
-}
-
 #[test]
 fn questions_without_sense_are_refused() {
     let document = load(TWO);
@@ -410,90 +295,4 @@ fn determined_cells_agree_with_an_independent_computation() {
         );
     }
     assert!(compared >= 8, "{compared} cells compared");
-}
-
-fn program() -> Command {
-    Command::new(env!("CARGO_BIN_EXE_dam"))
-}
-
-#[test]
-fn a_killed_map_goes_on_to_the_same_files() {
-    let folder = tempfile::tempdir().unwrap();
-    let (killed, whole) = (folder.path().join("killed"), folder.path().join("whole"));
-    let command = |out: &Path| {
-        let mut command = program();
-        command.arg("map").arg(scene(TWO)).arg("--quiet");
-        // A general method, slow enough to be killed in time.
-        command.args(["--set", "run.method=dop853", "--set", "run.duration=0.3"]);
-        command.args([
-            "--x",
-            "rocker.inertia=0.06:0.12:6",
-            "--y",
-            "rocker.stiffness=1e7:3e7:12",
-        ]);
-        command
-            .args(["--threads", "1", "--unchecked", "--out"])
-            .arg(out);
-        command.stdout(std::process::Stdio::null());
-        command
-    };
-    let mut child = command(&killed).spawn().unwrap();
-    let journal = killed.join("map.journal");
-    let begun = Instant::now();
-    let rows = || std::fs::read_to_string(&journal).map_or(0, |text| text.lines().count());
-    while rows() < 3 && begun.elapsed() < Duration::from_secs(120) {
-        std::thread::sleep(Duration::from_millis(2));
-    }
-    child.kill().unwrap();
-    child.wait().unwrap();
-    assert!(
-        rows() >= 3 && !killed.join("map.csv").exists(),
-        "killed in the middle"
-    );
-    // Without a word the finished rows are not thrown away.
-    let refused = command(&killed).output().unwrap();
-    assert_eq!(refused.status.code(), Some(2));
-    assert!(String::from_utf8_lossy(&refused.stderr).contains("--resume"));
-    assert!(command(&killed).arg("--resume").status().unwrap().success());
-    assert!(command(&whole).status().unwrap().success());
-    for name in ["map.csv", "map.json", "map.svg", "report.html"] {
-        let read = |folder: &Path| std::fs::read(folder.join(name)).unwrap();
-        assert!(read(&killed) == read(&whole), "{name}");
-    }
-    assert!(!journal.exists(), "the journal of a complete map goes");
-}
-
-#[test]
-fn wrong_arguments_end_with_status_2_and_say_what_is_right() {
-    for (arguments, word) in [
-        (vec!["--x", "rocker.inertia"], "FROM:TO:COUNT"),
-        (vec!["--x", "rocker.inertia=1:2:1"], "2 to 100000"),
-        (vec!["--x", "rocker.inertia=1:2:3:lin"], "`log`"),
-        (vec!["--x", "rocker.inertja=1:2:3"], "inertia"),
-        (
-            vec!["--x", "rocker.inertia=1:2:3", "--figure", "rocker.delta"],
-            "no figure",
-        ),
-        (
-            vec!["--x", "rocker.inertia=1:2:3", "--panels", "a=1,,2"],
-            "missing",
-        ),
-        (
-            vec!["--x", "rocker.inertia=1:2:3", "--threads", "0"],
-            "--threads",
-        ),
-        (vec!["--x", "rocker.inertia=1:2:3", "--resume"], "--out"),
-        (vec![], "--x"),
-    ] {
-        let output = program()
-            .arg("map")
-            .arg(scene(TWO))
-            .args(&arguments)
-            .output()
-            .unwrap();
-        let said = String::from_utf8_lossy(&output.stderr);
-        assert_eq!(output.status.code(), Some(2), "{arguments:?}: {said}");
-        assert!(said.contains(word), "{arguments:?}: {said}");
-        assert!(output.stdout.is_empty(), "{arguments:?}");
-    }
 }

@@ -248,8 +248,7 @@ fn bound(result: &RunResult, settings: &RunSettings) -> f64 {
 
 /// Notes how far the figure moves, and marks the cell where that is too far.
 pub(super) fn mark(cell: &mut Cell, moved: f64, bound: f64) {
-    // Written so that a number that is none is marked.
-    if !(moved <= bound) {
+    if moved.is_nan() || moved > bound {
         cell.cause = format!(
             "moves by {moved:.1e} of its scale when the loads change by {CHANGE:e}; otherwise {}: {}",
             cell.verdict.words(),

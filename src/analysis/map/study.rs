@@ -43,8 +43,6 @@ pub struct Study<'a> {
     bare: Document,
     catalogue: &'a (dyn Catalogue + Sync),
     overrides: Vec<String>,
-    /// A system of every panel, which most cells move like.
-    samples: Vec<System>,
     x_values: Vec<f64>,
     y_values: Vec<f64>,
     /// Name of the scene.
@@ -97,7 +95,6 @@ impl<'a> Study<'a> {
             bare: document.bare(),
             catalogue,
             overrides: question.overrides,
-            samples: Vec::new(),
             x_values: question.x.values(),
             y_values: question.y.as_ref().map(Axis::values).unwrap_or_default(),
             scene: String::new(),
@@ -116,7 +113,6 @@ impl<'a> Study<'a> {
             study.choose_figure(&reading, &system)?;
             study.scene.clone_from(&reading.scene.name);
             hashes.push(reading.scene.hash);
-            study.samples.push(system);
         }
         study.hash = study.digest(&hashes);
         Ok(study)
@@ -209,11 +205,6 @@ impl<'a> Study<'a> {
         let settings = self.settings(panel, cell);
         let all = self.overrides.iter().cloned().chain(settings);
         self.bare.scene(self.catalogue, &Overrides::new(all))
-    }
-
-    /// A system of a panel.
-    pub(super) fn sample(&self, panel: usize) -> &System {
-        &self.samples[panel]
     }
 
     /// Settings of a cell, counted along the x axis first.
