@@ -63,8 +63,11 @@
 
 mod basis;
 mod bound;
+mod cluster;
 mod cursor;
+mod dense;
 mod eigenvalues;
+mod fading;
 mod from_model;
 mod functional;
 mod hermite;
