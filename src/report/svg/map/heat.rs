@@ -22,8 +22,8 @@ pub(super) fn plot(drawing: &Drawing<'_>) -> String {
     out.push_str("</g>\n");
     out.push_str(&hatchings(drawing));
     out.push_str(&borders(drawing));
-    out.push_str(&levels(drawing));
     out.push_str(&rigid_edge(drawing));
+    out.push_str(&levels(drawing));
     out.push_str(&marks(drawing));
     out
 }
