@@ -80,8 +80,8 @@ fn situation(system: &System, settings: &RunSettings) -> Situation {
         resolved: driving_speeds(system, settings.duration)
             .chain(shown_frequencies(system))
             .fold(slowest, f64::max),
-        // Not offered: where friction turns or a law bends sharply within one of
-        // its long steps, the quadratures of the energy audit are not fit for it.
+        // Not offered yet: figures between the samples of its long steps have
+        // still to pass the scenarios.
         expands: false,
         tolerance: settings.tolerance,
         coordinates: system.coordinates(),
