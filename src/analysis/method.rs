@@ -40,10 +40,10 @@ pub(super) fn choose_method(system: &System, settings: &RunSettings) -> Result<C
         Some(Method::Exact) => (
             Method::Exact,
             "asked for".to_owned(),
-            Some(super::exact::whole(system)?),
+            Some(super::exact::tried(system)?),
         ),
         Some(method) => (method, "asked for".to_owned(), None),
-        None => match super::exact::whole(system) {
+        None => match super::exact::tried(system) {
             Ok(parts) => (Method::Exact, why_exact(&parts), Some(parts)),
             Err(_) => {
                 let (method, why) = choose(&situation(system, settings));

@@ -13,11 +13,20 @@
 //! A part of the tree that floats has the rigid motion of double root 0; its
 //! centre moves as η̈ = xᵀf/xᵀJx and is kept in closed form apart from the lanes.
 
+use super::cluster;
 use super::lanes::{SIN_COS_LIMIT, V, WIDTH};
 use super::pencil::{C, Node, Pencil};
 use super::problem::{PairState, TreeProblem};
 
 const ZERO: C = C::new(0.0, 0.0);
+
+/// A mode nearer than this share of Ω to iΩ is refused: its answer, which grows
+/// as t·e^{iΩt}, would come out as a difference of two terms of 1/|iΩ − λ| that
+/// keeps fewer than eight digits.
+const RESONANT: f64 = 1e-8;
+
+const RESONANCE: &str =
+    "the law excites an undamped mode at its own frequency (change either by one part in 10⁷)";
 
 /// What a lane of the propagation stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -70,6 +79,10 @@ pub(crate) struct Basis {
     pub(crate) modulus: Vec<f64>,
     /// |λ|⁴.
     pub(crate) fourth: Vec<V>,
+    /// 1 where a vector holds a lane, 0 beyond the last.
+    pub(crate) present: Vec<V>,
+    /// Square of the lane's greatest motion of any mass for amplitude 1.
+    pub(crate) extent: Vec<V>,
     /// Longest phase (s) for which sine and cosine are accurate.
     pub(crate) longest: f64,
     /// Lane of each harmonic.
@@ -156,6 +169,11 @@ impl Basis {
         ];
         let modulus = lanes.iter().map(|l| l.lambda.norm()).collect();
         let fourth = pack(&|l, _| l.lambda.norm().powi(4), 1);
+        let present = pack(&|_, _| 1.0, 1);
+        let extent = pack(
+            &|l, _| l.shape.iter().fold(0.0, |m, x| x.norm_sqr().max(m)),
+            1,
+        );
         let fastest = lanes.iter().fold(0.0f64, |m, l| m.max(l.lambda.im.abs()));
         let longest = 0.5 * SIN_COS_LIMIT / fastest;
         let mut harmonic = Vec::new();
@@ -174,6 +192,8 @@ impl Basis {
             im,
             modulus,
             fourth,
+            present,
+            extent,
             longest,
             harmonic,
             shape,
@@ -246,33 +266,14 @@ impl Part {
         if pencil.floats() && pencil.dragged() {
             values.insert(0, ZERO);
         }
-        for lambda in values {
-            let x = if lambda == ZERO {
-                pencil.rigid_shape().into_iter().map(C::from).collect()
-            } else {
-                pencil.eigenvector(lambda)
-            };
-            let damping = pencil.apply(&x, |node| node.damping, |node| node.ground_damping);
-            let (mut norm, mut size) = (ZERO, 0.0);
-            for (k, node) in pencil.nodes.iter().enumerate() {
-                let term = x[k] * x[k] * (lambda * (2.0 * node.inertia));
-                norm += x[k] * damping[k] + term;
-                size += term.norm() + (x[k] * damping[k]).norm();
-            }
-            if norm.norm() < 1e-7 * size || !size.is_finite() {
-                return Err(NoBasis(
-                    "two of its modes coincide (critical damping)".into(),
-                ));
-            }
-            let factor = norm.inv() * if lambda.im == 0.0 { 1.0 } else { 2.0 };
-            let inertia = |k: usize| x[k] * (factor * pencil.nodes[k].inertia);
+        for lane in cluster::lanes(pencil, &values).map_err(NoBasis)? {
+            let spread = |local: &[C]| self.spread(n, |k| local[k]);
             lanes.push(Lane {
-                kind: LaneKind::Mode,
-                lambda,
-                row_q: self.spread(n, |k| damping[k] * factor + inertia(k) * lambda),
-                row_v: self.spread(n, inertia),
-                row_f: self.spread(n, |k| x[k] * factor),
-                shape: self.spread(n, |k| x[k]),
+                row_q: spread(&lane.row_q),
+                row_v: spread(&lane.row_v),
+                row_f: spread(&lane.row_f),
+                shape: spread(&lane.shape),
+                ..lane
             });
         }
         Ok(())
@@ -333,21 +334,28 @@ fn response(
     }
     let mut out = vec![ZERO; n];
     for lane in lanes {
-        let dot = |conjugate: bool| -> C {
-            lane.row_f
-                .iter()
-                .zip(&force)
-                .map(|(r, f)| if conjugate { r.conj() * f } else { r * f })
-                .sum()
-        };
+        let (mut own, mut mirrored, mut size) = (ZERO, ZERO, 0.0);
+        for (r, f) in lane.row_f.iter().zip(&force) {
+            own += r * f;
+            mirrored += r.conj() * f;
+            size += r.norm() * f.norm();
+        }
+        if (drive - lane.lambda).norm() < RESONANT * omega {
+            // What is at right angles to the force stays at rest.
+            if own.norm() > 1e-12 * size {
+                return Err(NoBasis(RESONANCE.into()));
+            }
+            own = ZERO;
+        }
+        let off = |lambda: C, push: C| if push == ZERO { ZERO } else { push / (drive - lambda) };
         if lane.lambda.im == 0.0 {
-            let a = dot(false) / (drive - lane.lambda);
+            let a = off(lane.lambda, own);
             for (sum, shape) in out.iter_mut().zip(&lane.shape) {
                 *sum += shape * a;
             }
         } else {
-            let a = dot(false) / (drive - lane.lambda) * 0.5;
-            let b = dot(true) / (drive - lane.lambda.conj()) * 0.5;
+            let a = off(lane.lambda, own) * 0.5;
+            let b = off(lane.lambda.conj(), mirrored) * 0.5;
             for (sum, shape) in out.iter_mut().zip(&lane.shape) {
                 *sum += shape * a + shape.conj() * b;
             }
@@ -356,9 +364,7 @@ fn response(
     if out.iter().all(|c| c.re.is_finite() && c.im.is_finite()) {
         Ok(out)
     } else {
-        Err(NoBasis(
-            "the law excites an undamped mode at its own frequency".into(),
-        ))
+        Err(NoBasis(RESONANCE.into()))
     }
 }
 

@@ -2,7 +2,7 @@
 //! derivative of det Q, from the undamped frequencies, checked against the trace.
 
 use super::pencil::{C, Node, Pencil};
-use nalgebra::{DMatrix, SymmetricEigen};
+use nalgebra::SymmetricEigen;
 
 /// Why eigenvalues were refused.
 #[derive(Clone, Debug, PartialEq)]
@@ -23,27 +23,8 @@ impl Pencil {
     /// Undamped frequencies ω and damping ratios to first order, ascending.
     fn first_guess(&self) -> Vec<(f64, f64)> {
         let n = self.nodes.len();
-        let mut k = DMatrix::<f64>::zeros(n, n);
-        let mut b = DMatrix::<f64>::zeros(n, n);
-        for (i, node) in self.nodes.iter().enumerate() {
-            k[(i, i)] += node.ground_stiffness + node.stiffness;
-            b[(i, i)] += node.ground_damping + node.damping;
-            if let Some(p) = node.parent {
-                let l = node.lever;
-                for (m, f) in [(&mut k, node.stiffness), (&mut b, node.damping)] {
-                    m[(p, p)] += l * l * f;
-                    m[(i, p)] -= l * f;
-                    m[(p, i)] -= l * f;
-                }
-            }
-        }
-        let root: Vec<f64> = self.nodes.iter().map(|node| node.inertia.sqrt()).collect();
-        for i in 0..n {
-            for j in 0..n {
-                k[(i, j)] /= root[i] * root[j];
-                b[(i, j)] /= root[i] * root[j];
-            }
-        }
+        let k = self.scaled(|node| node.stiffness, |node| node.ground_stiffness);
+        let b = self.scaled(|node| node.damping, |node| node.ground_damping);
         let eigen = SymmetricEigen::new(k);
         let mut guess: Vec<(f64, f64)> = (0..n)
             .map(|j| {
@@ -75,11 +56,50 @@ impl Pencil {
             let start = elastic
                 .iter()
                 .map(|&(omega, decay)| C::new(-decay, (omega * omega - decay * decay).sqrt()));
-            self.aberth(start.collect(), zeros, true)?
+            self.aberth(start.collect(), zeros, true)
         } else {
-            self.aberth(self.full_start(&guess, zeros), zeros, false)?
+            self.aberth(self.full_start(&guess, zeros), zeros, false)
         };
-        self.checked(roots, zeros)
+        roots
+            .and_then(|roots| self.checked(roots, zeros))
+            .or_else(|_| self.fallback(zeros))
+    }
+
+    /// Eigenvalues from the dense matrix, those that stand alone polished on
+    /// det Q: for modes that coincide, on which the iteration stalls.
+    fn fallback(&self, zeros: usize) -> Result<Vec<C>, NotFound> {
+        let mut all = self.schur_eigenvalues(zeros).ok_or(NotFound)?;
+        for i in 0..all.len() {
+            if all[i].im < 0.0 {
+                continue;
+            }
+            for _ in 0..4 {
+                let z = all[i];
+                let mut repulsion = z.inv() * zeros as f64;
+                let mut near = f64::INFINITY;
+                for (_, other) in all.iter().enumerate().filter(|(j, _)| *j != i) {
+                    repulsion += (z - other).inv();
+                    near = near.min((z - other).norm());
+                }
+                let step = (self.log_derivative(z) - repulsion).inv();
+                if near < 1e-3 * z.norm() || step.norm().is_nan() || step.norm() > 0.01 * near {
+                    break;
+                }
+                let real = z.im == 0.0;
+                all[i] = z - if real { C::from(step.re) } else { step };
+                if let Some(pair) = all.iter().position(|l| *l == z.conj()).filter(|_| !real) {
+                    all[pair] = all[i].conj();
+                }
+            }
+        }
+        let upper = all.iter().filter(|l| l.im > 0.0).count();
+        let lower = all.iter().filter(|l| l.im < 0.0).count();
+        if upper != lower || all.iter().any(|l| !l.norm().is_finite()) {
+            return Err(NotFound);
+        }
+        all.retain(|l| l.im >= 0.0);
+        all.sort_by(|a, b| a.norm().total_cmp(&b.norm()).then(a.re.total_cmp(&b.re)));
+        Ok(all)
     }
 
     /// Starting points for all roots when some are overdamped.

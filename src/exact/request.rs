@@ -15,6 +15,9 @@ pub struct Request {
     pub all_masses: bool,
     /// Most switches.
     pub switches: u64,
+    /// Most steps of the search between two switches: beyond it the run is an
+    /// error and not a crawl.
+    pub steps: u64,
     /// Figures between samples, wanted or not.
     pub figures: bool,
 }
@@ -27,6 +30,7 @@ impl Request {
             samples,
             all_masses: false,
             switches: 1_000_000,
+            steps: 10_000_000,
             figures: false,
         }
     }
@@ -75,6 +79,8 @@ pub struct ExactRun {
     pub steps: u64,
     /// Evaluations of the exponentials in the search.
     pub evaluations: u64,
+    /// Exponentials e^{λs} in all of them together, in whole vectors.
+    pub exponentials: u64,
     /// Steps over which a watched signal could not be told from zero.
     pub grazing: u64,
 }

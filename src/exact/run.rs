@@ -74,6 +74,8 @@ pub(super) struct Workspace<'a> {
     pub(super) at: (f64, f64),
     /// Switches at one and the same instant.
     stalled: usize,
+    /// Most steps of the search in a phase.
+    most_steps: u64,
 }
 
 /// A phase gone through.
@@ -85,6 +87,11 @@ pub(super) struct Passed {
     pub(super) length: f64,
     /// The watch that ended it; `None`: the end of its validity.
     pub(super) event: Option<usize>,
+}
+
+#[cold]
+fn not_finite() -> Refusal {
+    Refusal::new("", "the motion is no longer a finite number")
 }
 
 /// One track an object, when figures are asked for.
@@ -157,8 +164,8 @@ impl<'a> Workspace<'a> {
     ) -> Result<Self, Refusal> {
         let n = problem.masses.len();
         let harmonics = problem.law.frequencies().len();
-        // Overdamped modes take two lanes a mass.
-        let blocks = (2 * n + harmonics).div_ceil(super::lanes::WIDTH);
+        let lanes = super::cluster::most_lanes(n) + harmonics;
+        let blocks = lanes.div_ceil(super::lanes::WIDTH);
         let (states, zeros) = start::states(problem, functionals, first)?;
         Ok(Self {
             problem,
@@ -188,6 +195,7 @@ impl<'a> Workspace<'a> {
             },
             at: (0.0, 0.0),
             stalled: 0,
+            most_steps: request.steps,
         })
     }
 
@@ -216,6 +224,7 @@ impl<'a> Workspace<'a> {
         self.out.speed = self.v;
         self.out.steps = self.search.steps;
         self.out.evaluations = self.search.evaluations;
+        self.out.exponentials = self.search.exponentials;
         self.out.grazing = self.search.grazing;
         self.out
     }
@@ -245,6 +254,7 @@ impl<'a> Workspace<'a> {
         self.begin_tracks::<A>(regime);
         let event = self.pass::<A>(regime, horizon)?;
         let entry = &self.regimes[regime];
+        self.phase.revive(&entry.basis);
         let s = self.search.e.s;
         self.phase.state::<A>(
             &entry.basis,
@@ -252,6 +262,9 @@ impl<'a> Workspace<'a> {
             &mut self.q_end,
             &mut self.v_end,
         );
+        if !self.q_end.iter().chain(&self.v_end).all(|x| x.is_finite()) {
+            return Err(not_finite());
+        }
         self.sampler
             .phase::<A>(&entry.basis, &self.phase, s, &mut self.out.samples);
         self.end_tracks::<A>(regime);
@@ -281,6 +294,15 @@ impl<'a> Workspace<'a> {
             self.switch(number, self.at.0);
         }
         Ok(())
+    }
+
+    #[cold]
+    fn crawling(&self, steps: u64) -> Refusal {
+        let time = self.at.0 + self.search.e.s;
+        Refusal::new(
+            "",
+            format!("the search for the next switch took {steps} steps and stands at t = {time:e} s"),
+        )
     }
 
     /// Takes the tracks into the phase: engaged, or open near the flank that is
@@ -323,7 +345,11 @@ impl<'a> Workspace<'a> {
         if horizon <= 0.0 {
             return Ok(None);
         }
+        let limit = self.search.steps.saturating_add(self.most_steps);
         loop {
+            if self.search.steps >= limit {
+                return Err(self.crawling(self.most_steps));
+            }
             let entry = &self.regimes[regime];
             let mut witness = Tracks {
                 tracks: &mut self.tracks,
@@ -340,9 +366,7 @@ impl<'a> Workspace<'a> {
                 &mut witness,
             );
             match step {
-                Step::NotFinite => {
-                    return Err(Refusal::new("", "the motion is no longer a finite number"));
-                }
+                Step::NotFinite => return Err(not_finite()),
                 Step::Reached => return Ok(None),
                 Step::Root(number) => {
                     if self.comes_clear::<A>(regime, Some(number)) {
@@ -353,6 +377,11 @@ impl<'a> Workspace<'a> {
                     return Ok(Some(number));
                 }
                 Step::Free => {
+                    // Figures look back over the phase, for which all lanes count.
+                    if self.tracks.is_empty() {
+                        let basis = &self.regimes[regime].basis;
+                        self.phase.fade(basis, &mut self.search.e);
+                    }
                     if self.comes_clear::<A>(regime, None) {
                         self.watch();
                         self.take_signals::<A>(regime);

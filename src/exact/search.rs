@@ -44,6 +44,8 @@ pub(crate) struct Search {
     pub(crate) steps: u64,
     /// Evaluations of the exponentials.
     pub(crate) evaluations: u64,
+    /// Exponentials in all of them together.
+    pub(crate) exponentials: u64,
     /// Steps over which a signal could not be told from zero.
     pub(crate) grazing: u64,
 }
@@ -59,6 +61,7 @@ impl Search {
             },
             steps: 0,
             evaluations: 0,
+            exponentials: 0,
             grazing: 0,
         }
     }
@@ -78,6 +81,7 @@ impl Search {
     pub(crate) fn evaluate<A: Arith>(&mut self, basis: &Basis, phase: &Phase, s: f64) {
         phase.exponentials::<A>(basis, s, &mut self.e);
         self.evaluations += 1;
+        self.exponentials += (phase.active * WIDTH) as u64;
     }
 
     /// One step towards `horizon`; the witness is told the exponentials at its

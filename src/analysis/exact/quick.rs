@@ -135,11 +135,10 @@ impl Quick {
         for branch in &self.trees {
             let all_masses = !branch.last_alone();
             let run = branch.tree.run(&Request {
-                end,
-                samples,
                 all_masses,
                 switches,
                 figures,
+                ..Request::new(end, samples)
             })?;
             out.complete &= run.complete;
             out.time = out.time.min(run.time);

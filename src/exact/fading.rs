@@ -1,0 +1,62 @@
+//! Modes that have died away leave the search until a switch excites them again.
+//!
+//! Lanes stand in ascending |λ|, harmonics of the law (which never fade) in
+//! front of the fast modes. The last vector of lanes is left out once none of
+//! its lanes adds as much as 10⁻²² of the greatest lane that stays, neither to
+//! displacements nor to accelerations: six digits below rounding, so that it
+//! is nothing in any functional either. It stays out to the end of the phase:
+//! modes only decay.
+
+use super::basis::Basis;
+use super::lanes::V;
+use super::phase::{Exponentials, Phase};
+
+/// Square of the share below which a lane is nothing.
+const NOTHING: f64 = 1e-44;
+
+impl Phase {
+    /// Leaves out the vectors that have faded at the instant of `e`, whose
+    /// entries for them become zero.
+    #[inline(always)]
+    pub(super) fn fade(&mut self, basis: &Basis, e: &mut Exponentials) {
+        while self.active > 1 {
+            let last = self.active - 1;
+            // A look at the decay alone tells most often that it is too early.
+            let alive = e.size[last].zip(basis.present[last], |size, one| size * one);
+            if greatest(alive) > 1e-9 || !self.faded(basis, e, last) {
+                return;
+            }
+            e.re[last] = V::ZERO;
+            e.im[last] = V::ZERO;
+            e.size[last] = V::ZERO;
+            self.active = last;
+        }
+    }
+
+    /// True when vector `last` is nothing beside those before it.
+    #[inline(never)]
+    fn faded(&self, basis: &Basis, e: &Exponentials, last: usize) -> bool {
+        let square = |b: usize| {
+            let own = self.re[b] * self.re[b] + self.im[b] * self.im[b];
+            own * e.size[b] * e.size[b] * basis.extent[b]
+        };
+        let (mut place, mut force) = (0.0f64, 0.0f64);
+        for b in 0..last {
+            place = place.max(greatest(square(b)));
+            force = force.max(greatest(square(b) * basis.fourth[b]));
+        }
+        let own = square(last);
+        greatest(own) <= NOTHING * place && greatest(own * basis.fourth[last]) <= NOTHING * force
+    }
+
+    /// Takes all lanes in again.
+    #[inline(always)]
+    pub(super) fn revive(&mut self, basis: &Basis) {
+        self.active = basis.blocks;
+    }
+}
+
+#[inline(always)]
+fn greatest(v: V) -> f64 {
+    v.0.into_iter().fold(0.0, f64::max)
+}
