@@ -342,8 +342,6 @@ fn what_cannot_be_run_is_refused_by_name() {
             phase: 0.0,
         }],
     };
-    let critical = tree(vec![TreeMass::new(1.0, None, 100.0, 20.0)], harmonic(3.0));
-    assert!(refusal(critical).contains("coincide"));
     let resonant = tree(vec![TreeMass::new(1.0, None, 100.0, 0.0)], harmonic(10.0));
     assert!(refusal(resonant).contains("its own frequency"));
     let broken = tree(vec![TreeMass::new(1.0, None, f64::NAN, 0.0)], harmonic(3.0));
