@@ -24,7 +24,7 @@ impl Sink for Listener {
         while self.samples.len() < self.wanted {
             let time = self.interval * (self.samples.len() + 1) as f64;
             // The last sample is the end itself, up to rounding.
-            if time > end && !(time - end < 1e-9 * self.interval) {
+            if time - end >= 1e-9 * self.interval {
                 break;
             }
             let place = ((time - step.start) / step.length).min(step.end);
