@@ -6,7 +6,8 @@ use super::load::load;
 use crate::breaks::Breaks;
 use crate::exact::{LAW_DEGREE, Law, PolynomialSpan, SpanSource, TimeLoad};
 use crate::model::{Law as ModelLaw, LinearPiece};
-use crate::motion::{DriveMotion, DriveMotionSpec, LawName};
+use crate::motion::cycle::{CycleSpec, Motion, Station};
+use crate::motion::{DriveMotion, DriveMotionSpec, LawName, RunLawName};
 use crate::position::{CamSpec, Position, PositionSpec};
 
 fn motions() -> Vec<DriveMotion> {
@@ -30,6 +31,13 @@ fn motions() -> Vec<DriveMotion> {
             speed: -40.0,
             time: 0.12,
             angle: 0.0,
+            law: None,
+        },
+        DriveMotionSpec::RunUp {
+            speed: 25.0,
+            time: 0.15,
+            angle: 0.2,
+            law: Some(RunLawName::UnequalTrapezoid.into()),
         },
         DriveMotionSpec::Table { points },
     ]
@@ -44,8 +52,8 @@ fn cam(rise_law: LawName, return_law: LawName) -> Position {
         rise: 1.7,
         dwell: 0.5,
         return_angle: 2.1,
-        rise_law,
-        return_law,
+        rise_law: rise_law.into(),
+        return_law: return_law.into(),
         phase: -0.4,
     };
     Position::new(&PositionSpec::Cam(spec)).expect("a cam")
@@ -99,7 +107,32 @@ fn positions() -> Vec<Position> {
     all.push(cam(LawName::Harmonic, LawName::Cycloidal));
     all.push(cam(LawName::Polynomial4567, LawName::Polynomial345));
     all.push(cam(LawName::ModifiedTrapezoid, LawName::ModifiedTrapezoid));
+    all.push(plan());
     all
+}
+
+/// A plan that advances by 0.3 in every turn.
+fn plan() -> Position {
+    let station = |at, displacement, motion| Station {
+        at,
+        displacement,
+        speed: None,
+        acceleration: None,
+        order: 2,
+        motion,
+    };
+    let spec = CycleSpec {
+        stations: vec![
+            station(0.0, 0.0, Motion::Law(LawName::ModifiedSine.into())),
+            station(1.2, 0.2, Motion::Dwell),
+            station(1.9, 0.2, Motion::Smooth),
+            station(3.5, 0.1, Motion::Smooth),
+        ],
+        period: Some(std::f64::consts::TAU),
+        advance: 0.3,
+        phase: 0.4,
+    };
+    Position::new(&PositionSpec::Plan(spec)).expect("a plan")
 }
 
 /// All motions through one position function, and through two.

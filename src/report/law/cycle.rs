@@ -19,13 +19,23 @@ pub fn cycle_text(found: &CycleFigures, unit: &str, driver: &str) -> String {
         "  {}",
         heads.map(|head| format!("{head:>14}")).join(" ")
     );
+    let acceleration = found.acceleration.value.max(-found.deceleration.value);
+    let speed = found.speed.value.max(-found.return_speed.value);
+    // What is rounding of zero reads as zero; the CSV has it as it is.
+    let clean = |value: f64, size: f64| {
+        if value.abs() > 1e-13 * size {
+            value
+        } else {
+            0.0
+        }
+    };
     for joint in &found.joints {
         let cells = [
             joint.at,
             joint.value[1],
-            joint.first[1],
-            joint.second[0],
-            joint.second[1],
+            clean(joint.first[1], speed),
+            clean(joint.second[0], acceleration),
+            clean(joint.second[1], acceleration),
         ];
         let cells = cells.map(|value| format!("{:>14}", significant(value, 8)));
         let _ = writeln!(text, "  {}", cells.join(" "));
