@@ -70,7 +70,10 @@ fn oscillating(masses: &[TreeMass]) -> usize {
         }
     }
     let values = a.complex_eigenvalues();
-    values.iter().filter(|l| l.im.abs() > 1e-14 * l.norm()).count()
+    values
+        .iter()
+        .filter(|l| l.im.abs() > 1e-14 * l.norm())
+        .count()
 }
 
 #[test]

@@ -32,13 +32,13 @@ pub(crate) fn greatest(
             best.raise(samples[i], place(i));
             let inner = i > 0 && i < INTERVALS;
             if inner && samples[i] >= samples[i - 1] && samples[i] >= samples[i + 1] {
-                let (value, x) = golden(&at, place(i - 1), place(i + 1));
+                let (value, x) = golden(at, place(i - 1), place(i + 1));
                 best.raise(value, x);
             }
         }
         // Steep ends: the greatest value may lie within the outer intervals.
         for (a, b) in [(0, 1), (INTERVALS - 1, INTERVALS)] {
-            let (value, x) = golden(&at, place(a), place(b));
+            let (value, x) = golden(at, place(a), place(b));
             best.raise(value, x);
         }
     }

@@ -233,10 +233,9 @@ pub fn run_up_law(text: &str) -> Result<RunLawSpec, Diagnostics> {
 pub fn any_law(text: &str) -> Result<AnyLaw, Diagnostics> {
     let run_up = RunLawName::ALL.iter().any(|name| name.name() == text);
     let stroke = LawName::ALL.iter().any(|name| name.name() == text);
-    if !stroke && (run_up || text.contains("trapezoid:") || text.contains("\"trapezoid\"")) {
-        if !text.contains("\"sections\"") {
-            return run_up_law(text).map(AnyLaw::RunUp);
-        }
+    let trapezoid = text.contains("trapezoid:") || text.contains("\"trapezoid\"");
+    if !stroke && (run_up || trapezoid) && !text.contains("\"sections\"") {
+        return run_up_law(text).map(AnyLaw::RunUp);
     }
     stroke_law(text).map(AnyLaw::Stroke)
 }

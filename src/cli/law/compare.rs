@@ -123,7 +123,7 @@ struct Comparison<'a> {
 impl Comparison<'_> {
     /// The response, and whether its numbers are to be trusted; `None`: interrupted.
     fn response(&self) -> Result<Option<(LawResponse, bool)>, Failure> {
-        let ready = self.input.prepare(&[self.law.clone()])?;
+        let ready = self.input.prepare(std::slice::from_ref(&self.law))?;
         let (object, drive, speed) = self.place(ready.system.model())?;
         let settings = settings(&ready, speed, SAMPLES);
         let quiet = self.args.scene.quiet;

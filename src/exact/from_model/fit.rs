@@ -94,7 +94,7 @@ fn bernstein_of(k: usize) -> [f64; POINTS] {
     };
     let mut c = [0.0; POINTS];
     for (i, c) in c[..=k].iter_mut().enumerate() {
-        let sign = if (k - i) % 2 == 0 { 1.0 } else { -1.0 };
+        let sign = if (k - i).is_multiple_of(2) { 1.0 } else { -1.0 };
         *c = sign * choose(2 * k, 2 * i) / choose(k, i);
     }
     for degree in k..POINTS - 1 {

@@ -26,7 +26,7 @@ impl Law {
             }
             let at = |tau: f64| slope(&self.jet(piece, tau));
             if at(low) > 0.0 && at(high) < 0.0 {
-                let place = bisect(&at, low, high);
+                let place = bisect(at, low, high);
                 return Peak {
                     value: value(&self.jet(piece, place)),
                     at: place,
