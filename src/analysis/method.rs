@@ -59,6 +59,17 @@ pub(super) fn choose_method(system: &System, settings: &RunSettings) -> Result<C
     })
 }
 
+/// A general method, where exact propagation would have been the choice.
+pub(super) fn choose_general(system: &System, settings: &RunSettings, because: &str) -> Choice {
+    let (method, why) = choose(&situation(system, settings));
+    Choice {
+        method,
+        name: method.name(),
+        why: format!("{because}; {why}"),
+        parts: None,
+    }
+}
+
 /// Why a system is propagated exactly.
 fn why_exact(parts: &Parts) -> String {
     let trees = match parts.trees.len() {

@@ -2,7 +2,7 @@
 
 use super::document::{document, summary, warnings_of};
 use super::kinematic::{Driven, WithoutIdle, greatest_step};
-use super::method::choose_method;
+use super::method::{Choice, choose_general, choose_method};
 use super::settings::{Control, RunSettings};
 use super::warning::Warning;
 use crate::fault::Fault;
@@ -54,6 +54,10 @@ impl RunResult {
 /// Runs a system from its start and works out its figures. `sinks` listen
 /// beside the recorder.
 ///
+/// Where the choice of the method is left to the program and exact propagation
+/// gives up on the way, or its energies do not balance, the run is made anew
+/// by a general method; the sinks then hear of a second start.
+///
 /// # Errors
 /// The start cannot be found: no static balance, a position out of reach, …;
 /// `exact` is asked for and cannot be used.
@@ -63,9 +67,45 @@ pub fn run(
     control: &Control<'_>,
     sinks: &mut [&mut dyn Sink],
 ) -> Result<RunResult, Vec<Fault>> {
+    let choice = choose_method(system, settings)?;
+    let result = attempt(system, settings, control, sinks, &choice)?;
+    if settings.method.is_some() || choice.parts.is_none() || !gave_out(&result) {
+        return Ok(result);
+    }
+    let general = choose_general(system, settings, &why_not(&result));
+    attempt(system, settings, control, sinks, &general)
+}
+
+/// True when the numbers of an exact run are not to be had, or in doubt.
+fn gave_out(result: &RunResult) -> bool {
+    match result.outcome.stop {
+        Stop::Complete | Stop::Method { .. } | Stop::NotFinite { .. } => !result.is_trusted(),
+        _ => false,
+    }
+}
+
+fn why_not(result: &RunResult) -> String {
+    match &result.outcome.stop {
+        Stop::Method { reason, .. } => {
+            format!(
+                "exact propagation gave up at t = {} s ({reason})",
+                result.outcome.time
+            )
+        }
+        _ => "the energies of exact propagation do not balance".to_owned(),
+    }
+}
+
+/// One run by a method.
+fn attempt(
+    system: &System,
+    settings: &RunSettings,
+    control: &Control<'_>,
+    sinks: &mut [&mut dyn Sink],
+    choice: &Choice,
+) -> Result<RunResult, Vec<Fault>> {
     let initial = system.initial_state()?;
     let window = choose_window(system.model(), settings.duration, settings.window);
-    let choice = choose_method(system, settings)?;
     let mut recorder = Recorder::new(
         system,
         RecorderSettings {
@@ -92,7 +132,7 @@ pub fn run(
         None => follow(system, &initial, duration, &plan, &limits, sink),
     };
     let recorded = recorder.finish();
-    let run = summary(settings, &outcome, &choice, &recorded, window);
+    let run = summary(settings, &outcome, choice, &recorded, window);
     let known_before = system.model().warnings.iter().cloned();
     let mut warnings: Vec<Warning> = known_before
         .chain(initial.warnings)
