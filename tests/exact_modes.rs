@@ -50,7 +50,7 @@ fn one_mass_is_exact_through_critical_damping() {
 /// Number of eigenvalues off the real axis, from the dense companion matrix.
 fn oscillating(masses: &[TreeMass]) -> usize {
     let n = masses.len();
-    let (mut k, mut b) = (DMatrix::zeros(n, n), DMatrix::zeros(n, n));
+    let (mut k, mut b) = (DMatrix::<f64>::zeros(n, n), DMatrix::<f64>::zeros(n, n));
     for (i, m) in masses.iter().enumerate() {
         for (a, f) in [(&mut k, m.stiffness), (&mut b, m.damping)] {
             a[(i, i)] += f;
