@@ -347,7 +347,13 @@ fn response(
             }
             own = ZERO;
         }
-        let off = |lambda: C, push: C| if push == ZERO { ZERO } else { push / (drive - lambda) };
+        let off = |lambda: C, push: C| {
+            if push == ZERO {
+                ZERO
+            } else {
+                push / (drive - lambda)
+            }
+        };
         if lane.lambda.im == 0.0 {
             let a = off(lane.lambda, own);
             for (sum, shape) in out.iter_mut().zip(&lane.shape) {

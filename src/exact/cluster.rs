@@ -140,7 +140,12 @@ pub(crate) fn lanes(pencil: &Pencil, values: &[C]) -> Result<Vec<Lane>, String> 
 /// The clusters among the modes.
 fn find(modes: &[Mode], floats: bool) -> Vec<Cluster> {
     let mut all: Vec<C> = modes.iter().map(|m| m.lambda).collect();
-    all.extend(modes.iter().filter(|m| m.lambda.im > 0.0).map(|m| m.lambda.conj()));
+    all.extend(
+        modes
+            .iter()
+            .filter(|m| m.lambda.im > 0.0)
+            .map(|m| m.lambda.conj()),
+    );
     let mut out: Vec<Cluster> = Vec::new();
     for mode in modes {
         if mode.lambda == C::default() || out.iter().any(|c| c.members.contains(&mode.lambda)) {
@@ -196,7 +201,9 @@ fn gather(all: &[C], seed: C, lossy: bool, floats: bool) -> Cluster {
         let width = members
             .iter()
             .fold(CLOSE * mean.norm(), |w, m| w.max((m - mean).norm()));
-        let real = members.iter().any(|m| m.im == 0.0 || members.contains(&m.conj()));
+        let real = members
+            .iter()
+            .any(|m| m.im == 0.0 || members.contains(&m.conj()));
         let missing = members
             .iter()
             .find(|m| real && m.im != 0.0 && !members.contains(&m.conj()));

@@ -17,7 +17,9 @@ const SWEEPS: usize = 20;
 impl Pencil {
     /// True when anything is damped.
     pub(crate) fn damped(&self) -> bool {
-        self.nodes.iter().any(|n| n.damping > 0.0 || n.ground_damping > 0.0)
+        self.nodes
+            .iter()
+            .any(|n| n.damping > 0.0 || n.ground_damping > 0.0)
     }
 
     /// J^{-½}·(Dᵀ·diag(link)·D + diag(ground))·J^{-½}.
@@ -92,7 +94,9 @@ pub(super) fn undamped(pencil: &Pencil, omega: f64, count: usize) -> Option<Vec<
     order.sort_by(|a, b| far(a).total_cmp(&far(b)));
     let lane = |&column: &usize| {
         let u = eigen.eigenvectors.column(column);
-        let x: Vec<f64> = (0..n).map(|i| u[i] / pencil.nodes[i].inertia.sqrt()).collect();
+        let x: Vec<f64> = (0..n)
+            .map(|i| u[i] / pencil.nodes[i].inertia.sqrt())
+            .collect();
         // Rayleigh's quotient link by link: no stiffness cancels.
         let energy: f64 = pencil
             .nodes

@@ -285,7 +285,9 @@ impl<'a> Workspace<'a> {
         let time = self.at.0 + self.search.e.s;
         Refusal::new(
             "",
-            format!("the search for the next switch took {steps} steps and stands at t = {time:e} s"),
+            format!(
+                "the search for the next switch took {steps} steps and stands at t = {time:e} s"
+            ),
         )
     }
 

@@ -279,7 +279,8 @@ impl<'a> Series<'a> {
             // What does not fit just after the start either is rounding there.
             self.put(&c, h * 1e-7);
             let early = self.misfit(&[]);
-            let excused: Vec<(usize, PairState)> = early.into_iter().filter(|e| left.contains(e)).collect();
+            let excused: Vec<(usize, PairState)> =
+                early.into_iter().filter(|e| left.contains(e)).collect();
             self.put(&c, h);
             if self.misfit(&excused).is_none() {
                 self.time = start + h;
