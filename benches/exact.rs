@@ -1,6 +1,6 @@
 //! Exact propagation of cases A–E of the comparison with general solvers: from
 //! the problem ready to 1000 samples of δ and all switch times, alone and with
-//! the figures between samples.
+//! the figures between samples; and of one contact phase.
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use dam::exact::{
@@ -66,5 +66,22 @@ fn cases(criterion: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, cases);
+/// The first contact, from the load's onset until just before the pair opens:
+/// the modes of the regime and a search through the whole transient that finds
+/// nothing.
+fn contact_phase(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("contact phase");
+    for (name, n, end) in [("one mass", 1, 0.0209), ("two masses", 2, 0.0185)] {
+        let tree = ExactTree::new(problem(n, 600.0, 0.4));
+        let request = Request::new(end, 0);
+        let run = tree.run(&request).expect("runs");
+        assert!(run.complete && run.switches.is_empty());
+        group.bench_function(name, |bencher| {
+            bencher.iter(|| black_box(tree.run(black_box(&request)).expect("runs")));
+        });
+    }
+    group.finish();
+}
+
+criterion_group!(benches, cases, contact_phase);
 criterion_main!(benches);

@@ -22,14 +22,26 @@ mod exact_peer;
 #[path = "../benches/peers/ladder.rs"]
 mod ladder;
 #[allow(dead_code)]
+#[path = "../benches/peers/map.rs"]
+mod map;
+#[allow(dead_code)]
 #[path = "../benches/peers/ode_solvers_peer.rs"]
 mod ode_solvers_peer;
 #[allow(dead_code)]
+#[path = "../benches/peers/peer.rs"]
+mod peer;
+#[allow(dead_code)]
+#[path = "../benches/peers/press/mod.rs"]
+mod press;
+#[allow(dead_code)]
 #[path = "../benches/peers/solution.rs"]
 mod solution;
+#[allow(dead_code)]
+#[path = "../benches/peers/table.rs"]
+mod table;
 
 use case::{Case, SAMPLES};
-use ladder::Peer;
+use peer::Peer;
 
 #[test]
 fn exact_propagation_reaches_the_reference_in_all_cases() {
@@ -82,4 +94,19 @@ fn an_error_is_measured_where_it_is_greatest_and_a_missing_number_is_infinite() 
     approx::assert_relative_eq!(case.error(&samples), 1e-3, max_relative = 1e-9);
     samples[300] = f64::NAN;
     assert_eq!(case.error(&samples), f64::INFINITY);
+}
+
+#[test]
+fn every_determined_cell_of_the_map_is_right() {
+    let ([_, worst], determined) = map::own_errors();
+    assert!(worst <= 1e-6, "{worst:e}");
+    let count = determined.iter().filter(|cell| **cell).count();
+    assert!((300..400).contains(&count), "{count} cells");
+}
+
+#[test]
+fn the_solvers_of_the_press_agree() {
+    let fine = press::fine(&press::Press::new(5).expect("a press")).expect("runs");
+    assert!(fine.apart <= 1e-9, "{:e}", fine.apart);
+    assert_eq!(fine.switches, [3, 3]);
 }

@@ -3,9 +3,10 @@
 use crate::case::{Case, SAMPLES};
 use crate::cvode_peer::Cvode;
 use crate::exact_peer;
-use crate::ladder::{Climb, Miss, Peer, Point, Reached, climb};
+use crate::ladder::{Climb, Point, Reached, climb};
+use crate::peer::{OnCase, Peer};
 use crate::solution::Timing;
-use crate::table::{count, milliseconds, power, table};
+use crate::table::{milliseconds, power, reached, table};
 use dam::exact::Request;
 use std::time::Duration;
 
@@ -24,7 +25,7 @@ From the model ready to 1000 samples of δ and all switch times (ode_solvers loc
 switches), medians of repeated runs. Errors are the greatest of δ over the samples against
 a Taylor series of order 34 in quadruple precision, relative to max|δ|. Every solver has
 the loosest tolerance, in half decades from 1e-3 to 3e-13, that reaches the error; the
-ratio is its time over `dam`'s, with the ratio aimed at in brackets.
+ratio is its time over `dam`'s: of medians, of least times, and in brackets what is aimed at.
 ";
 
 /// What `dam` needs for a case.
@@ -105,7 +106,8 @@ fn peers(case: &Case, cvode: Option<&Cvode>, quick: bool) -> Vec<(Peer, Vec<Reac
     for peer in Peer::all(cvode) {
         let first = fastest(&done, |_| true).map_or(f64::INFINITY, |f| f.1.timing.median);
         let longest = (8.0 * first).max(if quick { 0.1 } else { 0.5 });
-        let points = climb(&peer, case, targets, Climb { budget, longest });
+        let runner = OnCase { peer: &peer, case };
+        let points = climb(&runner, targets, Climb { budget, longest });
         done.push((peer, points));
     }
     done
@@ -130,7 +132,8 @@ fn ratio_row(case: &Case, own: &Own, points: &[(Peer, Vec<Reached>)]) -> Vec<Str
         };
         let ratio = point.timing.median / own.plain.median;
         let aim = aim.map_or(String::new(), |aim| format!(" ({aim})"));
-        format!("{ratio:.0}{aim}")
+        let least = point.timing.least / own.plain.least;
+        format!("{ratio:.0}, {least:.0}{aim}")
     };
     let time = |point: Option<Point>| {
         point.map_or("-".to_owned(), |point| milliseconds(point.timing.median))
@@ -193,21 +196,6 @@ fn detail(case: &Case, own: &Own, points: &[(Peer, Vec<Reached>)]) -> String {
 
 fn peer_row(peer: &Peer, target: f64, point: &Reached) -> Vec<String> {
     let mut row = vec![peer.name(), power(target)];
-    let missing = |why: String| {
-        let dash = || "-".to_owned();
-        vec![dash(), why, dash(), dash(), dash(), dash()]
-    };
-    row.extend(match point {
-        Ok(point) => vec![
-            power(point.tolerance),
-            power(point.error),
-            count(point.switches),
-            milliseconds(point.timing.median),
-            milliseconds(point.timing.least),
-            point.timing.runs.to_string(),
-        ],
-        Err(Miss::NoTolerance) => missing("not reached".to_owned()),
-        Err(Miss::TooLong(time)) => missing(format!("given up: {time:.1} s a run")),
-    });
+    row.extend(reached(point));
     row
 }

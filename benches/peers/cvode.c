@@ -6,6 +6,8 @@
  *   cvode map METHOD TOLERANCE CELLS
  *     two masses on a grid of CELLS x CELLS (inertia 0.05 ... 1 kg m2, stiffness
  *     0.25e7 ... 5e7 N m/rad); prints the wall time, then max|delta| of every cell
+ *   cvode press ...
+ *     see cvode_press.c
  *
  * METHOD: bdf, adams; both with Newton's iteration and the analytic Jacobian,
  * dense up to four unknowns and banded beyond (fixed-point iteration instead
@@ -185,11 +187,14 @@ static int run_map(SUNContext context, char **a) {
     return 0;
 }
 
+int run_press(SUNContext context, int count, char **arguments); /* cvode_press.c */
+
 int main(int count, char **arguments) {
     SUNContext context;
     if (SUNContext_Create(NULL, &context)) return 1;
     if (count == 9 && strcmp(arguments[1], "case") == 0) return run_case(context, arguments);
     if (count == 5 && strcmp(arguments[1], "map") == 0) return run_map(context, arguments);
+    if (count > 5 && strcmp(arguments[1], "press") == 0) return run_press(context, count, arguments);
     fprintf(stderr, "cvode case MASSES LOAD PSI DURATION METHOD TOLERANCE BUDGET | cvode map METHOD TOLERANCE CELLS\n");
     return 2;
 }

@@ -1,80 +1,27 @@
 //! The loosest tolerance that reaches an error, and the time it takes there.
+//!
+//! Tolerances are tried by whole decades; where a target is reached the half
+//! decade before is tried too.
 
-use crate::case::{Case, SAMPLES};
-use crate::cvode_peer::{self, Cvode};
+use crate::case::SAMPLES;
 use crate::solution::{Solution, Timing};
-use crate::{diffsol_peer, ode_solvers_peer};
 use std::collections::BTreeMap;
 use std::time::{Duration, Instant};
 
-/// A solver with one of its methods.
-#[derive(Clone, Debug)]
-pub(crate) enum Peer {
-    /// diffsol.
-    Diffsol(&'static str),
-    /// ode_solvers.
-    OdeSolvers(&'static str),
-    /// CVODE.
-    Cvode(Cvode, &'static str),
-}
-
-impl Peer {
-    /// All of them, CVODE where its program is given.
-    pub(crate) fn all(cvode: Option<&Cvode>) -> Vec<Self> {
-        let diffsol = diffsol_peer::METHODS.map(Self::Diffsol);
-        let ode_solvers = ode_solvers_peer::METHODS.map(Self::OdeSolvers);
-        let cvode = cvode.into_iter().flat_map(|cvode| {
-            let methods = cvode_peer::METHODS.into_iter();
-            methods.map(|method| Self::Cvode(cvode.clone(), method))
-        });
-        // The explicit ones first: what takes far longer than they do is given up.
-        let (explicit, implicit) = diffsol.split_at(1);
-        let explicit = explicit.iter().chain(&ode_solvers).cloned();
-        let implicit = implicit.iter().cloned();
-        explicit.chain(implicit).chain(cvode).collect()
-    }
-
-    /// Solver and method.
-    pub(crate) fn name(&self) -> String {
-        match self {
-            Self::Diffsol(method) => format!("diffsol {method}"),
-            Self::OdeSolvers(method) => format!("ode_solvers {method}"),
-            Self::Cvode(_, method) => format!("CVODE {method}"),
-        }
-    }
-
-    /// True for CVODE.
-    pub(crate) fn is_cvode(&self) -> bool {
-        matches!(self, Self::Cvode(..))
-    }
-
+/// A solver with one of its methods, on one problem.
+pub(crate) trait Runner {
     /// One run, and its time (s).
     ///
     /// # Errors
     /// What the solver says.
-    pub(crate) fn solve(&self, case: &Case, tolerance: f64) -> Result<(Solution, f64), String> {
-        let begin = Instant::now();
-        let solution = match self {
-            Self::Diffsol(method) => diffsol_peer::solve(&case.chain, method, tolerance, SAMPLES)?,
-            Self::OdeSolvers(method) => {
-                ode_solvers_peer::solve(&case.chain, method, tolerance, SAMPLES)?
-            }
-            Self::Cvode(cvode, method) => {
-                let (solution, timing) = cvode.solve(case, method, tolerance, 0.0)?;
-                return Ok((solution, timing.median));
-            }
-        };
-        Ok((solution, begin.elapsed().as_secs_f64()))
-    }
+    fn solve(&self, tolerance: f64) -> Result<(Solution, f64), String>;
 
-    /// Repeated runs.
-    fn time(&self, case: &Case, tolerance: f64, budget: Duration) -> Option<Timing> {
-        if let Self::Cvode(cvode, method) = self {
-            let timed = cvode.solve(case, method, tolerance, budget.as_secs_f64());
-            return timed.ok().map(|(_, timing)| timing);
-        }
-        let run = || self.solve(case, tolerance).is_ok();
-        Some(Timing::measure(budget, run))
+    /// Greatest error of δ over the samples, relative to max|δ|.
+    fn error(&self, samples: &[f64]) -> f64;
+
+    /// Repeated runs; `None`: they fail.
+    fn time(&self, tolerance: f64, budget: Duration) -> Option<Timing> {
+        Some(Timing::measure(budget, || self.solve(tolerance).is_ok()))
     }
 }
 
@@ -117,8 +64,7 @@ pub(crate) struct Climb {
 
 /// What single runs gave so far, by rung.
 struct Tries<'a> {
-    peer: &'a Peer,
-    case: &'a Case,
+    runner: &'a dyn Runner,
     done: BTreeMap<u32, (f64, Option<usize>)>,
     /// Duration of the last one (s).
     last: f64,
@@ -128,13 +74,13 @@ impl Tries<'_> {
     /// The error at a rung; infinite when the solver fails.
     fn error(&mut self, rung: u32) -> f64 {
         let begin = Instant::now();
-        let solved = self.peer.solve(self.case, tolerance_of(rung));
+        let solved = self.runner.solve(tolerance_of(rung));
         self.last = begin.elapsed().as_secs_f64();
         let complete = solved
             .ok()
             .filter(|(solution, _)| solution.samples.len() + 1 >= SAMPLES);
         let entry = complete.map_or((f64::INFINITY, None), |(solution, _)| {
-            (self.case.error(&solution.samples), solution.switches)
+            (self.runner.error(&solution.samples), solution.switches)
         });
         self.done.insert(rung, entry);
         entry.0
@@ -172,13 +118,11 @@ fn tolerance_of(rung: u32) -> f64 {
     10f64.powf(-0.5 * f64::from(rung))
 }
 
-/// Climbs to smaller tolerances until the last target is reached, by whole
-/// decades; where a target is reached the half decade before is tried too.
-/// `targets` are errors in falling order.
-pub(crate) fn climb(peer: &Peer, case: &Case, targets: &[f64], limits: Climb) -> Vec<Reached> {
+/// Climbs to smaller tolerances until the last target is reached. `targets` are
+/// errors in falling order.
+pub(crate) fn climb(runner: &dyn Runner, targets: &[f64], limits: Climb) -> Vec<Reached> {
     let mut tries = Tries {
-        peer,
-        case,
+        runner,
         done: BTreeMap::new(),
         last: 0.0,
     };
@@ -188,7 +132,7 @@ pub(crate) fn climb(peer: &Peer, case: &Case, targets: &[f64], limits: Climb) ->
         points.entry(*rung).or_insert_with(|| {
             let (error, switches) = tries.done[rung];
             let tolerance = tolerance_of(*rung);
-            let timing = peer.time(case, tolerance, limits.budget);
+            let timing = runner.time(tolerance, limits.budget);
             Ok(Point {
                 tolerance,
                 error,

@@ -12,7 +12,10 @@ mod cvode_peer;
 mod diffsol_peer;
 mod exact_peer;
 mod ladder;
+mod map;
 mod ode_solvers_peer;
+mod peer;
+mod press;
 mod solution;
 mod table;
 
@@ -20,7 +23,7 @@ use cvode_peer::Cvode;
 use std::path::Path;
 use std::process::ExitCode;
 
-const USAGE: &str = "peers cases [--only ABCDE] [--quick] [--cvode PROGRAM]";
+const USAGE: &str = "peers cases|map|press [--only ABCDE] [--quick] [--cvode PROGRAM]";
 
 /// What was asked for.
 #[derive(Default)]
@@ -56,6 +59,14 @@ fn run() -> Result<(), String> {
         "cases" => {
             let names = options.only.as_deref().unwrap_or("ABCDE");
             println!("{}", cases::cases(names, cvode, options.quick)?);
+            Ok(())
+        }
+        "map" => {
+            println!("{}", map::map(cvode, options.quick)?);
+            Ok(())
+        }
+        "press" => {
+            println!("{}", press::press(cvode, options.quick)?);
             Ok(())
         }
         // `cargo bench` without a part: nothing to do.

@@ -1,5 +1,6 @@
 //! Tables in Markdown.
 
+use crate::ladder::{Miss, Reached};
 use std::fmt::Write;
 
 /// A table with its columns aligned also as plain text.
@@ -34,6 +35,26 @@ pub(crate) fn power(value: f64) -> String {
 }
 
 /// A number of switches; solvers that locate none have none.
-pub(crate) fn count(switches: Option<usize>) -> String {
+fn count(switches: Option<usize>) -> String {
     switches.map_or("none located".to_owned(), |count| count.to_string())
+}
+
+/// Tolerance, error, switches, median, least time and runs of a point.
+pub(crate) fn reached(point: &Reached) -> Vec<String> {
+    let missing = |why: String| {
+        let dash = || "-".to_owned();
+        vec![dash(), why, dash(), dash(), dash(), dash()]
+    };
+    match point {
+        Ok(point) => vec![
+            power(point.tolerance),
+            power(point.error),
+            count(point.switches),
+            milliseconds(point.timing.median),
+            milliseconds(point.timing.least),
+            point.timing.runs.to_string(),
+        ],
+        Err(Miss::NoTolerance) => missing("not reached".to_owned()),
+        Err(Miss::TooLong(time)) => missing(format!("given up: {time:.1} s a run")),
+    }
 }

@@ -2,10 +2,12 @@
 
 pub mod axis;
 pub mod compare;
+pub mod cycle;
 mod document;
 pub mod exact;
 pub mod expectations;
 mod kinematic;
+pub mod law;
 pub mod map;
 mod method;
 pub mod methods;

@@ -4,6 +4,7 @@ mod methods;
 
 pub(crate) use methods::MethodsArgs;
 
+use super::law::args::LawCommand;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
 
@@ -30,6 +31,9 @@ pub(crate) enum Command {
     Show(ShowArgs),
     /// Run a scene for several values of a parameter and compare the figures
     Compare(CompareArgs),
+    /// Laws of motion: list, show, synthesize, cycle, compare
+    #[command(subcommand)]
+    Law(LawCommand),
     /// Show a figure over one or two parameters, with a verdict and its cause for every point
     Map(MapArgs),
     /// Chart speed against accuracy of every method on a scene, and where and why methods fail
@@ -172,7 +176,7 @@ pub(crate) struct MapArgs {
     pub(crate) resume: bool,
 }
 
-fn positive_seconds(text: &str) -> Result<f64, String> {
+pub(crate) fn positive_seconds(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
         // Duration::from_secs_f64 panics beyond about 1.8e19 s.
         Ok(seconds) if seconds > 0.0 && seconds < 1e15 => Ok(seconds),

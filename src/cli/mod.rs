@@ -9,6 +9,7 @@ mod failure;
 mod input;
 mod interrupt;
 mod journal;
+mod law;
 mod map;
 mod methods;
 mod output;
@@ -18,7 +19,7 @@ mod show;
 mod tables;
 mod terminal;
 
-use args::{Cli, Command, SceneArgs};
+use args::{Cli, Command};
 use clap::Parser;
 use std::process::ExitCode;
 
@@ -31,20 +32,25 @@ pub(crate) fn main() -> ExitCode {
         Command::Schema => (Ok(check::schema()), None),
         Command::Show(args) => (show::command(args), Some(&args.scene)),
         Command::Compare(args) => (compare::command(args), Some(&args.scene)),
+        Command::Law(args) => (law::command(args), None),
         Command::Map(args) => (map::command(args), Some(&args.scene)),
         Command::Methods(args) => (methods::command(args), Some(&args.scene)),
     };
     match result {
         Ok(status) => ExitCode::from(status.code()),
         Err(failure) => {
-            report(&failure, scene);
+            let json = match &cli.command {
+                Command::Law(args) => args.json(),
+                _ => scene.is_some_and(|args| args.json),
+            };
+            report(&failure, json);
             ExitCode::from(2)
         }
     }
 }
 
-fn report(failure: &failure::Failure, scene: Option<&SceneArgs>) {
-    if scene.is_some_and(|args| args.json) && console::json(&failure.json()).is_ok() {
+fn report(failure: &failure::Failure, json: bool) {
+    if json && console::json(&failure.json()).is_ok() {
         return;
     }
     console::talk(&failure.text(console::colour()));

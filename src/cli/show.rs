@@ -4,6 +4,7 @@ use super::args::{Form, ShowArgs, View};
 use super::console;
 use super::failure::{Failure, Status};
 use super::input::Input;
+use dam::exact::{Parts, Refusal};
 use dam::model::Model;
 use dam::report::diagram::Diagram;
 use dam::report::show::equations::{equations, latex, text};
@@ -55,7 +56,7 @@ fn in_words(view: View, system: &System) -> String {
         (
             View::Model,
             "DYNAMIC MODEL",
-            masses::text(model, &frequencies(system)),
+            masses::text(model, &frequencies(system)) + &exact_in_words(system),
         ),
         (View::Equations, "EQUATIONS", text(&equations(model))),
     ];
@@ -69,6 +70,40 @@ fn in_words(view: View, system: &System) -> String {
         })
         .collect();
     texts.join("\n")
+}
+
+/// Whether the scene is propagated exactly, and why not.
+fn exact_in_words(system: &System) -> String {
+    let parts = Parts::of(system);
+    let mut out = "\nExact propagation\n".to_owned();
+    for part in &parts.trees {
+        let ids = part.objects.iter();
+        let ids: Vec<_> = ids
+            .map(|&object| system.model().objects[object].id.as_str())
+            .collect();
+        let masses = part.problem().masses.len();
+        let (noun, list) = (if masses == 1 { "mass" } else { "masses" }, ids.join(", "));
+        out.push_str(&format!("  applies to {list} ({masses} {noun})\n"));
+    }
+    for refusal in &parts.refusals {
+        let (object, reason) = (&refusal.object, &refusal.reason);
+        out.push_str(&format!("  does not apply: {object}: {reason}\n"));
+    }
+    if parts.trees.is_empty() && parts.refusals.is_empty() {
+        out.push_str("  nothing is elastic: the motion follows from the drives\n");
+    }
+    out
+}
+
+fn exact_document(system: &System) -> serde_json::Value {
+    let parts = Parts::of(system);
+    let objects = parts.trees.iter().flat_map(|part| &part.objects);
+    let refusal = |refusal: &Refusal| json!({ "object": refusal.object, "reason": refusal.reason });
+    json!({
+        "applies": parts.is_whole(),
+        "objects": objects.map(|&object| &system.model().objects[object].id).collect::<Vec<_>>(),
+        "refusals": parts.refusals.iter().map(refusal).collect::<Vec<_>>(),
+    })
 }
 
 fn frequencies(system: &System) -> Frequencies {
@@ -105,6 +140,7 @@ fn document(scene: &str, system: &System) -> serde_json::Value {
         "scene": scene,
         "objects": objects,
         "natural_frequencies": { "unit": "rad/s", "engaged": found.engaged, "open": found.open },
+        "exact": exact_document(system),
         "equations": { "text": text(&equations(model)), "latex": latex(&equations(model)) },
     })
 }

@@ -1,27 +1,22 @@
 //! Four functionals side by side, bounded over a step.
 //!
 //! For every object the figures need δ, φ̇, φ̈ and the force (or the clearance)
-//! of its pair. The four ride in one vector; over a step of the switch search
-//! the same quartic bound as in [`super::bound`] says whether any can pass the
-//! greatest value met so far. Almost always none can.
+//! of its pair. The four ride in one vector; values and slopes at both ends of
+//! a step of the switch search bound them between ([`super::hermite`]), which
+//! says whether any can pass the greatest value met so far. Almost always none
+//! can.
 
 use super::basis::Basis;
-use super::functional::{Functional, Weights};
+use super::functional::Functional;
+use super::hermite::{Loss, Point};
 use super::lanes::{Arith, V, WIDTH, reduced};
 use super::pencil::C;
 use super::phase::{Exponentials, POLY, Phase, scalar_sin_cos};
 
-/// Lanes are followed over steps of up to this many radians of theirs.
-const FOLLOW: f64 = 2.0;
-
-/// In a second bound lanes are enveloped beyond this many radians: over half a
-/// swing the envelope is nearer to the truth than the quartic.
-const CLOSE: f64 = 0.4;
-
 /// The four functionals of an object in a basis.
 #[derive(Clone, Debug)]
 pub(crate) struct Panel {
-    pub(crate) functionals: [Functional; WIDTH],
+    functionals: [Functional; WIDTH],
     /// Weights: lane-major, then order 0 … 3, then re, im.
     weights: Vec<V>,
     /// |weight|, and |weight|·|λ|⁴, by lane.
@@ -31,8 +26,6 @@ pub(crate) struct Panel {
     /// Factors of η, η̇ of every floating part, and 1 where the speed is folded
     /// into the harmonic's lane.
     rigid: Vec<[V; 3]>,
-    /// The same four one by one, for climbing to an extreme.
-    pub(crate) single: [Weights; WIDTH],
 }
 
 /// A flight seen by the four functionals.
@@ -53,13 +46,6 @@ pub(crate) struct PanelPhase {
     slow4: V,
     /// |amplitude| of the lanes at the start.
     size: Vec<V>,
-}
-
-/// Bounds of the four over a step.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Bounds {
-    pub(crate) low: V,
-    pub(crate) high: V,
 }
 
 impl Panel {
@@ -93,15 +79,26 @@ impl Panel {
                 [V(f.map(|x| x[0])), V(f.map(|x| x[1])), V(folds)]
             })
             .collect();
-        let single = [0, 1, 2, 3].map(|f| Weights::new(basis, &functionals[f]));
         Self {
-            single,
             functionals,
             weights,
             sizes,
             primitive,
             rigid,
         }
+    }
+}
+
+impl Panel {
+    /// Value and slope of lane k alone at the instant of `e`.
+    #[inline(always)]
+    pub(crate) fn lane<A: Arith>(&self, phase: &Phase, e: &Exponentials, k: usize) -> [V; 2] {
+        let (b, i) = (k / WIDTH, k % WIDTH);
+        let (zr, zi) = (phase.re[b].0[i], phase.im[b].0[i]);
+        let (er, ei) = (e.re[b].0[i], e.im[b].0[i]);
+        let (re, im) = (V::splat(zr * er - zi * ei), V::splat(-(zr * ei + zi * er)));
+        let w = &self.weights[8 * k..8 * k + 4];
+        [w[0].fma::<A>(re, w[1] * im), w[2].fma::<A>(re, w[3] * im)]
     }
 }
 
@@ -177,55 +174,135 @@ impl PanelPhase {
         sum
     }
 
-    /// Bounds over [e.s, e.s + h].
+    /// Values and slopes at the instant of `e`.
     #[inline(always)]
-    pub(crate) fn bounds<A: Arith>(
+    pub(crate) fn point<A: Arith>(
         &self,
         basis: &Basis,
         panel: &Panel,
         phase: &Phase,
         e: &Exponentials,
-        h: f64,
-    ) -> Bounds {
-        let mut a = self.slow::<A>(e.s);
-        let (mut r, mut rest) = (self.slow4, V::ZERO);
-        let mut close: Option<([V; 4], V)> = None;
-        let mut beyond = V::ZERO;
+    ) -> Point {
+        let [mut value, mut slope] = self.slow_two::<A>(e.s);
         let lanes = basis.lanes.len().min(phase.active * WIDTH);
         for b in 0..phase.active {
             let (zr, zi) = (phase.re[b], phase.im[b]);
             let re = zr.fma::<A>(e.re[b], -(zi * e.im[b]));
             let im = zr.fma::<A>(e.im[b], zi * e.re[b]);
-            let size = self.size[b] * e.size[b];
-            for i in 0..WIDTH {
-                let k = b * WIDTH + i;
-                if k >= lanes {
-                    break;
-                }
-                let [plain, fourth] = panel.sizes[k];
-                if basis.modulus[k] * h > CLOSE {
-                    close.get_or_insert((a, r));
-                    beyond = plain.fma::<A>(V::splat(size.0[i]), beyond);
-                }
-                if basis.modulus[k] * h > FOLLOW {
-                    rest = plain.fma::<A>(V::splat(size.0[i]), rest);
-                    continue;
-                }
-                r = fourth.fma::<A>(V::splat(size.0[i]), r);
+            for i in 0..WIDTH.min(lanes - b * WIDTH) {
+                let w = &panel.weights[8 * (b * WIDTH + i)..][..4];
                 let (pr, pi) = (V::splat(re.0[i]), V::splat(-im.0[i]));
-                let w = &panel.weights[8 * k..8 * k + 8];
-                for (order, sum) in a.iter_mut().enumerate() {
-                    *sum = w[2 * order].fma::<A>(pr, w[2 * order + 1].fma::<A>(pi, *sum));
-                }
+                value = w[0].fma::<A>(pr, w[1].fma::<A>(pi, value));
+                slope = w[2].fma::<A>(pr, w[3].fma::<A>(pi, slope));
             }
         }
-        let mut bounds = enclose::<A>(a, r, rest, h);
-        if let Some((a, r)) = close {
-            let second = enclose::<A>(a, r, beyond, h);
-            bounds.low = bounds.low.max(second.low);
-            bounds.high = bounds.high.min(second.high);
+        Point {
+            s: e.s,
+            value,
+            slope,
         }
-        bounds
+    }
+
+    /// What Hermite's cubic may miss over a length h from the instant of `e`,
+    /// of the first `follow` lanes.
+    ///
+    /// A lane of size z (decaying) misses at most z·(|λ|h)⁴/144 on the middle
+    /// coefficient. Where it turns fast its own cubic is bounded instead: by
+    /// its values, and |λ|h/4 for its slopes.
+    #[inline(always)]
+    pub(crate) fn loss<A: Arith>(
+        &self,
+        basis: &Basis,
+        panel: &Panel,
+        (e, follow): (&Exponentials, usize),
+        h: f64,
+    ) -> Loss {
+        let square = h * h;
+        let mut middle = self.slow4 * V::splat(square * square * (1.0 / 144.0));
+        let mut flat = V::ZERO;
+        for k in 0..follow {
+            let x = basis.modulus[k] * h;
+            let size = self.size[k / WIDTH].0[k % WIDTH] * e.size[k / WIDTH].0[k % WIDTH];
+            let (fourth, level) = (x * x * x * x * (1.0 / 144.0), 2.0 + 0.25 * x);
+            if fourth < level {
+                middle = panel.sizes[k][0].fma::<A>(V::splat(size * fourth), middle);
+            } else {
+                flat = panel.sizes[k][0].fma::<A>(V::splat(size * level), flat);
+            }
+        }
+        Loss { middle, flat }
+    }
+
+    /// Envelope of lane k from the instant of `e` on.
+    #[inline(always)]
+    pub(crate) fn lane_size(&self, panel: &Panel, e: &Exponentials, k: usize) -> V {
+        let (b, i) = (k / WIDTH, k % WIDTH);
+        panel.sizes[k][0] * V::splat(self.size[b].0[i] * e.size[b].0[i])
+    }
+
+    /// Functional f and three derivatives at the instant of `e`, and a bound
+    /// on its fourth from there on.
+    #[inline(always)]
+    pub(crate) fn jet<A: Arith>(
+        &self,
+        basis: &Basis,
+        panel: &Panel,
+        phase: &Phase,
+        e: &Exponentials,
+        f: usize,
+    ) -> ([f64; 4], f64) {
+        let mut a = self.slow::<A>(e.s).map(|v| v.0[f]);
+        let mut r = self.slow4.0[f];
+        for k in 0..basis.lanes.len().min(phase.active * WIDTH) {
+            let (b, i) = (k / WIDTH, k % WIDTH);
+            let (zr, zi) = (phase.re[b].0[i], phase.im[b].0[i]);
+            let (er, ei) = (e.re[b].0[i], e.im[b].0[i]);
+            let (pr, pi) = (zr * er - zi * ei, zr * ei + zi * er);
+            let w = &panel.weights[8 * k..8 * k + 8];
+            for (order, sum) in a.iter_mut().enumerate() {
+                *sum += w[2 * order].0[f] * pr - w[2 * order + 1].0[f] * pi;
+            }
+            r += panel.sizes[k][1].0[f] * self.size[b].0[i] * e.size[b].0[i];
+        }
+        (a, r)
+    }
+
+    /// Rounding of the four up to the local time s.
+    pub(crate) fn noise(&self, basis: &Basis, panel: &Panel, s: f64) -> V {
+        let mut sum = V::ZERO;
+        for k in (0..=self.degree).rev() {
+            sum = sum * V::splat(s) + self.poly[k].map(f64::abs);
+        }
+        for k in 0..basis.lanes.len() {
+            sum = sum + panel.sizes[k][0] * V::splat(self.size[k / WIDTH].0[k % WIDTH]);
+        }
+        for arc in &self.arcs {
+            let x = (arc.omega * s).min(2.0);
+            let [ar, ai, br, bi] = arc.c.map(|v| v.map(f64::abs));
+            sum = sum + ((ar + ai) * V::splat(x) + (br + bi)) * V::splat(x);
+        }
+        sum * V::splat(8.0 * f64::EPSILON)
+    }
+
+    /// Value and slope of polynomial and arcs.
+    #[inline(always)]
+    fn slow_two<A: Arith>(&self, s: f64) -> [V; 2] {
+        let time = V::splat(s);
+        let (mut value, mut slope) = (self.poly[self.degree], V::ZERO);
+        for k in (0..self.degree).rev() {
+            slope = slope.fma::<A>(time, value);
+            value = value.fma::<A>(time, self.poly[k]);
+        }
+        for arc in &self.arcs {
+            let f = V::splat;
+            let w = arc.omega;
+            let (sin, cos) = scalar_sin_cos::<A>(w * s);
+            let (c, l) = reduced::<A>(w * s, sin, cos);
+            let [ar, ai, br, bi] = arc.c;
+            value = value + (ar * f(c) - ai * f(l)) + (br * f(c) - bi * f(sin));
+            slope = slope - f(w) * (ar * f(sin) + ai * f(c) + br * f(sin) + bi * f(cos));
+        }
+        [value, slope]
     }
 
     #[inline(always)]
@@ -295,20 +372,4 @@ impl PanelPhase {
         }
         sum
     }
-}
-
-#[inline(always)]
-fn enclose<A: Arith>(a: [V; 4], r: V, rest: V, h: f64) -> Bounds {
-    let f = V::splat;
-    let h2 = h * h;
-    let (p0, p1) = (a[0], a[1] * f(h));
-    let (p2, p3) = (a[2] * f(0.5 * h2), a[3] * f(h * h2 / 6.0));
-    let b1 = p1.fma::<A>(f(0.25), p0);
-    let b2 = p2.fma::<A>(f(1.0 / 6.0), p1.fma::<A>(f(0.5), p0));
-    let b3 = p2.fma::<A>(f(0.5), p1.fma::<A>(f(0.75), p0)) + p3 * f(0.25);
-    let b4 = (p0 + p1) + (p2 + p3);
-    let lost = r * f(h2 * h2 / 24.0);
-    let low = p0.min(b1).min(b2.min(b3)).min(b4 - lost) - rest;
-    let high = p0.max(b1).max(b2.max(b3)).max(b4 + lost) + rest;
-    Bounds { low, high }
 }

@@ -10,7 +10,7 @@ use super::sample::Sampler;
 use super::search::{Search, Step, Witness};
 use super::signal::Signal;
 use super::start;
-use super::track::Track;
+use super::track::{Scene, Track};
 use super::watch::Watch;
 
 /// Hands every step of the search to the tracks.
@@ -23,11 +23,26 @@ struct Tracks<'a> {
 
 impl Witness for Tracks<'_> {
     #[inline(always)]
-    fn see<A: Arith>(&mut self, e: &Exponentials, length: f64) {
+    fn see<A: Arith>(&mut self, before: &Exponentials, now: &Exponentials) {
         for (o, track) in self.tracks.iter_mut().enumerate() {
-            let panel = &self.regime.panels[o][self.variants[o].0];
-            track.step::<A>(&self.regime.basis, panel, self.phase, e, length);
+            let scene = scene(self.regime, self.phase, o, self.variants);
+            track.step::<A>(scene, before, now);
         }
+    }
+}
+
+/// What the figures of object `o` are taken from.
+#[inline(always)]
+fn scene<'a>(
+    regime: &'a Regime,
+    phase: &'a Phase,
+    o: usize,
+    variants: &[(usize, bool)],
+) -> Scene<'a> {
+    Scene {
+        basis: &regime.basis,
+        panel: &regime.panels[o][variants[o].0],
+        phase,
     }
 }
 
@@ -235,6 +250,7 @@ impl<'a> Workspace<'a> {
         self.phase
             .begin::<A>(self.problem, basis, steady, self.at, q, v);
         let horizon = self.phase.local(end).min(self.phase.reach);
+        self.search.restart(&self.phase);
         self.begin_tracks::<A>(regime);
         let event = self.pass::<A>(regime, horizon)?;
         let entry = &self.regimes[regime];
@@ -309,22 +325,16 @@ impl<'a> Workspace<'a> {
                 _ => 0,
             };
             self.variants[o] = (variant, engaged);
-            let entry = &self.regimes[regime];
-            track.begin::<A>(
-                &entry.basis,
-                &entry.panels[o][variant],
-                &self.phase,
-                engaged,
-            );
+            let scene = scene(&self.regimes[regime], &self.phase, o, &self.variants);
+            track.begin::<A>(scene, &self.search.e, engaged);
         }
     }
 
     #[inline(always)]
     fn end_tracks<A: Arith>(&mut self, regime: usize) {
         for (o, track) in self.tracks.iter_mut().enumerate() {
-            let entry = &self.regimes[regime];
-            let panel = &entry.panels[o][self.variants[o].0];
-            track.end::<A>(&entry.basis, panel, &self.phase, &self.search.e);
+            let scene = scene(&self.regimes[regime], &self.phase, o, &self.variants);
+            track.end::<A>(scene, &self.search.e);
         }
     }
 
@@ -334,7 +344,6 @@ impl<'a> Workspace<'a> {
     fn pass<A: Arith>(&mut self, regime: usize, horizon: f64) -> Result<Option<usize>, Refusal> {
         self.watch();
         self.take_signals::<A>(regime);
-        self.search.restart(&self.phase);
         if horizon <= 0.0 {
             return Ok(None);
         }
@@ -350,7 +359,7 @@ impl<'a> Workspace<'a> {
                 regime: entry,
                 phase: &self.phase,
             };
-            let step = self.search.step_seen::<A>(
+            let step = self.search.step::<A>(
                 &entry.basis,
                 &self.phase,
                 &mut self.signals,

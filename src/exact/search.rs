@@ -29,16 +29,8 @@ pub(crate) enum Step {
 /// Is told of every step. (A trait and not a closure: closures cannot be forced
 /// inline, and out of line they lose the processor's instructions.)
 pub(crate) trait Witness {
-    /// Nothing has switched over [e.s, e.s + length].
-    fn see<A: Arith>(&mut self, e: &Exponentials, length: f64);
-}
-
-/// Nobody looks.
-struct Unseen;
-
-impl Witness for Unseen {
-    #[inline(always)]
-    fn see<A: Arith>(&mut self, _: &Exponentials, _: f64) {}
+    /// Nothing has switched between the two instants.
+    fn see<A: Arith>(&mut self, before: &Exponentials, now: &Exponentials);
 }
 
 /// Working memory of the search.
@@ -46,7 +38,7 @@ impl Witness for Unseen {
 pub(crate) struct Search {
     pub(crate) e: Exponentials,
     pub(crate) terms: Terms,
-    /// e at the beginning of a step that ends in a root.
+    /// e at the beginning of the step.
     before: Exponentials,
     /// Steps taken.
     pub(crate) steps: u64,
@@ -92,23 +84,10 @@ impl Search {
         self.exponentials += (phase.active * WIDTH) as u64;
     }
 
-    /// One step towards `horizon`.
+    /// One step towards `horizon`; the witness is told the exponentials at its
+    /// start and its end.
     #[inline(always)]
     pub(crate) fn step<A: Arith>(
-        &mut self,
-        basis: &Basis,
-        phase: &Phase,
-        signals: &mut [Signal],
-        watched: &[usize],
-        horizon: f64,
-    ) -> Step {
-        self.step_seen::<A>(basis, phase, signals, watched, horizon, &mut Unseen)
-    }
-
-    /// One step towards `horizon`; the witness is told the exponentials at its
-    /// start and its length.
-    #[inline(always)]
-    pub(crate) fn step_seen<A: Arith>(
         &mut self,
         basis: &Basis,
         phase: &Phase,
@@ -148,18 +127,18 @@ impl Search {
             length = length.min(free);
         }
         self.steps += 1;
+        self.before.copy(&self.e, phase.active);
         if let Some((number, bracket)) = root
             && (second >= bracket.high || second >= left)
         {
-            self.before.copy(&self.e, phase.active);
             let signal = &signals[watched[number]];
             let step = self.polish::<A>(basis, phase, signal, bracket, left, number);
-            witness.see::<A>(&self.before, self.e.s - s);
+            witness.see::<A>(&self.before, &self.e);
             return step;
         }
-        witness.see::<A>(&self.e, length.min(left));
         let target = if length >= left { horizon } else { s + length };
         self.evaluate::<A>(basis, phase, target);
+        witness.see::<A>(&self.before, &self.e);
         if length >= left {
             Step::Reached
         } else {

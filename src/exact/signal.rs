@@ -138,60 +138,6 @@ impl Signal {
         self.leaving = false;
     }
 
-    /// Rounding of g at any time up to s: polynomial and arcs grow.
-    pub(crate) fn noise_until(&self, s: f64) -> f64 {
-        let mut sum = 0.0;
-        for k in (0..=self.degree).rev() {
-            sum = sum * s + self.poly[k].abs();
-        }
-        for arc in &self.arcs {
-            let x = (arc.omega * s).min(2.0);
-            sum += (arc.alpha.norm() * x + arc.beta.norm()) * x;
-        }
-        self.noise + 4.0 * f64::EPSILON * sum
-    }
-
-    /// Adds a constant.
-    #[inline(always)]
-    pub(crate) fn add(&mut self, constant: f64) {
-        self.poly[0] += constant;
-        self.noise += 4.0 * f64::EPSILON * constant.abs();
-    }
-
-    /// Turns the signal into its own derivative.
-    pub(crate) fn differentiate(&mut self, basis: &Basis, reach: f64) {
-        let blocks = basis.blocks;
-        let mut scale = 0.0;
-        for b in 0..blocks {
-            let (lr, li) = (basis.re[b], basis.im[b]);
-            for order in 0..4 {
-                let at = 2 * order * blocks + b;
-                let (cr, ci) = (self.c[at], self.c[at + blocks]);
-                self.c[at] = cr * lr - ci * li;
-                self.c[at + blocks] = cr * li + ci * lr;
-            }
-            self.size[b] = self.size[b] * (lr * lr + li * li).map(f64::sqrt);
-            scale += self.size[b].sum();
-        }
-        for k in 1..=self.degree {
-            self.poly[k - 1] = k as f64 * self.poly[k];
-        }
-        self.poly[self.degree] = 0.0;
-        self.slow4 = if self.degree > 3 {
-            self.fourth(reach)
-        } else {
-            0.0
-        };
-        for arc in &mut self.arcs {
-            let drive = C::new(0.0, arc.omega);
-            let (alpha, rest) = (arc.alpha, arc.beta + arc.gamma);
-            (arc.alpha, arc.beta, arc.gamma) = (C::default(), drive * alpha, drive * rest);
-            self.slow4 += (arc.beta + arc.gamma).norm() * arc.omega.powi(4);
-            scale += (arc.beta + arc.gamma).norm();
-        }
-        self.noise = 4.0 * f64::EPSILON * (scale + self.poly[0].abs());
-    }
-
     /// Bound on the fourth derivative of the polynomial over the phase.
     #[inline(never)]
     fn fourth(&self, reach: f64) -> f64 {

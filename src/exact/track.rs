@@ -1,18 +1,18 @@
 //! Figures between samples: extremes and the mean deviation, exactly.
 //!
-//! On every step of the switch search the four functionals of an object are
-//! bounded together ([`super::panel`]). Where one might pass the greatest value
-//! met so far the interval is noted, and when the phase is complete the value
-//! is climbed to: the first root of (best + margin − f) by the same guaranteed
-//! search, then the first root of ḟ, and on. A value that nothing can beat
-//! costs nothing but its bound.
+//! The four functionals of an object are evaluated with their slopes at both
+//! ends of every step of the switch search and bounded between
+//! ([`super::hermite`]). Where one might pass the greatest value met so far, the
+//! step is cut at the summit of its cubic, the summit polished, and what is left
+//! on either side bounded again, until nothing can pass. Roots of δ are found
+//! the same way. A step in which nothing can happen costs its bound.
 
 use super::basis::Basis;
-use super::lanes::{Arith, V};
+use super::bound::reversed;
+use super::hermite::{End, Piece, Point, enclose};
+use super::lanes::{Arith, V, WIDTH};
 use super::panel::{Panel, PanelPhase};
 use super::phase::{Exponentials, Phase};
-use super::search::{Search, Step};
-use super::signal::Signal;
 
 /// Figures of one object of a tree.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -33,8 +33,37 @@ pub struct TreeFigures {
     pub max_lift: f64,
 }
 
-/// An interval still to be looked into.
-type Interval = Option<(f64, f64)>;
+/// Most cuts of one step for one figure; what is left is then believed.
+const CUTS: usize = 64;
+
+/// Lanes are followed over up to this many radians of theirs.
+const FOLLOW: f64 = 4.5;
+
+/// What the figures are taken from.
+#[derive(Clone, Copy)]
+pub(crate) struct Scene<'a> {
+    pub(crate) basis: &'a Basis,
+    pub(crate) panel: &'a Panel,
+    pub(crate) phase: &'a Phase,
+}
+
+impl Scene<'_> {
+    /// Number of lanes in use.
+    #[inline(always)]
+    fn lanes(&self) -> usize {
+        self.basis.lanes.len().min(self.phase.active * WIDTH)
+    }
+
+    /// Number of lanes, slowest first, that can be followed over a length h.
+    #[inline(always)]
+    fn followed(&self, h: f64) -> usize {
+        let lanes = self.lanes();
+        if lanes == 0 || self.basis.modulus[lanes - 1] * h <= FOLLOW {
+            return lanes;
+        }
+        self.basis.modulus[..lanes].partition_point(|m| m * h <= FOLLOW)
+    }
+}
 
 /// One object's figures in the making.
 #[derive(Clone, Debug)]
@@ -48,20 +77,21 @@ pub(crate) struct Track {
     cap: f64,
     high: V,
     low: V,
-    above: [Interval; 4],
-    below: [Interval; 4],
-    mixed: Interval,
-    search: Search,
-    signals: [Signal; 2],
-    begin: Exponentials,
+    /// The end of the step before.
+    last: Point,
+    /// Primitive of δ where it last changed its sign, or the phase began.
+    turned: f64,
+    /// Where δ changes its sign in a step, with its primitive there.
+    roots: Vec<(f64, f64)>,
+    pieces: Vec<Piece>,
+    e: Exponentials,
+    /// Ends of the parts of a step that is walked through.
+    from: Exponentials,
+    to: Exponentials,
 }
 
 impl Track {
     pub(crate) fn new(blocks: usize, flights: usize, delta: f64, cap: f64) -> Self {
-        let mut begin = Exponentials::new(blocks);
-        begin.re.fill(V::splat(1.0));
-        begin.size.fill(V::splat(1.0));
-        let signal = Signal::new(blocks, flights);
         Self {
             figures: TreeFigures {
                 delta_max: delta,
@@ -74,25 +104,25 @@ impl Track {
             cap,
             high: V::ZERO,
             low: V::ZERO,
-            above: [None; 4],
-            below: [None; 4],
-            mixed: None,
-            search: Search::new(blocks),
-            signals: [signal.clone(), signal],
-            begin,
+            last: Point::default(),
+            turned: 0.0,
+            roots: Vec::with_capacity(CUTS),
+            pieces: Vec::with_capacity(2 * CUTS + 2),
+            e: Exponentials::new(blocks),
+            from: Exponentials::new(blocks),
+            to: Exponentials::new(blocks),
         }
     }
 
-    /// Takes up a phase; `engaged`: the fourth functional is the link's force,
-    /// otherwise the clearance.
+    /// Takes up a phase at the instant of `e`, its start; `engaged`: the fourth
+    /// functional is the link's force, otherwise the clearance.
     #[inline(always)]
-    pub(crate) fn begin<A: Arith>(
-        &mut self,
-        basis: &Basis,
-        panel: &Panel,
-        phase: &Phase,
-        engaged: bool,
-    ) {
+    pub(crate) fn begin<A: Arith>(&mut self, scene: Scene, e: &Exponentials, engaged: bool) {
+        let Scene {
+            basis,
+            panel,
+            phase,
+        } = scene;
         self.state.take::<A>(basis, panel, phase);
         self.engaged = engaged;
         let f = &self.figures;
@@ -106,40 +136,144 @@ impl Track {
         if !engaged && f.max_lift >= self.cap {
             self.high.0[3] = f64::INFINITY;
         }
-        self.above = [None; 4];
-        self.below = [None; 4];
-        self.mixed = None;
+        self.last = self.state.point::<A>(basis, panel, phase, e);
+        self.turned = self.state.primitive::<A>(basis, panel, phase, e);
     }
 
-    /// Notes what may happen over [e.s, e.s + h].
+    /// Takes the step from `before` to `now` into the figures.
     #[inline(always)]
     pub(crate) fn step<A: Arith>(
         &mut self,
-        basis: &Basis,
-        panel: &Panel,
-        phase: &Phase,
-        e: &Exponentials,
-        h: f64,
+        scene: Scene,
+        before: &Exponentials,
+        now: &Exponentials,
     ) {
-        let bounds = self.state.bounds::<A>(basis, panel, phase, e, h);
+        if scene.followed(now.s - before.s) == scene.lanes() {
+            let end = self
+                .state
+                .point::<A>(scene.basis, scene.panel, scene.phase, now);
+            self.span::<A>(scene, before, end);
+        } else {
+            self.walk::<A>(scene, before, now);
+        }
+    }
+
+    /// Walks through a step over which some lanes turn far: parts on which
+    /// their envelopes rule everything out, and parts short enough to follow
+    /// every lane that matters.
+    #[inline(always)]
+    fn walk<A: Arith>(&mut self, scene: Scene, before: &Exponentials, now: &Exponentials) {
+        let active = scene.phase.active;
+        let mut from = std::mem::take(&mut self.from);
+        let mut to = std::mem::take(&mut self.to);
+        from.copy(before, active);
+        let mut length = now.s - from.s;
+        while from.s < now.s {
+            if from.s + length >= now.s {
+                to.copy(now, active);
+            } else {
+                scene
+                    .phase
+                    .exponentials::<A>(scene.basis, from.s + length, &mut to);
+            }
+            let h = to.s - from.s;
+            let end = self
+                .state
+                .point::<A>(scene.basis, scene.panel, scene.phase, &to);
+            let follow = scene.followed(h);
+            if follow < scene.lanes() && !self.ruled_out::<A>(scene, (&from, &to), &end, follow) {
+                let short = self.short(scene, &from);
+                if h > 1.01 * short {
+                    length = short.max(0.25 * h);
+                    continue;
+                }
+                self.span::<A>(scene, &from, end);
+            } else if follow == scene.lanes() {
+                self.span::<A>(scene, &from, end);
+            }
+            self.last = end;
+            std::mem::swap(&mut from, &mut to);
+            length = (4.0 * h).min(now.s - from.s);
+        }
+        self.from = from;
+        self.to = to;
+    }
+
+    /// Length over which the fastest lane that matters can be followed.
+    #[inline(always)]
+    fn short(&self, scene: Scene, e: &Exponentials) -> f64 {
+        let level = self.high.map(f64::abs).max(self.low.map(f64::abs));
+        let live = (0..scene.lanes()).rev().find(|&k| {
+            let size = self.state.lane_size(scene.panel, e, k);
+            (0..4).any(|f| size.0[f] > 1e-9 * level.0[f] && size.0[f] > 0.0)
+        });
+        live.map_or(f64::INFINITY, |k| 0.7 * FOLLOW / scene.basis.modulus[k])
+    }
+
+    /// True when between `from` and `to` nothing can pass the greatest values
+    /// and δ keeps its sign, whatever the lanes from `follow` on do within
+    /// their envelopes.
+    #[inline(always)]
+    fn ruled_out<A: Arith>(
+        &self,
+        scene: Scene,
+        (from, to): (&Exponentials, &Exponentials),
+        end: &Point,
+        follow: usize,
+    ) -> bool {
+        let Scene {
+            basis,
+            panel,
+            phase,
+        } = scene;
+        let (mut a, mut b) = (self.last, *end);
+        let mut loss = self
+            .state
+            .loss::<A>(basis, panel, (from, follow), b.s - a.s);
+        for k in follow..scene.lanes() {
+            loss.flat = loss.flat + self.state.lane_size(panel, from, k);
+            for (point, e) in [(&mut a, from), (&mut b, to)] {
+                let [value, slope] = panel.lane::<A>(phase, e, k);
+                point.value = point.value - value;
+                point.slope = point.slope - slope;
+            }
+        }
+        let bounds = enclose::<A>(&a, &b, &loss);
+        let worst = (bounds.high - self.high).max(self.low - bounds.low);
+        let margin = self.margin();
+        (0..4).all(|k| worst.0[k] <= margin.0[k]) && !mixed(bounds.low.0[0], bounds.high.0[0])
+    }
+
+    /// Takes the part from the last point to `b`, which begins at `before`.
+    #[inline(always)]
+    fn span<A: Arith>(&mut self, scene: Scene, before: &Exponentials, b: Point) {
+        let (basis, panel) = (scene.basis, scene.panel);
+        let a = self.last;
+        self.last = b;
+        let h = b.s - a.s;
+        let loss = self
+            .state
+            .loss::<A>(basis, panel, (before, scene.lanes()), h);
+        let bounds = enclose::<A>(&a, &b, &loss);
         let over = bounds.high - self.high;
         let under = self.low - bounds.low;
-        let (from, to) = (e.s, e.s + h);
         let worst = over.max(under);
         // Differences below rounding are not worth a climb.
         let margin = self.margin();
         if (0..4).any(|k| worst.0[k] > margin.0[k]) {
+            let noise = self.state.noise(basis, panel, b.s);
             for k in 0..4 {
-                if over.0[k] > margin.0[k] {
-                    widen(&mut self.above[k], from, to);
+                let margin = margin.0[k].max(noise.0[k]);
+                if over.0[k] > margin {
+                    self.climb::<A>(scene, before, (&a, &b), (k, 1.0), margin);
                 }
-                if under.0[k] > margin.0[k] {
-                    widen(&mut self.below[k], from, to);
+                if under.0[k] > margin {
+                    self.climb::<A>(scene, before, (&a, &b), (k, -1.0), margin);
                 }
             }
         }
-        if bounds.low.0[0] < 0.0 && bounds.high.0[0] > 0.0 {
-            widen(&mut self.mixed, from, to);
+        if mixed(bounds.low.0[0], bounds.high.0[0]) {
+            self.turns::<A>(scene, before, (&a, &b));
         }
     }
 
@@ -151,172 +285,230 @@ impl Track {
 
     /// Ends the phase at the instant of `e`.
     #[inline(always)]
-    pub(crate) fn end<A: Arith>(
-        &mut self,
-        basis: &Basis,
-        panel: &Panel,
-        phase: &Phase,
-        e: &Exponentials,
-    ) {
-        for k in 0..4 {
-            if self.above[k].is_some() || self.below[k].is_some() {
-                self.improve::<A>(basis, panel, phase, k, e.s);
-            }
-        }
-        let first = self.state.primitive::<A>(basis, panel, phase, &self.begin);
-        let last = self.state.primitive::<A>(basis, panel, phase, e);
-        self.area += match self.mixed {
-            None => (last - first).abs(),
-            Some((from, to)) => {
-                self.area_between::<A>(basis, panel, phase, (from, to.min(e.s)), (first, last))
-            }
-        };
+    pub(crate) fn end<A: Arith>(&mut self, scene: Scene, e: &Exponentials) {
+        let last = self
+            .state
+            .primitive::<A>(scene.basis, scene.panel, scene.phase, e);
+        self.area += (last - self.turned).abs();
     }
 
+    /// Notes a new greatest value of sign·(functional k).
     #[inline(always)]
-    fn improve<A: Arith>(
-        &mut self,
-        basis: &Basis,
-        panel: &Panel,
-        phase: &Phase,
-        k: usize,
-        end: f64,
-    ) {
-        for (interval, sign) in [(self.above[k], 1.0), (self.below[k], -1.0)] {
-            let Some((from, to)) = interval else { continue };
-            let best = if sign > 0.0 {
-                self.high.0[k]
-            } else {
-                -self.low.0[k]
-            };
-            let range = (from.min(end), to.min(end));
-            let best = self.climb::<A>(basis, panel, phase, (k, sign), range, best);
-            let f = &mut self.figures;
-            match (k, sign > 0.0, self.engaged) {
-                (0, true, _) => f.delta_max = best,
-                (0, false, _) => f.delta_min = -best,
-                (1, ..) => f.peak_speed = best,
-                (2, ..) => f.peak_acceleration = best,
-                (_, _, true) => f.peak_reaction = best,
-                _ => f.max_lift = best.min(self.cap),
-            }
-            if k > 0 {
-                self.high.0[k] = best;
-                self.low.0[k] = if k < 3 || self.engaged {
-                    -best
-                } else {
-                    f64::NEG_INFINITY
-                };
-            }
+    fn note(&mut self, k: usize, sign: f64, best: f64) {
+        let f = &mut self.figures;
+        match (k, sign > 0.0, self.engaged) {
+            (0, true, _) => f.delta_max = best,
+            (0, false, _) => f.delta_min = -best,
+            (1, ..) => f.peak_speed = best,
+            (2, ..) => f.peak_acceleration = best,
+            (_, _, true) => f.peak_reaction = best,
+            _ => f.max_lift = best.min(self.cap),
+        }
+        if k > 0 || sign > 0.0 {
+            self.high.0[k] = best;
+        }
+        if (k > 0 && (k < 3 || self.engaged)) || sign < 0.0 {
+            self.low.0[k] = -best;
         }
     }
 
-    /// Greatest value of sign·f over the range, at least `best`.
+    /// Finds the greatest value of sign·(functional k) in the step, where it
+    /// passes the greatest so far by more than `margin`.
     #[inline(always)]
     fn climb<A: Arith>(
         &mut self,
-        basis: &Basis,
-        panel: &Panel,
-        phase: &Phase,
+        scene: Scene,
+        before: &Exponentials,
+        (a, b): (&Point, &Point),
         (k, sign): (usize, f64),
-        (from, to): (f64, f64),
-        mut best: f64,
-    ) -> f64 {
-        let (functional, weights) = (&panel.functionals[k], &panel.single[k]);
-        self.search.evaluate::<A>(basis, phase, from);
-        let [value, slope] = &mut self.signals;
-        value.take::<A>(basis, phase, functional, weights, sign);
-        best = best.max(value.value::<A>(basis, phase.active, &self.search.e));
-        slope.take::<A>(basis, phase, functional, weights, sign);
-        slope.differentiate(basis, phase.reach);
-        for _ in 0..10_000 {
-            value.take::<A>(basis, phase, functional, weights, -sign);
-            let noise = value.noise_until(to);
-            let margin = (1e-14 * best.abs()).max(4.0 * noise);
-            value.add(best + margin);
-            // At the summit itself the signal is its margin, give or take its rounding.
-            value.noise = noise;
-            value.leaving = true;
-            let rises = loop {
-                match self
-                    .search
-                    .step::<A>(basis, phase, std::slice::from_mut(value), &[0], to)
-                {
-                    Step::Free => {}
-                    Step::Root(_) => break true,
-                    _ => break false,
-                }
-            };
-            if rises {
-                // On to the summit.
-                while self
-                    .search
-                    .step::<A>(basis, phase, std::slice::from_mut(slope), &[0], to)
-                    == Step::Free
-                {}
+        margin: f64,
+    ) {
+        let mut best = if sign > 0.0 {
+            self.high.0[k]
+        } else {
+            -self.low.0[k]
+        };
+        let whole = piece(a, b, k, sign);
+        let was = best;
+        best = best.max(whole.a.f).max(whole.b.f);
+        self.pieces.clear();
+        self.pieces.push(whole);
+        let mut cuts = 0;
+        while let Some(piece) = self.pieces.pop() {
+            let loss = self.state.loss::<A>(
+                scene.basis,
+                scene.panel,
+                (before, scene.lanes()),
+                piece.length(),
+            );
+            let top = piece.range(loss.middle.0[k], loss.flat.0[k]).1;
+            if top <= best + margin || cuts >= CUTS {
+                continue;
             }
-            value.take::<A>(basis, phase, functional, weights, sign);
-            let now = value.value::<A>(basis, phase.active, &self.search.e);
-            best = best.max(now);
-            if !rises || self.search.e.s >= to {
-                break;
-            }
+            cuts += 1;
+            let guess = piece.a.s + piece.summit() * piece.length();
+            let cut = self.summit::<A>(scene, (k, sign), &piece, guess, margin);
+            best = best.max(cut.f);
+            self.pieces.push(Piece { a: cut, b: piece.b });
+            self.pieces.push(Piece { a: piece.a, b: cut });
         }
-        best
+        if best > was {
+            self.note(k, sign, best);
+        }
     }
 
-    /// ∫|δ| over a phase in which δ may change its sign within `range`.
+    /// The summit near `guess`, with slope exactly zero; where there is none
+    /// within the piece, the point at `guess`.
     #[inline(always)]
-    fn area_between<A: Arith>(
+    fn summit<A: Arith>(
         &mut self,
-        basis: &Basis,
-        panel: &Panel,
-        phase: &Phase,
-        (from, to): (f64, f64),
-        (first, last): (f64, f64),
-    ) -> f64 {
-        let (functional, weights) = (&panel.functionals[0], &panel.single[0]);
-        let (mut area, mut before) = (0.0, first);
-        self.search.evaluate::<A>(basis, phase, from);
-        let signal = &mut self.signals[0];
-        signal.take::<A>(basis, phase, functional, weights, 1.0);
-        let (jet, _) = self.search.jet::<A>(basis, phase, signal);
-        let mut sign = if jet[0].abs() > signal.noise {
-            jet[0]
-        } else {
-            jet[1]
-        }
-        .signum();
-        for _ in 0..100_000 {
-            signal.take::<A>(basis, phase, functional, weights, sign);
-            signal.leaving = true;
-            let root = loop {
-                match self
-                    .search
-                    .step::<A>(basis, phase, std::slice::from_mut(signal), &[0], to)
-                {
-                    Step::Free => {}
-                    Step::Root(_) => break true,
-                    _ => break false,
-                }
-            };
-            if !root {
-                break;
+        scene: Scene,
+        (k, sign): (usize, f64),
+        piece: &Piece,
+        guess: f64,
+        margin: f64,
+    ) -> End {
+        let mut s = guess;
+        let mut first = None;
+        for _ in 0..8 {
+            let (jet, rest) = self.jet::<A>(scene, k, s);
+            let f = jet.map(|x| x * sign);
+            let plain = *first.get_or_insert(End {
+                s,
+                f: f[0],
+                g: f[1],
+            });
+            let x = reversed([f[1], f[2], f[3], 0.0]);
+            let target = s + x;
+            if !(f[2] < 0.0 && target > piece.a.s && target < piece.b.s) {
+                return plain;
             }
-            let now = self
-                .state
-                .primitive::<A>(basis, panel, phase, &self.search.e);
-            area += (now - before).abs();
-            before = now;
-            sign = -sign;
+            let cube = rest * (x * x * x).abs();
+            if cube * piece.length() <= 24.0 * margin || x.abs() <= 1e-15 * target {
+                let value = f[0] + x * (f[1] + x * (f[2] * 0.5 + x * (f[3] / 6.0)));
+                return End {
+                    s: target,
+                    f: value,
+                    g: 0.0,
+                };
+            }
+            s = target;
         }
-        area + (last - before).abs()
+        first.unwrap_or_default()
+    }
+
+    #[inline(always)]
+    fn jet<A: Arith>(&mut self, scene: Scene, k: usize, s: f64) -> ([f64; 4], f64) {
+        scene.phase.exponentials::<A>(scene.basis, s, &mut self.e);
+        self.state
+            .jet::<A>(scene.basis, scene.panel, scene.phase, &self.e, k)
+    }
+
+    /// Adds ∫|δ| up to every change of sign of δ in the step.
+    ///
+    /// An error d in the instant of a root costs only δ̇d² in the integral.
+    #[inline(always)]
+    fn turns<A: Arith>(&mut self, scene: Scene, before: &Exponentials, (a, b): (&Point, &Point)) {
+        let noise = self.state.noise(scene.basis, scene.panel, b.s).0[0];
+        self.roots.clear();
+        self.pieces.clear();
+        self.pieces.push(piece(a, b, 0, 1.0));
+        let mut cuts = 0;
+        while let Some(piece) = self.pieces.pop() {
+            let loss = self.state.loss::<A>(
+                scene.basis,
+                scene.panel,
+                (before, scene.lanes()),
+                piece.length(),
+            );
+            let (low, high) = piece.range(loss.middle.0[0], loss.flat.0[0]);
+            if low >= -noise || high <= noise || cuts >= CUTS {
+                continue;
+            }
+            cuts += 1;
+            let cut = self.root::<A>(scene, &piece, noise);
+            self.pieces.push(Piece { a: cut, b: piece.b });
+            self.pieces.push(Piece { a: piece.a, b: cut });
+        }
+        self.roots.sort_by(|x, y| x.0.total_cmp(&y.0));
+        for &(_, primitive) in &self.roots {
+            self.area += (primitive - self.turned).abs();
+            self.turned = primitive;
+        }
+    }
+
+    /// A root of δ in the piece (noted, value exactly zero), or a point to cut at.
+    #[inline(always)]
+    fn root<A: Arith>(&mut self, scene: Scene, piece: &Piece, noise: f64) -> End {
+        let crosses = (piece.a.f > 0.0 && piece.b.f < 0.0) || (piece.a.f < 0.0 && piece.b.f > 0.0);
+        let share = if crosses {
+            piece.crossing()
+        } else {
+            let turn = if piece.a.f + piece.b.f > 0.0 {
+                -1.0
+            } else {
+                1.0
+            };
+            let end = |e: End| End {
+                s: e.s,
+                f: e.f * turn,
+                g: e.g * turn,
+            };
+            Piece {
+                a: end(piece.a),
+                b: end(piece.b),
+            }
+            .summit()
+        };
+        let mut s = piece.a.s + share * piece.length();
+        let mut first = None;
+        for _ in 0..8 {
+            let (f, rest) = self.jet::<A>(scene, 0, s);
+            let plain = *first.get_or_insert(End {
+                s,
+                f: f[0],
+                g: f[1],
+            });
+            let x = reversed(f);
+            let target = s + x;
+            if !(crosses && target > piece.a.s && target < piece.b.s) {
+                return plain;
+            }
+            let lost = rest * (x * x * x).abs() * x.abs().max(1e-3 * piece.length());
+            if lost <= 24.0 * noise || x.abs() <= 1e-15 * target {
+                let primitive =
+                    self.state
+                        .primitive::<A>(scene.basis, scene.panel, scene.phase, &self.e);
+                let more = x * (f[0] + x * (f[1] * 0.5 + x * (f[2] / 6.0 + x * (f[3] / 24.0))));
+                self.roots.push((target, primitive + more));
+                return End {
+                    s: target,
+                    f: 0.0,
+                    g: f[1] + x * (f[2] + x * f[3] * 0.5),
+                };
+            }
+            s = target;
+        }
+        first.unwrap_or_default()
     }
 }
 
-fn widen(interval: &mut Interval, from: f64, to: f64) {
-    *interval = Some(match *interval {
-        None => (from, to),
-        Some((a, b)) => (a.min(from), b.max(to)),
-    });
+/// True when a value in the range may be of either sign, beyond rounding.
+#[inline(always)]
+fn mixed(low: f64, high: f64) -> bool {
+    low < -1e-13 * high && high > -1e-13 * low
+}
+
+/// Functional k between two points, turned by `sign`.
+#[inline(always)]
+fn piece(a: &Point, b: &Point, k: usize, sign: f64) -> Piece {
+    let end = |p: &Point| End {
+        s: p.s,
+        f: p.value.0[k] * sign,
+        g: p.slope.0[k] * sign,
+    };
+    Piece {
+        a: end(a),
+        b: end(b),
+    }
 }

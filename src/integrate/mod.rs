@@ -20,6 +20,7 @@ mod pace;
 pub(crate) mod problems;
 mod rosenbrock;
 mod run;
+mod stopping;
 mod taylor;
 #[cfg(test)]
 mod tests;

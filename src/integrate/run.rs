@@ -10,7 +10,6 @@ use super::taylor::Series;
 use super::{
     Dynamics, Edge, Guard, Limits, Method, Modes, Settings, Sink, Stop, SwitchEvent, Watch,
 };
-use std::sync::atomic::Ordering;
 use std::time::Instant;
 
 /// Switches at one and the same instant after which a run is given up.
@@ -44,7 +43,7 @@ pub(super) enum Given<'g> {
 pub(super) struct Run<'a, D: Dynamics> {
     pub(super) evaluator: &'a Evaluator<'a, D>,
     pub(super) settings: &'a Settings,
-    limits: &'a Limits<'a>,
+    pub(super) limits: &'a Limits<'a>,
     sink: &'a mut dyn Sink,
     /// Where the run stands.
     pub(super) from: End,
@@ -64,7 +63,7 @@ pub(super) struct Run<'a, D: Dynamics> {
     watches: Vec<Watch>,
     zero_at_start: Vec<Guard>,
     switches_at_once: u32,
-    begun: Instant,
+    pub(super) begun: Instant,
     pub(super) pace: Pace,
     /// The own stiff method, with its memory, once it has been used.
     pub(super) rosenbrock: Option<Box<Stepper>>,
@@ -370,60 +369,5 @@ impl<'a, D: Dynamics> Run<'a, D> {
     pub(super) fn skip_to_target(&mut self) {
         let y = self.from.y.clone();
         self.move_to(self.target, &y);
-    }
-
-    fn not_finite(&self, index: usize) -> Stop {
-        Stop::NotFinite {
-            what: self.evaluator.dynamics.state_name(index),
-        }
-    }
-
-    /// The run is over.
-    pub(super) fn end(&mut self, stop: Stop) -> Verdict {
-        self.stop = Some(stop);
-        Verdict::Stop
-    }
-
-    /// A method cannot shorten its step any further at step length `step`; if
-    /// the right-hand side gave no numbers, that is the reason.
-    pub(super) fn end_at_floor(&mut self, step: f64) -> Verdict {
-        self.end_with_reason(Stop::StepFloor { step })
-    }
-
-    /// A method gives up with `stop`; if the right-hand side gave no numbers,
-    /// that is the reason.
-    pub(super) fn end_with_reason(&mut self, stop: Stop) -> Verdict {
-        match self.evaluator.take_not_finite() {
-            Some(index) => self.fail(self.not_finite(index)),
-            None => self.fail(stop),
-        }
-    }
-
-    fn check_limits(&mut self) -> Verdict {
-        let limits = self.limits;
-        let over = |limit| self.begun.elapsed() > limit;
-        if self.stop.is_some() {
-            return Verdict::Stop;
-        }
-        if self.from.time >= self.target {
-            return Verdict::Continue; // whatever comes after is checked then
-        }
-        let stop = if limits
-            .interrupt
-            .is_some_and(|flag| flag.load(Ordering::Relaxed))
-        {
-            Stop::Interrupted
-        } else if self.switches > limits.switches {
-            let bound = limits.switches;
-            Stop::TooManySwitches { bound }
-        } else if self.steps >= limits.steps {
-            let bound = limits.steps;
-            Stop::TooManySteps { bound }
-        } else if let Some(limit) = limits.wall_clock.filter(|&limit| over(limit)) {
-            Stop::WallClock { limit }
-        } else {
-            return Verdict::Continue;
-        };
-        self.end(stop)
     }
 }

@@ -129,6 +129,10 @@ impl Series {
             let whole = rest / asked;
             if share >= (1.0 - 1e-9) * whole {
                 share = whole;
+            } else if 2.0 * share > whole {
+                // No crumb is left over: within it rates would drown in the
+                // rounding of great angles.
+                share = 0.5 * whole;
             }
             loop {
                 let error = self.defect(run, degree, asked, share);

@@ -1,10 +1,16 @@
 //! Motions: dimensionless laws of motion, splines, and the prescribed motion of a drive over time.
 
-mod law;
+pub mod cycle;
+pub(crate) mod extremes;
+pub mod law;
+mod run_up;
 mod spec;
 mod spline;
+pub mod stroke;
 
-pub use law::LawName;
+pub use cycle::{Cycle, CycleSpec};
+pub use law::{Law, LawName, LawSpec, RunLawName, RunLawSpec};
+pub use run_up::LawRunUp;
 pub use spec::DriveMotionSpec;
 pub use spline::Spline;
 
@@ -32,6 +38,12 @@ pub enum DriveMotion {
         /// φ at t = 0 (rad).
         angle: f64,
     },
+    /// A plan of motion over time: run-ups and moves by laws of motion, dwells,
+    /// once or in cycles.
+    Plan(Box<Cycle>),
+    /// A run-up by a law of motion: φ = angle + speed·time·θ(t/time)/θ′(1),
+    /// then on with `speed`.
+    LawRunUp(Box<LawRunUp>),
     /// A smooth spline through given points (t, φ). Its end slopes are those
     /// of the polynomials through the four points nearest each end. Before the
     /// first and after the last point the drive turns on with the speed it has
@@ -43,7 +55,8 @@ impl DriveMotion {
     /// The motion that a scene describes.
     ///
     /// # Errors
-    /// Numbers that are not finite, a run-up that takes no time, a table with
+    /// Numbers that are not finite, a run-up that takes no time, a faulty law or
+    /// plan, a table with
     /// fewer than three or not ascending points; paths relative to `motion`.
     pub fn new(spec: &DriveMotionSpec) -> Result<Self, Vec<Fault>> {
         let mut faults = Faults::default();
@@ -54,13 +67,36 @@ impl DriveMotion {
                 faults.check()?;
                 Ok(Self::Constant { speed, angle })
             }
-            DriveMotionSpec::RunUp { speed, time, angle } => {
+            DriveMotionSpec::RunUp {
+                speed,
+                time,
+                angle,
+                ref law,
+            } => {
                 faults.finite("run_up.speed", speed);
                 faults.positive("run_up.time", time);
                 faults.finite("run_up.angle", angle);
                 faults.check()?;
-                Ok(Self::RunUp { speed, time, angle })
+                let Some(spec) = law else {
+                    return Ok(Self::RunUp { speed, time, angle });
+                };
+                match LawRunUp::new(spec, speed, time, angle) {
+                    Ok(run_up) => Ok(Self::LawRunUp(Box::new(run_up))),
+                    Err(found) => {
+                        faults.absorb("run_up.law", found);
+                        faults.check()?;
+                        Err(Vec::new())
+                    }
+                }
             }
+            DriveMotionSpec::Plan(ref spec) => match Cycle::new(spec) {
+                Ok(cycle) => Ok(Self::Plan(Box::new(cycle))),
+                Err(found) => {
+                    faults.absorb("plan", found);
+                    faults.check()?;
+                    Err(Vec::new())
+                }
+            },
             DriveMotionSpec::Table { ref points } => {
                 faults.points("table", points, 3);
                 faults.check()?;
@@ -105,6 +141,8 @@ impl DriveMotion {
                     third: speed / (duration * duration) * (6.0 - 12.0 * tau),
                 }
             }
+            Self::Plan(cycle) => cycle.jet(segment, time),
+            Self::LawRunUp(run_up) => run_up.jet(segment, time),
             Self::Table(spline) => {
                 let (first, last) = spline.ends();
                 match segment {
@@ -117,11 +155,13 @@ impl DriveMotion {
     }
 
     /// Times at which any derivative jumps, ascending: [`Self::breaks`], and
-    /// the points of a table.
+    /// the points of a table; of a plan that repeats, those of its first cycle.
     pub fn joints(&self) -> Vec<f64> {
         match self {
             Self::Constant { .. } => Vec::new(),
             Self::RunUp { time, .. } => vec![*time],
+            Self::Plan(cycle) => cycle.breaks().points.clone(),
+            Self::LawRunUp(run_up) => run_up.breaks(),
             Self::Table(spline) => spline.knots().to_vec(),
         }
     }
@@ -131,6 +171,8 @@ impl DriveMotion {
         let points = match self {
             Self::Constant { .. } => Vec::new(),
             Self::RunUp { time, .. } => vec![*time],
+            Self::Plan(cycle) => return cycle.breaks().clone(),
+            Self::LawRunUp(run_up) => run_up.breaks(),
             Self::Table(spline) => {
                 let (first, last) = spline.ends();
                 vec![first, last]
@@ -161,9 +203,20 @@ fn continued(spline: &Spline, end: f64, time: f64) -> Jet {
 
 #[cfg(test)]
 mod tests {
-    use super::DriveMotion;
-    use super::DriveMotionSpec;
+    use super::cycle::{CycleSpec, Motion, Station};
+    use super::{DriveMotion, DriveMotionSpec, LawName, RunLawName};
     use crate::jet::Jet;
+
+    fn station(at: f64, displacement: f64, motion: Motion) -> Station {
+        Station {
+            at,
+            displacement,
+            speed: None,
+            acceleration: None,
+            order: 2,
+            motion,
+        }
+    }
 
     fn motions() -> Vec<DriveMotion> {
         [
@@ -175,7 +228,24 @@ mod tests {
                 speed: 30.0,
                 time: 0.4,
                 angle: -1.0,
+                law: None,
             },
+            DriveMotionSpec::RunUp {
+                speed: -20.0,
+                time: 0.5,
+                angle: 0.4,
+                law: Some(RunLawName::UnequalTrapezoid.into()),
+            },
+            DriveMotionSpec::Plan(CycleSpec {
+                stations: vec![
+                    station(0.0, 0.0, Motion::Law(LawName::ModifiedSine.into())),
+                    station(0.3, 2.0, Motion::Dwell),
+                    station(0.4, 2.0, Motion::Smooth),
+                ],
+                period: Some(0.7),
+                advance: 0.5,
+                phase: 0.0,
+            }),
             DriveMotionSpec::Table {
                 points: vec![(0.0, 0.0), (0.2, 1.0), (0.5, 1.5), (0.6, 3.0), (1.0, 2.0)],
             },
@@ -204,11 +274,11 @@ mod tests {
     #[test]
     fn displacement_and_speed_are_continuous_where_the_formula_changes() {
         for motion in motions() {
-            for (segment, &time) in motion.breaks().points.iter().enumerate() {
-                let (left, right) = (
-                    motion.jet(segment as i64, time),
-                    motion.jet(segment as i64 + 1, time),
-                );
+            let breaks = motion.breaks();
+            let shift = i64::from(breaks.period.is_some());
+            for (segment, &time) in breaks.points.iter().enumerate() {
+                let segment = segment as i64 - shift;
+                let (left, right) = (motion.jet(segment, time), motion.jet(segment + 1, time));
                 approx::assert_relative_eq!(left.value, right.value, epsilon = 1e-14);
                 approx::assert_relative_eq!(left.first, right.first, epsilon = 1e-12);
                 if matches!(motion, DriveMotion::RunUp { .. }) {
@@ -229,6 +299,20 @@ mod tests {
     }
 
     #[test]
+    fn a_run_up_by_a_law_reaches_its_speed_with_the_acceleration_of_the_law() {
+        let motion = &motions()[2];
+        let breaks = motion.breaks();
+        assert_eq!(motion.jet(breaks.locate(-0.1, 1.0), -0.1).value, 0.4);
+        let jet = motion.jet(breaks.locate(0.5, 1.0), 0.5);
+        approx::assert_relative_eq!(jet.first, -20.0, max_relative = 1e-14);
+        // θ″/θ′ of the unequal trapezoid is 1/σ.
+        let filling = 1.0 - 0.625 * (1.0 - 2.0 / std::f64::consts::PI);
+        let jet = motion.jet(breaks.locate(0.1, 1.0), 0.1);
+        let wanted = -20.0 / 0.5 / filling;
+        approx::assert_relative_eq!(jet.second, wanted, max_relative = 1e-13);
+    }
+
+    #[test]
     fn faults_name_the_place() {
         let bad = DriveMotionSpec::Table {
             points: vec![(0.0, 0.0), (0.0, f64::NAN)],
@@ -240,6 +324,7 @@ mod tests {
             speed: 1.0,
             time: 0.0,
             angle: f64::INFINITY,
+            law: None,
         };
         assert_eq!(DriveMotion::new(&bad).unwrap_err().len(), 2);
     }

@@ -1,5 +1,8 @@
 //! The motion of a drive as a scene states it: plain numbers in SI units.
 
+use super::cycle::CycleSpec;
+use super::law::RunLawSpec;
+
 /// Prescribed motion of a drive.
 #[derive(Clone, Debug, PartialEq)]
 pub enum DriveMotionSpec {
@@ -10,8 +13,8 @@ pub enum DriveMotionSpec {
         /// φ(0) (rad).
         angle: f64,
     },
-    /// `{ "run_up": { "speed", "time", "angle" = 0 } }`: the speed rises from
-    /// rest to `speed` in `time` by ω(τ) = speed·(3τ² − 2τ³), then stays.
+    /// `{ "run_up": { "speed", "time", "angle" = 0, "law" } }`: the speed rises from
+    /// rest to `speed` in `time` by ω(τ) = speed·(3τ² − 2τ³), or by a law, then stays.
     RunUp {
         /// Final speed (rad/s).
         speed: f64,
@@ -19,7 +22,12 @@ pub enum DriveMotionSpec {
         time: f64,
         /// φ(0) (rad).
         angle: f64,
+        /// Law of the run-up in place of the polynomial.
+        law: Option<RunLawSpec>,
     },
+    /// `{ "plan": { "stations", "period", "advance" = 0, "phase" = 0 } }`:
+    /// moves by laws of motion and dwells.
+    Plan(CycleSpec),
     /// `{ "table": [[t, φ], …] }`: a smooth spline through at least three points.
     Table {
         /// (t, φ), t strictly ascending.

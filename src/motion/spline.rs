@@ -116,6 +116,11 @@ impl Spline {
         }
     }
 
+    /// For each interval between knots y + t·(b + t·(c + t·d)), t from its left knot.
+    pub(crate) fn coefficients(&self) -> &[[f64; 4]] {
+        &self.coefficients
+    }
+
     /// First and last knot.
     pub fn ends(&self) -> (f64, f64) {
         (self.knots[0], self.knots[self.knots.len() - 1])

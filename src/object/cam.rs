@@ -1,21 +1,14 @@
 //! The position function of a cam.
 
+use super::law::law;
 use super::measures::Measures;
 use super::position::phase;
-use crate::position::{CamSpec, LawName, PositionSpec};
+use crate::motion::LawSpec;
+use crate::position::{CamSpec, PositionSpec};
 use crate::read::{Bounds, Fields, Slot};
 use crate::units::quantities as q;
 use serde_json::json;
 use std::f64::consts::TAU;
-
-/// Names of the laws of motion.
-const LAWS: [(&str, LawName); 5] = [
-    ("harmonic", LawName::Harmonic),
-    ("cycloidal", LawName::Cycloidal),
-    ("3-4-5", LawName::Polynomial345),
-    ("4-5-6-7", LawName::Polynomial4567),
-    ("modified_trapezoid", LawName::ModifiedTrapezoid),
-];
 
 /// Rounding allowed in the sum of the four angles.
 const SLACK: f64 = 1e-9;
@@ -55,22 +48,27 @@ pub(super) fn read(slot: Slot<'_>, output: Measures) -> Option<PositionSpec> {
     })
 }
 
-fn laws(slot: Slot<'_>) -> Option<(LawName, LawName)> {
-    slot.object_or(
-        |slot| {
-            slot.record(|fields| {
-                let rise = fields.need("rise", "Law of the rise.", |slot| slot.choice(&LAWS));
-                let back = fields.need("return", "Law of the return, run backwards.", |slot| {
-                    slot.choice(&LAWS)
-                });
-                Some((rise?, back?))
-            })
-        },
-        |slot| {
-            let law = slot.choice(&LAWS)?;
-            Some((law, law))
-        },
-    )
+fn laws(slot: Slot<'_>) -> Option<(LawSpec, LawSpec)> {
+    let apart = |slot: Slot<'_>| {
+        slot.record(|fields| {
+            let rise = fields.need("rise", "Law of the rise.", law);
+            let back = fields.need("return", "Law of the return, run backwards.", law);
+            Some((rise?, back?))
+        })
+    };
+    let same = |slot: Slot<'_>| {
+        let law = law(slot)?;
+        Some((law.clone(), law))
+    };
+    if slot.describing() {
+        return slot.object_or(apart, same);
+    }
+    let names = |name| slot.node().is_some_and(|node| node.member(name).is_some());
+    if names("rise") || names("return") {
+        apart(slot)
+    } else {
+        same(slot)
+    }
 }
 
 /// The angles must fit into one turn, and fill it when `rest` is given.

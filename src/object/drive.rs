@@ -1,7 +1,9 @@
 //! Drives: where motion comes from.
 
+use super::law::run_law;
 use super::load::{On, points, read_all};
 use super::motor;
+use super::plan;
 use super::spec::{DriveMotionSpec, DriveSpec};
 use super::{Description, Kind, Object};
 use crate::model::Coordinate;
@@ -12,7 +14,7 @@ use serde_json::json;
 /// A drive: prescribed motion, or a motor.
 ///
 /// ```text
-/// (~)── φ(t)      prescribed: speed, run-up, table
+/// (~)── φ(t)      prescribed: speed, run-up, plan, table
 /// (M)── φ̈ = ΣM/J  motor: rotor inertia and torque over speed
 /// ```
 ///
@@ -102,13 +104,21 @@ fn motion(slot: Slot<'_>) -> Option<DriveMotionSpec> {
                     slot.quantity(q::TIME, Bounds::POSITIVE)
                 });
                 let angle = angle(fields);
+                let doc = "Law of the run-up; default: speed 3τ² − 2τ³ of the final one.";
+                let law = fields.maybe("law", doc, run_law);
                 Some(DriveMotionSpec::RunUp {
                     speed: speed?,
                     time: time?,
                     angle: angle?,
+                    law: law?,
                 })
             })
         });
+        motion.case(
+            "plan",
+            "Plan of motion over time: moves by laws of motion and dwells.",
+            |slot| plan::of_drive(slot).map(DriveMotionSpec::Plan),
+        );
         motion.case(
             "table",
             "List of [time, angle], at least three: a smooth spline through the points.",

@@ -3,6 +3,7 @@
 use super::cam;
 use super::load::points;
 use super::measures::Measures;
+use super::plan;
 use crate::model::Coordinate::{Sliding, Turning};
 use crate::position::PositionSpec;
 use crate::read::{Bounds, Fields, Slot, Wanted};
@@ -21,6 +22,7 @@ pub(super) const ALL: &[&str] = &[
     "slider_crank",
     "four_bar",
     "cam",
+    "plan",
 ];
 
 /// What a position function leads from and to.
@@ -82,6 +84,13 @@ pub(super) fn read(slot: Slot<'_>, ends: Ends, allowed: &[&str]) -> Option<Posit
                 cam::read(slot, ends.output)
             });
         }
+        if shown("plan") {
+            function.case(
+                "plan",
+                "Plan of motion: any number of rises, dwells and returns.",
+                |slot| plan::of_position(slot, ends).map(PositionSpec::Plan),
+            );
+        }
         let function = function.finish()?;
         check(fields, &function, ends, allowed).then_some(function)
     })
@@ -97,6 +106,7 @@ fn check(fields: &mut Fields<'_>, function: &PositionSpec, ends: Ends, allowed: 
         PositionSpec::SliderCrank { .. } => ("slider_crank", true, Some(Sliding)),
         PositionSpec::FourBar { .. } => ("four_bar", true, Some(Turning)),
         PositionSpec::Cam(_) => ("cam", true, None),
+        PositionSpec::Plan(_) => ("plan", false, None),
     };
     let before = fields.faults();
     if !allowed.contains(&name) {

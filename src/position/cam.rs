@@ -4,7 +4,7 @@ use super::CamSpec;
 use crate::breaks::Breaks;
 use crate::fault::{Fault, Faults};
 use crate::jet::Jet;
-use crate::motion::LawName;
+use crate::motion::{Law, LawSpec};
 use std::f64::consts::TAU;
 
 /// A cam: θ = φ + phase runs through rise, upper dwell, return and rest, once
@@ -12,10 +12,12 @@ use std::f64::consts::TAU;
 ///
 /// Break points lie at every joint of these and at the joints inside a law
 /// (modified trapezoid). U and U′ are continuous everywhere; U″ too, except at
-/// the ends of a harmonic law.
+/// the soft shocks of its laws ([`crate::motion::law::LawConstants`]).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cam {
     spec: CamSpec,
+    /// The laws of rise and return.
+    laws: [Law; 2],
     breaks: Breaks,
     /// One for each break point: what holds after it.
     pieces: Vec<Piece>,
@@ -27,7 +29,8 @@ enum Piece {
     /// τ = (φ − origin)/span, within the first turn; a return has span < 0 and
     /// is measured from its end, so that U goes to zero without rounding.
     Motion {
-        law: LawName,
+        /// 0: rise, 1: return.
+        law: usize,
         part: usize,
         origin: f64,
         span: f64,
@@ -41,7 +44,8 @@ impl Cam {
     /// A cam as described.
     ///
     /// # Errors
-    /// Angles that are not positive or exceed a turn; paths relative to `position`.
+    /// Angles that are not positive or exceed a turn, faulty laws; paths
+    /// relative to `position`.
     pub fn new(spec: &CamSpec) -> Result<Self, Vec<Fault>> {
         let mut faults = Faults::default();
         faults.finite("cam.lift", spec.lift);
@@ -49,6 +53,15 @@ impl Cam {
         faults.not_negative("cam.dwell", spec.dwell);
         faults.positive("cam.return", spec.return_angle);
         faults.finite("cam.phase", spec.phase);
+        let mut law = |path: &str, law: &LawSpec| match Law::of_stroke(law) {
+            Ok(law) => Some(law),
+            Err(found) => {
+                faults.absorb(path, found);
+                None
+            }
+        };
+        let rise = law("cam.law.rise", &spec.rise_law);
+        let back = law("cam.law.return", &spec.return_law);
         faults.check()?;
         for (path, angle) in [("cam.rise", spec.rise), ("cam.return", spec.return_angle)] {
             if angle < NOTHING {
@@ -67,8 +80,12 @@ impl Cam {
             faults.add("cam", message, hint);
             faults.check()?;
         }
+        let (Some(rise), Some(back)) = (rise, back) else {
+            return Err(Vec::new());
+        };
         let mut cam = Self {
             spec: spec.clone(),
+            laws: [rise, back],
             breaks: Breaks {
                 points: Vec::new(),
                 period: Some(TAU),
@@ -85,18 +102,21 @@ impl Cam {
         let top = start + self.spec.rise;
         let fall = top + self.spec.dwell;
         let end = (fall + self.spec.return_angle).min(start + TAU);
-        self.add_law(self.spec.rise_law, start, top, false);
+        self.add_law(0, start, top);
         if self.spec.dwell > NOTHING {
             self.add(top, Piece::Dwell(self.spec.lift));
         }
-        self.add_law(self.spec.return_law, fall, end, true);
+        self.add_law(1, fall, end);
         if start + TAU - end > NOTHING {
             self.add(end, Piece::Dwell(0.0));
         }
     }
 
-    fn add_law(&mut self, law: LawName, from: f64, to: f64, backwards: bool) {
-        let parts = law.joints().len() + 1;
+    /// The pieces of a law; the return's is run backwards.
+    fn add_law(&mut self, law: usize, from: f64, to: f64) {
+        let backwards = law == 1;
+        let joints = self.laws[law].joints().to_vec();
+        let parts = joints.len() + 1;
         let (origin, span) = if backwards {
             (to, from - to)
         } else {
@@ -106,8 +126,8 @@ impl Cam {
             let part = if backwards { parts - 1 - step } else { step };
             let begins = match step {
                 0 => from,
-                _ if backwards => origin + span * law.joints()[part],
-                _ => origin + span * law.joints()[part - 1],
+                _ if backwards => origin + span * joints[part],
+                _ => origin + span * joints[part - 1],
             };
             let piece = Piece::Motion {
                 law,
@@ -138,7 +158,7 @@ impl Cam {
                 origin,
                 span,
             } => {
-                let jet = law.jet(part, (phi - turned - origin) / span);
+                let jet = self.laws[law].jet(part, (phi - turned - origin) / span);
                 let lift = self.spec.lift;
                 Jet {
                     value: lift * jet.value,
@@ -164,7 +184,7 @@ impl Cam {
 #[cfg(test)]
 mod tests {
     use super::Cam;
-    use crate::motion::LawName;
+    use crate::motion::{Law, LawName};
     use crate::position::CamSpec;
     use std::f64::consts::TAU;
 
@@ -174,8 +194,8 @@ mod tests {
             rise: 120f64.to_radians(),
             dwell: 40f64.to_radians(),
             return_angle: 100f64.to_radians(),
-            rise_law: law,
-            return_law: LawName::ModifiedTrapezoid,
+            rise_law: law.into(),
+            return_law: LawName::ModifiedTrapezoid.into(),
             phase: 0.7,
         }
     }
@@ -185,13 +205,14 @@ mod tests {
         for law in LawName::ALL {
             let cam = Cam::new(&spec(law)).unwrap();
             let breaks = cam.breaks();
-            assert_eq!(breaks.points.len(), 1 + law.joints().len() + 1 + 5 + 1);
+            let joints = Law::of_stroke(&law.into()).unwrap().joints().len();
+            assert_eq!(breaks.points.len(), 1 + joints + 1 + 5 + 1);
             for segment in -30..30 {
                 let edge = breaks.edges(segment).0;
                 let (left, right) = (cam.jet(segment - 1, edge), cam.jet(segment, edge));
                 assert!((left.value - right.value).abs() < 1e-15, "{law:?} {edge}");
                 assert!((left.first - right.first).abs() < 1e-13, "{law:?} {edge}");
-                if law != LawName::Harmonic {
+                if ![LawName::Harmonic, LawName::Parabolic].contains(&law) {
                     assert!((left.second - right.second).abs() < 1e-12, "{law:?} {edge}");
                 }
             }

@@ -16,7 +16,7 @@ mod table;
 #[cfg(test)]
 mod tests;
 
-pub use crate::motion::LawName;
+pub use crate::motion::{Cycle, CycleSpec, LawName, LawSpec};
 pub use cam::Cam;
 pub use four_bar::FourBar;
 pub use reach::OutOfReach;
@@ -78,6 +78,8 @@ pub enum Position {
     FourBar(FourBar),
     /// A cam.
     Cam(Cam),
+    /// A plan of motion: any number of rises, dwells and returns.
+    Plan(Box<Cycle>),
     /// Anything else.
     Custom(Arc<dyn PositionFunction>),
 }
@@ -137,6 +139,14 @@ impl Position {
                 phase,
             } => FourBar::new([crank, coupler, rocker, frame], branch, phase).map(Self::FourBar),
             PositionSpec::Cam(ref cam) => Cam::new(cam).map(Self::Cam),
+            PositionSpec::Plan(ref spec) => match Cycle::new(spec) {
+                Ok(cycle) => Ok(Self::Plan(Box::new(cycle))),
+                Err(found) => {
+                    faults.absorb("plan", found);
+                    faults.check()?;
+                    Err(Vec::new())
+                }
+            },
         }
     }
 
@@ -183,6 +193,7 @@ impl Position {
             Self::SliderCrank(linkage) => linkage.jet(phi),
             Self::FourBar(linkage) => linkage.jet(phi),
             Self::Cam(cam) => cam.jet(segment, phi),
+            Self::Plan(cycle) => cycle.jet(segment, phi),
             Self::Custom(function) => function.jet(segment, phi),
         }
     }
@@ -192,6 +203,7 @@ impl Position {
         match self {
             Self::Table(table) => table.breaks(),
             Self::Cam(cam) => cam.breaks().clone(),
+            Self::Plan(cycle) => cycle.breaks().clone(),
             Self::Custom(function) => function.breaks(),
             _ => Breaks::NONE,
         }

@@ -1,6 +1,6 @@
 //! Position functions as a scene states them: plain numbers in SI units.
 
-use crate::motion::LawName;
+use crate::motion::{CycleSpec, LawSpec};
 
 /// A position function as described in a scene.
 #[derive(Clone, Debug, PartialEq)]
@@ -72,6 +72,9 @@ pub enum PositionSpec {
     },
     /// `{ "cam": { "rise", "dwell", "return", "rest", "lift", "law", "phase" } }`.
     Cam(CamSpec),
+    /// `{ "plan": { "stations", "period", "advance" = 0, "phase" = 0 } }`: any
+    /// number of rises, dwells and returns.
+    Plan(CycleSpec),
 }
 
 /// A cam with one rise and one return per turn.
@@ -89,9 +92,9 @@ pub struct CamSpec {
     /// Angle of the return (rad), > 0.
     pub return_angle: f64,
     /// Law of the rise.
-    pub rise_law: LawName,
+    pub rise_law: LawSpec,
     /// Law of the return, run backwards.
-    pub return_law: LawName,
+    pub return_law: LawSpec,
     /// Added to the driver's displacement (rad).
     pub phase: f64,
 }

@@ -1,6 +1,6 @@
 //! Every position function against finite differences.
 
-use super::{CamSpec, LawName, Position, PositionSpec};
+use super::{CamSpec, LawName, LawSpec, Position, PositionSpec};
 use crate::jet::Jet;
 use proptest::prelude::*;
 
@@ -8,8 +8,8 @@ fn sign(negative: bool) -> f64 {
     if negative { -1.0 } else { 1.0 }
 }
 
-fn law() -> impl Strategy<Value = LawName> {
-    (0..LawName::ALL.len()).prop_map(|index| LawName::ALL[index])
+fn law() -> impl Strategy<Value = LawSpec> {
+    (0..LawName::ALL.len()).prop_map(|index| LawName::ALL[index].into())
 }
 
 /// Random descriptions of every kind.

@@ -6,6 +6,7 @@ mod figures;
 mod observer;
 mod pairs;
 mod peaks;
+mod pieces;
 mod recorder;
 mod rows;
 mod subdivision;

@@ -4,6 +4,7 @@ use super::audit::{EnergyAudit, Ledger};
 use super::observer::Observer;
 use super::pairs::PairTracker;
 use super::peaks::PLACES;
+use super::pieces::{self, Pieces};
 use super::rows::{Rows, is_finite};
 use super::tracker::{ObjectTracker, StepView};
 use super::{Interval, ObjectFigures, PairFigures, Record, SwitchRow};
@@ -62,6 +63,7 @@ pub struct Recorder<'s> {
     /// Ends of the parts of the present step between kinks of the powers.
     kinks: Vec<f64>,
     not_finite: bool,
+    pieces: Pieces,
 }
 
 impl<'s> Recorder<'s> {
@@ -93,6 +95,7 @@ impl<'s> Recorder<'s> {
             continues: false,
             kinks: Vec::new(),
             not_finite: false,
+            pieces: Pieces::default(),
             settings,
         }
     }
@@ -216,29 +219,9 @@ impl<'s> Recorder<'s> {
             }
         }
     }
-}
 
-impl Sink for Recorder<'_> {
-    fn start(&mut self, time: f64, y: &[f64], modes: &Modes) {
-        (self.start, self.time) = (time, time);
-        let states = self.observer.state(time, y, modes);
-        let finite = self.rows.sample_at(time, states);
-        self.not_finite |= !finite;
-        if finite {
-            for (tracker, state) in self.objects.iter_mut().zip(states) {
-                tracker.see(time, state);
-            }
-        }
-        for pair in &mut self.pairs {
-            pair.start(time, modes.0[pair.component]);
-        }
-        self.ledger.open(self.observer.energy_of(time, y, modes));
-    }
-
-    fn step(&mut self, step: &Step<'_>, modes: &Modes) {
-        if step.end <= 0.0 {
-            return;
-        }
+    /// A step within which a motion bends once.
+    fn short_step(&mut self, step: &Step<'_>, modes: &Modes) {
         while let Some(time) = self.rows.due(step.end_time()) {
             let s = ((time - step.start) / step.length).clamp(0.0, step.end);
             let states = self.observer.at(step, s, modes);
@@ -268,6 +251,37 @@ impl Sink for Recorder<'_> {
             let mode = modes.0[pair.component];
             pair.step(mode, step.signal(pair.coordinate()), step.end);
         }
+    }
+}
+
+impl Sink for Recorder<'_> {
+    fn start(&mut self, time: f64, y: &[f64], modes: &Modes) {
+        (self.start, self.time) = (time, time);
+        let states = self.observer.state(time, y, modes);
+        let finite = self.rows.sample_at(time, states);
+        self.not_finite |= !finite;
+        if finite {
+            for (tracker, state) in self.objects.iter_mut().zip(states) {
+                tracker.see(time, state);
+            }
+        }
+        for pair in &mut self.pairs {
+            pair.start(time, modes.0[pair.component]);
+        }
+        self.ledger.open(self.observer.energy_of(time, y, modes));
+    }
+
+    fn step(&mut self, step: &Step<'_>, modes: &Modes) {
+        if step.end <= 0.0 {
+            return;
+        }
+        let count = pieces::count(step.degree);
+        if count == 1 {
+            return self.short_step(step, modes);
+        }
+        let mut pieces = std::mem::take(&mut self.pieces);
+        pieces.each(step, count, |piece| self.short_step(piece, modes));
+        self.pieces = pieces;
     }
 
     fn switch(&mut self, event: &SwitchEvent<'_>) {

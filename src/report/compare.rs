@@ -289,6 +289,7 @@ pub fn chart(runs: &[ComparedRun<'_>], object: &str, quantity: &str) -> Option<C
         unit: unit?.to_owned(),
         curves,
         shaded,
+        ..Chart::default()
     })
 }
 

@@ -2,6 +2,7 @@
 //!
 //! * [`html`]: the page of a run; [`compare`]: the page of several runs over each other.
 //! * [`csv`]: the samples as a table.
+//! * [`law`]: laws of motion and synthesised strokes.
 //! * [`svg`]: the object graph and line charts as stand-alone pictures.
 //! * [`show`]: the three models of a scene as text: graph, masses and links, equations.
 //! * [`math`]: formulas, written as Unicode text or as LaTeX.
@@ -12,6 +13,7 @@ pub mod diagram;
 #[cfg(test)]
 mod fixture;
 pub mod html;
+pub mod law;
 pub mod map;
 pub mod math;
 pub mod methods;

@@ -49,6 +49,19 @@ impl Document {
         }
     }
 
+    /// The same without what it expects of a run and without remarks: quicker to
+    /// decode where a scene is decoded thousands of times with other values.
+    #[must_use]
+    pub fn bare(&self) -> Self {
+        let mut bare = self.clone();
+        if let Value::Object(members) = &mut bare.root.value {
+            members.retain(|member| {
+                !["expect", "description", "$schema"].contains(&member.name.as_str())
+            });
+        }
+        bare
+    }
+
     /// The text itself.
     pub fn text(&self) -> &str {
         self.sources.get(0).map_or("", |source| &source.text)

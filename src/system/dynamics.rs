@@ -160,7 +160,7 @@ impl Dynamics for System {
     }
 
     fn scales(&self) -> &[f64] {
-        &self.scales
+        self.scales_of_state()
     }
 
     fn state_name(&self, index: usize) -> String {

@@ -130,11 +130,11 @@ impl System {
         let mut jacobian = DMatrix::zeros(2 * n, 2 * n);
         let (mut direction, mut column) = (vec![0.0; 2 * n], vec![0.0; 2 * n]);
         for j in 0..2 * n {
-            direction[j] = self.scales[j];
+            direction[j] = self.scales_of_state()[j];
             self.tangent(0.0, &y, &modes, &direction, &mut scratch, &mut column);
             direction[j] = 0.0;
             for i in 0..2 * n {
-                jacobian[(i, j)] = column[i] / self.scales[i];
+                jacobian[(i, j)] = column[i] / self.scales_of_state()[i];
             }
         }
         jacobian

@@ -50,6 +50,7 @@ use crate::number::Dual;
 use frozen::Frozen;
 use observe::{Body, ObjectPlace};
 use passes::Work;
+use std::sync::OnceLock;
 use taylor::Taylor;
 
 /// A model frozen for integration; implements [`crate::integrate::Dynamics`].
@@ -59,8 +60,8 @@ pub struct System {
     frozen: Frozen,
     /// Where each of the model's objects is in the frozen layout.
     places: Vec<ObjectPlace>,
-    /// Scale of each state entry.
-    scales: Vec<f64>,
+    /// Scale of each state entry, found when first asked for.
+    scales: OnceLock<Vec<f64>>,
 }
 
 /// Working memory of one evaluation; made by
@@ -146,15 +147,20 @@ impl System {
         let frozen = build::freeze(&model)?;
         let find = |part| ObjectPlace::find(&frozen, &model, part);
         let places = model.objects.iter().map(find).collect();
-        let scales = scales::scales(&frozen);
         let mut system = Self {
             model,
             frozen,
             places,
-            scales,
+            scales: OnceLock::new(),
         };
         system.find_kappas()?;
         Ok(system)
+    }
+
+    /// Scale of each state entry. (Exact propagation needs none: thousands of
+    /// samples of the laws are saved in a map.)
+    fn scales_of_state(&self) -> &[f64] {
+        self.scales.get_or_init(|| scales::scales(&self.frozen))
     }
 
     /// The model it was made from.

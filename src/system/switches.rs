@@ -118,7 +118,7 @@ impl System {
         let before = modes.0[watch.component];
         modes.0[watch.component] = if watch.target == super::pairs::OPEN {
             let (u, v) = self.frozen.deviations(chain, y);
-            let scale = self.scales[chain.first_coordinate];
+            let scale = self.scales_of_state()[chain.first_coordinate];
             chain.contact.mode_after_leaving(before, u[0], v[0], scale)
         } else {
             watch.target

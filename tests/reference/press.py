@@ -3,12 +3,14 @@
 Absolute coordinates: motor angle, flywheel angle, crankshaft angle, ram position.
 The belt, the gear shaft and the frame with the rod are springs with dampers
 between them; the blow is a constant force while the crank is in its window.
+The ejector is a lever in fragments on an eccentric of the crankshaft, pressed
+to it by a spring at its tip.
 """
 
 import math
 
 from laws import slider_crank
-from piecewise import object_figures, simulate, twice, write
+from piecewise import object_figures, pair_figures, simulate, twice, write
 
 # 4-pole motor, 3 kW at 1440 rpm: 19.9 N m, breakdown torque 2.6 times that
 ROTOR, BREAKDOWN, SLIP, SYNCHRONOUS = 0.0095, 51.7, 0.2, 1500 * 2 * math.pi / 60
@@ -17,6 +19,9 @@ GEAR_RATIO, CRANKSHAFT, SHAFT, SHAFT_DAMPING_CAPACITY = 0.28, 1.8, 1.2e6, 0.3
 CRANK, ROD, RAM, FRAME, FRAME_DAMPING_CAPACITY = 0.04, 0.4, 85.0, 3.0e8, 0.5
 BLOW, FIRST, LAST = -180e3, math.radians(335), math.radians(357)
 FRICTION, WIDTH = 900.0, 0.01
+# The ejector: lever, eccentric (lowest at the crank's outer dead centre), spring
+LEVER, BENDING, LEVER_DAMPING_CAPACITY, PIECES = 0.8, 9.0e5, 0.4, 5
+SWING, RATE, PRELOAD = math.radians(15), 10.0, 15.0
 
 
 def damper(psi, stiffness, inertia):
@@ -97,6 +102,85 @@ def run(speed, duration, rtol):
     return figures
 
 
+LEVER_J = [LEVER * ((m + 1) ** 3 - m**3) / PIECES**3 for m in range(PIECES)]
+LEVER_C = PIECES * BENDING
+LEVER_B = LEVER_DAMPING_CAPACITY * LEVER_C / (2 * math.pi * math.sqrt(BENDING / LEVER))
+HEAD = 4 + PIECES  # displacements: motor, flywheel, crankshaft, ram, fragments; then the speeds
+
+
+def eccentric(crank):
+    """U and U' of the ejector."""
+    return -SWING * math.cos(crank), SWING * math.sin(crank)
+
+
+def press(y):
+    """Penetration of the lever's root into its eccentric, and the Kelvin-Voigt force."""
+    u, u1 = eccentric(y[2])
+    depth, rate = u - y[4], u1 * y[HEAD + 2] - y[HEAD + 4]
+    return depth, LEVER_C * depth + LEVER_B * rate
+
+
+def ejecting(t, y, mode):
+    shift = list(y[:4]) + list(y[HEAD : HEAD + 4])
+    drive = rhs(t, shift, "idle")
+    push = press(y)[1] if mode == "E" else 0.0
+    crank = drive[6] - push * eccentric(y[2])[1] / CRANKSHAFT
+    forces = [push]
+    for m in range(PIECES - 1):
+        bend, rate = y[4 + m] - y[5 + m], y[HEAD + 4 + m] - y[HEAD + 5 + m]
+        forces.append(LEVER_C * bend + LEVER_B * rate)
+    forces.append(PRELOAD + RATE * y[3 + PIECES])
+    lever = [(forces[m] - forces[m + 1]) / LEVER_J[m] for m in range(PIECES)]
+    return list(y[HEAD:]) + [drive[4], drive[5], crank, drive[7]] + lever
+
+
+def ejector(speed, duration, rtol):
+    """Starts on the law with the links unloaded, the lever lowest and at rest."""
+
+    def guards(mode):
+        # The eccentric pushes the lever from t = 0 on, as U'' w^2 t^2/2: in the first
+        # microsecond less than the rounding of the angles, which is no switch.
+        held = lambda k: lambda t, y: press(y)[k] if t > 1e-6 else 1.0
+        if mode == "E":
+            return [(held(0), -1, "O"), (held(1), -1, "O")]
+        return [(lambda t, y: min(press(y)), +1, "E")]
+
+    def push(t, y, mode):
+        return press(y)[1] if mode == "E" else 0.0
+
+    w = [speed, BELT_RATIO * speed, BELT_RATIO * GEAR_RATIO * speed, 0.0]
+    start = [0.0, 0.0, 0.0, CRANK + ROD] + [-SWING] * PIECES + w + [0.0] * PIECES
+    scale = [1.0, 0.1, 1e-2, 1e-3] + [1e-2] * PIECES
+    motion = simulate(
+        ejecting, guards, start, "E", duration, max_step=1e-4, rtol=rtol,
+        atol=[1e-3 * rtol * s for s in scale] + [rtol * s for s in scale],
+    )
+    tip = 3 + PIECES
+    figures = object_figures(
+        "ejector", motion, duration,
+        delta=lambda t, y, m: y[tip] - eccentric(y[2])[0],
+        speed=lambda t, y, m: y[HEAD + tip],
+        acceleration=lambda t, y, m: ejecting(t, y, m)[HEAD + tip],
+        reaction=push,
+    )
+    figures |= pair_figures(
+        "ejector", motion, lambda mode: mode == "O", duration,
+        approach=lambda t, before, after, y: eccentric(y[2])[1] * y[HEAD + 2] - y[HEAD + 4],
+        force=push,
+    )
+    figures["ejector.final.displacement"], figures["ejector.final.speed"] = motion.end[tip], motion.end[HEAD + tip]
+    for name, delta in {
+        "flywheel": lambda t, y, m: y[1] - BELT_RATIO * y[0],
+        "crankshaft": lambda t, y, m: y[2] - GEAR_RATIO * y[1],
+        "ram": lambda t, y, m: y[3] - slider_crank(y[2], CRANK, ROD)[0],
+    }.items():
+        figures[f"{name}.delta_min"], figures[f"{name}.delta_max"] = motion.extremes(delta)
+    figures["motor.final.displacement"], figures["motor.final.speed"] = motion.end[0], motion.end[HEAD]
+    for time, before, after, y in motion.switches:
+        print(f"# {time:.9f} {before} -> {after}")
+    return figures
+
+
 if __name__ == "__main__":
     write(
         "press",
@@ -105,5 +189,6 @@ if __name__ == "__main__":
         {
             "punching": twice(lambda rtol: run(155.0, 1.5, rtol)),
             "run_up": twice(lambda rtol: run(0.0, 1.2, rtol)),
+            "ejector": twice(lambda rtol: ejector(155.0, 0.6, rtol)),
         },
     )

@@ -7,7 +7,7 @@ pub use quick::{Quick, QuickObject, QuickRun};
 use crate::exact::Parts;
 use crate::exact::playback::{Piece, play};
 use crate::fault::Fault;
-use crate::integrate::{Limits, Outcome, Sink};
+use crate::integrate::{Dynamics, Limits, Outcome, Sink};
 use crate::record::drive_cycle;
 use crate::system::{InitialState, System};
 
@@ -30,16 +30,7 @@ pub fn whole(system: &System) -> Result<Parts, Vec<Fault>> {
     let faults: Vec<Fault> = parts
         .refusals
         .iter()
-        .map(|refusal| {
-            Fault::new(
-                "run.method",
-                format!(
-                    "`exact` cannot be used: {}: {}",
-                    refusal.object, refusal.reason
-                ),
-                "\"auto\", or another method",
-            )
-        })
+        .map(|refusal| fault(&refusal.object, &refusal.reason))
         .collect();
     if faults.is_empty() {
         return Err(vec![Fault::new(
@@ -49,6 +40,30 @@ pub fn whole(system: &System) -> Result<Parts, Vec<Fault>> {
         )]);
     }
     Err(faults)
+}
+
+/// The same, with the modes tried that a run may meet.
+///
+/// # Errors
+/// As [`whole`]; or the modes of a tree cannot be separated.
+pub(super) fn tried(system: &System) -> Result<Parts, Vec<Fault>> {
+    let parts = whole(system)?;
+    let still = vec![0.0; 2 * system.coordinates()];
+    for part in &parts.trees {
+        if let Err(refusal) = part.tree(&still).check() {
+            let id = &system.model().objects[part.objects[0]].id;
+            return Err(vec![fault(id, &refusal.reason)]);
+        }
+    }
+    Ok(parts)
+}
+
+fn fault(object: &str, reason: &str) -> Fault {
+    Fault::new(
+        "run.method",
+        format!("`exact` cannot be used: {object}: {reason}"),
+        "\"auto\", or another method",
+    )
 }
 
 /// Plays a whole system to `duration` (s).

@@ -2,6 +2,7 @@
 
 use super::figure::read;
 use super::judge::{Evidence, judge};
+use super::quick;
 use super::rigid::{RigidMotion, rigid_motion};
 use super::study::Study;
 use super::verdict::Verdict;
@@ -42,7 +43,7 @@ pub struct Cell {
 }
 
 impl Cell {
-    fn without_value(verdict: Verdict, cause: String) -> Self {
+    pub(super) fn without_value(verdict: Verdict, cause: String) -> Self {
         Self {
             value: None,
             verdict,
@@ -56,11 +57,12 @@ impl Cell {
 /// Works out one cell; `None` when interrupted.
 pub(super) fn evaluate(
     study: &Study<'_>,
-    settings: &[String],
+    panel: usize,
+    cell: usize,
     control: &Control<'_>,
 ) -> Option<Cell> {
     let refused = |cause: String| Some(Cell::without_value(Verdict::Refused, cause));
-    let reading = match study.read(settings) {
+    let reading = match study.read(panel, cell) {
         Ok(reading) => reading,
         Err(diagnostics) => {
             let errors = diagnostics.items.iter();
@@ -73,7 +75,12 @@ pub(super) fn evaluate(
         Err(faults) => return refused(in_words(&faults)),
     };
     let rigid = rigid_motion(system.model(), settings.duration);
-    let cell = match answer(study, &system, &settings, &rigid, control) {
+    let exact = quick::answer(study, &system, &settings, &rigid);
+    let found = match exact {
+        Some(found) => found.map(Some),
+        None => answer(study, &system, &settings, &rigid, control),
+    };
+    let cell = match found {
         Ok(cell) => cell?,
         Err(faults) => Cell::without_value(Verdict::Refused, in_words(&faults)),
     };
@@ -207,7 +214,8 @@ fn moves(
         method: Some(base.method),
         ..settings.clone()
     };
-    let changed = System::new(changed_loads(system.model().clone(), 1.0 + CHANGE))?;
+    let changed = changed_loads(system.model().clone(), 1.0 + CHANGE);
+    let changed = System::new(changed)?;
     let other = run(&changed, &same_method, control, &mut [])?;
     if other.outcome.stop == Stop::Interrupted {
         return Ok(None);
@@ -220,7 +228,7 @@ fn moves(
     }))
 }
 
-fn share(difference: f64, scale: f64) -> f64 {
+pub(super) fn share(difference: f64, scale: f64) -> f64 {
     if difference == 0.0 {
         0.0
     } else {
@@ -239,9 +247,8 @@ fn bound(result: &RunResult, settings: &RunSettings) -> f64 {
 }
 
 /// Notes how far the figure moves, and marks the cell where that is too far.
-fn mark(cell: &mut Cell, moved: f64, bound: f64) {
-    // Written so that a number that is none is marked.
-    if !(moved <= bound) {
+pub(super) fn mark(cell: &mut Cell, moved: f64, bound: f64) {
+    if moved.is_nan() || moved > bound {
         cell.cause = format!(
             "moves by {moved:.1e} of its scale when the loads change by {CHANGE:e}; otherwise {}: {}",
             cell.verdict.words(),

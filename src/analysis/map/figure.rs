@@ -36,6 +36,25 @@ pub(super) fn check_figure(figure: &str, model: &Model) -> Result<(), Fault> {
     ))
 }
 
+/// SI unit of a scene's parameter, by the name it ends with; empty when it has
+/// none or is not among the common ones.
+pub(super) fn parameter_unit(path: &str, model: &Model) -> &'static str {
+    let (id, rest) = path.split_once('.').unwrap_or((path, ""));
+    let part = model.objects.iter().find(|part| part.id == id);
+    let turning = part.is_none_or(|part| part.coordinate == Coordinate::Turning);
+    let either = |turned, slid| if turning { turned } else { slid };
+    match rest.rsplit('.').next().unwrap_or(rest) {
+        "inertia" => either("kg m²", "kg"),
+        "stiffness" | "rate" => either("N m/rad", "N/m"),
+        "damping" => either("N m s/rad", "N s/m"),
+        "constant" | "preload" | "friction" => either("N m", "N"),
+        "gap" | "lift" => either("rad", "m"),
+        "speed" => either("rad/s", "m/s"),
+        "duration" => "s",
+        _ => "",
+    }
+}
+
 /// A figure of an object that needs no document to be read, by its name.
 pub(super) fn quick_read(figures: &ObjectFigures, name: &str) -> Option<f64> {
     let pair = figures.pair.as_ref();
@@ -57,6 +76,20 @@ pub(super) fn quick_read(figures: &ObjectFigures, name: &str) -> Option<f64> {
         "pair.max_contact_force" => pair?.max_contact_force,
         _ => return None,
     })
+}
+
+/// What a difference in a figure that [`quick_read`] knows is measured against:
+/// [`Figures::scale`] without a document. `time` is that of the run (s).
+pub(super) fn quick_scale(figures: &ObjectFigures, name: &str, time: f64) -> f64 {
+    let delta = figures.delta_max.abs().max(figures.delta_min.abs());
+    match name {
+        "delta_max" | "delta_min" | "sigma" | "pair.max_lift" => delta,
+        "final.displacement" if delta > 0.0 => delta,
+        "final.speed" => figures.peak_speed,
+        "pair.separations" | "pair.closures" => 1.0,
+        "pair.separated_time" | "pair.longest_separation" => time,
+        _ => quick_read(figures, name).map_or(0.0, f64::abs),
+    }
 }
 
 /// The value of a figure; `None` when it has none in this run.
@@ -84,5 +117,54 @@ pub(super) fn unit(figure: &str, model: &Model) -> &'static str {
         "time" if part.is_none() => "s",
         name if name.starts_with("pair.switch_times.") => "s",
         _ => "",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{quick_read, quick_scale, read};
+    use crate::analysis::testing::result_with;
+    use crate::record::{FinalState, PairFigures};
+
+    #[test]
+    fn figures_read_without_a_document_are_those_of_the_document() {
+        let figures = result_with(|rocker| {
+            rocker.delta_max = 1.0;
+            rocker.delta_min = -2.0;
+            rocker.sigma = 3.0;
+            rocker.peak_speed = 4.0;
+            rocker.peak_acceleration = 5.0;
+            rocker.peak_reaction = 6.0;
+            rocker.end = FinalState {
+                displacement: 7.0,
+                speed: 8.0,
+            };
+            rocker.pair = Some(PairFigures {
+                separations: 9,
+                closures: 10,
+                separated_time: 11.0,
+                longest_separation: 12.0,
+                max_lift: 13.0,
+                max_approach_speed: 14.0,
+                max_contact_force: 15.0,
+                ..PairFigures::default()
+            });
+        })
+        .figures;
+        let rocker = &figures.objects["rocker"];
+        let mut known = 0;
+        for (address, value) in figures.addresses() {
+            let name = address.split_once('.').unwrap().1;
+            let Some(quick) = quick_read(rocker, name).filter(|_| address.starts_with("rocker"))
+            else {
+                continue;
+            };
+            known += 1;
+            assert_eq!(Some(quick), value, "{address}");
+            assert_eq!(read(&figures, &address), value, "{address}");
+            let scale = quick_scale(rocker, name, figures.run.time);
+            assert_eq!(scale, figures.scale(&address), "{address}");
+        }
+        assert_eq!(known, 15);
     }
 }

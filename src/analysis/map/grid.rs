@@ -106,7 +106,7 @@ fn work_out(
         if interrupted || stop.load(Ordering::Relaxed) {
             return None;
         }
-        found.push(evaluate(study, &study.settings(panel, cell), control)?);
+        found.push(evaluate(study, panel, cell, control)?);
         listener.cell();
     }
     Some(found)

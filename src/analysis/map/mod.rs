@@ -13,6 +13,7 @@ mod grid;
 pub mod journal;
 mod judge;
 mod panels;
+mod quick;
 mod rigid;
 mod study;
 mod summary;

@@ -20,7 +20,7 @@ use crate::position::Position;
 use crate::record::drive_cycle;
 
 /// Instants looked at, over a cycle of the drive or the whole run.
-const SAMPLES: usize = 256;
+const SAMPLES: usize = 128;
 
 /// What the rigid mechanism would do.
 #[derive(Clone, Debug, Default, PartialEq)]

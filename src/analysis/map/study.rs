@@ -1,6 +1,6 @@
 //! What is asked: a scene, axes, panels and a figure, checked before any run.
 
-use super::figure::{check_figure, default_figure, unit};
+use super::figure::{check_figure, default_figure, parameter_unit, unit};
 use super::panels::Panels;
 use crate::analysis::RunSettings;
 use crate::analysis::axis::Axis;
@@ -39,6 +39,8 @@ pub struct Question {
 /// A question about a scene, found to make sense.
 pub struct Study<'a> {
     document: &'a Document,
+    /// The document without what cells do not need.
+    bare: Document,
     catalogue: &'a (dyn Catalogue + Sync),
     overrides: Vec<String>,
     x_values: Vec<f64>,
@@ -55,6 +57,9 @@ pub struct Study<'a> {
     pub figure: String,
     /// Its SI unit; empty for counts and answers.
     pub unit: &'static str,
+    /// Units in which the x and the y parameter are written: those of the axes,
+    /// else the SI unit where it is known, else empty.
+    pub parameter_units: [String; 2],
     /// See [`Question::check_determined`].
     pub check_determined: bool,
     /// SHA-256 (hex) of everything that the results depend on: version of the
@@ -87,6 +92,7 @@ impl<'a> Study<'a> {
         check(&question).map_err(StudyFault::Question)?;
         let mut study = Self {
             document,
+            bare: document.bare(),
             catalogue,
             overrides: question.overrides,
             x_values: question.x.values(),
@@ -97,6 +103,7 @@ impl<'a> Study<'a> {
             panels: question.panels,
             figure: question.figure.unwrap_or_default(),
             unit: "",
+            parameter_units: Default::default(),
             check_determined: question.check_determined,
             hash: String::new(),
         };
@@ -133,7 +140,9 @@ impl<'a> Study<'a> {
     }
 
     fn try_cell(&self, panel: usize, cell: usize) -> Result<(Reading, System), Diagnostics> {
-        let reading = self.read(&self.settings(panel, cell))?;
+        let settings = self.settings(panel, cell);
+        let all = self.overrides.iter().cloned().chain(settings);
+        let reading = self.document.scene(self.catalogue, &Overrides::new(all))?;
         let diagnose = |faults: Vec<crate::fault::Fault>| reading.places.diagnose(&faults);
         let model = lower(&reading.scene).map_err(diagnose)?;
         let system = System::new(model).map_err(diagnose)?;
@@ -160,6 +169,14 @@ impl<'a> Study<'a> {
             StudyFault::Question(format!("{}; {hint}", fault.message))
         })?;
         self.unit = unit(&self.figure, model);
+        let written = |axis: &Axis| match axis.unit.as_str() {
+            "" => parameter_unit(&axis.path, model).to_owned(),
+            unit => unit.to_owned(),
+        };
+        self.parameter_units = [
+            written(&self.x),
+            self.y.as_ref().map(written).unwrap_or_default(),
+        ];
         Ok(())
     }
 
@@ -183,10 +200,11 @@ impl<'a> Study<'a> {
         hash
     }
 
-    /// Decodes the scene with further settings.
-    pub(super) fn read(&self, settings: &[String]) -> Result<Reading, Diagnostics> {
-        let all = self.overrides.iter().chain(settings).cloned();
-        self.document.scene(self.catalogue, &Overrides::new(all))
+    /// Decodes a cell's scene.
+    pub(super) fn read(&self, panel: usize, cell: usize) -> Result<Reading, Diagnostics> {
+        let settings = self.settings(panel, cell);
+        let all = self.overrides.iter().cloned().chain(settings);
+        self.bare.scene(self.catalogue, &Overrides::new(all))
     }
 
     /// Settings of a cell, counted along the x axis first.

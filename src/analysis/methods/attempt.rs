@@ -15,6 +15,9 @@ const RECORDED_TAKES: u32 = 5;
 /// No point is repeated for longer than this (s): long runs vary little.
 const MOST_REPEATING: f64 = 1.0;
 
+/// So many steps more than the length of the step asks for are no chatter.
+const FEW: f64 = 1000.0;
+
 /// What is run: a system from its start.
 #[derive(Clone, Copy)]
 pub(super) struct Problem<'p> {
@@ -155,9 +158,15 @@ impl Attempt {
         )
     }
 
-    /// True when a finer setting cannot help: refused, or out of time.
+    /// True when a finer setting cannot help: refused, or out of time. A fixed
+    /// step whose time went into chatter says nothing of a finer one.
     pub(super) fn ends_ladder(&self) -> bool {
-        self.refused.is_some() || self.is_out_of_time()
+        let chatters = |step: f64| {
+            let outcome = self.timed.as_ref().map(|timed| &timed.outcome);
+            outcome.is_some_and(|o| o.statistics.steps as f64 > 2.0 * o.time / step + FEW)
+        };
+        self.refused.is_some()
+            || self.is_out_of_time() && !self.setting.step().is_some_and(chatters)
     }
 
     /// Median of the measured times (s).

@@ -5,7 +5,7 @@ use crate::analysis::kinematic::Driven;
 use crate::analysis::{Control, RunSettings, exact};
 use crate::fault::Fault;
 use crate::integrate::{
-    Dynamics, Method, Modes, Outcome, Settings, Sink, Stop, SwitchEvent, integrate,
+    Dynamics, Method, Modes, Outcome, Settings, Sink, Statistics, Stop, SwitchEvent, integrate,
 };
 use crate::polynomial::{Step, evaluate};
 use crate::system::{InitialState, System};
@@ -14,8 +14,8 @@ use std::time::Instant;
 /// What is followed of an object.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Track {
-    /// The object.
-    pub(super) object: String,
+    /// Index of the object in the model.
+    pub(super) object: usize,
     /// Its coordinate in the state: δ of an elastic object, the displacement of a rotor.
     pub(super) coordinate: usize,
 }
@@ -25,9 +25,9 @@ pub(super) struct Track {
 pub(super) fn tracks(system: &System) -> Vec<Track> {
     let objects = system.model().objects.iter().enumerate();
     let all: Vec<(bool, Track)> = objects
-        .filter_map(|(index, part)| {
+        .filter_map(|(index, _)| {
             let track = Track {
-                object: part.id.clone(),
+                object: index,
                 coordinate: system.last_coordinate(index)?,
             };
             Some((system.first_coordinate(index).is_some(), track))
@@ -161,30 +161,27 @@ pub(super) fn light_run(
     control: &Control<'_>,
 ) -> Result<Timed, String> {
     let method = settings.method.ok_or("no method was named")?;
+    if method == Method::Exact {
+        return exact_run(system, tracks, initial, settings);
+    }
+    let plan = Settings {
+        method,
+        tolerance: settings.tolerance,
+        step: settings.step,
+    };
     let limits = control.limits(settings);
     let begun = Instant::now();
     let mut listener = Listener::new(system, tracks, settings);
-    let outcome = if method == Method::Exact {
-        let parts = exact::whole(system).map_err(|faults| reasons(&faults))?;
-        let duration = settings.duration;
-        exact::follow(system, &parts, initial, duration, &limits, &mut listener)
-    } else {
-        let plan = Settings {
-            method,
-            tolerance: settings.tolerance,
-            step: settings.step,
-        };
-        integrate(
-            &Driven::new(system),
-            0.0,
-            settings.duration,
-            &initial.y,
-            &initial.modes,
-            &plan,
-            &limits,
-            &mut listener,
-        )
-    };
+    let outcome = integrate(
+        &Driven::new(system),
+        0.0,
+        settings.duration,
+        &initial.y,
+        &initial.modes,
+        &plan,
+        &limits,
+        &mut listener,
+    );
     let seconds = begun.elapsed().as_secs_f64();
     match outcome.stop {
         Stop::Method { reason, .. } if outcome.statistics.steps == 0 && outcome.time == 0.0 => {
@@ -196,6 +193,57 @@ pub(super) fn light_run(
             seconds,
         }),
     }
+}
+
+/// The same by exact propagation, its preparation from the system included.
+fn exact_run(
+    system: &System,
+    tracks: &[Track],
+    initial: &InitialState,
+    settings: &RunSettings,
+) -> Result<Timed, String> {
+    let begun = Instant::now();
+    let parts = exact::whole(system).map_err(|faults| reasons(&faults))?;
+    let ready = exact::Quick::of(system, &parts, &initial.y);
+    let samples = settings.samples.max(1);
+    let most = settings.max_switches;
+    let found = ready
+        .run(settings.duration, samples, false, most)
+        .map_err(|refusal| format!("{}: {}", refusal.object, refusal.reason))?;
+    let seconds = begun.elapsed().as_secs_f64();
+    let mut trace = Trace::EMPTY;
+    for track in tracks {
+        let own = found.objects.iter().find(|o| o.object == track.object);
+        let own = own.ok_or("an object is not part of it")?;
+        // The sample at t = 0 is the start.
+        let mut samples = vec![initial.y[track.coordinate]];
+        samples.extend_from_slice(&own.delta);
+        let greatest = samples.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
+        trace.greatest.push(greatest);
+        trace.samples.push(samples);
+        trace.switches.extend_from_slice(&own.switch_times);
+    }
+    trace.switches.sort_by(f64::total_cmp);
+    let stop = match found.complete {
+        true => Stop::Complete,
+        false => Stop::TooManySwitches { bound: most },
+    };
+    let statistics = Statistics {
+        steps: found.phases,
+        rejected: 0,
+        evaluations: found.evaluations,
+        switches: found.switches,
+    };
+    let outcome = Outcome {
+        time: found.time,
+        stop,
+        statistics,
+    };
+    Ok(Timed {
+        trace,
+        outcome,
+        seconds,
+    })
 }
 
 /// Every reason against a method, in one line.

@@ -17,6 +17,11 @@ const RATIO: f64 = 1.004;
 /// beyond their end.
 const STEPS: f64 = 1500.0;
 
+/// Steps that are tried where no point was unstable, or none stable, in shares
+/// of the stable one in theory.
+const ABOVE: f64 = 1.3;
+const BELOW: f64 = 0.8;
+
 /// A motion that goes on beyond the scene's end has grown when it exceeds the
 /// true one within it by this factor.
 const GROWN_BEYOND: f64 = 1e3;
@@ -73,11 +78,19 @@ impl StabilityLimit {
         effort: &Effort<'_>,
     ) {
         let unstable = tried.iter().filter(|(_, grew)| *grew);
-        let Some(mut high) = unstable.map(|(step, _)| *step).reduce(f64::min) else {
-            return;
+        let high = unstable.map(|(step, _)| *step).reduce(f64::min);
+        let below = high.unwrap_or(f64::INFINITY);
+        let stable = tried.iter().filter(|(step, grew)| !*grew && *step < below);
+        let low = stable.map(|(step, _)| *step).reduce(f64::max);
+        // What the points do not enclose is looked for beside the theory.
+        let beside = |factor: f64, wanted: bool| {
+            let step = factor * bound?.step();
+            let (taken, grew) = try_step(problem, method, truth, bound, step, effort)?;
+            (grew == wanted).then_some(taken)
         };
-        let stable = tried.iter().filter(|(step, grew)| !*grew && *step < high);
-        let Some(mut low) = stable.map(|(step, _)| *step).reduce(f64::max) else {
+        let high = high.or_else(|| beside(ABOVE, true));
+        let low = low.or_else(|| beside(BELOW, false));
+        let (Some(mut high), Some(mut low)) = (high, low) else {
             return;
         };
         while high > RATIO * low {
@@ -124,10 +137,10 @@ fn try_step(
         ..*problem
     };
     let attempt = Attempt::light(&problem, method, Setting::Step(step), effort);
-    if attempt.was_interrupted() || attempt.is_out_of_time() {
+    let judged = judge(&attempt, Some(truth), 1.0, bound);
+    if attempt.was_interrupted() || judged.verdict == Verdict::TimeLimit {
         return None;
     }
-    let judged = judge(&attempt, Some(truth), 1.0, bound);
     let grew = match goes_on {
         true => !attempt.has_ended_well() || judged.growth.is_some_and(|g| g > GROWN_BEYOND),
         false => too_long(judged.verdict),

@@ -22,8 +22,6 @@ mod setting;
 mod stability;
 mod study;
 pub mod sweep;
-#[cfg(test)]
-mod tests;
 mod verdict;
 
 pub use limit::StabilityLimit;

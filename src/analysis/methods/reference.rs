@@ -27,6 +27,9 @@ pub const HORIZON: f64 = 1e-2;
 /// Rounding, as a share of the change of loads.
 const ROUNDING: f64 = 1e-15 / CHANGE;
 
+/// Differences are told relative to at least this share of max|δ|.
+const LEAST: f64 = 1e-3;
+
 /// Below this share of a coordinate's scale a deviation is none.
 const NOTHING: f64 = 1e-12;
 
@@ -118,15 +121,15 @@ pub(super) fn find(
     };
     let guess = finest[guess];
     let moved = Moved::of(problem, &attempts[guess], effort);
-    let sizes = sizes(problem, trace(&attempts[guess]));
     let last = last_sample(trace(&attempts[guess]));
-    let (until, share) = moved.horizon(trace(&attempts[guess]), &sizes, last);
+    let (until, share) = moved.horizon(trace(&attempts[guess]), last);
     let pair = nearest(attempts, &finest, Some(until));
     let (index, agreement) = match (exact, pair) {
         (Some(exact), _) => (finest[exact], None),
         (None, Some((one, _, distance))) if distance <= AGREE => (finest[one], Some(distance)),
         _ => return Err(mutual(attempts, &finest, until)),
     };
+    let sizes = sizes(problem, trace(&attempts[index]), until);
     let confirmed_by = confirmation(attempts, index, &sizes, until);
     let rounding = (ROUNDING * share).max(1e-15);
     let resolution = agreement.map_or(rounding, |distance| rounding.max(distance));
@@ -189,13 +192,14 @@ fn finest_of_each(attempts: &[Attempt]) -> Vec<usize> {
     finest
 }
 
-/// max|δ| of every track, 0 where it is at rest.
-fn sizes(problem: &Problem<'_>, trace: &Trace) -> Vec<f64> {
+/// max|δ| of every track up to a sample, 0 where it is at rest.
+fn sizes(problem: &Problem<'_>, trace: &Trace, until: usize) -> Vec<f64> {
     use crate::integrate::Dynamics;
     let scales = problem.system.scales();
-    let tracks = problem.tracks.iter().zip(&trace.greatest);
+    let tracks = problem.tracks.iter().enumerate();
     tracks
-        .map(|(track, &greatest)| {
+        .map(|(index, track)| {
+            let greatest = greatest(trace, index, until);
             if greatest > NOTHING * scales[track.coordinate] {
                 greatest
             } else {
@@ -205,10 +209,22 @@ fn sizes(problem: &Problem<'_>, trace: &Trace) -> Vec<f64> {
         .collect()
 }
 
+/// Greatest |value| of a track up to a sample; up to the last one, what lies
+/// between samples counts as well.
+fn greatest(trace: &Trace, index: usize, until: usize) -> f64 {
+    if until >= last_sample(trace) {
+        return trace.greatest[index];
+    }
+    let samples = trace.samples[index].iter().take(until + 1);
+    samples.fold(0.0, |a: f64, b| a.max(b.abs()))
+}
+
 /// Greatest |δ| of both, for a distance that favours neither.
-fn common_sizes(a: &Trace, b: &Trace) -> Vec<f64> {
-    let pairs = a.greatest.iter().zip(&b.greatest);
-    pairs.map(|(a, b)| a.max(*b)).collect()
+fn common_sizes(a: &Trace, b: &Trace, until: usize) -> Vec<f64> {
+    let tracks = 0..a.greatest.len();
+    tracks
+        .map(|k| greatest(a, k, until).max(greatest(b, k, until)))
+        .collect()
 }
 
 /// The nearest pair among the finest points, up to a sample or as far as both
@@ -246,7 +262,7 @@ fn nearest(
 fn between(attempts: &[Attempt], one: usize, other: usize, until: Option<usize>) -> Option<f64> {
     let (a, b) = (trace(&attempts[one]), trace(&attempts[other]));
     let until = until.unwrap_or(last_sample(a).min(last_sample(b)));
-    distance(a, b, &common_sizes(a, b), until)
+    distance(a, b, &common_sizes(a, b, until), until)
 }
 
 /// All distances between the finest points.
@@ -320,22 +336,30 @@ impl Moved {
         Self { attempt }
     }
 
-    /// Last sample that is determined, and how far the motion moves up to it.
-    fn horizon(&self, reference: &Trace, sizes: &[f64], last: usize) -> (usize, f64) {
+    /// Last sample that is determined, and how far the motion moves up to it,
+    /// relative to max|δ| so far (at least a thousandth of that of the whole run).
+    fn horizon(&self, reference: &Trace, last: usize) -> (usize, f64) {
         let Some(changed) = &self.attempt else {
             return (last, 0.0);
         };
         let changed = trace(changed);
+        let mut sizes: Vec<f64> = reference.greatest.iter().map(|g| LEAST * g).collect();
         let mut moved = 0.0f64;
         for k in 0..=last {
-            let tracks = reference.samples.iter().zip(&changed.samples).zip(sizes);
-            let here = tracks
-                .filter(|(_, size)| **size > 0.0)
-                .map(|((a, b), size)| match (a.get(k), b.get(k)) {
-                    (Some(a), Some(b)) => (a - b).abs() / size,
-                    _ => f64::INFINITY,
-                })
-                .fold(0.0, f64::max);
+            let tracks = reference.samples.iter().zip(&changed.samples);
+            let mut here = 0.0f64;
+            for ((a, b), size) in tracks.zip(&mut sizes) {
+                let [a, b] = [a, b].map(|samples| samples.get(k).copied().unwrap_or(f64::NAN));
+                *size = size.max(a.abs());
+                if *size > 0.0 {
+                    let difference = (a - b).abs() / *size;
+                    here = here.max(if difference.is_nan() {
+                        f64::INFINITY
+                    } else {
+                        difference
+                    });
+                }
+            }
             if here > HORIZON {
                 return (k.saturating_sub(1), moved);
             }

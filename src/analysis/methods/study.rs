@@ -66,6 +66,8 @@ pub struct Now {
 /// Speed against accuracy of all methods on one scene.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Study {
+    /// Version of the document: 1.
+    pub dam: u32,
     /// Name of the scene.
     pub scene: String,
     /// Hash of the canonical scene.
@@ -154,6 +156,7 @@ pub fn study(
         Err(distances) => (None, distances),
     };
     Ok(Study {
+        dam: 1,
         scene: settings.scene.clone(),
         hash: settings.hash.clone(),
         accuracy: plan.accuracy,

@@ -22,6 +22,8 @@ const STEPS: i32 = 7;
 /// Methods over a parameter.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Sweep {
+    /// Version of the document: 1.
+    pub dam: u32,
     /// The parameter and its values.
     pub axis: Axis,
     /// False when interrupted.
@@ -104,6 +106,7 @@ pub fn sweep<E>(
     progress: &mut dyn FnMut(usize, &Now),
 ) -> Result<Sweep, E> {
     let mut found = Sweep {
+        dam: 1,
         axis: axis.clone(),
         complete: true,
         fixed_step: None,

@@ -108,7 +108,8 @@ pub(super) fn judge(
     let growth = truth.and_then(|truth| growth(timed, truth));
     let error =
         truth.and_then(|truth| distance(&truth.trace, &timed.trace, &truth.sizes, truth.until));
-    let (verdict, cause) = match stopped(timed, growth, bound) {
+    let broken = truth.and_then(|truth| broken_off(timed, truth, growth, bound));
+    let (verdict, cause) = match broken.or_else(|| stopped(timed, growth, bound)) {
         Some(found) => found,
         None => match truth {
             None => (
@@ -124,6 +125,30 @@ pub(super) fn judge(
         error,
         growth,
     }
+}
+
+/// The verdict on a run that was out of time after it had failed already.
+fn broken_off(
+    timed: &Timed,
+    truth: &Truth,
+    growth: Option<f64>,
+    bound: Option<&Bound>,
+) -> Option<(Verdict, String)> {
+    let stop = &timed.outcome.stop;
+    if !matches!(stop, Stop::WallClock { .. } | Stop::TooManySteps { .. }) {
+        return None;
+    }
+    if growth.is_some_and(|growth| growth > GROWN) {
+        return Some((Verdict::Unstable, grown(timed, growth, bound)));
+    }
+    let (found, total) = (timed.trace.switches.len(), truth.trace.switches.len());
+    (found > total + CHATTER.max(total)).then(|| {
+        let cause = format!(
+            "{found} switches by t = {:.6} s, where the run was stopped; in truth {total} in all",
+            timed.outcome.time
+        );
+        (Verdict::Chatter, cause)
+    })
 }
 
 /// The verdict on a run that did not reach its end.

@@ -160,8 +160,8 @@ pub(super) fn sweep(scene: &str, methods: &[Method], sweep: &Sweep) -> String {
         }
         for slice in &sweep.slices {
             if let Some(standing) = slice.standing(method) {
-                let x = sweep.axis.written(slice.x);
-                standing_row(&mut text, &x, &standing);
+                let x = format!("{:.6e} {}", slice.x, sweep.axis.unit);
+                standing_row(&mut text, x.trim_end(), &standing);
             }
         }
     }

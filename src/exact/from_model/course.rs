@@ -12,7 +12,7 @@ use crate::position::Position;
 use std::f64::consts::TAU;
 
 /// Rounding of a place on an axis, in units of the numbers that make it.
-const ROUNDING: f64 = 16.0 * f64::EPSILON;
+pub(crate) const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// A position function on the way, with its factor.
 #[derive(Clone, Debug)]
@@ -63,7 +63,9 @@ pub(crate) struct Instant {
     pub(crate) value: f64,
     pub(crate) speed: f64,
     pub(crate) acceleration: f64,
-    /// Sum of the magnitudes that make the acceleration: what it is rounded to.
+    /// Magnitudes of the numbers whose rounding is in the displacement.
+    pub(crate) span: f64,
+    /// The same for the acceleration.
     pub(crate) size: f64,
 }
 
@@ -140,12 +142,12 @@ impl Course {
         let depth = formulas.segments.len();
         let now = self.at(formulas, depth, time);
         let mut sense = now.speed;
-        if sense.abs() <= ROUNDING * now.value.abs() {
+        if sense.abs() <= ROUNDING * now.span {
             // At rest: look where it goes.
             let ahead = (formulas.until - time).min(1.0) * 1e-4;
             sense = self.at(formulas, depth, time + ahead).value - now.value;
         }
-        let nudge = ROUNDING * (now.value.abs() + (now.speed * time).abs());
+        let nudge = ROUNDING * now.span;
         let place = now.value + nudge * if sense < 0.0 { -1.0 } else { 1.0 };
         axis.edges(axis.locate(place, sense))
     }
@@ -157,7 +159,8 @@ impl Course {
             value: jet.value,
             speed: jet.first,
             acceleration: jet.second,
-            size: jet.second.abs(),
+            span: jet.value.abs() + (jet.first * time).abs(),
+            size: jet.second.abs() + (jet.third * time).abs(),
         };
         for (stage, &segment) in self.stages.iter().zip(&formulas.segments).take(depth) {
             let jet = stage.position.jet(segment, now.value).scaled(stage.lever);
@@ -166,7 +169,10 @@ impl Course {
                 value: jet.value,
                 speed: jet.first * now.speed,
                 acceleration: jet.first * now.acceleration + jet.second * square,
-                size: jet.first.abs() * now.size + jet.second.abs() * square,
+                span: jet.value.abs() + jet.first.abs() * now.span,
+                // U″ is rounded as its argument is.
+                size: jet.first.abs() * now.size
+                    + (jet.second.abs() + jet.third.abs() * now.span) * square,
             };
         }
         now
@@ -201,6 +207,10 @@ impl Stage {
                 } else {
                     Err(None)
                 }
+            }
+            Position::Plan(plan) if plan.spec().period.is_some() => {
+                let spec = plan.spec();
+                Ok((spec.period.unwrap_or(TAU), spec.advance))
             }
             Position::Table(table) if table.is_periodic() => {
                 let (first, last) = table.ends();

@@ -5,7 +5,7 @@
 //! kept, are below rounding of the function, and until the coefficients in
 //! powers of the time from its start do not cancel either.
 
-use super::course::{Course, Formulas};
+use super::course::{Course, Formulas, Instant, ROUNDING};
 use crate::exact::LAW_DEGREE;
 use crate::polynomial::{MAX_DEGREE, first_positive};
 use std::sync::LazyLock;
@@ -94,7 +94,7 @@ fn bernstein_of(k: usize) -> [f64; POINTS] {
     };
     let mut c = [0.0; POINTS];
     for (i, c) in c[..=k].iter_mut().enumerate() {
-        let sign = if (k - i) % 2 == 0 { 1.0 } else { -1.0 };
+        let sign = if (k - i).is_multiple_of(2) { 1.0 } else { -1.0 };
         *c = sign * choose(2 * k, 2 * i) / choose(k, i);
     }
     for degree in k..POINTS - 1 {
@@ -140,22 +140,27 @@ pub(crate) fn fit(
     let last = axis.map_or((f64::NEG_INFINITY, f64::INFINITY), |axis| {
         course.around(axis, &formulas, time)
     });
-    let mut length = longest.min(formulas.until - time);
-    let mut end = if length < longest {
+    let longest = longest.min(formulas.until - time);
+    let whole = if longest == formulas.until - time {
         formulas.until
     } else {
-        time + length
+        time + longest
     };
-    for _ in 0..120 {
-        if !(time + length > time) {
-            return None;
+    // A motion that is rounded more than its parts tell is fitted as closely
+    // as it goes, within reason.
+    for (tail, trials) in [(TAIL, 24), (4.0 * TAIL, 24), (32.0 * TAIL, 90)] {
+        let (mut length, mut end) = (longest, whole);
+        for _ in 0..trials {
+            if !(time + length > time) {
+                break;
+            }
+            match attempt(course, &formulas, last, (time, length), target, tail) {
+                Trial::Good(fit) => return Some(Fit { end, ..fit }),
+                Trial::Leaves(after) => length = after,
+                Trial::Long => length *= 0.5,
+            }
+            end = time + length;
         }
-        match attempt(course, &formulas, last, time, length, target) {
-            Trial::Good(fit) => return Some(Fit { end, ..fit }),
-            Trial::Leaves(after) => length = after,
-            Trial::Long => length *= 0.5,
-        }
-        end = time + length;
     }
     None
 }
@@ -164,9 +169,9 @@ fn attempt(
     course: &Course,
     formulas: &Formulas,
     last: (f64, f64),
-    time: f64,
-    length: f64,
+    (time, length): (f64, f64),
     target: Target,
+    tail: f64,
 ) -> Trial {
     let depth = course.stages.len();
     for (index, &limits) in formulas.limits.iter().chain([&last]).enumerate() {
@@ -182,7 +187,7 @@ fn attempt(
     let values = TABLES.places.map(|place| {
         let now = course.at(formulas, depth, time + place * length);
         let (value, own) = match target {
-            Target::Displacement => (now.value, now.value.abs()),
+            Target::Displacement => (now.value, now.span),
             Target::Acceleration => (now.acceleration, now.size),
         };
         size = size.max(own);
@@ -192,10 +197,10 @@ fn attempt(
     let rest = c[LAW_DEGREE + 1..]
         .iter()
         .fold(0.0, |m: f64, c| m.max(c.abs()));
-    if !(rest <= TAIL * size) {
+    if !(rest <= tail * size) {
         return Trial::Long;
     }
-    let kept = c[..=LAW_DEGREE].iter().rposition(|c| c.abs() > TAIL * size);
+    let kept = c[..=LAW_DEGREE].iter().rposition(|c| c.abs() > tail * size);
     let kept = kept.unwrap_or(0);
     let mut powers = [0.0; LAW_DEGREE + 1];
     for (c, row) in c[..=kept].iter().zip(&TABLES.powers) {
@@ -232,24 +237,27 @@ fn leaves(
     time: f64,
     length: f64,
 ) -> Result<Option<f64>, ()> {
-    let values = TABLES
-        .places
-        .map(|place| course.at(formulas, depth, time + place * length).value);
+    let mut size = 0.0f64;
+    let values = TABLES.places.map(|place| {
+        let now = course.at(formulas, depth, time + place * length);
+        size = size.max(now.span);
+        now.value
+    });
     let c = coefficients(&values);
     let spread: f64 = c[1..].iter().map(|c| c.abs()).sum();
     let rest = c[LAW_DEGREE + 1..]
         .iter()
         .fold(0.0, |m: f64, c| m.max(c.abs()));
     // Only the place of the crossing is wanted from it, to be polished.
-    if !(rest <= 1e-9 * spread + TAIL * c[0].abs()) {
+    if !(rest <= 1e-12 * spread + 4.0 * TAIL * size) {
         return Err(());
     }
     if c[0] - spread >= low && c[0] + spread <= high {
         return Ok(None);
     }
     // Beyond an edge is beyond it by more than rounding: the motion may start
-    // and end on one, and rest there.
-    let rounding = TAIL * (spread + c[0].abs()) + rest;
+    // and end on one, and rest there. (Formulas are told within ROUNDING.)
+    let rounding = 2.0 * ROUNDING * size + rest;
     let mut first: Option<f64> = None;
     for (edge, sign) in [(low, -1.0), (high, 1.0)] {
         if !edge.is_finite() {
@@ -269,38 +277,29 @@ fn leaves(
     let Some(s) = first else {
         return Ok(None);
     };
-    Ok(Some(polish(
-        course,
-        formulas,
-        depth,
-        (low, high),
-        time,
-        s * length,
-    )))
+    let edges = (low, high);
+    let at = |after: f64| course.at(formulas, depth, time + after);
+    Ok(Some(polish(at, edges, s * length, rounding)))
 }
 
-/// The crossing near `after`, by Newton's method on the motion itself.
-fn polish(
-    course: &Course,
-    formulas: &Formulas,
-    depth: usize,
-    (low, high): (f64, f64),
-    time: f64,
-    mut after: f64,
-) -> f64 {
-    let guess = after;
+/// The crossing near `guess`, where the motion is beyond its edge by about
+/// `rounding`, by Newton's method on the motion itself.
+fn polish(at: impl Fn(f64) -> Instant, (low, high): (f64, f64), guess: f64, rounding: f64) -> f64 {
+    let mut after = guess;
     for _ in 0..8 {
-        let now = course.at(formulas, depth, time + after);
+        let now = at(after);
         let edge = if now.speed > 0.0 { high } else { low };
         let next = after - (now.value - edge) / now.speed;
-        // Only a correction of the guess is believed.
-        if !((next - guess).abs() <= 1e-3 * guess) {
+        // Only a correction of the size of the error is believed.
+        let allowed = 8.0 * rounding / now.speed.abs() + 1e-6 * guess;
+        if !((next - guess).abs() <= allowed && next > 0.0) {
             return guess;
         }
-        if (next - after).abs() <= f64::EPSILON * (time.abs() + after) {
-            return next;
-        }
+        let done = (next - after).abs() <= f64::EPSILON * after;
         after = next;
+        if done {
+            break;
+        }
     }
     after
 }

@@ -83,13 +83,13 @@ fn rodas5p_is_of_order_five_also_where_the_right_hand_side_depends_on_time() {
     }
 }
 
-/// The series has degree 10 at this tolerance: the error of the displacement
-/// after so many steps is of order 10.
+/// The series has degree 10 at this tolerance, that of the speed one less: so is
+/// the order.
 #[test]
 fn taylor_is_of_the_order_of_its_degree() {
     for damping in [0.0, 0.1] {
         let order = slope(Method::Taylor, damping, 3);
-        assert!((order - 10.0).abs() < 1.0, "{damping}: {order}");
+        assert!((order - 9.0).abs() < 0.4, "{damping}: {order}");
     }
 }
 

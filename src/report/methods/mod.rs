@@ -2,8 +2,6 @@
 
 pub mod charts;
 mod table;
-#[cfg(test)]
-mod tests;
 mod words;
 
 pub use table::{methods_csv, sweep_csv};
@@ -66,8 +64,8 @@ pub fn sweep_page(report: &MethodsReport<'_>, sweep: &Sweep) -> String {
     let subtitle = format!(
         "methods over {} from {} to {}, {} values",
         axis.path,
-        axis.written(axis.from),
-        axis.written(axis.to),
+        value(sweep, axis.from),
+        value(sweep, axis.to),
         sweep.slices.len()
     );
     let mut body = header(report.title, &subtitle, None);
@@ -86,6 +84,12 @@ pub fn sweep_page(report: &MethodsReport<'_>, sweep: &Sweep) -> String {
     let hash = sweep.slices.first().map_or("", |s| s.study.hash.as_str());
     body.push_str(&ending(report, hash));
     shell(report.title, &body, &PlotData::new(&[]).json())
+}
+
+/// A value of the axis for reading.
+fn value(sweep: &Sweep, x: f64) -> String {
+    let text = format!("{} {}", significant(x, 6), sweep.axis.unit);
+    text.trim_end().to_owned()
 }
 
 fn figure(svg: &str) -> String {
@@ -146,8 +150,8 @@ fn points(study: &Study) -> String {
         .collect();
     format!(
         "<h2>Points</h2>\n<div class=\"scroll\"><table>\n<thead><tr><th>Method</th>\
-         <th>setting</th><th>error of δ</th><th>greatest error of a figure</th><th>time</th>\
-         <th>evaluations</th><th>steps</th><th>switches</th><th>|λ|h</th>\
+         <th>setting</th><th>error of δ</th><th>worst figure</th><th>time</th>\
+         <th>evaluations</th><th>switches</th><th>|λ|h</th>\
          <th class=\"left\">verdict</th></tr></thead>\n<tbody>\n{rows}</tbody></table></div>\n"
     )
 }
@@ -179,13 +183,12 @@ fn point_row(line: &MethodLine, point: &Point) -> String {
     };
     format!(
         "<tr><th>{}</th><td>{}</td><td>{error}</td>{figure}<td>{}</td><td>{}</td><td>{}</td>\
-         <td>{}</td><td>{}</td><td class=\"left\"><span class=\"{}\">{}</span>\
-         <span class=\"sub\" style=\"white-space:normal;min-width:26em\">{}</span></td></tr>\n",
+         <td>{}</td><td class=\"left\" style=\"white-space:normal;min-width:300px\">\
+         <span class=\"{}\">{}</span><span class=\"sub\">{}</span></td></tr>\n",
         line.method.name(),
         escape(&point.setting()),
         time.map_or("–".to_owned(), |s| with_unit(s, "s", 3)),
         count(point.evaluations),
-        count(point.steps),
         count(point.switches),
         point
             .rate_times_step
@@ -220,7 +223,7 @@ fn standings(sweep: &Sweep) -> String {
         .iter()
         .map(|slice| {
             let cells = methods.iter().map(|&method| cell(slice.standing(method)));
-            let x = escape(&sweep.axis.written(slice.x));
+            let x = escape(&value(sweep, slice.x));
             format!("<tr><th>{x}</th>{}</tr>\n", cells.collect::<String>())
         })
         .collect();

@@ -2,6 +2,7 @@
 
 use crate::model::{Coordinate, Law};
 use crate::motion::DriveMotion;
+use crate::motion::cycle::{Cycle, Motion};
 use crate::position::{Cam, FourBar, Position, SliderCrank, Table};
 use crate::report::math::{Expr, Index, Relation, symbol};
 use crate::report::quantity::{significant, with_unit};
@@ -51,6 +52,7 @@ pub fn summary(law: &Law, coordinate: Coordinate) -> String {
                 with_unit(cam.spec().lift * law.lever, unit, 4)
             )
         }
+        Position::Plan(plan) => format!("plan of {} stations{lever}", plan.spec().stations.len()),
         Position::Table(table) if table.is_periodic() => format!("periodic table{lever}"),
         Position::Table(_) => format!("table{lever}"),
         Position::Custom(_) => format!("own function{lever}"),
@@ -83,6 +85,7 @@ fn bare_formula(position: &Position, phi: Expr) -> Expr {
         Position::SliderCrank(linkage) => slider_crank(linkage, phi),
         Position::FourBar(linkage) => Expr::Words(four_bar(linkage)),
         Position::Cam(cam) => Expr::Words(cam_words(cam)),
+        Position::Plan(plan) => Expr::Words(plan_words(plan)),
         Position::Table(table) => Expr::Words(table_words(table)),
         Position::Custom(_) => Expr::Words("own function of the driver's displacement".into()),
     }
@@ -146,12 +149,12 @@ fn cam_words(cam: &Cam) -> String {
     let spec = cam.spec();
     let degrees = |angle: f64| significant(angle.to_degrees(), 6);
     let laws = if spec.rise_law == spec.return_law {
-        format!("{} both ways", spec.rise_law.name())
+        format!("{} both ways", spec.rise_law.words())
     } else {
         format!(
             "{} up, {} down",
-            spec.rise_law.name(),
-            spec.return_law.name()
+            spec.rise_law.words(),
+            spec.return_law.words()
         )
     };
     format!(
@@ -162,6 +165,34 @@ fn cam_words(cam: &Cam) -> String {
         degrees(spec.return_angle),
         added(spec.phase)
     )
+}
+
+/// Every station with the motion that leads on from it.
+fn plan_words(plan: &Cycle) -> String {
+    let spec = plan.spec();
+    let stations = spec.stations.iter().map(|station| {
+        let motion = match &station.motion {
+            Motion::Dwell => "dwell".to_owned(),
+            Motion::Uniform => "uniform".to_owned(),
+            Motion::Smooth => "smooth".to_owned(),
+            Motion::Law(law) => law.words(),
+        };
+        let (at, to) = (
+            significant(station.at, 6),
+            significant(station.displacement, 6),
+        );
+        format!("{to} at {at}, {motion}")
+    });
+    let stations: Vec<String> = stations.collect();
+    let again = match spec.period {
+        Some(period) => format!("; again after {}", significant(period, 6)),
+        None => String::new(),
+    };
+    let advance = match spec.advance {
+        0.0 => String::new(),
+        advance => format!(", advanced by {}", significant(advance, 6)),
+    };
+    format!("plan: {}{again}{advance}", stations.join("; "))
 }
 
 fn table_words(table: &Table) -> String {
@@ -220,6 +251,14 @@ pub fn motion_formula(motion: &DriveMotion) -> Expr {
                 ),
             ])
         }
+        DriveMotion::Plan(plan) => Expr::Words(plan_words(plan)),
+        DriveMotion::LawRunUp(run_up) => Expr::Words(format!(
+            "run-up from {} rad to {} rad/s in {} s by the law: {}",
+            significant(run_up.angle, 6),
+            significant(run_up.speed, 6),
+            significant(run_up.time, 6),
+            run_up.spec.words()
+        )),
         DriveMotion::Table(spline) => {
             let (from, to) = spline.ends();
             Expr::Words(format!(
@@ -241,6 +280,12 @@ pub fn motion_summary(motion: &DriveMotion) -> String {
             "to {} rad/s in {}",
             Expr::Angle(*speed).unicode(),
             with_unit(*time, "s", 4)
+        ),
+        DriveMotion::Plan(plan) => format!("plan of {} stations", plan.spec().stations.len()),
+        DriveMotion::LawRunUp(run_up) => format!(
+            "to {} rad/s in {}",
+            Expr::Angle(run_up.speed).unicode(),
+            with_unit(run_up.time, "s", 4)
         ),
         DriveMotion::Table(_) => "table over time".into(),
     }

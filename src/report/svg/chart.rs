@@ -1,10 +1,10 @@
-//! A line chart over time as a stand-alone picture.
+//! A line chart over time (or another axis) as a stand-alone picture.
 
 use super::coordinate;
 use crate::report::quantity::{Scale, escape, scale};
 use crate::report::ticks::ticks;
 
-/// A chart of one quantity over time, one curve a run.
+/// A chart of one quantity over time or another axis, one curve a run.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Chart {
     /// Title above the plot: `Positioning error δ of rocker`.
@@ -15,6 +15,27 @@ pub struct Chart {
     pub curves: Vec<Curve>,
     /// Shaded intervals of time (s).
     pub shaded: Vec<[f64; 2]>,
+    /// What runs to the right.
+    pub horizontal: Axis,
+}
+
+/// The quantity along a chart's horizontal axis.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Axis {
+    /// Its symbol: `t`.
+    pub symbol: String,
+    /// Its SI unit; empty for a plain number.
+    pub unit: String,
+}
+
+impl Default for Axis {
+    /// Time.
+    fn default() -> Self {
+        Self {
+            symbol: "t".into(),
+            unit: "s".into(),
+        }
+    }
 }
 
 /// One curve.
@@ -85,12 +106,12 @@ impl Chart {
             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {w} {h}\" width=\"{w}\" \
              height=\"{h}\" role=\"img\" aria-label=\"{title}\">\n<style>{STYLE}</style>\n\
              <rect width=\"{w}\" height=\"{h}\" fill=\"#fff\"/>\n\
-             <text class=\"title\" x=\"{LEFT}\" y=\"20\">{title}, {unit}</text>\n\
+             <text class=\"title\" x=\"{LEFT}\" y=\"20\">{title}{unit}</text>\n\
              {legend}{shades}{axes}{curves}</svg>\n",
             title = escape(&self.title),
-            unit = escape(&scale.unit),
+            unit = escape(&after_comma(&scale.unit)),
             shades = self.shades(&frame),
-            axes = axes(&frame, &scale),
+            axes = axes(&frame, &scale, &self.horizontal),
             curves = self.curves(&frame),
         )
     }
@@ -192,7 +213,16 @@ fn padded([low, high]: [f64; 2], margin: f64) -> [f64; 2] {
     [low - room, high + room]
 }
 
-fn axes(frame: &Frame, shown: &Scale) -> String {
+/// `, mm`; nothing of a plain number.
+fn after_comma(unit: &str) -> String {
+    if unit.is_empty() {
+        String::new()
+    } else {
+        format!(", {unit}")
+    }
+}
+
+fn axes(frame: &Frame, shown: &Scale, horizontal: &Axis) -> String {
     let mut out = String::new();
     let (left, right) = (coordinate(LEFT), coordinate(LEFT + frame.width));
     let (top, foot) = (coordinate(frame.top), coordinate(frame.top + frame.height));
@@ -209,7 +239,10 @@ fn axes(frame: &Frame, shown: &Scale) -> String {
             values.label(value)
         ));
     }
-    let time = scale(frame.time[0].abs().max(frame.time[1].abs()), "s");
+    let time = scale(
+        frame.time[0].abs().max(frame.time[1].abs()),
+        &horizontal.unit,
+    );
     let columns = (frame.width / 90.0).max(2.0) as usize;
     let times = ticks(
         frame.time[0] / time.factor,
@@ -227,8 +260,9 @@ fn axes(frame: &Frame, shown: &Scale) -> String {
     let middle = coordinate(LEFT + frame.width / 2.0);
     out.push_str(&format!(
         "<path class=\"axis\" d=\"M{left} {top}V{foot}H{right}\"/>\
-         <text x=\"{middle}\" y=\"{foot}\" dy=\"35\" text-anchor=\"middle\">t, {}</text>\n",
-        time.unit
+         <text x=\"{middle}\" y=\"{foot}\" dy=\"35\" text-anchor=\"middle\">{}{}</text>\n",
+        escape(&horizontal.symbol),
+        escape(&after_comma(&time.unit))
     ));
     out
 }
@@ -298,6 +332,7 @@ mod tests {
             unit: "rad".into(),
             curves: vec![one],
             shaded: vec![[1.0, 2.0]],
+            ..Chart::default()
         };
         let picture = chart.svg(640.0, 320.0);
         assert!(picture.len() < 40_000, "{}", picture.len());

@@ -17,6 +17,10 @@ pub(super) type Series = [f64; HIGHEST + 1];
 /// Degree of the polynomial for U′.
 const DEGREE: usize = 8;
 
+/// Greatest share of the last two coefficients in U′ over the whole reach; what
+/// the polynomial leaves out is then some hundred times smaller.
+const LAST: f64 = 1e-8;
+
 /// Powers whose share of U′ is below this are left out.
 const NEGLIGIBLE: f64 = 1e-18;
 
@@ -82,6 +86,8 @@ pub(super) struct LawSeries {
     radius: f64,
     /// c_j.
     polynomial: [f64; DEGREE + 1],
+    /// How many times too great r is for the polynomial to be good.
+    excess: f64,
     /// Number of powers x¹ … that count.
     terms: usize,
     /// x^(j+1).
@@ -96,6 +102,7 @@ impl Default for LawSeries {
             second: [0.0; HIGHEST + 1],
             radius: 1.0,
             polynomial: [0.0; DEGREE + 1],
+            excess: 1.0,
             terms: 1,
             powers: [[0.0; HIGHEST + 1]; DEGREE + 1],
         }
@@ -109,6 +116,10 @@ impl LawSeries {
         self.radius = radius;
         self.polynomial = polynomial(middle, jet(phi - radius), jet(phi + radius), radius);
         let size = self.polynomial.iter().fold(0.0f64, |a, c| a.max(c.abs()));
+        let last = self.polynomial[DEGREE - 1]
+            .abs()
+            .max(self.polynomial[DEGREE].abs());
+        self.excess = (last / (LAST * size)).powf(1.0 / DEGREE as f64).max(1.0);
         // What is not a number counts.
         let counts = |c: &f64| !(c.abs() <= NEGLIGIBLE * size);
         let last = self.polynomial.iter().rposition(counts).unwrap_or(0);
@@ -121,6 +132,7 @@ impl LawSeries {
     /// Begins a law of constant ratio.
     pub(super) fn begin_straight(&mut self, jet: Jet) {
         self.radius = 1.0;
+        self.excess = 1.0;
         self.polynomial = [0.0; DEGREE + 1];
         self.polynomial[0] = jet.first;
         self.terms = 1;
@@ -162,10 +174,11 @@ impl LawSeries {
         self.second[order] = second / self.radius;
     }
 
-    /// Σ|x_k| of the driver's way over the whole step, in units of r: up to 1
-    /// the polynomial is good for all of it.
+    /// Σ|x_k| of the driver's way over the whole step, in units of what the
+    /// polynomial is good for.
     pub(super) fn way(&self, degree: usize) -> f64 {
-        self.powers[0][1..=degree].iter().map(|x| x.abs()).sum()
+        let sizes = self.powers[0][1..=degree].iter().map(|x| x.abs());
+        self.excess * sizes.sum::<f64>()
     }
 }
 

@@ -4,13 +4,19 @@ use super::law::{HIGHEST, Series, against, product};
 use crate::model::LoadLaw;
 use crate::polynomial::first_positive;
 
-/// |φ̇|/width above which friction is constant for the series: from there on
-/// 1 − tanh is below rounding of what one step of [`STEP`] makes of it.
-const SATURATED: f64 = 17.0;
-/// |φ̇|/width down to which a step may lead that starts above it.
-const SEEN: f64 = 15.0;
-/// The farthest that φ̇/width may change in a step that starts below.
-const STEP: f64 = 4.0;
+/// |φ̇|/width down to which a step may lead that starts farther out: 1 − tanh is
+/// then 2·exp(−2·|φ̇|/width), below the digits that a series of this degree is
+/// used for (see the method, which takes 1.25 degrees for a digit).
+fn seen(degree: usize) -> f64 {
+    (0.95 * degree as f64 - 3.0).clamp(5.0, 17.0)
+}
+
+/// What is farther out than [`seen`] by this much is far out.
+const FARTHER: f64 = 2.0;
+
+/// The farthest that φ̇/width may change in a step that starts nearer, in shares
+/// of the degree: the series of exp(2x) has its greatest term at 2x.
+const STEP: f64 = 0.45;
 
 /// What a load that is not linear needs to know of its earlier coefficients.
 #[derive(Clone, Debug)]
@@ -114,10 +120,12 @@ impl LoadSeries {
             let beyond = change.map(|change| side * change - most);
             first_positive(&beyond[..=degree]).unwrap_or(1.0)
         };
-        if start.abs() > SATURATED {
-            first(-start.signum(), start.abs() - SEEN)
+        let seen = seen(degree);
+        if start.abs() > seen + FARTHER {
+            first(-start.signum(), start.abs() - seen)
         } else {
-            first(1.0, STEP).min(first(-1.0, STEP))
+            let step = STEP * degree as f64;
+            first(1.0, step).min(first(-1.0, step))
         }
     }
 

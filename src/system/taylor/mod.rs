@@ -30,8 +30,8 @@ use loads::LoadSeries;
 const MARGIN: f64 = 1.25;
 /// The polynomial of a law is good a little beyond its reach.
 const BEYOND: f64 = 1.1;
-/// Least reach of the polynomial of a law (rad or m).
-const LEAST_REACH: f64 = 1e-7;
+/// Least reach of the polynomial of a law, against 1 + |φ|: far above rounding.
+const LEAST_REACH: f64 = 1e-12;
 
 const ZERO: Series = [0.0; HIGHEST + 1];
 
@@ -47,9 +47,12 @@ pub(super) struct Taylor {
     mass: Vec<Series>,
     /// F of each chain's link 1.
     reaction: Vec<Series>,
-    /// U″φ̇² of each law and φ̇² of its driver, where rigid objects need them.
+    /// Of each law that a rigid object follows: U″φ̇², φ̇² of its driver, U′·M and
+    /// F − M·U″φ̇².
     bias: Vec<Series>,
     square: Vec<Series>,
+    slope: Vec<Series>,
+    rest: Vec<Series>,
     laws: Vec<LawSeries>,
     loads: Vec<LoadSeries>,
     /// u and u̇ of the coordinates (n).
@@ -72,6 +75,8 @@ impl Taylor {
             reaction: series(frozen.chains.len()),
             bias: series(laws),
             square: series(laws),
+            slope: series(laws),
+            rest: series(laws),
             laws: vec![LawSeries::default(); laws],
             loads: vec![LoadSeries::default(); frozen.loads.len()],
             u: series(frozen.coordinates),
@@ -217,7 +222,7 @@ impl Frozen {
         if bends(law) {
             let (speed, acceleration) = (work.speed[driver], work.acceleration[driver]);
             let way = length * (speed.abs() + 0.5 * length * acceleration.abs());
-            let radius = (MARGIN * way).max(LEAST_REACH);
+            let radius = (MARGIN * way).max(LEAST_REACH * (1.0 + phi.abs()));
             taylor.laws[index].begin(phi, radius, |phi| law.jet(modes, phi));
         } else {
             taylor.laws[index].begin_straight(law.jet(modes, phi));
@@ -291,25 +296,20 @@ impl Frozen {
         }
         for rigid in self.rigids.iter().rev() {
             let driver = self.laws[rigid.law].driver;
+            let law = rigid.law;
             let speed = &taylor.speed[driver];
-            taylor.square[rigid.law][order] = product(speed, speed, order);
-            let first = taylor.laws[rigid.law].first;
-            let bias = product(
-                &taylor.laws[rigid.law].second,
-                &taylor.square[rigid.law],
-                order,
-            );
-            taylor.bias[rigid.law][order] = bias;
-            let mass = taylor.mass[rigid.node];
-            // U′²·M and U′·(F − M·bias), product by product.
-            let mut slope = ZERO;
-            let mut rest = ZERO;
-            for k in 0..=order {
-                slope[k] = product(&first, &mass, k);
-                rest[k] = taylor.force[rigid.node][k] - product(&mass, &taylor.bias[rigid.law], k);
-            }
-            taylor.mass[driver][order] += product(&first, &slope, order);
-            taylor.force[driver][order] += product(&first, &rest, order);
+            taylor.square[law][order] = product(speed, speed, order);
+            let series = &taylor.laws[law];
+            let mass = &taylor.mass[rigid.node];
+            taylor.bias[law][order] = product(&series.second, &taylor.square[law], order);
+            // U′·M and F − M·bias, then both times U′ to the driver.
+            taylor.slope[law][order] = product(&series.first, mass, order);
+            let carried = product(mass, &taylor.bias[law], order);
+            taylor.rest[law][order] = taylor.force[rigid.node][order] - carried;
+            let inertia = product(&series.first, &taylor.slope[law], order);
+            let force = product(&series.first, &taylor.rest[law], order);
+            taylor.mass[driver][order] += inertia;
+            taylor.force[driver][order] += force;
         }
     }
 

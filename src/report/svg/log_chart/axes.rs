@@ -85,7 +85,7 @@ impl LogChart {
             out.push_str(&format!(
                 "<text class=\"small\" x=\"{}\" y=\"{}\" text-anchor=\"end\">{}</text>\n",
                 coordinate(LEFT - 8.0),
-                coordinate(frame.top - 0.5 * LANE + 4.0),
+                coordinate(frame.top - 0.5 * LANE + 1.0),
                 escape(&self.lane)
             ));
         }

@@ -36,6 +36,9 @@ pub(super) const SHADES: usize = 96;
 /// is logarithmic.
 const WIDE: f64 = 30.0;
 
+/// Greatest such ratio that is shown.
+const MOST_WIDE: f64 = 1e9;
+
 /// The colour of a shade below [`SHADES`].
 pub(super) fn colour(shade: usize) -> String {
     let at = shade as f64 / (SHADES - 1) as f64 * (VIRIDIS.len() - 1) as f64;
@@ -57,39 +60,46 @@ pub(super) struct Values {
     pub(super) range: [f64; 2],
     /// True: colours follow the logarithm.
     pub(super) log: bool,
+    /// True: some values are not above zero, and colours show how large they
+    /// are whatever their sign.
+    pub(super) sizes: bool,
 }
 
 impl Values {
     /// The range of a study.
     pub(super) fn of(study: &Study<'_>, result: &MapResult) -> Self {
-        let cells = result.panels.iter().flatten().flatten();
-        let start = [f64::INFINITY, f64::NEG_INFINITY];
-        let [low, high] = cells
-            .filter_map(|cell| cell.value)
-            .fold(start, |[low, high], value| {
-                [low.min(value), high.max(value)]
-            });
-        let log = low > 0.0 && high > WIDE * low;
-        let range = match (
-            low <= high,
-            high > low * (1.0 + 1e-12) || high - low > 1e-300,
-        ) {
-            (false, _) => [0.0, 1.0],
-            (true, true) => [low, high],
-            (true, false) if low == 0.0 => [-1.0, 1.0],
-            (true, false) => [low - 0.1 * low.abs(), high + 0.1 * high.abs()],
+        let cells = || result.panels.iter().flatten().flatten();
+        let values = || cells().filter_map(|cell| cell.value);
+        let (least, greatest) = (values().reduce(f64::min), values().reduce(f64::max));
+        let (low, high) = (least.unwrap_or(0.0), greatest.unwrap_or(1.0));
+        let sizes = || values().map(f64::abs).filter(|&size| size > 0.0);
+        let largest = sizes().reduce(f64::max).unwrap_or(0.0);
+        // Beyond this the smallest sizes are only where a sign changes.
+        let smallest = sizes().reduce(f64::min).unwrap_or(f64::INFINITY);
+        let smallest = smallest.max(largest / MOST_WIDE);
+        // A curve has an axis to read signs from; colours have none.
+        let log = largest > WIDE * smallest && (low > 0.0 || study.y.is_some());
+        let range = if log {
+            [smallest, largest]
+        } else {
+            apart(low, high)
         };
         Self {
             figure: study.figure.clone(),
             unit: study.unit,
             range,
             log,
+            sizes: log && low <= 0.0,
         }
     }
 
     /// The value as it is interpolated and coloured.
     pub(super) fn shown(&self, value: f64) -> f64 {
-        if self.log { value.log10() } else { value }
+        if self.log {
+            value.abs().max(self.range[0]).log10()
+        } else {
+            value
+        }
     }
 
     /// Place of a value within the range, 0 … 1.
@@ -140,5 +150,17 @@ impl Values {
     /// Name of the figure with its unit, for the bar of colours.
     pub(super) fn title(&self) -> &str {
         &self.figure
+    }
+}
+
+/// A range that is never empty.
+fn apart(low: f64, high: f64) -> [f64; 2] {
+    let size = low.abs().max(high.abs());
+    if high - low > 1e-9 * size {
+        [low, high]
+    } else if size > 0.0 {
+        [low - 0.1 * size, high + 0.1 * size]
+    } else {
+        [-1.0, 1.0]
     }
 }

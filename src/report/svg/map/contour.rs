@@ -122,10 +122,10 @@ fn lines(sides: &BTreeMap<Side, (f64, f64)>, mut joined: BTreeMap<Side, Vec<Side
         let mut line = vec![sides[&start]];
         let mut here = start;
         while let Some(next) = joined.get_mut(&here).and_then(Vec::pop) {
-            if let Some(back) = joined.get_mut(&next) {
-                if let Some(at) = back.iter().position(|&side| side == here) {
-                    back.remove(at);
-                }
+            if let Some(back) = joined.get_mut(&next)
+                && let Some(at) = back.iter().position(|&side| side == here)
+            {
+                back.remove(at);
             }
             line.push(sides[&next]);
             here = next;

@@ -12,6 +12,9 @@ use std::fmt::Write as _;
 /// Contour lines in a plot, about.
 const LEVELS: usize = 6;
 
+/// Lines of fewer points carry no label.
+const SHORT: usize = 5;
+
 /// Colours, hatching, borders, contour lines, the rigid edge and marks.
 pub(super) fn plot(drawing: &Drawing<'_>) -> String {
     let mut out = String::from("<g shape-rendering=\"crispEdges\">\n");
@@ -19,8 +22,8 @@ pub(super) fn plot(drawing: &Drawing<'_>) -> String {
     out.push_str("</g>\n");
     out.push_str(&hatchings(drawing));
     out.push_str(&borders(drawing));
-    out.push_str(&levels(drawing));
     out.push_str(&rigid_edge(drawing));
+    out.push_str(&levels(drawing));
     out.push_str(&marks(drawing));
     out
 }
@@ -135,17 +138,26 @@ fn borders(drawing: &Drawing<'_>) -> String {
     }
 }
 
-/// Contour lines with their values.
+/// Contour lines with their values, those below zero apart from the others:
+/// where the sign changes the logarithm says nothing.
 fn levels(drawing: &Drawing<'_>) -> String {
     let (columns, rows) = size(drawing);
     let values = drawing.values;
-    let field = |column: usize, row: usize| {
-        let value = drawing.cell(column, row)?.value?;
-        Some(values.shown(value))
-    };
     let mut out = String::new();
+    let mut labels = String::new();
+    let mut taken = Vec::new();
     for (level, label) in values.levels(LEVELS) {
-        let lines = contours(columns, rows, values.shown(level), &field);
+        let mut lines = Vec::new();
+        for below in [false, true] {
+            let field = |column: usize, row: usize| {
+                let value = drawing.cell(column, row)?.value?;
+                let own = !values.log || (value < 0.0) == below;
+                own.then(|| values.shown(value))
+            };
+            if values.log || !below {
+                lines.extend(contours(columns, rows, values.shown(level), &field));
+            }
+        }
         let path: String = lines.iter().map(|line| path(drawing, line)).collect();
         if path.is_empty() {
             continue;
@@ -154,26 +166,46 @@ fn levels(drawing: &Drawing<'_>) -> String {
             out,
             "<path class=\"halo\" d=\"{path}\"/><path class=\"contour\" d=\"{path}\"/>"
         );
-        // The longest line carries the label, in its middle.
-        let longest = lines.iter().max_by_key(|line| line.len());
-        if let Some(line) = longest.filter(|line| line.len() > 4) {
-            let (x, y) = place(drawing, line[line.len() / 2]);
-            let room = drawing.frame.width - 3.4 * label.chars().count() as f64;
-            let x = x.clamp(
-                drawing.frame.left + drawing.frame.width - room,
-                drawing.frame.left + room,
-            );
-            let y = y.clamp(drawing.frame.top + 10.0, drawing.frame.y(0.0) - 4.0);
-            let _ = writeln!(
-                out,
-                "<text class=\"level\" x=\"{}\" y=\"{}\" dy=\"3.5\" text-anchor=\"middle\">{}</text>",
-                coordinate(x),
-                coordinate(y),
-                escape(&label)
-            );
-        }
+        labels.push_str(&level_label(drawing, &lines, &label, &mut taken));
     }
-    out
+    out + &labels
+}
+
+/// The label of a level on its longest line, where no other label stands.
+fn level_label(
+    drawing: &Drawing<'_>,
+    lines: &[Line],
+    label: &str,
+    taken: &mut Vec<(f64, f64)>,
+) -> String {
+    let Some(line) = lines.iter().max_by_key(|line| line.len()) else {
+        return String::new();
+    };
+    if line.len() < SHORT {
+        return String::new();
+    }
+    let frame = &drawing.frame;
+    let half = 3.2 * label.chars().count() as f64;
+    for share in [0.5, 0.3, 0.7, 0.15, 0.85, 0.4, 0.6] {
+        let (x, y) = place(drawing, line[(share * (line.len() - 1) as f64) as usize]);
+        let x = x.clamp(frame.left + half, frame.x(1.0) - half);
+        let y = y.clamp(frame.top + 10.0, frame.y(0.0) - 6.0);
+        let near = |&(other, height): &(f64, f64)| {
+            (x - other).abs() < 2.0 * half + 8.0 && (y - height).abs() < 14.0
+        };
+        if taken.iter().any(near) {
+            continue;
+        }
+        taken.push((x, y));
+        return format!(
+            "<text class=\"level\" x=\"{}\" y=\"{}\" dy=\"3.5\" \
+             text-anchor=\"middle\">{}</text>\n",
+            coordinate(x),
+            coordinate(y),
+            escape(label)
+        );
+    }
+    String::new()
 }
 
 /// The line along which the rigid mechanism would begin to lift off.

@@ -36,11 +36,15 @@ pub(super) fn bar(values: &Values, frame: Frame) -> String {
             escape(&label)
         );
     }
+    let name = match (values.sizes, last_name(values.title())) {
+        (true, name) => format!("|{name}|"),
+        (false, name) => name,
+    };
     let _ = writeln!(
         out,
         "<text class=\"panel\" x=\"{x}\" y=\"{}\">{}</text>",
         coordinate(frame.top - 9.0),
-        escape(&last_name(values.title()))
+        escape(&name)
     );
     out
 }

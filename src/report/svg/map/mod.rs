@@ -31,7 +31,7 @@ const TOP: f64 = 40.0;
 const FOOT: f64 = 46.0;
 const GAP: f64 = 26.0;
 /// Room for the bar of colours and its labels.
-const BAR: f64 = 104.0;
+const BAR: f64 = 140.0;
 const LINE: f64 = 15.0;
 
 /// Where a panel's plot lies in the picture.
@@ -79,9 +79,9 @@ pub fn svg(study: &Study<'_>, result: &MapResult) -> String {
     let columns = panels.columns.clamp(1, 4).min(panels.panels.len());
     let rows = panels.panels.len().div_ceil(columns);
     let values = Values::of(study, result);
-    let x = Scale::of_values(&study.x);
+    let x = Scale::of_values(&study.x, &study.parameter_units[0]);
     let y = match &study.y {
-        Some(axis) => Scale::of_values(axis),
+        Some(axis) => Scale::of_values(axis, &study.parameter_units[1]),
         None => values.scale(),
     };
     let titles: Vec<Vec<String>> = panels

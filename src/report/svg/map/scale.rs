@@ -2,7 +2,7 @@
 
 use super::{Drawing, coordinate};
 use crate::analysis::axis::Axis;
-use crate::report::quantity::{escape, significant};
+use crate::report::quantity::{escape, scale, significant};
 use crate::report::ticks::ticks;
 
 /// How values lie along an axis of a picture, 0 … 1.
@@ -24,8 +24,21 @@ pub(super) struct Scale {
 
 impl Scale {
     /// The scale of an axis of a study: every value in the middle of its cell.
-    pub(super) fn of_values(axis: &Axis) -> Self {
-        let shown = |value: f64| if axis.log { value.abs().log10() } else { value };
+    pub(super) fn of_values(axis: &Axis, unit: &str) -> Self {
+        let greatest = axis.from.abs().max(axis.to.abs());
+        // Prefixes suit SI units only; a unit of the user's own stays as it is.
+        let shown_in = match axis.unit.as_str() {
+            "" => scale(greatest, unit),
+            own => scale(1.0, own),
+        };
+        let factor = shown_in.factor;
+        let shown = |value: f64| {
+            if axis.log {
+                value.abs().log10()
+            } else {
+                value / factor
+            }
+        };
         let middles: Vec<f64> = axis.values().into_iter().map(shown).collect();
         let last = middles.len() - 1;
         let mut edges = vec![1.5 * middles[0] - 0.5 * middles[1]];
@@ -33,7 +46,7 @@ impl Scale {
         edges.push(1.5 * middles[last] - 0.5 * middles[last - 1]);
         let (from, to) = (edges[0], edges[last + 1]);
         let share = |shown: f64| (shown - from) / (to - from);
-        let title = match axis.unit.as_str() {
+        let title = match shown_in.unit.as_str() {
             "" => axis.path.clone(),
             unit => format!("{}, {unit}", axis.path),
         };
@@ -44,7 +57,7 @@ impl Scale {
             to,
             middles: middles.into_iter().map(share).collect(),
             edges: edges.into_iter().map(share).collect(),
-            factor: 1.0,
+            factor,
         }
     }
 
@@ -131,7 +144,7 @@ pub(super) fn axes(drawing: &Drawing<'_>, below: f64) -> String {
         ));
     }
     let low = frame.y(0.0) + below;
-    for (share, label) in drawing.x.marks((frame.width / 70.0) as usize) {
+    for (share, label) in drawing.x.marks((frame.width / 54.0) as usize) {
         let x = coordinate(frame.x(share));
         if grid {
             out.push_str(&format!("<path class=\"grid\" d=\"M{x} {top}V{foot}\"/>\n"));

@@ -49,11 +49,12 @@ pub(super) fn patterns() -> String {
     let rise = "M-1 9L9 -1M-1 1L1 -1M7 9L9 7";
     let fall = "M-1 -1L9 9M7 -1L9 1M-1 7L1 9";
     let cross = "M-1 9L9 -1M-1 1L1 -1M7 9L9 7M-1 -1L9 9M7 -1L9 1M-1 7L1 9";
+    let wide = "M-1 13L13 -1M-1 -1L13 13";
     let list = [
         ("dam-lifts", 8.0, rise),
         ("dam-dies", 8.0, fall),
         ("dam-unjudged", 8.0, "M0 4H3"),
-        ("dam-thrown", 8.0, cross),
+        ("dam-thrown", 12.0, wide),
         ("dam-resonance", 6.0, "M3 0V6"),
         ("dam-stopped", 6.0, "M0 3H6"),
         ("dam-failed", 8.0, cross),

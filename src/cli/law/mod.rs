@@ -1,0 +1,137 @@
+//! `dam law`: laws of motion.
+
+pub(crate) mod args;
+mod compare;
+mod cycle;
+mod synthesize;
+
+use super::console;
+use super::failure::{Failure, Status};
+use args::{Form, LawCommand, ListArgs, ShowArgs};
+use dam::fault::Fault;
+use dam::motion::{Law, LawName, RunLawName};
+use dam::object::law::{AnyLaw, any_law, run_up_law};
+use dam::report::law::{LawRow, constants_csv, constants_table, law_chart, law_csv, law_text};
+use serde_json::{Value, json};
+
+/// Size of pictures (pixels).
+const PICTURE: (f64, f64) = (900.0, 480.0);
+
+/// Runs the command.
+pub(crate) fn command(command: &LawCommand) -> Result<Status, Failure> {
+    match command {
+        LawCommand::List(args) => list(args)?,
+        LawCommand::Show(args) => show(args)?,
+        LawCommand::Synthesize(args) => synthesize::command(args)?,
+        LawCommand::Cycle(args) => cycle::command(args)?,
+        LawCommand::Compare(args) => return compare::command(args),
+    }
+    Ok(Status::Answered)
+}
+
+fn list(args: &ListArgs) -> Result<(), Failure> {
+    let mut strokes = Vec::new();
+    for name in LawName::ALL {
+        let law = AnyLaw::Stroke(name.into());
+        strokes.push((row(name.name(), name.words(), &law)?, name.vdi_name()));
+    }
+    let mut run_ups = Vec::new();
+    for name in RunLawName::ALL {
+        let (s1, s2) = name.shares();
+        let words = format!("modified trapezoid s1 = {s1}, s2 = {s2}");
+        run_ups.push(row(name.name(), &words, &AnyLaw::RunUp(name.into()))?);
+    }
+    if args.json {
+        let strokes: Vec<Value> = strokes
+            .iter()
+            .map(|(row, vdi)| {
+                let mut entry = entry(row);
+                entry["vdi_2143"] = json!(vdi);
+                entry
+            })
+            .collect();
+        let run_ups: Vec<Value> = run_ups.iter().map(entry).collect();
+        console::json(&json!({ "dam": 1, "strokes": strokes, "run_ups": run_ups }))?;
+        return Ok(());
+    }
+    let rows: Vec<LawRow> = strokes.iter().map(|(row, _)| row.clone()).collect();
+    if args.csv {
+        let all: Vec<LawRow> = rows.into_iter().chain(run_ups).collect();
+        console::data(&constants_csv(&all).map_err(|error| error.to_string())?);
+        return Ok(());
+    }
+    console::data("Full strokes, from rest to rest; stroke 1, duration 1\n\n");
+    console::data(&constants_table(&rows));
+    console::data("\nRun-ups, from rest to uniform motion; run-outs are counted backwards\n\n");
+    console::data(&constants_table(&run_ups));
+    console::data("\nNames in the guideline VDI 2143\n\n");
+    for (row, vdi) in strokes {
+        if let Some(vdi) = vdi {
+            console::data(&format!("{:<20} {vdi}\n", row.name));
+        }
+    }
+    Ok(())
+}
+
+fn entry(row: &LawRow) -> Value {
+    json!({ "name": row.name, "what": row.words, "constants": row.constants })
+}
+
+fn row(name: &str, words: &str, law: &AnyLaw) -> Result<LawRow, Failure> {
+    Ok(LawRow {
+        name: name.to_owned(),
+        words: words.to_owned(),
+        constants: law.law().map_err(|faults| told(&faults, ""))?.constants(),
+    })
+}
+
+fn show(args: &ShowArgs) -> Result<(), Failure> {
+    let spec = match args.run_up {
+        true => AnyLaw::RunUp(run_up_law(&args.law)?),
+        false => any_law(&args.law)?,
+    };
+    let law: Law = spec.law().map_err(|faults| told(&faults, ""))?;
+    let name = spec.words();
+    let words = LawName::ALL.into_iter().find(|known| known.name() == name);
+    let kind = match spec {
+        AnyLaw::Stroke(_) => "law of a full stroke",
+        AnyLaw::RunUp(_) => "law of a run-up",
+    };
+    let row = LawRow {
+        words: words.map_or(kind, LawName::words).to_owned(),
+        name,
+        constants: law.constants(),
+    };
+    let samples = args.form.samples as usize;
+    if args.form.json {
+        console::json(&json!({
+            "dam": 1, "law": row.name, "run_up": law.is_run_up(), "joints": law.joints(),
+            "constants": row.constants
+        }))?;
+        return Ok(());
+    }
+    match args.form.form {
+        Form::Text => console::data(&law_text(&row, &law)),
+        Form::Csv => console::data(&law_csv(&law, samples).map_err(|error| error.to_string())?),
+        Form::Svg => {
+            let chart = law_chart(&row.name, &law, &row.constants);
+            console::data(&chart.svg(PICTURE.0, PICTURE.1));
+        }
+    }
+    Ok(())
+}
+
+/// Faults of arguments; their paths are names of options after `prefix`.
+fn told(faults: &[Fault], prefix: &str) -> Failure {
+    let lines = faults.iter().map(|fault| {
+        let place = match fault.path.as_str() {
+            "" => String::new(),
+            path => format!("{prefix}{}: ", path.replace('_', "-")),
+        };
+        match fault.hint.as_str() {
+            "" => format!("{place}{}", fault.message),
+            hint => format!("{place}{}; {hint}", fault.message),
+        }
+    });
+    Failure::Other(lines.collect::<Vec<_>>().join("\nerror: "))
+}

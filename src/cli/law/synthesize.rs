@@ -1,0 +1,133 @@
+//! `dam law synthesize`: a stroke of run-up, uniform section and run-out.
+
+use super::args::{Form, SynthesizeArgs};
+use super::{PICTURE, told};
+use crate::cli::console;
+use crate::cli::failure::Failure;
+use dam::fault::Fault;
+use dam::motion::stroke::{Criterion, Skewness, Stroke, StrokeSpec};
+use dam::object::law::{read_argument, run_up_law};
+use dam::read::{Bounds, Wanted};
+use dam::report::law::{stroke_chart, stroke_csv, stroke_text};
+use dam::units::{Quantity, parse, quantities as q};
+use serde_json::{Value, json};
+
+pub(super) fn command(args: &SynthesizeArgs) -> Result<(), Failure> {
+    let run_up = run_up_law(&args.run_up)?;
+    let run_out = match &args.run_out {
+        Some(text) => run_up_law(text)?,
+        None => run_up.clone(),
+    };
+    let unit = unit(args);
+    let spec = StrokeSpec {
+        run_up,
+        run_out,
+        stroke: quantity(
+            "--stroke",
+            &args.stroke,
+            Wanted::either(q::LENGTH, q::ANGLE),
+        )?,
+        span: quantity("--span", &args.span, q::ANGLE)?,
+        skewness: skewness(args),
+        uniform_stroke: args.uniform_stroke,
+        uniform_span: args.uniform_span,
+        uniform_optimum: args.uniform_optimum,
+        peak_speed: quantity(
+            "--peak-speed",
+            &args.peak_speed,
+            Wanted::either(q::LENGTH_PER_ANGLE, q::NUMBER),
+        )?,
+    };
+    let stroke = Stroke::new(&spec).map_err(|faults| refused(faults, args))?;
+    let words = format!("{} up, {} out", spec.run_up.words(), spec.run_out.words());
+    if args.form.json {
+        console::json(&document(&stroke, &words, unit, spec.skewness))?;
+        return Ok(());
+    }
+    match args.form.form {
+        Form::Text => {
+            console::data(&format!("{words}\n{}", stroke_text(&stroke, unit)));
+            if let Skewness::Optimum(criterion) = spec.skewness {
+                let value = criterion.of(stroke.figures());
+                console::data(&format!("  {:<28} {value:>16e}\n", "criterion"));
+            }
+        }
+        Form::Csv => {
+            let text = stroke_csv(&stroke, unit, args.form.samples as usize);
+            console::data(&text.map_err(|error| error.to_string())?);
+        }
+        Form::Svg => console::data(&stroke_chart(&words, &stroke).svg(PICTURE.0, PICTURE.1)),
+    }
+    Ok(())
+}
+
+fn skewness(args: &SynthesizeArgs) -> Skewness {
+    if let Some(lambda) = args.acceleration_ratio {
+        Skewness::AccelerationRatio(lambda)
+    } else if let Some(weight) = args.least_acceleration {
+        Skewness::Optimum(Criterion::Acceleration { weight })
+    } else if let Some(weight) = args.least_torque {
+        Skewness::Optimum(Criterion::Product { weight })
+    } else {
+        Skewness::Given(args.skewness.unwrap_or(1.0))
+    }
+}
+
+fn document(stroke: &Stroke, words: &str, unit: &str, skewness: Skewness) -> Value {
+    let criterion = match skewness {
+        Skewness::Optimum(criterion) => Some(criterion.of(stroke.figures())),
+        _ => None,
+    };
+    json!({
+        "dam": 1, "laws": words, "unit": unit, "figures": stroke.figures(), "criterion": criterion
+    })
+}
+
+fn quantity(
+    name: &str,
+    text: &Option<String>,
+    wanted: impl Into<Wanted>,
+) -> Result<Option<f64>, Failure> {
+    let Some(text) = text else {
+        return Ok(None);
+    };
+    let wanted = wanted.into();
+    let value = read_argument(name, text, |slot| slot.quantity(wanted, Bounds::ANY))?;
+    Ok(Some(value))
+}
+
+/// Unit of the displacement: that of the stroke as given, else told by the speed.
+fn unit(args: &SynthesizeArgs) -> &'static str {
+    let fits = |text: &Option<String>, quantity: Quantity| {
+        let measure = text.as_deref().and_then(|text| parse(text).ok());
+        measure.is_some_and(|measure| quantity.accept(measure).is_ok())
+    };
+    let plain = |text: &str| text.trim().parse::<f64>().is_ok();
+    let given = args.stroke.iter().chain(&args.peak_speed);
+    let length = fits(&args.stroke, q::LENGTH) || fits(&args.peak_speed, q::LENGTH_PER_ANGLE);
+    if length && !given.map(String::as_str).all(plain) {
+        "m"
+    } else if fits(&args.stroke, q::ANGLE) && !args.stroke.as_deref().is_some_and(plain) {
+        "rad"
+    } else {
+        "unit"
+    }
+}
+
+/// Faults in terms of the options.
+fn refused(faults: Vec<Fault>, args: &SynthesizeArgs) -> Failure {
+    let optimum = match args.least_torque {
+        Some(_) => "least-torque",
+        None => "least-acceleration",
+    };
+    let named: Vec<Fault> = faults
+        .into_iter()
+        .map(|mut fault| {
+            if fault.path == "optimum" {
+                fault.path = optimum.to_owned();
+            }
+            fault
+        })
+        .collect();
+    told(&named, "--")
+}

@@ -1,0 +1,62 @@
+//! How a run comes to its end: by a limit, a fault, a method that gives up.
+
+use super::run::{Run, Verdict};
+use super::{Dynamics, Stop};
+use std::sync::atomic::Ordering;
+
+impl<D: Dynamics> Run<'_, D> {
+    pub(super) fn not_finite(&self, index: usize) -> Stop {
+        Stop::NotFinite {
+            what: self.evaluator.dynamics.state_name(index),
+        }
+    }
+
+    /// The run is over.
+    pub(super) fn end(&mut self, stop: Stop) -> Verdict {
+        self.stop = Some(stop);
+        Verdict::Stop
+    }
+
+    /// A method cannot shorten its step any further at step length `step`; if
+    /// the right-hand side gave no numbers, that is the reason.
+    pub(super) fn end_at_floor(&mut self, step: f64) -> Verdict {
+        self.end_with_reason(Stop::StepFloor { step })
+    }
+
+    /// A method gives up with `stop`; if the right-hand side gave no numbers,
+    /// that is the reason.
+    pub(super) fn end_with_reason(&mut self, stop: Stop) -> Verdict {
+        match self.evaluator.take_not_finite() {
+            Some(index) => self.fail(self.not_finite(index)),
+            None => self.fail(stop),
+        }
+    }
+
+    pub(super) fn check_limits(&mut self) -> Verdict {
+        let limits = self.limits;
+        let over = |limit| self.begun.elapsed() > limit;
+        if self.stop.is_some() {
+            return Verdict::Stop;
+        }
+        if self.from.time >= self.target {
+            return Verdict::Continue; // whatever comes after is checked then
+        }
+        let stop = if limits
+            .interrupt
+            .is_some_and(|flag| flag.load(Ordering::Relaxed))
+        {
+            Stop::Interrupted
+        } else if self.switches > limits.switches {
+            let bound = limits.switches;
+            Stop::TooManySwitches { bound }
+        } else if self.steps >= limits.steps {
+            let bound = limits.steps;
+            Stop::TooManySteps { bound }
+        } else if let Some(limit) = limits.wall_clock.filter(|&limit| over(limit)) {
+            Stop::WallClock { limit }
+        } else {
+            return Verdict::Continue;
+        };
+        self.end(stop)
+    }
+}

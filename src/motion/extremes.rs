@@ -1,0 +1,98 @@
+//! Extremes of piecewise smooth functions.
+
+use super::law::Peak;
+
+/// Intervals a piece is searched in: a polynomial of the highest degree allowed
+/// has far fewer turning points.
+const INTERVALS: usize = 64;
+
+/// Differences that count as rounding when two extremes are compared.
+const SAME: f64 = 1e-13;
+
+/// The greatest value of a function given by pieces (number, from, to), and
+/// the first place where it is reached; one-sided values at the ends of pieces
+/// count. Value to rounding, place to about 1e-8 of the piece.
+pub(crate) fn greatest(
+    pieces: impl Iterator<Item = (usize, f64, f64)>,
+    value: impl Fn(usize, f64) -> f64,
+) -> Peak {
+    let mut best = Peak {
+        value: f64::NEG_INFINITY,
+        at: 0.0,
+    };
+    for (piece, from, to) in pieces {
+        let at = |x: f64| value(piece, x);
+        let place = |i: usize| match i {
+            0 => from,
+            INTERVALS => to,
+            i => from + (to - from) * i as f64 / INTERVALS as f64,
+        };
+        let samples: Vec<f64> = (0..=INTERVALS).map(|i| at(place(i))).collect();
+        for i in 0..=INTERVALS {
+            best.raise(samples[i], place(i));
+            let inner = i > 0 && i < INTERVALS;
+            if inner && samples[i] >= samples[i - 1] && samples[i] >= samples[i + 1] {
+                let (value, x) = golden(at, place(i - 1), place(i + 1));
+                best.raise(value, x);
+            }
+        }
+        // Steep ends: the greatest value may lie within the outer intervals.
+        for (a, b) in [(0, 1), (INTERVALS - 1, INTERVALS)] {
+            let (value, x) = golden(at, place(a), place(b));
+            best.raise(value, x);
+        }
+    }
+    best
+}
+
+impl Peak {
+    /// Takes the greater one; of equal ones the first stays.
+    fn raise(&mut self, value: f64, at: f64) {
+        let floor = SAME * self.value.abs().max(SAME);
+        if !self.value.is_finite() || value > self.value + floor {
+            *self = Self { value, at };
+        }
+    }
+}
+
+/// Greatest value and its place between `low` and `high` (golden section).
+fn golden(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> (f64, f64) {
+    let ratio = 0.5 * (5f64.sqrt() - 1.0);
+    let (mut a, mut b) = (high - ratio * (high - low), low + ratio * (high - low));
+    let (mut fa, mut fb) = (f(a), f(b));
+    for _ in 0..60 {
+        if fa >= fb {
+            high = b;
+            (b, fb) = (a, fa);
+            a = high - ratio * (high - low);
+            fa = f(a);
+        } else {
+            low = a;
+            (a, fa) = (b, fb);
+            b = low + ratio * (high - low);
+            fb = f(b);
+        }
+    }
+    if fa >= fb { (fa, a) } else { (fb, b) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::greatest;
+
+    #[test]
+    fn the_greatest_value_is_found_inside_and_at_ends() {
+        let pieces = [(0, 0.0, 1.0), (1, 1.0, 3.0)];
+        let inside = greatest(pieces.into_iter(), |piece, x| match piece {
+            0 => x,
+            _ => 2.0 - (x - 1.234) * (x - 1.234),
+        });
+        approx::assert_relative_eq!(inside.value, 2.0, max_relative = 1e-14);
+        approx::assert_abs_diff_eq!(inside.at, 1.234, epsilon = 1e-7);
+        let at_end = greatest(
+            pieces.into_iter(),
+            |piece, x| if piece == 0 { x } else { -x },
+        );
+        assert_eq!((at_end.value, at_end.at), (1.0, 1.0));
+    }
+}

@@ -1,0 +1,171 @@
+//! Names of laws of motion.
+
+use super::spec::{LawSpec, RunLawSpec, SectionsSpec};
+
+/// A named law of a full stroke, from rest to rest.
+///
+/// θ(0) = 0, θ(1) = 1, θ′(0) = θ′(1) = 0, and θ(1 − τ) = 1 − θ(τ) for all of
+/// them. θ″ vanishes at both ends, except for the parabolic and harmonic laws.
+/// The normal form (both axes from 0 to 1) is that of the guideline VDI 2143.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LawName {
+    /// `parabolic`: constant acceleration, then constant deceleration.
+    Parabolic,
+    /// `harmonic`: (1 − cos πτ)/2; acceleration jumps at both ends.
+    Harmonic,
+    /// `cycloidal`: τ − sin(2πτ)/2π.
+    Cycloidal,
+    /// `modified_trapezoid`: sine, constant, sine, … acceleration in eighths.
+    ModifiedTrapezoid,
+    /// `modified_sine`: quarter sine over an eighth, then a slower half cosine.
+    ModifiedSine,
+    /// `modified_constant_velocity`: a modified sine with uniform motion over
+    /// the middle half.
+    ModifiedConstantVelocity,
+    /// `3-4-5`: 10τ³ − 15τ⁴ + 6τ⁵.
+    Polynomial345,
+    /// `4-5-6-7`: 35τ⁴ − 84τ⁵ + 70τ⁶ − 20τ⁷.
+    Polynomial4567,
+}
+
+impl LawName {
+    /// All laws, in the order they are presented.
+    pub const ALL: [Self; 8] = [
+        Self::Parabolic,
+        Self::Harmonic,
+        Self::Cycloidal,
+        Self::ModifiedTrapezoid,
+        Self::ModifiedSine,
+        Self::ModifiedConstantVelocity,
+        Self::Polynomial345,
+        Self::Polynomial4567,
+    ];
+
+    /// Name in scenes.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Parabolic => "parabolic",
+            Self::Harmonic => "harmonic",
+            Self::Cycloidal => "cycloidal",
+            Self::ModifiedTrapezoid => "modified_trapezoid",
+            Self::ModifiedSine => "modified_sine",
+            Self::ModifiedConstantVelocity => "modified_constant_velocity",
+            Self::Polynomial345 => "3-4-5",
+            Self::Polynomial4567 => "4-5-6-7",
+        }
+    }
+
+    /// Name in the guideline VDI 2143; `None`: it has none there.
+    pub fn vdi_name(self) -> Option<&'static str> {
+        match self {
+            Self::Parabolic => Some("Quadratische Parabel"),
+            Self::Harmonic => Some("Einfache Sinuslinie"),
+            Self::Cycloidal => Some("Geneigte Sinuslinie (Sinoide von Bestehorn)"),
+            Self::ModifiedTrapezoid => Some("Modifiziertes Beschleunigungstrapez"),
+            Self::ModifiedSine => Some("Modifizierte Sinuslinie"),
+            Self::ModifiedConstantVelocity => None,
+            Self::Polynomial345 => Some("Polynom 5. Grades"),
+            Self::Polynomial4567 => Some("Polynom 7. Grades"),
+        }
+    }
+
+    /// What it is, in a few words.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Parabolic => "constant acceleration and deceleration",
+            Self::Harmonic => "(1 − cos πτ)/2",
+            Self::Cycloidal => "τ − sin(2πτ)/2π",
+            Self::ModifiedTrapezoid => "SCCA with b = 1/4, c = 1/2, d = 1/4",
+            Self::ModifiedSine => "SCCA with b = 1/4, c = 0, d = 3/4",
+            Self::ModifiedConstantVelocity => "modified sine, uniform over the middle half",
+            Self::Polynomial345 => "10τ³ − 15τ⁴ + 6τ⁵",
+            Self::Polynomial4567 => "35τ⁴ − 84τ⁵ + 70τ⁶ − 20τ⁷",
+        }
+    }
+
+    /// As sections of a stroke, for the laws that are made of them.
+    pub(super) fn sections(self) -> Option<SectionsSpec> {
+        let (b, d, uniform) = match self {
+            Self::Parabolic => (0.0, 0.0, 0.0),
+            Self::ModifiedTrapezoid => (0.25, 0.25, 0.0),
+            Self::ModifiedSine => (0.25, 0.75, 0.0),
+            Self::ModifiedConstantVelocity => (0.25, 0.75, 0.5),
+            _ => return None,
+        };
+        Some(SectionsSpec {
+            uniform,
+            ..SectionsSpec::scca(b, d)
+        })
+    }
+}
+
+impl From<LawName> for LawSpec {
+    fn from(name: LawName) -> Self {
+        Self::Named(name)
+    }
+}
+
+/// A named run-up law: a special point of the modified trapezoid of general form.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RunLawName {
+    /// `rectangular`: s1 = 0, s2 = 0.
+    Rectangular,
+    /// `equilateral_trapezoid`: s1 = s2 = 1/4.
+    EquilateralTrapezoid,
+    /// `sine`: s1 = s2 = 1/2; half of a cycloidal law.
+    Sine,
+    /// `cosine`: s1 = 0, s2 = 1; half of a harmonic law.
+    Cosine,
+    /// `reversed_cosine`: s1 = 1, s2 = 0.
+    ReversedCosine,
+    /// `unequal_trapezoid`: s1 = 1/8, s2 = 1/2.
+    UnequalTrapezoid,
+    /// `modified_sine`: s1 = 1/4, s2 = 3/4; half of a modified sine.
+    ModifiedSine,
+}
+
+impl RunLawName {
+    /// All of them.
+    pub const ALL: [Self; 7] = [
+        Self::Rectangular,
+        Self::EquilateralTrapezoid,
+        Self::Sine,
+        Self::Cosine,
+        Self::ReversedCosine,
+        Self::UnequalTrapezoid,
+        Self::ModifiedSine,
+    ];
+
+    /// Name in scenes.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Rectangular => "rectangular",
+            Self::EquilateralTrapezoid => "equilateral_trapezoid",
+            Self::Sine => "sine",
+            Self::Cosine => "cosine",
+            Self::ReversedCosine => "reversed_cosine",
+            Self::UnequalTrapezoid => "unequal_trapezoid",
+            Self::ModifiedSine => "modified_sine",
+        }
+    }
+
+    /// Shares (s1, s2) of the trapezoid.
+    pub fn shares(self) -> (f64, f64) {
+        match self {
+            Self::Rectangular => (0.0, 0.0),
+            Self::EquilateralTrapezoid => (0.25, 0.25),
+            Self::Sine => (0.5, 0.5),
+            Self::Cosine => (0.0, 1.0),
+            Self::ReversedCosine => (1.0, 0.0),
+            Self::UnequalTrapezoid => (0.125, 0.5),
+            Self::ModifiedSine => (0.25, 0.75),
+        }
+    }
+}
+
+impl From<RunLawName> for RunLawSpec {
+    fn from(name: RunLawName) -> Self {
+        let (s1, s2) = name.shares();
+        Self::Trapezoid { s1, s2 }
+    }
+}

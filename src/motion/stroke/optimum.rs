@@ -1,0 +1,130 @@
+//! Optimum skewness and optimum uniform section.
+
+use super::StrokeFigures;
+use super::solve::{Laws, StrokeSpec, figures};
+use crate::fault::Fault;
+
+/// What the skewness is to make least, (1.6). The weight ξ ≥ 0 says how much
+/// the run-out counts.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Criterion {
+    /// K1 = Π″_max + ξ·|Π″_min|: forces.
+    Acceleration {
+        /// ξ.
+        weight: f64,
+    },
+    /// K2 = (Π′Π″)_max + ξ·|(Π′Π″)_min|: torques.
+    Product {
+        /// ξ.
+        weight: f64,
+    },
+}
+
+impl Criterion {
+    /// ξ.
+    pub fn weight(self) -> f64 {
+        match self {
+            Self::Acceleration { weight } | Self::Product { weight } => weight,
+        }
+    }
+
+    /// Its value for a stroke, counted in the direction of the stroke.
+    pub fn of(self, figures: &StrokeFigures) -> f64 {
+        match self {
+            Self::Acceleration { weight } => {
+                figures.acceleration_run_up.abs() + weight * figures.acceleration_run_out
+            }
+            Self::Product { weight } => figures.product_run_up + weight * figures.product_run_out,
+        }
+    }
+}
+
+/// Skewness is looked for between these (e⁻⁷ … e⁷).
+const REACH: f64 = 7.0;
+const STEPS: usize = 560;
+
+/// The skewness that makes the criterion least, whatever else is given being held.
+///
+/// For ν1 = 1 the uniform section does not depend on f, and K1 ∝
+/// (1 + f)·(1 + ξ/(ν2·f)), K2 ∝ (1 + f)·(1 + ξκ/f): the root is closed.
+/// Otherwise a scan over ln f, then golden section.
+pub(super) fn optimum_skewness(
+    laws: &Laws,
+    spec: &StrokeSpec,
+    criterion: Criterion,
+) -> Result<f64, Vec<Fault>> {
+    let weight = criterion.weight();
+    let refuse = |message: String| {
+        let hint = "give a weight above zero, or the skewness itself";
+        Err(vec![Fault::new("optimum", message, hint)])
+    };
+    if weight == 0.0 {
+        return refuse("with the weight 0 there is no least value: it falls as f → 0".to_owned());
+    }
+    if (laws.speed_ratio() - 1.0).abs() < 1e-14 {
+        let share = match criterion {
+            Criterion::Acceleration { .. } => 1.0 / laws.acceleration_ratio(),
+            Criterion::Product { .. } => laws.out.product / laws.up.product,
+        };
+        return Ok((weight * share).sqrt());
+    }
+    let value = |x: f64| match figures(laws, spec, x.exp()) {
+        Ok(found) => criterion.of(&found),
+        Err(_) => f64::INFINITY,
+    };
+    let at = |i: usize| -REACH + 2.0 * REACH * i as f64 / STEPS as f64;
+    let samples: Vec<f64> = (0..=STEPS).map(|i| value(at(i))).collect();
+    let best = (0..=STEPS)
+        .min_by(|&a, &b| samples[a].total_cmp(&samples[b]))
+        .unwrap_or(0);
+    if !samples[best].is_finite() {
+        // Nothing solvable: let the problem itself say why.
+        figures(laws, spec, 1.0)?;
+        return refuse("there is no skewness for which the stroke exists".to_owned());
+    }
+    if best == 0 || best == STEPS {
+        return refuse(format!(
+            "no least value for a skewness between {:.0e} and {:.0e}",
+            (-REACH).exp(),
+            REACH.exp()
+        ));
+    }
+    Ok(least(value, at(best - 1), at(best + 1)).exp())
+}
+
+/// The uniform share of the stroke that makes |Π′Π″| least.
+///
+/// With x = 1 − ζ_Π both sections have |Π′Π″| ∝ (1 + (G − 1)·x)³/x, least at
+/// x = 1/(2(G − 1)); for G ≤ 3/2 that is beyond x = 1, and no uniform section
+/// is best.
+pub fn optimum_uniform_stroke(g: f64) -> f64 {
+    (1.0 - 0.5 / (g - 1.0)).max(0.0)
+}
+
+/// Place of the least value between `low` and `high` (golden section, then
+/// the vertex of a parabola, since a minimum is flat to rounding).
+fn least(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
+    let ratio = 0.5 * (5f64.sqrt() - 1.0);
+    while high - low > 2e-4 {
+        let (a, b) = (high - ratio * (high - low), low + ratio * (high - low));
+        if f(a) <= f(b) {
+            high = b;
+        } else {
+            low = a;
+        }
+    }
+    let (middle, h) = (0.5 * (low + high), 1e-3);
+    // Fourth-order differences: the third derivative does not shift the vertex.
+    let [a, b, c, d, e] = [-2.0, -1.0, 0.0, 1.0, 2.0].map(|k: f64| f(middle + k * h));
+    let first = (a - 8.0 * b + 8.0 * d - e) / (12.0 * h);
+    let second = (-a + 16.0 * b - 30.0 * c + 16.0 * d - e) / (12.0 * h * h);
+    let third = (e - 2.0 * d + 2.0 * b - a) / (2.0 * h * h * h);
+    if !(second > 0.0) {
+        return middle;
+    }
+    let mut step = -first / second;
+    for _ in 0..3 {
+        step = -(first + 0.5 * third * step * step) / second;
+    }
+    middle + step.clamp(-h, h)
+}

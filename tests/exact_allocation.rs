@@ -1,0 +1,87 @@
+//! An exact run allocates when it is set up and when it meets a combination of
+//! pairs for the first time, not at every switch.
+
+use dam::exact::{
+    ExactTree, Law, Request, Sine, TimeLoad, TreeMass, TreeObject, TreePair, TreeProblem,
+};
+use std::alloc::{GlobalAlloc, Layout, System};
+use std::cell::Cell;
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+thread_local! {
+    static ALLOCATIONS: Cell<u64> = const { Cell::new(0) };
+}
+
+/// Counts the allocations of each thread.
+struct Counting;
+
+// SAFETY: hands every call on to the system's allocator; the counter is a
+// constant-initialised thread-local, which allocates nothing itself.
+#[allow(unsafe_code)]
+unsafe impl GlobalAlloc for Counting {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        ALLOCATIONS.with(|count| count.set(count.get() + 1));
+        unsafe { System.alloc(layout) }
+    }
+
+    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
+        unsafe { System.dealloc(pointer, layout) }
+    }
+
+    unsafe fn realloc(&self, pointer: *mut u8, layout: Layout, size: usize) -> *mut u8 {
+        ALLOCATIONS.with(|count| count.set(count.get() + 1));
+        unsafe { System.realloc(pointer, layout, size) }
+    }
+}
+
+#[global_allocator]
+static ALLOCATOR: Counting = Counting;
+
+/// Two masses that are thrown off once a cycle.
+fn problem() -> TreeProblem {
+    let mass = |m: usize| {
+        let inertia = [0.0125, 0.0875][m];
+        let damping = 0.4 * (2e7f64 * inertia).sqrt() / TAU;
+        TreeMass::new(inertia, m.checked_sub(1), 2e7, damping)
+    };
+    let mut masses = vec![mass(0), mass(1)];
+    masses[0].pair = TreePair::Force { opens: 1.0 };
+    masses[1].loads.push(TimeLoad::Constant(-600.0));
+    let sines = vec![Sine {
+        amplitude: FRAC_PI_2,
+        frequency: 20.0 * PI,
+        phase: 0.0,
+    }];
+    let (mean, slope) = (0.0, 0.0);
+    TreeProblem {
+        masses,
+        law: Law::Harmonic { mean, slope, sines },
+        displacement: vec![0.0; 2],
+        speed: vec![0.0; 2],
+        objects: vec![TreeObject {
+            first: 0,
+            last: 1,
+            driver: None,
+        }],
+    }
+}
+
+#[test]
+fn switches_allocate_nothing() {
+    let tree = ExactTree::new(problem());
+    let count = |end: f64| {
+        let request = Request {
+            figures: true,
+            ..Request::new(end, 0)
+        };
+        let before = ALLOCATIONS.with(Cell::get);
+        let run = tree.run(&request).expect("runs");
+        let after = ALLOCATIONS.with(Cell::get);
+        (after - before, run.switches.len())
+    };
+    let ((short, few), (long, many)) = (count(0.2), count(2.0));
+    assert!(few > 50 && many > 8 * few, "{few} {many}");
+    // The list of switches, which is handed out, doubles its room twice.
+    assert!(long - short <= 2, "{short} {long}");
+    assert!(short > 10, "the counter counts: {short}");
+}

@@ -1,0 +1,127 @@
+//! Maps do not depend on the number of threads, nor on interruptions.
+
+use dam::analysis::Control;
+use dam::analysis::axis::Axis;
+use dam::analysis::map::{
+    Cell, Listener, MapResult, Panels, Question, Silent, Study, journal, map,
+};
+use dam::report::map::{document, map_csv, text};
+use dam::report::svg;
+use dam::scene::{BuiltIn, Document};
+use std::collections::BTreeMap;
+use std::path::Path;
+use std::sync::Mutex;
+
+fn load() -> Document {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenarios/rocker/two_masses.json");
+    Document::parse("two_masses", &std::fs::read(path).unwrap()).unwrap()
+}
+
+/// A small map, in two panels.
+fn small(document: &Document) -> Study<'_> {
+    let axis = |text: &str| Axis::parse(text).unwrap();
+    let question = Question {
+        overrides: vec!["run.duration=0.3".to_owned()],
+        x: axis("rocker.inertia=0.06:0.16:5"),
+        y: Some(axis("rocker.stiffness=1e6:1e7:4:log")),
+        panels: Panels::parse(&["rocker.loads.closing.constant=-600,-900".to_owned()]).unwrap(),
+        figure: None,
+        check_determined: true,
+    };
+    Study::new(document, &BuiltIn, question).unwrap()
+}
+
+fn run(
+    study: &Study<'_>,
+    known: BTreeMap<usize, Vec<Cell>>,
+    threads: usize,
+    listener: &dyn Listener,
+) -> MapResult {
+    map(study, known, Some(threads), &Control::default(), listener).unwrap()
+}
+
+fn everything(study: &Study<'_>, result: &MapResult) -> String {
+    let document = document(study, result);
+    let csv = map_csv(study, result).unwrap();
+    format!(
+        "{document}{csv}{}{}",
+        svg::map::svg(study, result),
+        text(study, result)
+    )
+}
+
+#[test]
+fn the_same_bytes_for_any_number_of_threads() {
+    let document = load();
+    let study = small(&document);
+    let one = everything(&study, &run(&study, BTreeMap::new(), 1, &Silent));
+    for threads in [2, 5] {
+        let other = everything(&study, &run(&study, BTreeMap::new(), threads, &Silent));
+        assert!(one == other, "{threads} threads");
+    }
+    assert!(!one.contains("NaN") && !one.contains("inf"));
+}
+
+/// Keeps the lines of a journal.
+struct Lines(Mutex<String>);
+
+impl Listener for Lines {
+    fn row(&self, row: usize, cells: &[Cell]) -> Result<(), String> {
+        self.0.lock().unwrap().push_str(&journal::row(row, cells));
+        Ok(())
+    }
+}
+
+#[test]
+fn a_journal_torn_anywhere_gives_the_same_map() {
+    let scene = load();
+    let study = small(&scene);
+    let lines = Lines(Mutex::new(journal::head(&study)));
+    let whole = run(&study, BTreeMap::new(), 2, &lines);
+    let wanted = everything(&study, &whole);
+    let journal_text = lines.0.into_inner().unwrap();
+    let bytes = journal_text.as_bytes();
+    let head = journal::head(&study).len();
+    for length in 0..=bytes.len() {
+        let read = journal::read(&study, &bytes[..length]).unwrap();
+        assert!(read.whole <= length);
+        let ends = bytes[head.min(length)..length]
+            .iter()
+            .filter(|&&byte| byte == b'\n');
+        assert_eq!(read.rows.len(), ends.count(), "cut at {length}");
+        for (row, cells) in &read.rows {
+            let (panel, range) = study.row(*row);
+            let own = whole.panels[panel][range].iter().flatten();
+            assert!(own.eq(cells), "row {row}, cut at {length}");
+        }
+    }
+    // The rows that are missing are worked out again.
+    for length in [head, bytes.len() / 2, bytes.len() - 1] {
+        let known = journal::read(&study, &bytes[..length]).unwrap().rows;
+        assert_eq!(everything(&study, &run(&study, known, 1, &Silent)), wanted);
+    }
+    // A byte changed in the middle: that line and all after it are not believed.
+    let mut changed = bytes.to_vec();
+    changed[head + 40] ^= 1;
+    assert_eq!(journal::read(&study, &changed).unwrap().rows.len(), 0);
+    // Another study's journal is refused.
+    let shorter = Question {
+        overrides: vec!["run.duration=0.2".to_owned()],
+        x: study.x.clone(),
+        y: study.y.clone(),
+        panels: Panels::default(),
+        figure: None,
+        check_determined: true,
+    };
+    let other = Study::new(&scene, &BuiltIn, shorter).unwrap();
+    assert!(
+        journal::read(&other, bytes)
+            .unwrap_err()
+            .contains("another study")
+    );
+    assert!(
+        journal::read(&study, b"something else\n")
+            .unwrap_err()
+            .contains("no journal")
+    );
+}

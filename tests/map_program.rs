@@ -1,0 +1,99 @@
+//! `dam map` as a program: killed and taken up again, wrong arguments.
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::time::{Duration, Instant};
+
+const TWO: &str = "rocker/two_masses.json";
+
+fn scene(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("scenarios")
+        .join(name)
+}
+
+fn program() -> Command {
+    Command::new(env!("CARGO_BIN_EXE_dam"))
+}
+
+#[test]
+fn a_killed_map_goes_on_to_the_same_files() {
+    let folder = tempfile::tempdir().unwrap();
+    let (killed, whole) = (folder.path().join("killed"), folder.path().join("whole"));
+    let command = |out: &Path| {
+        let mut command = program();
+        command.arg("map").arg(scene(TWO)).arg("--quiet");
+        // A general method, slow enough to be killed in time.
+        command.args(["--set", "run.method=dop853", "--set", "run.duration=0.3"]);
+        command.args([
+            "--x",
+            "rocker.inertia=0.06:0.12:6",
+            "--y",
+            "rocker.stiffness=1e7:3e7:12",
+        ]);
+        command
+            .args(["--threads", "1", "--unchecked", "--out"])
+            .arg(out);
+        command.stdout(std::process::Stdio::null());
+        command
+    };
+    let mut child = command(&killed).spawn().unwrap();
+    let journal = killed.join("map.journal");
+    let begun = Instant::now();
+    let rows = || std::fs::read_to_string(&journal).map_or(0, |text| text.lines().count());
+    while rows() < 3 && begun.elapsed() < Duration::from_secs(120) {
+        std::thread::sleep(Duration::from_millis(2));
+    }
+    child.kill().unwrap();
+    child.wait().unwrap();
+    assert!(
+        rows() >= 3 && !killed.join("map.csv").exists(),
+        "killed in the middle"
+    );
+    // Without a word the finished rows are not thrown away.
+    let refused = command(&killed).output().unwrap();
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&refused.stderr).contains("--resume"));
+    assert!(command(&killed).arg("--resume").status().unwrap().success());
+    assert!(command(&whole).status().unwrap().success());
+    for name in ["map.csv", "map.json", "map.svg", "report.html"] {
+        let read = |folder: &Path| std::fs::read(folder.join(name)).unwrap();
+        assert!(read(&killed) == read(&whole), "{name}");
+    }
+    assert!(!journal.exists(), "the journal of a complete map goes");
+}
+
+#[test]
+fn wrong_arguments_end_with_status_2_and_say_what_is_right() {
+    for (arguments, word) in [
+        (vec!["--x", "rocker.inertia"], "FROM:TO:COUNT"),
+        (vec!["--x", "rocker.inertia=1:2:1"], "2 to 100000"),
+        (vec!["--x", "rocker.inertia=1:2:3:lin"], "`log`"),
+        (vec!["--x", "rocker.inertja=1:2:3"], "inertia"),
+        (
+            vec!["--x", "rocker.inertia=1:2:3", "--figure", "rocker.delta"],
+            "no figure",
+        ),
+        (
+            vec!["--x", "rocker.inertia=1:2:3", "--panels", "a=1,,2"],
+            "missing",
+        ),
+        (
+            vec!["--x", "rocker.inertia=1:2:3", "--threads", "0"],
+            "--threads",
+        ),
+        (vec!["--x", "rocker.inertia=1:2:3", "--resume"], "--out"),
+        (vec![], "--x"),
+    ] {
+        let output = program()
+            .arg("map")
+            .arg(scene(TWO))
+            .args(&arguments)
+            .output()
+            .unwrap();
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}: {said}");
+        assert!(said.contains(word), "{arguments:?}: {said}");
+        assert!(output.stdout.is_empty(), "{arguments:?}");
+    }
+}

@@ -1,0 +1,516 @@
+//! Speed against accuracy: limits of stability, verdicts, recommendation,
+//! documents, and the command itself.
+
+use dam::analysis::methods::sweep::{Sweep, sweep};
+use dam::analysis::methods::{MethodLine, Plan, Point, Study, Verdict, study};
+use dam::analysis::{Control, RunSettings};
+use dam::integrate::Method;
+use dam::lower::lower;
+use dam::scene::{BuiltIn, Document, Overrides};
+use dam::system::System;
+use serde_json::Value;
+use std::path::PathBuf;
+use std::process::{Command, Output};
+use std::time::Duration;
+
+/// A wheel turned against its shaft and released: ω₀ = √(8000/0.02) = 632.46 rad/s.
+const WHEEL: &str = r#"{
+  "dam": 1, "name": "Wheel",
+  "objects": {
+    "drive": { "kind": "drive", "motion": { "speed": "30 rad/s" } },
+    "wheel": { "kind": "shaft", "input": "drive", "inertia": 0.02, "stiffness": 8000,
+      "loads": { "drag": { "mass": "last", "constant": -2 } } }
+  },
+  "run": { "duration": 0.2, "tolerance": 1e-8, "samples": 200,
+    "start": { "wheel": { "displacement": [0.01], "speed": [30] } } }
+}"#;
+
+fn system(text: &str, overrides: &[&str]) -> (System, RunSettings) {
+    let document = Document::parse("scene.json", text.as_bytes()).unwrap();
+    let overrides: Vec<String> = overrides.iter().map(|text| (*text).to_owned()).collect();
+    let reading = document
+        .scene(&BuiltIn, &Overrides::new(overrides))
+        .unwrap();
+    let model = lower(&reading.scene).unwrap();
+    let settings = RunSettings::of(&reading.scene).unwrap();
+    (System::new(model).unwrap(), settings)
+}
+
+fn scenario(name: &str) -> String {
+    std::fs::read_to_string(path(name)).unwrap()
+}
+
+fn path(name: &str) -> PathBuf {
+    let root = PathBuf::from(env!("CARGO_MANIFEST_DIR"));
+    root.join("scenarios").join(name)
+}
+
+/// A plan without repetitions.
+fn plan(accuracy: f64, methods: &[Method], tolerances: &[f64], steps: &[f64]) -> Plan {
+    Plan {
+        methods: methods.to_vec(),
+        tolerances: tolerances.to_vec(),
+        steps: (!steps.is_empty()).then(|| steps.to_vec()),
+        repeats: 1,
+        point_limit: Duration::from_secs(60),
+        ..Plan::new(accuracy)
+    }
+}
+
+fn studied(text: &str, overrides: &[&str], plan: &Plan) -> Study {
+    let (system, settings) = system(text, overrides);
+    study(&system, &settings, plan, &Control::default(), &mut |_| {}).unwrap()
+}
+
+fn line(study: &Study, method: Method) -> &MethodLine {
+    study
+        .methods
+        .iter()
+        .find(|line| line.method == method)
+        .unwrap()
+}
+
+fn only(study: &Study, method: Method) -> &Point {
+    let points = &line(study, method).points;
+    assert_eq!(points.len(), 1, "{points:?}");
+    &points[0]
+}
+
+#[test]
+fn measured_limits_of_stability_agree_with_theory() {
+    let aperiodic = 2.785_293_563_4;
+    for (damping, limit, place) in [
+        ("wheel.damping=0", 8f64.sqrt(), "on the imaginary axis"),
+        ("wheel.damping=253", aperiodic, "on the real axis"),
+    ] {
+        let plan = plan(1e-8, &[Method::Exact, Method::Rk4], &[], &[]);
+        let study = studied(WHEEL, &[damping], &plan);
+        let found = &line(&study, Method::Rk4).stability;
+        assert_eq!(found.place, Some(place));
+        approx::assert_relative_eq!(found.theory.unwrap(), limit, max_relative = 1e-6);
+        let measured = found.measured.unwrap();
+        approx::assert_relative_eq!(measured, limit, max_relative = 0.03);
+        // The step itself agrees with the closed form of |λ|.
+        let rate = match damping {
+            "wheel.damping=0" => 4e5f64.sqrt(),
+            _ => {
+                let half = 253.0 / 0.04;
+                half + (half * half - 4e5f64).sqrt()
+            }
+        };
+        let step = found.measured_step.unwrap();
+        approx::assert_relative_eq!(step * rate, limit, max_relative = 0.03);
+    }
+}
+
+#[test]
+fn errors_are_those_of_the_closed_form() {
+    // Undamped about the drag's deflection −2/8000: rk4 at ωh = 0.1 loses phase
+    // by (ωh)⁴/120 of the angle ωt = 126.5, and amplitude by (ωh)⁵/144 a step.
+    let rate = 4e5f64.sqrt();
+    let step = 0.1 / rate;
+    let plan = plan(1e-8, &[Method::Exact, Method::Rk4], &[], &[step]);
+    let study = studied(WHEEL, &["wheel.damping=0"], &plan);
+    let point = only(&study, Method::Rk4);
+    let phase = 1e-4 / 120.0 * rate * 0.2;
+    // max|δ| is the free amplitude and the deflection together.
+    let expected = phase * 0.01025 / 0.0105;
+    approx::assert_relative_eq!(point.error.unwrap(), expected, max_relative = 0.05);
+    assert_eq!(point.verdict, Verdict::Inaccurate);
+    let reference = study.reference.as_ref().unwrap();
+    assert!(reference.exact && reference.confirmed_by.is_some());
+    let last = point.figures.iter().find(|f| f.figure == "wheel.delta_max");
+    assert!(last.unwrap().error.unwrap() < expected);
+    assert!(point.worst_figure.is_some());
+}
+
+#[test]
+fn a_point_that_is_good_and_the_fastest_is_recommended() {
+    let methods = [Method::Rk4, Method::Dopri5, Method::Dop853];
+    let plan = plan(1e-8, &methods, &[1e-4, 1e-8, 1e-9, 1e-12], &[1e-3, 1e-5]);
+    let study = studied(WHEEL, &["wheel.damping=0.1"], &plan);
+    let reference = study.reference.as_ref().unwrap();
+    assert!(!reference.exact, "two methods agree");
+    assert!(reference.resolution < 1e-10);
+    let chosen = &study.recommendation;
+    assert!(chosen.error.unwrap() <= 1e-8);
+    let all = study.methods.iter().flat_map(|line| &line.points);
+    let fit = all.filter(|p| p.verdict == Verdict::Converged && p.error.is_some_and(|e| e <= 1e-8));
+    let fastest = fit.filter_map(|p| p.measured_seconds).reduce(f64::min);
+    assert_eq!(chosen.measured_seconds, fastest);
+    assert!(chosen.text.contains(chosen.method.as_deref().unwrap()));
+}
+
+#[test]
+fn unstable_is_growth_beyond_the_limit() {
+    let step = 3.2 / 4e5f64.sqrt();
+    let plan = plan(1e-6, &[Method::Exact, Method::Rk4], &[], &[step]);
+    let study = studied(WHEEL, &["wheel.damping=0"], &plan);
+    let point = only(&study, Method::Rk4);
+    assert_eq!(point.verdict, Verdict::Unstable, "{}", point.cause);
+    assert!(
+        point
+            .cause
+            .contains("exceeds the limit 2.828 on the imaginary axis")
+    );
+    assert!(point.growth.unwrap() > 3.0);
+}
+
+#[test]
+fn missed_switches_are_counted_against_the_true_ones() {
+    let text = scenario("rocker/one_mass_undamped.json");
+    let plan = plan(1e-4, &[Method::Exact, Method::Rk4], &[], &[1.2e-4]);
+    let study = studied(&text, &[], &plan);
+    assert_eq!(study.reference.as_ref().unwrap().switches, 67);
+    let point = only(&study, Method::Rk4);
+    assert_eq!(point.verdict, Verdict::SwitchesMissed, "{}", point.cause);
+    let found = point.switches.unwrap();
+    assert_eq!(point.cause, format!("{found} switches, in truth 67"));
+}
+
+#[test]
+fn a_long_vibration_is_inaccurate_at_a_loose_tolerance() {
+    // Four thousand turns of phase: the error of a step adds up.
+    let overrides = ["wheel.damping=0", "run.duration=40"];
+    let plan = plan(1e-6, &[Method::Exact, Method::Dopri5], &[1e-5], &[]);
+    let study = studied(WHEEL, &overrides, &plan);
+    let point = only(&study, Method::Dopri5);
+    assert_eq!(point.verdict, Verdict::Inaccurate, "{:?}", point.error);
+    assert!(point.cause.contains("although it reported success"));
+    assert!(point.error.unwrap() > 1e-3);
+}
+
+#[test]
+fn floors_refusals_and_limits_have_their_names() {
+    let floor = plan(1e-6, &[Method::Exact, Method::Rk4], &[], &[1e-18]);
+    let study = studied(WHEEL, &["wheel.damping=0"], &floor);
+    assert_eq!(only(&study, Method::Rk4).verdict, Verdict::StepFloor);
+
+    let refused = plan(1e-6, &[Method::Exact, Method::Dop853], &[1e-16, 1e-17], &[]);
+    let study = studied(WHEEL, &["wheel.damping=0"], &refused);
+    let point = only(&study, Method::Dop853);
+    assert_eq!(point.verdict, Verdict::Refused);
+    assert!(point.cause.contains("tolerance"), "{}", point.cause);
+
+    let slow = Plan {
+        point_limit: Duration::from_millis(20),
+        ..plan(1e-6, &[Method::Exact, Method::Rk4], &[], &[1e-9, 1e-10])
+    };
+    let study = studied(WHEEL, &["wheel.damping=0"], &slow);
+    let point = only(&study, Method::Rk4);
+    assert_eq!(point.verdict, Verdict::TimeLimit, "{}", point.cause);
+}
+
+#[test]
+fn too_many_switches_are_chatter() {
+    let text = scenario("rocker/two_masses.json");
+    let methods = [Method::Exact, Method::Rk4];
+    // Above the limit of 5.1e-5 s every contact throws the mass off anew.
+    let plan = plan(1e-4, &methods, &[], &[5.5e-5]);
+    let study = studied(&text, &["run.duration=0.03"], &plan);
+    let point = only(&study, Method::Rk4);
+    assert_eq!(point.verdict, Verdict::Chatter, "{}", point.cause);
+}
+
+#[test]
+fn exact_is_refused_with_its_reason_where_a_motor_drives() {
+    let text = scenario("press/run_up.json");
+    let methods = [Method::Exact, Method::Dopri5, Method::Dop853];
+    let plan = plan(1e-6, &methods, &[1e-6, 1e-9], &[]);
+    let study = studied(&text, &["run.duration=0.05"], &plan);
+    let point = only(&study, Method::Exact);
+    assert_eq!(point.verdict, Verdict::Refused);
+    assert!(!point.cause.is_empty());
+    let reference = study.reference.as_ref().unwrap();
+    assert!(!reference.exact && reference.confirmed_by.is_some());
+    assert!(
+        study.recommendation.method.is_some(),
+        "{}",
+        study.recommendation.text
+    );
+}
+
+#[test]
+fn with_one_method_alone_nothing_can_be_known() {
+    let plan = plan(1e-6, &[Method::Dopri5], &[1e-6, 1e-9], &[]);
+    let study = studied(WHEEL, &[], &plan);
+    assert!(study.reference.is_none());
+    let points = &line(&study, Method::Dopri5).points;
+    assert!(
+        points
+            .iter()
+            .all(|p| p.verdict == Verdict::NotJudged && p.error.is_none())
+    );
+    assert_eq!(study.recommendation.method, None);
+    // Two methods that disagree are no reference either, and are shown apart.
+    let text = scenario("rocker/two_masses.json");
+    let apart = self::plan(1e-6, &[Method::Rk4, Method::Dop853], &[1e-6], &[3e-5]);
+    let study = studied(&text, &["run.duration=0.1"], &apart);
+    assert!(study.reference.is_none());
+    assert_eq!(study.mutual_distances.len(), 1);
+    assert!(study.mutual_distances[0].distance > 1e-3);
+}
+
+#[test]
+fn what_is_not_determined_is_not_judged() {
+    let text = scenario("rocker/one_mass_undamped.json");
+    let methods = [Method::Dopri5, Method::Dop853];
+    let plan = plan(1e-4, &methods, &[1e-9, 1e-12], &[]);
+    let study = studied(&text, &["run.duration=1"], &plan);
+    let reference = study.reference.as_ref().unwrap();
+    assert!(
+        reference.horizon > 0.1 && reference.horizon < 0.9,
+        "{}",
+        reference.horizon
+    );
+    assert!(reference.moved <= 1e-2);
+    assert!(
+        reference
+            .undetermined
+            .iter()
+            .any(|f| f == "rocker.delta_max")
+    );
+    let best = line(&study, Method::Dop853).points.last().unwrap();
+    assert_eq!(best.verdict, Verdict::Converged, "{}", best.cause);
+    assert!(best.figures.is_empty());
+}
+
+fn swept(axis: &str, plan: &Plan) -> Sweep {
+    let axis = dam::analysis::axis::Axis::parse(axis).unwrap();
+    let prepare = |x| Ok::<_, String>(system(WHEEL, &["wheel.damping=0", &axis.setting(x)]));
+    let fail = |_, faults: Vec<dam::fault::Fault>| format!("{faults:?}");
+    sweep(
+        &axis,
+        plan,
+        &Control::default(),
+        prepare,
+        fail,
+        &mut |_, _| {},
+    )
+    .unwrap()
+}
+
+#[test]
+fn a_fixed_step_fails_where_the_scene_gets_too_stiff() {
+    let methods = [Method::Exact, Method::Rk4, Method::Dop853];
+    let found = swept(
+        "wheel.stiffness=8000:800000:5:log",
+        &plan(1e-6, &methods, &[], &[]),
+    );
+    assert_eq!(found.slices.len(), 5);
+    // Half the stable step at the first value: unstable from four times the
+    // stiffness on, and ω·h = √2·10^(k/4)·… there.
+    let step = found.fixed_step.unwrap();
+    approx::assert_relative_eq!(step * 4e5f64.sqrt(), 2f64.sqrt(), max_relative = 1e-6);
+    for slice in &found.slices {
+        let rk4 = slice.standing(Method::Rk4).unwrap();
+        let product = step * (slice.x / 0.02).sqrt();
+        let unstable = rk4.verdict == Verdict::Unstable;
+        assert_eq!(unstable, product > 8f64.sqrt(), "{product}: {}", rk4.cause);
+        let theory = rk4.stable_step_by_theory.unwrap();
+        let measured = rk4.stable_step.unwrap();
+        approx::assert_relative_eq!(measured, theory, max_relative = 0.05);
+        let dop853 = slice.standing(Method::Dop853).unwrap();
+        assert!(dop853.measured_seconds.is_some(), "{}", dop853.cause);
+    }
+    let strips = dam::report::methods::charts::regions(&found);
+    assert_eq!(strips.rows.len(), 3);
+    assert_ne!(strips.rows[1].1[0], strips.rows[1].1[4]);
+    let csv = dam::report::methods::sweep_csv(&found).unwrap();
+    assert!(csv.starts_with("wheel.stiffness,method,tolerance"));
+}
+
+#[test]
+fn the_table_reads_back_as_the_points() {
+    let methods = [Method::Exact, Method::Rk4, Method::Dop853];
+    let plan = plan(1e-8, &methods, &[1e-5, 1e-9], &[1e-2, 1e-5]);
+    let study = studied(WHEEL, &["wheel.damping=0"], &plan);
+    let document: Value = serde_json::from_str(&serde_json::to_string(&study).unwrap()).unwrap();
+    let csv = dam::report::methods::methods_csv(&study).unwrap();
+    let mut rows = csv::Reader::from_reader(csv.as_bytes());
+    let head = rows.headers().unwrap().clone();
+    let column = |name: &str| head.iter().position(|found| found == name).unwrap();
+    let mut rows = rows.records().map(Result::unwrap);
+    for (k, line) in study.methods.iter().enumerate() {
+        for (i, point) in line.points.iter().enumerate() {
+            let row = rows.next().unwrap();
+            assert_eq!(&row[column("method")], line.method.name());
+            let real = |name: &str| row[column(name)].parse::<f64>().ok();
+            assert_eq!(real("error"), point.error);
+            assert_eq!(real("tolerance"), point.tolerance);
+            assert_eq!(real("step [s]"), point.step);
+            assert_eq!(real("measured_seconds [s]"), point.measured_seconds);
+            assert_eq!(&row[column("cause")], point.cause);
+            for figure in &point.figures {
+                let name = format!("error of {}", figure.figure);
+                assert_eq!(real(&name), figure.error, "{name}");
+            }
+            let json = &document["methods"][k]["points"][i];
+            assert_eq!(json["error"].as_f64(), point.error);
+            assert_eq!(json["verdict"].as_str(), Some(&row[column("verdict")]));
+        }
+    }
+    assert!(rows.next().is_none());
+}
+
+fn dam(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_dam"))
+        .args(arguments)
+        .output()
+        .unwrap()
+}
+
+fn stderr(output: &Output) -> String {
+    String::from_utf8_lossy(&output.stderr).into_owned()
+}
+
+#[test]
+fn the_command_prints_and_writes_one_and_the_same_study() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = folder.path().join("wheel.json");
+    std::fs::write(&scene, WHEEL).unwrap();
+    let scene = scene.display().to_string();
+    let out = folder.path().join("out").display().to_string();
+    let common = [
+        "--methods",
+        "exact,rk4,dop853",
+        "--tolerances",
+        "1e-5,1e-9",
+        "--steps",
+        "1e-2,1e-5",
+        "--repeats",
+        "2",
+        "--accuracy",
+        "1e-7",
+    ];
+    let mut arguments = vec!["methods", &scene, "--json", "--quiet", "--out", &out];
+    arguments.extend(common);
+    let output = dam(&arguments);
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    assert!(output.stderr.is_empty(), "{}", stderr(&output));
+    let printed: Value = serde_json::from_slice(&output.stdout).unwrap();
+    let file = |name: &str| std::fs::read_to_string(PathBuf::from(&out).join(name)).unwrap();
+    let written: Value = serde_json::from_str(&file("methods.json")).unwrap();
+    assert_eq!(printed, written);
+    assert_eq!(printed["dam"], 1);
+    assert_eq!(printed["methods"][0]["method"], "exact");
+    assert_eq!(printed["methods"][1]["points"][0]["verdict"], "unstable");
+    assert_eq!(printed["accuracy"], 1e-7);
+    assert!(file("methods.csv").lines().count() == 6);
+    assert!(
+        file("error-time.svg").contains("<svg") && file("error-evaluations.svg").contains("dop853")
+    );
+    let page = file("report.html");
+    assert!(page.contains("Recommendation") && page.contains("Limits of stability"));
+    let outside = page.replace("http://www.w3.org/2000/svg", "");
+    assert!(!outside.contains("http:") && !outside.contains("https:"));
+
+    let mut arguments = vec!["methods", &scene];
+    arguments.extend(common);
+    let output = dam(&arguments);
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(
+        text.contains("reference: exact") && text.contains("for an error of 1e-7: "),
+        "{text}"
+    );
+    assert!(text.contains("UNSTABLE: "), "{text}");
+}
+
+#[test]
+fn the_command_goes_over_a_parameter() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = folder.path().join("wheel.json");
+    std::fs::write(&scene, WHEEL).unwrap();
+    let out = folder.path().join("out");
+    let output = dam(&[
+        "methods",
+        &scene.display().to_string(),
+        "--x",
+        "wheel.stiffness=8000:80000:3:log",
+        "--methods",
+        "exact,rk4",
+        "--accuracy",
+        "1e-5",
+        "--repeats",
+        "1",
+        "--set",
+        "wheel.damping=0.1",
+        "--out",
+        &out.display().to_string(),
+    ]);
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(text.contains("methods over wheel.stiffness"), "{text}");
+    for name in ["regions.svg", "cost.svg", "report.html", "methods.csv"] {
+        assert!(out.join(name).exists(), "{name}");
+    }
+    let document = std::fs::read_to_string(out.join("methods.json")).unwrap();
+    let document: Value = serde_json::from_str(&document).unwrap();
+    assert_eq!(document["slices"].as_array().unwrap().len(), 3);
+    assert_eq!(document["axis"]["path"], "wheel.stiffness");
+}
+
+#[test]
+fn bad_arguments_end_with_status_two_and_say_what_is_right() {
+    let scene = path("rocker/two_masses.json").display().to_string();
+    for (arguments, word) in [
+        (["--methods", "euler"], "dop853"),
+        (["--accuracy", "2"], "below 1"),
+        (["--tolerances", "1e-3,x"], "invalid"),
+        (["--steps", "-1"], "above 0"),
+        (["--repeats", "0"], "1..=1000"),
+        (["--point-limit", "0"], "above 0"),
+        (["--x", "rocker.stiffness"], "PATH=FROM:TO:COUNT"),
+        (["--x", "rocker.stiffness=1e6:1e7:9999"], "at most 1000"),
+        (["--x", "rocker.nonsense=1:2:3"], "nonsense"),
+    ] {
+        let joined = format!("{}={}", arguments[0], arguments[1]);
+        let output = dam(&["methods", &scene, &joined]);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}");
+        assert!(
+            stderr(&output).contains(word),
+            "{arguments:?}: {}",
+            stderr(&output)
+        );
+    }
+    // Nothing elastic: there is no method to choose.
+    let rigid = path("rigid/engine_slider.json").display().to_string();
+    let output = dam(&["methods", &rigid]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(
+        stderr(&output).contains("no method to choose"),
+        "{}",
+        stderr(&output)
+    );
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupt_keeps_what_was_done() {
+    use std::time::Instant;
+    let scene = path("rocker/two_masses.json").display().to_string();
+    let mut child = Command::new(env!("CARGO_BIN_EXE_dam"))
+        .args(["methods", &scene, "--json", "--quiet", "--repeats", "1"])
+        .args(["--methods", "exact,rk4,dopri5", "--point-limit", "600"])
+        .stdout(std::process::Stdio::piped())
+        .spawn()
+        .unwrap();
+    std::thread::sleep(Duration::from_secs(3));
+    let begun = Instant::now();
+    let killed = Command::new("kill")
+        .args(["-INT", &child.id().to_string()])
+        .status();
+    assert!(killed.unwrap().success());
+    let mut text = String::new();
+    std::io::Read::read_to_string(child.stdout.as_mut().unwrap(), &mut text).unwrap();
+    assert_eq!(child.wait().unwrap().code(), Some(130));
+    assert!(begun.elapsed() < Duration::from_secs(120));
+    let document: Value = serde_json::from_str(&text).unwrap();
+    assert_eq!(document["complete"], false);
+    assert!(
+        !document["methods"][0]["points"]
+            .as_array()
+            .unwrap()
+            .is_empty()
+    );
+}
