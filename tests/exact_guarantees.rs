@@ -307,20 +307,21 @@ fn polynomial_spans_follow_the_series() {
 
 #[test]
 fn more_combinations_of_pairs_than_are_kept_give_the_same_motion() {
-    // Ten pairs of different rates on one stem: 2¹⁰ combinations.
+    // Fourteen pairs of different rates on one stem: 2¹⁴ combinations; damped so
+    // well that the motion is not chaotic.
     let mut masses = vec![TreeMass::new(5.0, None, 3e7, 3000.0)];
-    for k in 0..10 {
-        let f = 1.0 + 0.17 * k as f64;
-        let mut mass = TreeMass::new(0.02 * f, Some(0), 2e4 / f, 6.0);
+    for k in 0..14 {
+        let f = 1.0 + 0.13 * k as f64;
+        let mut mass = TreeMass::new(0.02 * f, Some(0), 2e4 / f, 14.0);
         mass.pair = FORCE;
         mass.loads.push(TimeLoad::Constant(-5.0));
         masses.push(mass);
     }
     let mut p = problem(masses, vec![sine(0.001, 600.0, 0.0), sine(0.0015, 371.0, 1.0)]);
-    for k in 1..11 {
+    for k in 1..15 {
         p.displacement[k] = -4e-4;
     }
-    let end = 1.3;
+    let end = 0.45;
     let exact = run(&p, end);
     let mut now = exact.start.clone();
     let mut met = std::collections::BTreeSet::new();
@@ -338,7 +339,7 @@ fn more_combinations_of_pairs_than_are_kept_give_the_same_motion() {
     series.run(end);
     assert_eq!(exact.switches.len(), series.met.len());
     for (a, b) in exact.switches.iter().zip(&series.met) {
-        assert!((a.time - b.time).abs() < 1e-7, "{a:?} {b:?}");
+        assert!((a.time - b.time).abs() < 1e-8, "{a:?} {b:?}");
     }
 }
 
