@@ -317,7 +317,10 @@ fn more_combinations_of_pairs_than_are_kept_give_the_same_motion() {
         mass.loads.push(TimeLoad::Constant(-5.0));
         masses.push(mass);
     }
-    let mut p = problem(masses, vec![sine(0.001, 600.0, 0.0), sine(0.0015, 371.0, 1.0)]);
+    let mut p = problem(
+        masses,
+        vec![sine(0.001, 600.0, 0.0), sine(0.0015, 371.0, 1.0)],
+    );
     for k in 1..15 {
         p.displacement[k] = -4e-4;
     }
