@@ -30,8 +30,8 @@ use nalgebra::DMatrix;
 const CLOSE: f64 = 1e-5;
 
 /// So are modes whose unconjugated norm is lost to this share of its terms:
-/// amplitudes would cancel in as many digits.
-const LOST: f64 = 2e-3;
+/// amplitudes would be in error by the square of its inverse.
+const LOST: f64 = 0.02;
 
 /// The next eigenvalue is farther away than the cluster is wide, by this factor.
 const APART: f64 = 10.0;
@@ -42,7 +42,7 @@ const NODES: usize = 8;
 /// Radius of the circle as a share of |Re c|, and the most that members may
 /// stray from c.
 const RADIUS: f64 = 0.01;
-const STRAY: f64 = 0.02;
+const STRAY: f64 = 0.025;
 
 /// Lanes that a problem of `masses` can need: an eigenvalue in the upper
 /// half-plane takes up to [`NODES`], a real one half as many.
@@ -213,8 +213,10 @@ fn gather(all: &[C], seed: C, lossy: bool, floats: bool) -> Cluster {
         }
         let next = nearest(all, &members);
         let gap = next.map_or(f64::INFINITY, |(_, d)| d);
-        // A lost norm names a mate that is close, if not that close.
-        let mate = lossy && members.len() == 1 && gap < 0.1 * mean.norm();
+        // A lost norm names a mate that is close, if not that close, and not
+        // merely the same mode of an equal branch.
+        let alone = width <= CLOSE * mean.norm();
+        let mate = lossy && alone && gap < 0.1 * mean.norm();
         match next {
             Some((index, _)) if gap < APART * width || mate => members.push(all[index]),
             _ => {

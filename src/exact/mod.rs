@@ -33,9 +33,15 @@
 //!
 //! # Limits
 //!
-//! - Regimes with coinciding modes (critical damping) are refused, and so are
-//!   modes that cannot be separated and an undamped mode driven at its own
-//!   frequency: see [`Refusal`]. Nearly coinciding modes lose digits.
+//! - Modes that coincide or nearly do (critical damping, equal branches) are
+//!   taken together and lose no digits to speak of: the motion is right to
+//!   10⁻¹² through critical damping. Hardly damped modes that coincide without
+//!   independent eigenvectors are refused, and so is an undamped mode driven
+//!   within 10⁻⁸ of its own frequency; near it, digits are lost as the distance
+//!   from resonance. See [`Refusal`].
+//! - Modes that have died away leave the search, but for runs with figures.
+//! - At most 256 combinations of engaged pairs are kept; at one more all are
+//!   forgotten and made again when met.
 //! - Position functions that vary with the state, dry friction and anything
 //!   else that is not linear between switches cannot be stated.
 //! - A problem is not checked: inertias and stiffnesses must be positive,
@@ -58,6 +64,13 @@
 //! and laws in spans: against Dormand–Prince's method of order 8 at a tight
 //! tolerance (trajectories, switch counts), figures against those of the
 //! recorder. Fitted laws and loads: against the motions that they follow.
+//!
+//! Against Taylor's series of the motion in short steps: critical, nearly
+//! critical and repeated modes to 5·10⁻¹² on either side of the coincidence,
+//! parts that float side by side, grazes by 10⁻¹⁰ from either side, a loss of
+//! contact over 3·10⁻⁴ of a radian of the law, switches at the start,
+//! more combinations of pairs than are kept. After the transient a cycle takes
+//! as many evaluations as that of one mass, of one vector of lanes.
 //!
 //! Of the figures, the extremes and mean of δ and the lift of one case are
 //! compared with values computed elsewhere; the bounds they are found with are

@@ -12,7 +12,7 @@ use dam::exact::{Law, PairState, Sine, TimeLoad, TreeObject, TreePair, TreeProbl
 const ORDER: usize = 26;
 
 /// A sine as the law.
-pub fn sine(amplitude: f64, frequency: f64, phase: f64) -> Sine {
+pub(crate) fn sine(amplitude: f64, frequency: f64, phase: f64) -> Sine {
     Sine {
         amplitude,
         frequency,
@@ -21,7 +21,7 @@ pub fn sine(amplitude: f64, frequency: f64, phase: f64) -> Sine {
 }
 
 /// A problem of `masses` behind sines, at rest on the law.
-pub fn problem(masses: Vec<dam::exact::TreeMass>, sines: Vec<Sine>) -> TreeProblem {
+pub(crate) fn problem(masses: Vec<dam::exact::TreeMass>, sines: Vec<Sine>) -> TreeProblem {
     let n = masses.len();
     TreeProblem {
         masses,
@@ -42,27 +42,27 @@ pub fn problem(masses: Vec<dam::exact::TreeMass>, sines: Vec<Sine>) -> TreeProbl
 
 /// A switch met: when, which mass, and the state after it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Met {
-    pub time: f64,
-    pub mass: usize,
-    pub after: PairState,
+pub(crate) struct Met {
+    pub(crate) time: f64,
+    pub(crate) mass: usize,
+    pub(crate) after: PairState,
 }
 
 /// The propagation by Taylor series.
-pub struct Series<'a> {
-    pub problem: &'a TreeProblem,
-    pub states: Vec<PairState>,
-    pub time: f64,
-    pub q: Vec<f64>,
-    pub v: Vec<f64>,
-    pub met: Vec<Met>,
+pub(crate) struct Series<'a> {
+    pub(crate) problem: &'a TreeProblem,
+    pub(crate) states: Vec<PairState>,
+    pub(crate) time: f64,
+    pub(crate) q: Vec<f64>,
+    pub(crate) v: Vec<f64>,
+    pub(crate) met: Vec<Met>,
     /// Greatest step (s).
-    pub step: f64,
+    pub(crate) step: f64,
 }
 
 impl<'a> Series<'a> {
     /// Starts in the given states.
-    pub fn new(problem: &'a TreeProblem, states: Vec<PairState>, step: f64) -> Self {
+    pub(crate) fn new(problem: &'a TreeProblem, states: Vec<PairState>, step: f64) -> Self {
         Self {
             problem,
             states,
@@ -204,7 +204,7 @@ impl<'a> Series<'a> {
     }
 
     /// Clearance X of flank `f` of mass `i` and its rate.
-    pub fn clearance(&self, i: usize, f: usize) -> (f64, f64) {
+    pub(crate) fn clearance(&self, i: usize, f: usize) -> (f64, f64) {
         let mass = &self.problem.masses[i];
         let flank = mass.pair.flanks().0[f];
         let base = |x: &[f64]| x[i] - mass.parent.map_or(0.0, |p| mass.lever * x[p]);
@@ -263,7 +263,7 @@ impl<'a> Series<'a> {
     }
 
     /// Goes to `end`, switching on the way.
-    pub fn run(&mut self, end: f64) {
+    pub(crate) fn run(&mut self, end: f64) {
         // What has just been left may not come back within rounding.
         let mut left: Vec<(usize, PairState)> = Vec::new();
         while self.time < end {
@@ -330,7 +330,7 @@ fn table(points: &[(f64, f64)], time: f64) -> (f64, f64) {
 }
 
 /// Greatest difference of q over the samples, relative to the greatest |q|.
-pub fn motion_error(run: &dam::exact::ExactRun, rows: &[Vec<f64>]) -> f64 {
+pub(crate) fn motion_error(run: &dam::exact::ExactRun, rows: &[Vec<f64>]) -> f64 {
     let n = rows[0].len();
     let (mut worst, mut scale) = (0.0f64, 0.0f64);
     for (row, mine) in rows.iter().zip(run.samples.chunks(run.columns)) {
@@ -343,7 +343,7 @@ pub fn motion_error(run: &dam::exact::ExactRun, rows: &[Vec<f64>]) -> f64 {
 }
 
 /// Rows of q at `count` equal intervals to `end`, switching on the way.
-pub fn rows(series: &mut Series, end: f64, count: usize) -> Vec<Vec<f64>> {
+pub(crate) fn rows(series: &mut Series, end: f64, count: usize) -> Vec<Vec<f64>> {
     (1..=count)
         .map(|k| {
             series.run(end * (k as f64 / count as f64));
