@@ -12,9 +12,7 @@
 
 use dam::analysis::run::run;
 use dam::analysis::{Control, RunSettings};
-use dam::integrate::{
-    Dynamics, Limits, Method, Modes, Settings, Sink, Stop, SwitchEvent, integrate,
-};
+use dam::integrate::{Limits, Method, Modes, Settings, Sink, Stop, SwitchEvent, integrate};
 use dam::lower::lower;
 use dam::polynomial::{Step, evaluate};
 use dam::scene::{BuiltIn, Document, Overrides};

@@ -284,6 +284,8 @@ fn the_steps_of_the_own_methods_allocate_nothing() {
             assert!(outcome.statistics.steps as f64 >= 999.0 * duration);
             ALLOCATIONS.with(Cell::get) - before
         };
+        // The first run fills tables that are made once.
+        count(0.05);
         assert_eq!(count(0.05), count(0.5), "{method}");
     }
 }

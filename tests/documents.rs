@@ -40,6 +40,8 @@ fn commands_of(document: &'static str) -> Vec<Shown> {
     let text = std::fs::read_to_string(root().join(document)).unwrap();
     let mut inside = false;
     let mut found = Vec::new();
+    // A backslash at the end of a line continues the command.
+    let text = text.replace("\\\n", "");
     for (index, line) in text.lines().enumerate() {
         if line.starts_with("```") {
             inside = !inside && matches!(line.trim(), "```sh" | "```bash" | "```console");

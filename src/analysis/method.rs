@@ -91,9 +91,7 @@ fn situation(system: &System, settings: &RunSettings) -> Situation {
         resolved: driving_speeds(system, settings.duration)
             .chain(shown_frequencies(system))
             .fold(slowest, f64::max),
-        // Not offered yet: figures between the samples of its long steps have
-        // still to pass the scenarios.
-        expands: false,
+        expands: system.expands(),
         tolerance: settings.tolerance,
         coordinates: system.coordinates(),
         duration: settings.duration,

@@ -24,6 +24,9 @@ pub struct RecorderSettings {
     pub switch_rows: bool,
     /// Window in which the working order of pairs is judged (s).
     pub window: Option<[f64; 2]>,
+    /// True for power series, whose steps may be whole oscillations long: they
+    /// are looked at in pieces.
+    pub long_steps: bool,
 }
 
 /// What a recorder has gathered when the run is over.
@@ -64,6 +67,8 @@ pub struct Recorder<'s> {
     kinks: Vec<f64>,
     not_finite: bool,
     pieces: Pieces,
+    /// Longest step so far (s).
+    longest: f64,
 }
 
 impl<'s> Recorder<'s> {
@@ -96,6 +101,7 @@ impl<'s> Recorder<'s> {
             kinks: Vec::new(),
             not_finite: false,
             pieces: Pieces::default(),
+            longest: 0.0,
             settings,
         }
     }
@@ -275,8 +281,10 @@ impl Sink for Recorder<'_> {
         if step.end <= 0.0 {
             return;
         }
-        let count = pieces::count(step.degree);
-        if count == 1 {
+        let (length, count) = (step.end * step.length, pieces::count(step.degree));
+        self.longest = self.longest.max(length);
+        // In pieces of what is short already, speeds drown in rounding.
+        if !self.settings.long_steps || count as f64 * length <= self.longest {
             return self.short_step(step, modes);
         }
         let mut pieces = std::mem::take(&mut self.pieces);
