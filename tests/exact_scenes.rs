@@ -331,17 +331,12 @@ fn random_scenes_agree_with_integration_at_a_tight_tolerance() {
             continue;
         }
         let off = difference(&exact, &fine);
-        println!(
-            "seed {seed}: off {off:.1e}, unsure {unsure:.1e}, {} switches",
-            exact.outcome.statistics.switches
-        );
         assert!(off < 1e-8, "off {off:e} (unsure {unsure:e}) {label}");
         let counts = [&exact, &fine].map(|result| result.outcome.statistics.switches);
         assert_eq!(counts[0], counts[1], "{label}");
         compare_quick(&system, &settings, &exact, &label);
         (compared, switches, worst) = (compared + 1, switches + counts[0], worst.max(off));
     }
-    println!("{compared} scenes, {switches} switches, worst {worst:.1e}, {gave_up} given up");
     assert!(gave_up <= 3, "{gave_up} scenes given up");
     assert!(
         compared >= 30 && switches > 500,

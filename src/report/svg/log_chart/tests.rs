@@ -31,10 +31,10 @@ fn a_decade_takes_the_same_room_everywhere() {
         point(1e-1, Some(1e-6), Mark::Good),
     ])
     .svg(640.0, 400.0);
-    let curve = picture
+    let mut curve = picture
         .lines()
         .filter(|line| line.contains("class=\"curve\""));
-    let curve = curve.last().unwrap();
+    let curve = curve.next_back().unwrap();
     let from = curve.find("d=\"M").unwrap() + 4;
     let to = from + curve[from..].find('"').unwrap();
     let numbers: Vec<f64> = curve[from..to]

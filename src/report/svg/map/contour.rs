@@ -166,7 +166,7 @@ mod tests {
 
     #[test]
     fn saddles_do_not_cross_and_holes_are_left_out() {
-        let saddle = |x: usize, y: usize| Some(if (x + y) % 2 == 0 { 1.0 } else { -1.0 });
+        let saddle = |x: usize, y: usize| Some(if (x + y).is_multiple_of(2) { 1.0 } else { -1.0 });
         assert_eq!(contours(2, 2, 0.0, &saddle).len(), 2);
         let hole = |x: usize, y: usize| (x != 1 || y != 1).then_some(x as f64);
         assert!(contours(3, 3, 0.5, &hole).is_empty());
