@@ -91,9 +91,7 @@ fn situation(system: &System, settings: &RunSettings) -> Situation {
         resolved: driving_speeds(system, settings.duration)
             .chain(shown_frequencies(system))
             .fold(slowest, f64::max),
-        // Power series are not offered: on a press with friction and windows
-        // the recorded speeds, and with them the energies, are not good enough.
-        expands: false,
+        expands: system.expands(),
         tolerance: settings.tolerance,
         coordinates: system.coordinates(),
         duration: settings.duration,

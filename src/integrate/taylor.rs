@@ -72,7 +72,7 @@ impl Series {
         loop {
             let (time, rest) = (run.from.time, run.target - run.from.time);
             let asked = wanted.min(longest).min(rest);
-            let Some((length, next)) = self.step(run, degree, asked, rest) else {
+            let Some((length, asked, next)) = self.step(run, degree, asked, rest) else {
                 return;
             };
             wanted = next;
@@ -88,14 +88,15 @@ impl Series {
     }
 
     /// A series from where the run stands and how far it is good: the length of
-    /// the step and that to ask for next. `None`: the run has been ended.
+    /// the step, the time that the series was asked for in the end, and that to
+    /// ask for next. `None`: the run has been ended.
     fn step<D: Dynamics>(
         &mut self,
         run: &mut Run<'_, D>,
         degree: usize,
         asked: f64,
         rest: f64,
-    ) -> Option<(f64, f64)> {
+    ) -> Option<(f64, f64, f64)> {
         let floor = 4.0 * f64::EPSILON * run.from.time.abs().max(run.target.abs());
         let mut asked = asked;
         loop {
@@ -140,7 +141,7 @@ impl Series {
                     let length = if share == whole { rest } else { share * asked };
                     let grown = 0.95 * error.max(1e-9).powf(-1.0 / degree as f64);
                     let next = promised * asked * grown.min(1.1);
-                    return Some((length, next.min(LONGEST * length.max(asked))));
+                    return Some((length, asked, next.min(LONGEST * length.max(asked))));
                 }
                 run.rejected += 1;
                 let cut = 0.9 * error.powf(-1.0 / degree as f64);
