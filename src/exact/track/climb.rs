@@ -1,0 +1,195 @@
+//! Climbing to what may pass the greatest value so far, and to the changes of
+//! sign of δ, within a step.
+
+use super::{CUTS, Scene, Track, piece};
+use crate::exact::bound::reversed;
+use crate::exact::hermite::{End, Piece, Point};
+use crate::exact::lanes::Arith;
+use crate::exact::phase::Exponentials;
+
+impl Track {
+    /// Finds the greatest value of sign·(functional k) in the step, where it
+    /// passes the greatest so far by more than `margin`.
+    #[inline(always)]
+    pub(super) fn climb<A: Arith>(
+        &mut self,
+        scene: Scene,
+        before: &Exponentials,
+        (a, b): (&Point, &Point),
+        (k, sign): (usize, f64),
+        margin: f64,
+    ) {
+        let mut best = if sign > 0.0 {
+            self.high.0[k]
+        } else {
+            -self.low.0[k]
+        };
+        let whole = piece(a, b, k, sign);
+        let was = best;
+        best = best.max(whole.a.f).max(whole.b.f);
+        self.pieces.clear();
+        self.pieces.push(whole);
+        let mut cuts = 0;
+        while let Some(piece) = self.pieces.pop() {
+            let loss = self.state.loss::<A>(
+                scene.basis,
+                scene.panel,
+                (before, scene.lanes()),
+                piece.length(),
+            );
+            let top = piece.range(loss.middle.0[k], loss.flat.0[k]).1;
+            if top <= best + margin || cuts >= CUTS {
+                continue;
+            }
+            cuts += 1;
+            let guess = piece.a.s + piece.summit() * piece.length();
+            let cut = self.summit::<A>(scene, (k, sign), &piece, guess, margin);
+            best = best.max(cut.f);
+            self.pieces.push(Piece { a: cut, b: piece.b });
+            self.pieces.push(Piece { a: piece.a, b: cut });
+        }
+        if best > was {
+            self.note(k, sign, best);
+        }
+    }
+
+    /// The summit near `guess`, with slope exactly zero; where there is none
+    /// within the piece, the point at `guess`.
+    #[inline(always)]
+    fn summit<A: Arith>(
+        &mut self,
+        scene: Scene,
+        (k, sign): (usize, f64),
+        piece: &Piece,
+        guess: f64,
+        margin: f64,
+    ) -> End {
+        let mut s = guess;
+        let mut first = None;
+        for _ in 0..8 {
+            let (jet, rest) = self.jet::<A>(scene, k, s);
+            let f = jet.map(|x| x * sign);
+            let plain = *first.get_or_insert(End {
+                s,
+                f: f[0],
+                g: f[1],
+            });
+            let x = reversed([f[1], f[2], f[3], 0.0]);
+            let target = s + x;
+            if !(f[2] < 0.0 && target > piece.a.s && target < piece.b.s) {
+                return plain;
+            }
+            let cube = rest * (x * x * x).abs();
+            if cube * piece.length() <= 24.0 * margin || x.abs() <= 1e-15 * target {
+                let value = f[0] + x * (f[1] + x * (f[2] * 0.5 + x * (f[3] / 6.0)));
+                return End {
+                    s: target,
+                    f: value,
+                    g: 0.0,
+                };
+            }
+            s = target;
+        }
+        first.unwrap_or_default()
+    }
+
+    #[inline(always)]
+    fn jet<A: Arith>(&mut self, scene: Scene, k: usize, s: f64) -> ([f64; 4], f64) {
+        scene.phase.exponentials::<A>(scene.basis, s, &mut self.e);
+        self.state
+            .jet::<A>(scene.basis, scene.panel, scene.phase, &self.e, k)
+    }
+
+    /// Adds ∫|δ| up to every change of sign of δ in the step.
+    ///
+    /// An error d in the instant of a root costs only δ̇d² in the integral.
+    #[inline(always)]
+    pub(super) fn turns<A: Arith>(
+        &mut self,
+        scene: Scene,
+        before: &Exponentials,
+        (a, b): (&Point, &Point),
+    ) {
+        let noise = self.state.noise(scene.basis, scene.panel, b.s).0[0];
+        self.roots.clear();
+        self.pieces.clear();
+        self.pieces.push(piece(a, b, 0, 1.0));
+        let mut cuts = 0;
+        while let Some(piece) = self.pieces.pop() {
+            let loss = self.state.loss::<A>(
+                scene.basis,
+                scene.panel,
+                (before, scene.lanes()),
+                piece.length(),
+            );
+            let (low, high) = piece.range(loss.middle.0[0], loss.flat.0[0]);
+            if low >= -noise || high <= noise || cuts >= CUTS {
+                continue;
+            }
+            cuts += 1;
+            let cut = self.root::<A>(scene, &piece, noise);
+            self.pieces.push(Piece { a: cut, b: piece.b });
+            self.pieces.push(Piece { a: piece.a, b: cut });
+        }
+        self.roots.sort_by(|x, y| x.0.total_cmp(&y.0));
+        for &(_, primitive) in &self.roots {
+            self.area += (primitive - self.turned).abs();
+            self.turned = primitive;
+        }
+    }
+
+    /// A root of δ in the piece (noted, value exactly zero), or a point to cut at.
+    #[inline(always)]
+    fn root<A: Arith>(&mut self, scene: Scene, piece: &Piece, noise: f64) -> End {
+        let crosses = (piece.a.f > 0.0 && piece.b.f < 0.0) || (piece.a.f < 0.0 && piece.b.f > 0.0);
+        let share = if crosses {
+            piece.crossing()
+        } else {
+            let turn = if piece.a.f + piece.b.f > 0.0 {
+                -1.0
+            } else {
+                1.0
+            };
+            let end = |e: End| End {
+                s: e.s,
+                f: e.f * turn,
+                g: e.g * turn,
+            };
+            Piece {
+                a: end(piece.a),
+                b: end(piece.b),
+            }
+            .summit()
+        };
+        let mut s = piece.a.s + share * piece.length();
+        let mut first = None;
+        for _ in 0..8 {
+            let (f, rest) = self.jet::<A>(scene, 0, s);
+            let plain = *first.get_or_insert(End {
+                s,
+                f: f[0],
+                g: f[1],
+            });
+            let x = reversed(f);
+            let target = s + x;
+            if !(crosses && target > piece.a.s && target < piece.b.s) {
+                return plain;
+            }
+            let lost = rest * (x * x * x).abs() * x.abs().max(1e-3 * piece.length());
+            if lost <= 24.0 * noise || x.abs() <= 1e-15 * target {
+                let primitive =
+                    self.state
+                        .primitive::<A>(scene.basis, scene.panel, scene.phase, &self.e);
+                let more = x * (f[0] + x * (f[1] * 0.5 + x * (f[2] / 6.0 + x * (f[3] / 24.0))));
+                self.roots.push((target, primitive + more));
+                return End {
+                    s: target,
+                    f: 0.0,
+                    g: f[1] + x * (f[2] + x * f[3] * 0.5),
+                };
+            }
+            s = target;
+        }
+        first.unwrap_or_default()
+    }
+}
