@@ -8,6 +8,7 @@ pub mod fault;
 pub mod graph;
 pub mod integrate;
 pub mod jet;
+pub mod linkage;
 pub mod lower;
 pub mod model;
 pub mod motion;

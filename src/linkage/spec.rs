@@ -1,0 +1,222 @@
+//! A planar linkage in plain numbers: links, pairs, driver, outputs, forces.
+//!
+//! SI units; x to the right, y up, angles counterclockwise. Lists stand in the
+//! order of their names, so that nothing depends on the order in a file.
+
+/// A planar linkage of rigid links and lower pairs with one degree of freedom.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct LinkageSpec {
+    /// The moving links.
+    pub links: Vec<LinkSpec>,
+    /// Named points of the ground (m).
+    pub ground: Vec<NamedPoint>,
+    /// The kinematic pairs.
+    pub pairs: Vec<PairSpec>,
+    /// The pair whose relative motion is the input coordinate, index into
+    /// [`Self::pairs`].
+    pub driver: usize,
+    /// How each group is assembled, where it is not left to the default.
+    pub assembly: Vec<AssemblySpec>,
+    /// Acceleration of free fall as a vector (m/s²); `[0, 0]`: no gravity.
+    pub gravity: [f64; 2],
+    /// Springs, dampers and forces.
+    pub forces: Vec<ForceSpec>,
+    /// What other objects or the user may look at.
+    pub outputs: Vec<OutputSpec>,
+}
+
+/// A point with a name, in the frame of its link or of the ground.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NamedPoint {
+    /// Its name.
+    pub name: String,
+    /// Its coordinates (m).
+    pub at: [f64; 2],
+}
+
+/// A rigid link. Its frame is its own; its named points say where things are.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct LinkSpec {
+    /// Its name.
+    pub name: String,
+    /// Its points in its frame (m).
+    pub points: Vec<NamedPoint>,
+    /// Mass m ≥ 0 (kg).
+    pub mass: f64,
+    /// Centre of mass in its frame (m).
+    pub centre: [f64; 2],
+    /// Moment of inertia about the centre of mass, ≥ 0 (kg·m²).
+    pub moment: f64,
+}
+
+/// A point of a link or of the ground.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PointOf {
+    /// Index into [`LinkageSpec::links`]; `None`: the ground.
+    pub link: Option<usize>,
+    /// Coordinates in the frame of the link (m).
+    pub at: [f64; 2],
+}
+
+/// A kinematic pair that joins link i (`on`) to link j (`link`).
+#[derive(Clone, Debug, PartialEq)]
+pub struct PairSpec {
+    /// Its name.
+    pub name: String,
+    /// Its point on link i: the pin, or a point of the guide's axis.
+    pub on: PointOf,
+    /// Its point on link j: the pin, or the block's reference point on the axis.
+    pub link: PointOf,
+    /// Turning or sliding.
+    pub kind: PairKind,
+    /// Coefficient of Coulomb friction μ ≥ 0.
+    pub friction: f64,
+}
+
+/// Turning or sliding.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum PairKind {
+    /// A pin. Its relative coordinate is the angle of j's frame less that of i's (rad).
+    Revolute {
+        /// Diameter d ≥ 0 of the pin (m), for friction.
+        diameter: f64,
+    },
+    /// A guide on link i and a block on link j. Its relative coordinate is the
+    /// displacement of j's point from i's point along the guide (m).
+    Sliding {
+        /// Direction of the guide in the frame of i (rad): t = (cos ψ, sin ψ).
+        direction: f64,
+        /// Angle of j's frame less the direction of the guide (rad), constant.
+        angle: f64,
+        /// Coordinates of the block's two corners along t from j's point (m),
+        /// b₁ > b₂.
+        corners: [f64; 2],
+        /// Half the height c ≥ 0 of the block (m).
+        half_height: f64,
+    },
+}
+
+/// How one Assur group is put together: the group that contains `link`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct AssemblySpec {
+    /// Index into [`LinkageSpec::links`].
+    pub link: usize,
+    /// The choice.
+    pub choice: AssemblyChoice,
+}
+
+/// The choice between the ways to put a group together.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum AssemblyChoice {
+    /// +1 or −1: sign of the cross product of a dyad, see `Group`.
+    Branch(f64),
+    /// The frame of the link is near this angle at the start (rad).
+    Angle(f64),
+    /// A point of the link (in its frame) is near this place at the start (m).
+    Near {
+        /// The point, in the frame of the link.
+        point: [f64; 2],
+        /// The place, in the frame of the ground.
+        place: [f64; 2],
+    },
+}
+
+/// A spring, damper or force.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ForceSpec {
+    /// Its name.
+    pub name: String,
+    /// Its law.
+    pub law: ForceLaw,
+}
+
+/// Laws of force of a linkage.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ForceLaw {
+    /// A spring and damper in parallel between two points: tension
+    /// N = rate·(l − free_length) + damping·l̇.
+    Strut {
+        /// One end.
+        from: PointOf,
+        /// The other end.
+        to: PointOf,
+        /// Rate ≥ 0 (N/m).
+        rate: f64,
+        /// Length without force ≥ 0 (m).
+        free_length: f64,
+        /// Damping ≥ 0 (N·s/m).
+        damping: f64,
+    },
+    /// A constant force on a point.
+    Force {
+        /// Where it acts.
+        point: PointOf,
+        /// The force (N).
+        force: [f64; 2],
+        /// True: the vector turns with the link; false: fixed directions.
+        follows: bool,
+    },
+    /// A constant couple on a link (N·m).
+    Couple {
+        /// Index into [`LinkageSpec::links`].
+        link: usize,
+        /// The couple, counterclockwise (N·m).
+        couple: f64,
+    },
+    /// A torsion spring and damper in a revolute pair, on j from i:
+    /// −rate·(θ − free_angle) − damping·θ̇ with the pair's coordinate θ.
+    Torsion {
+        /// Index into [`LinkageSpec::pairs`].
+        pair: usize,
+        /// Rate ≥ 0 (N·m/rad).
+        rate: f64,
+        /// Angle without couple (rad).
+        free_angle: f64,
+        /// Damping ≥ 0 (N·m·s/rad).
+        damping: f64,
+    },
+    /// A force on a point along a direction, a function of the input
+    /// coordinate: linear between the points, constant outside or periodic.
+    Table {
+        /// Where it acts.
+        point: PointOf,
+        /// Its direction in the frame of the ground (rad).
+        direction: f64,
+        /// (input coordinate, force in N), ascending.
+        points: Vec<(f64, f64)>,
+        /// Repeats after this much of the input coordinate.
+        period: Option<f64>,
+    },
+}
+
+/// An output: its displacement is a position function of the input coordinate.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OutputSpec {
+    /// Its name.
+    pub name: String,
+    /// What it is.
+    pub kind: OutputKind,
+}
+
+/// What an output is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum OutputKind {
+    /// The angle of a link's frame, continuous over the turns (rad).
+    Angle {
+        /// Index into [`LinkageSpec::links`].
+        link: usize,
+    },
+    /// The displacement of a point along a direction (m), from the origin of
+    /// the ground's frame.
+    Point {
+        /// The point.
+        point: PointOf,
+        /// The direction in the frame of the ground (rad).
+        direction: f64,
+    },
+    /// The relative coordinate of a pair (rad or m).
+    Pair {
+        /// Index into [`LinkageSpec::pairs`].
+        pair: usize,
+    },
+}
