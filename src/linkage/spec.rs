@@ -17,6 +17,9 @@ pub struct LinkageSpec {
     pub driver: usize,
     /// How each group is assembled, where it is not left to the default.
     pub assembly: Vec<AssemblySpec>,
+    /// Input coordinate at which the approximate positions of
+    /// [`Self::assembly`] hold (rad or m).
+    pub start: f64,
     /// Acceleration of free fall as a vector (m/s²); `[0, 0]`: no gravity.
     pub gravity: [f64; 2],
     /// Springs, dampers and forces.
