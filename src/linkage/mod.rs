@@ -4,4 +4,5 @@
 //! is found (mobility, Assur groups), its positions solved group by group, its
 //! motion given by transfer functions of the input coordinate.
 
+pub mod forces;
 pub mod spec;

@@ -1,0 +1,199 @@
+//! External forces: weights, struts, forces, couples, torsion springs, tables.
+
+use super::positions::{LinkPosition, PointPosition};
+use crate::jet::Jet;
+use crate::linkage::spec::{ForceLaw, PointOf};
+
+/// A force at a point and a couple on one link; on the ground they change nothing.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Wrench {
+    /// The link; `None`: the ground.
+    pub(super) link: Option<usize>,
+    /// Where the force acts, with its motion.
+    pub(super) point: PointPosition,
+    /// The force (N).
+    pub(super) force: [f64; 2],
+    /// The couple (N·m).
+    pub(super) couple: f64,
+}
+
+/// Motion of the input as the laws of force see it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Input {
+    /// Coordinate (rad or m).
+    pub(super) coordinate: f64,
+    /// Its speed.
+    pub(super) speed: f64,
+}
+
+/// A point of a link or of the ground, with its derivatives.
+#[inline]
+pub(super) fn point_of(links: &[LinkPosition], point: &PointOf) -> PointPosition {
+    match point.link {
+        Some(link) => links[link].point(point.at),
+        None => LinkPosition::GROUND.point(point.at),
+    }
+}
+
+/// What a law of force does to the links, as up to two wrenches.
+///
+/// `pair` is the relative coordinate of the pair of a torsion spring, `ends`
+/// the links it joins.
+pub(super) fn wrenches(
+    law: &ForceLaw,
+    links: &[LinkPosition],
+    input: Input,
+    pair: impl Fn(usize) -> Jet,
+    ends: impl Fn(usize) -> [Option<usize>; 2],
+) -> [Option<Wrench>; 2] {
+    match law {
+        ForceLaw::Strut { from, to, .. } => {
+            let (start, end) = (point_of(links, from), point_of(links, to));
+            let pull = strut(law, &start, &end, input.speed);
+            let back = [-pull[0], -pull[1]];
+            [
+                Some(Wrench::force(from.link, start, pull)),
+                Some(Wrench::force(to.link, end, back)),
+            ]
+        }
+        ForceLaw::Force {
+            point,
+            force,
+            follows,
+        } => {
+            let force = match point.link {
+                Some(link) if *follows => links[link].turned(*force),
+                _ => *force,
+            };
+            let at = point_of(links, point);
+            [Some(Wrench::force(point.link, at, force)), None]
+        }
+        ForceLaw::Couple { link, couple } => [Some(Wrench::couple(Some(*link), *couple)), None],
+        ForceLaw::Torsion {
+            pair: index,
+            rate,
+            free_angle,
+            damping,
+        } => {
+            let angle = pair(*index);
+            let couple = -rate * (angle.value - free_angle) - damping * angle.first * input.speed;
+            let [on, link] = ends(*index);
+            [
+                Some(Wrench::couple(link, couple)),
+                Some(Wrench::couple(on, -couple)),
+            ]
+        }
+        ForceLaw::Table {
+            point,
+            direction,
+            points,
+            period,
+        } => {
+            let size = interpolate(points, *period, input.coordinate);
+            let force = [size * direction.cos(), size * direction.sin()];
+            let at = point_of(links, point);
+            [Some(Wrench::force(point.link, at, force)), None]
+        }
+    }
+}
+
+impl Wrench {
+    /// A force at a point.
+    fn force(link: Option<usize>, point: PointPosition, force: [f64; 2]) -> Self {
+        Self {
+            link,
+            point,
+            force,
+            couple: 0.0,
+        }
+    }
+
+    /// A couple.
+    fn couple(link: Option<usize>, couple: f64) -> Self {
+        Self {
+            link,
+            point: PointPosition::default(),
+            force: [0.0; 2],
+            couple,
+        }
+    }
+
+    /// Generalised force along the input coordinate, per unit of it: virtual
+    /// work of the wrench.
+    #[inline]
+    pub(super) fn generalised(&self, links: &[LinkPosition]) -> f64 {
+        match self.link {
+            Some(link) => {
+                self.force[0] * self.point.first[0]
+                    + self.force[1] * self.point.first[1]
+                    + self.couple * links[link].first[2]
+            }
+            None => 0.0,
+        }
+    }
+}
+
+/// Pull of a strut on its start, towards its end.
+fn strut(law: &ForceLaw, start: &PointPosition, end: &PointPosition, speed: f64) -> [f64; 2] {
+    let &ForceLaw::Strut {
+        rate,
+        free_length,
+        damping,
+        ..
+    } = law
+    else {
+        return [0.0; 2];
+    };
+    let along = [
+        end.place[0] - start.place[0],
+        end.place[1] - start.place[1],
+    ];
+    if free_length == 0.0 && damping == 0.0 {
+        // Smooth where both ends meet: no direction is needed.
+        return [rate * along[0], rate * along[1]];
+    }
+    let length = along[0].hypot(along[1]);
+    let unit = [along[0] / length, along[1] / length];
+    let lengthening = speed
+        * (unit[0] * (end.first[0] - start.first[0]) + unit[1] * (end.first[1] - start.first[1]));
+    let tension = rate * (length - free_length) + damping * lengthening;
+    [tension * unit[0], tension * unit[1]]
+}
+
+/// Linear between the points, constant outside or periodic.
+fn interpolate(points: &[(f64, f64)], period: Option<f64>, at: f64) -> f64 {
+    let (Some(first), Some(last)) = (points.first(), points.last()) else {
+        return 0.0;
+    };
+    let x = period.map_or(at, |period| first.0 + (at - first.0).rem_euclid(period));
+    let above = points.partition_point(|point| point.0 <= x);
+    let (from, to) = match (above, period) {
+        (0, _) => return first.1,
+        (k, None) if k == points.len() => return last.1,
+        (k, Some(period)) if k == points.len() => (*last, (first.0 + period, first.1)),
+        (k, _) => (points[k - 1], points[k]),
+    };
+    if to.0 > from.0 {
+        from.1 + (to.1 - from.1) * (x - from.0) / (to.0 - from.0)
+    } else {
+        from.1
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::interpolate;
+
+    #[test]
+    fn tables_are_linear_and_periodic_or_constant_outside() {
+        let points = [(0.0, 1.0), (1.0, 3.0), (3.0, 0.0)];
+        assert_eq!(interpolate(&points, None, -5.0), 1.0);
+        assert_eq!(interpolate(&points, None, 0.5), 2.0);
+        assert_eq!(interpolate(&points, None, 2.0), 1.5);
+        assert_eq!(interpolate(&points, None, 9.0), 0.0);
+        // From (3, 0) back to (4, 1) within a period of 4.
+        assert_eq!(interpolate(&points, Some(4.0), 3.5), 0.5);
+        assert_eq!(interpolate(&points, Some(4.0), -0.5), 0.5);
+        assert_eq!(interpolate(&points, Some(4.0), 4.5), 2.0);
+    }
+}
