@@ -18,11 +18,7 @@ impl D2 {
     }
 
     fn compose(self, f: f64, first: f64, second: f64) -> Self {
-        Self(
-            f,
-            first * self.1,
-            second * self.1 * self.1 + first * self.2,
-        )
+        Self(f, first * self.1, second * self.1 * self.1 + first * self.2)
     }
 
     pub fn sin(self) -> Self {

@@ -1,5 +1,6 @@
 //! Kinetostatics against figures computed elsewhere, with 34 digits.
 
+mod checks;
 mod jets;
 mod mechanisms;
 
@@ -80,7 +81,11 @@ fn quantities(case: &Value, expected: &Value) -> Vec<(String, f64, f64)> {
     for (index, pair) in solver.spec().pairs.iter().enumerate() {
         let found = two(&solver, index, &w);
         for k in 0..2 {
-            list.push((pair.name.clone(), found[k], number(&expected[&pair.name][k])));
+            list.push((
+                pair.name.clone(),
+                found[k],
+                number(&expected[&pair.name][k]),
+            ));
         }
     }
     list
@@ -111,7 +116,10 @@ fn strong_friction() {
             let angle = number(&expected["phi1_deg"]);
             let (w, solved) = stress(&solver, &case["data"], angle).unwrap();
             let near = |found: f64, wanted: f64, scale: f64| {
-                assert!((found - wanted).abs() < 1e-9 * scale, "{angle}: {found} {wanted}");
+                assert!(
+                    (found - wanted).abs() < 1e-9 * scale,
+                    "{angle}: {found} {wanted}"
+                );
             };
             near(w.drive(), number(&expected["M1"]), 300.0);
             near(solver.balance(&w).loss, number(&expected["loss_W"]), 3000.0);
@@ -168,7 +176,10 @@ fn self_locking_is_recognised_at_its_exact_limit() {
             }
             Err(failure) => {
                 assert!(!solvable, "{mu}: {failure}");
-                assert!(matches!(failure, ForceFailure::SelfLocking { .. }), "{failure:?}");
+                assert!(
+                    matches!(failure, ForceFailure::SelfLocking { .. }),
+                    "{failure:?}"
+                );
             }
         }
     }
@@ -182,5 +193,11 @@ fn two_solutions_are_pointed_out() {
     let solver = Kinetostatics::new(&spec("slider_crank", &case["data"])).unwrap();
     let (w, solved) = stress(&solver, &case["data"], 30.0).unwrap();
     assert!(!solved.unique);
-    assert_eq!(solved.solutions, 2, "{:?} {:?}", w.drive(), w.other_drives());
+    assert_eq!(
+        solved.solutions,
+        2,
+        "{:?} {:?}",
+        w.drive(),
+        w.other_drives()
+    );
 }

@@ -4,9 +4,7 @@
 use super::jets::D2;
 use dam::jet::Jet;
 use dam::linkage::forces::{LinkPosition, Positions};
-use dam::linkage::spec::{
-    ForceLaw, ForceSpec, LinkSpec, LinkageSpec, PairKind, PairSpec, PointOf,
-};
+use dam::linkage::spec::{ForceLaw, ForceSpec, LinkSpec, LinkageSpec, PairKind, PairSpec, PointOf};
 use serde_json::Value;
 
 /// Positions written down by hand.
@@ -38,7 +36,10 @@ impl Data<'_> {
             name: name.to_owned(),
             points: Vec::new(),
             mass: self.get(&format!("m{index}")),
-            centre: [self.get(&format!("cx{index}")), self.get(&format!("cy{index}"))],
+            centre: [
+                self.get(&format!("cx{index}")),
+                self.get(&format!("cy{index}")),
+            ],
             moment: self.get(&format!("J{index}")),
         }
     }
@@ -166,12 +167,21 @@ fn slider_crank(d: &Data) -> LinkageSpec {
 
 fn four_bar(d: &Data) -> LinkageSpec {
     LinkageSpec {
-        links: vec![d.link(1, "crank"), d.link(2, "coupler"), d.link(3, "rocker")],
+        links: vec![
+            d.link(1, "crank"),
+            d.link(2, "coupler"),
+            d.link(3, "rocker"),
+        ],
         pairs: vec![
             d.pin(1, "R01", ground(0.0, 0.0), of(0, 0.0, 0.0)),
             d.pin(2, "R12", of(0, d.get("l1"), 0.0), of(1, 0.0, 0.0)),
             d.pin(3, "R23", of(1, d.get("l2"), 0.0), of(2, d.get("l3"), 0.0)),
-            d.pin(4, "R03", ground(d.get("xB0"), d.get("yB0")), of(2, 0.0, 0.0)),
+            d.pin(
+                4,
+                "R03",
+                ground(d.get("xB0"), d.get("yB0")),
+                of(2, 0.0, 0.0),
+            ),
         ],
         forces: vec![
             force(
@@ -233,7 +243,13 @@ pub fn known(kind: &str, data: &Value, angle: f64) -> (Known, D2) {
                 link(cx, cy, x(beta)),
             ];
             let pairs = [phi, rod - phi, x(beta) - rod, stroke];
-            (Known { links, pairs: pairs.map(jet).to_vec() }, stroke)
+            (
+                Known {
+                    links,
+                    pairs: pairs.map(jet).to_vec(),
+                },
+                stroke,
+            )
         }
         "four_bar" => {
             let (ax, ay) = (phi.cos() * l1, phi.sin() * l1);
@@ -251,10 +267,19 @@ pub fn known(kind: &str, data: &Value, angle: f64) -> (Known, D2) {
                 link(x(d.get("xB0")), x(d.get("yB0")), rocker),
             ];
             let pairs = [phi, coupler - phi, rocker - coupler, rocker];
-            (Known { links, pairs: pairs.map(jet).to_vec() }, rocker)
+            (
+                Known {
+                    links,
+                    pairs: pairs.map(jet).to_vec(),
+                },
+                rocker,
+            )
         }
         _ => {
-            let (ax, ay) = (phi.cos() * l1 + x(d.get("xO1")), phi.sin() * l1 + x(d.get("yO1")));
+            let (ax, ay) = (
+                phi.cos() * l1 + x(d.get("xO1")),
+                phi.sin() * l1 + x(d.get("yO1")),
+            );
             let lever = ay.atan2(ax);
             let slide = (ax * ax + ay * ay).sqrt();
             let links = vec![
@@ -263,7 +288,13 @@ pub fn known(kind: &str, data: &Value, angle: f64) -> (Known, D2) {
                 link(zero, zero, lever),
             ];
             let pairs = [phi, lever - phi, lever, slide];
-            (Known { links, pairs: pairs.map(jet).to_vec() }, lever)
+            (
+                Known {
+                    links,
+                    pairs: pairs.map(jet).to_vec(),
+                },
+                lever,
+            )
         }
     }
 }

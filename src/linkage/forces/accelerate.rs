@@ -72,12 +72,12 @@ impl Kinetostatics {
             let solved = self.accelerate_in(positions, motion, direction, drive, options, w)?;
             return Ok(moves(w.acceleration, solved));
         }
-        let start = |direction: f64, w: &mut ForceWorkspace| {
-            match self.accelerate_in(positions, motion, direction, drive, options, w) {
-                Ok(solved) if w.acceleration * direction > 0.0 => Ok(Some((w.acceleration, solved))),
-                Ok(_) | Err(ForceFailure::SelfLocking { .. }) => Ok(None),
-                Err(failure) => Err(failure),
-            }
+        let start = |direction: f64, w: &mut ForceWorkspace| match self
+            .accelerate_in(positions, motion, direction, drive, options, w)
+        {
+            Ok(solved) if w.acceleration * direction > 0.0 => Ok(Some((w.acceleration, solved))),
+            Ok(_) | Err(ForceFailure::SelfLocking { .. }) => Ok(None),
+            Err(failure) => Err(failure),
         };
         let backwards = start(-1.0, w)?;
         let forwards = start(1.0, w)?;

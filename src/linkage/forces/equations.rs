@@ -26,7 +26,12 @@ struct PairWrench {
 
 impl Kinetostatics {
     /// Reads positions and places of pairs, for an input moving in `direction`.
-    pub(super) fn place<P: Positions>(&self, positions: &P, direction: f64, w: &mut ForceWorkspace) {
+    pub(super) fn place<P: Positions>(
+        &self,
+        positions: &P,
+        direction: f64,
+        w: &mut ForceWorkspace,
+    ) {
         for (index, link) in w.links.iter_mut().enumerate() {
             *link = positions.link(index);
         }
@@ -76,7 +81,11 @@ impl Kinetostatics {
         let size = self.size();
         w.factors.clear(size);
         for index in 0..self.spec.pairs.len() {
-            for (which, wrench) in self.reactions(index, &w.pairs[index]).into_iter().enumerate() {
+            for (which, wrench) in self
+                .reactions(index, &w.pairs[index])
+                .into_iter()
+                .enumerate()
+            {
                 let column = 2 * index + which;
                 self.each_row(index, &wrench, &w.centres, |row, value| {
                     w.factors.add(row, column, value);
@@ -108,10 +117,9 @@ impl Kinetostatics {
             couple: 0.0,
         };
         match self.spec.pairs[index].kind {
-            PairKind::Revolute { .. } => [
-                unit(place.point, [1.0, 0.0]),
-                unit(place.point, [0.0, 1.0]),
-            ],
+            PairKind::Revolute { .. } => {
+                [unit(place.point, [1.0, 0.0]), unit(place.point, [0.0, 1.0])]
+            }
             PairKind::Sliding { corners, .. } => corners.map(|corner| {
                 let [tx, ty] = place.tangent;
                 let at = [place.point[0] + corner * tx, place.point[1] + corner * ty];
@@ -241,8 +249,7 @@ impl Kinetostatics {
         let [px, py] = wrench.point.place;
         w.applied[3 * link] += fx;
         w.applied[3 * link + 1] += fy;
-        w.applied[3 * link + 2] +=
-            ((px - cx) * fy - (py - cy) * fx + wrench.couple) / self.length;
+        w.applied[3 * link + 2] += ((px - cx) * fy - (py - cy) * fx + wrench.couple) / self.length;
     }
 
     /// The terms of friction at this position; `without` leaves them all out.
@@ -300,7 +307,9 @@ impl Kinetostatics {
     pub(super) fn on_frictions(&self, index: usize, dual: &[f64], w: &ForceWorkspace) -> [f64; 2] {
         self.frictions(index, &w.pairs[index]).map(|wrench| {
             let mut sum = 0.0;
-            self.each_row(index, &wrench, &w.centres, |row, value| sum += dual[row] * value);
+            self.each_row(index, &wrench, &w.centres, |row, value| {
+                sum += dual[row] * value
+            });
             sum
         })
     }

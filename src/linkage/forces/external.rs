@@ -144,10 +144,7 @@ fn strut(law: &ForceLaw, start: &PointPosition, end: &PointPosition, speed: f64)
     else {
         return [0.0; 2];
     };
-    let along = [
-        end.place[0] - start.place[0],
-        end.place[1] - start.place[1],
-    ];
+    let along = [end.place[0] - start.place[0], end.place[1] - start.place[1]];
     if free_length == 0.0 && damping == 0.0 {
         // Smooth where both ends meet: no direction is needed.
         return [rate * along[0], rate * along[1]];

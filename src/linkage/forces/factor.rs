@@ -174,9 +174,12 @@ impl Factors {
             y.clear();
             y.extend(x.iter().map(|value| value.signum()));
             self.solve_transposed(y);
-            let greatest = (0..n).fold(0, |best, i| {
-                if y[i].abs() > y[best].abs() { i } else { best }
-            });
+            let greatest = (0..n).fold(
+                0,
+                |best, i| {
+                    if y[i].abs() > y[best].abs() { i } else { best }
+                },
+            );
             x.iter_mut().for_each(|value| *value = 0.0);
             x[greatest] = 1.0;
         }

@@ -62,10 +62,9 @@ impl Term {
                     [[0.0; 2]; 2]
                 }
             }
-            Law::Guide([along, couple]) => [
-                [-along * sign(a), -along * sign(b)],
-                [-couple, -couple],
-            ],
+            Law::Guide([along, couple]) => {
+                [[-along * sign(a), -along * sign(b)], [-couple, -couple]]
+            }
         }
     }
 

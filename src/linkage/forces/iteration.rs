@@ -87,7 +87,7 @@ impl ForceWorkspace {
     /// τ ← τ + part·(f(F) − τ) until F stands still; false if it does not. An
     /// iteration that converges slowly is taken to its end by Newton's method.
     fn iterate(&mut self, part: f64, tolerance: f64, cap: usize, course: &mut Convergence) -> bool {
-        let mut before = f64::INFINITY;
+        let mut before = [f64::INFINITY; 2];
         let mut rest = f64::INFINITY;
         for _ in 0..cap {
             self.rub();
@@ -101,13 +101,18 @@ impl ForceWorkspace {
             if !change.is_finite() {
                 return false;
             }
-            // What is still to come, if every change is `ratio` times the last.
-            let ratio = change / before;
-            rest = if ratio < 1.0 { change * ratio / (1.0 - ratio) } else { f64::INFINITY };
+            // What is still to come, if every change is `ratio` times the last;
+            // over two steps, since forces and their friction may take turns.
+            let ratio = (change / before[1]).sqrt();
+            rest = if ratio < 1.0 {
+                change / (1.0 - ratio)
+            } else {
+                f64::INFINITY
+            };
             if change <= tolerance * scale {
                 return ratio < 0.5 || self.polish(NEAR * scale, course);
             }
-            before = change;
+            before = [change, before[0]];
         }
         let scale = self.scale();
         rest <= NEARLY * scale && self.polish(3.0 * rest + NEAR * scale, course)

@@ -162,7 +162,11 @@ fn length_scale(spec: &LinkageSpec) -> f64 {
             most = most.max((a.at[0] - b.at[0]).hypot(a.at[1] - b.at[1]));
         }
     }
-    if most > 0.0 && most.is_finite() { most } else { 1.0 }
+    if most > 0.0 && most.is_finite() {
+        most
+    } else {
+        1.0
+    }
 }
 
 /// All faults of the numbers that kinetostatics needs.
@@ -190,7 +194,10 @@ fn check(spec: &LinkageSpec) -> Result<(), Vec<Fault>> {
             } => {
                 faults.not_negative(&format!("{path}.height"), half_height);
                 if !(corners[0] > corners[1] && corners.iter().all(|b| b.is_finite())) {
-                    let message = format!("corners at {} and {} m carry no moment", corners[0], corners[1]);
+                    let message = format!(
+                        "corners at {} and {} m carry no moment",
+                        corners[0], corners[1]
+                    );
                     faults.add(
                         format!("{path}.corners"),
                         message,

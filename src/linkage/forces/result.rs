@@ -1,8 +1,8 @@
 //! What a workspace holds after a position has been solved.
 
+use super::Kinetostatics;
 use super::friction::Law;
 use super::workspace::ForceWorkspace;
-use super::Kinetostatics;
 use crate::linkage::spec::PairKind;
 
 /// Reaction of a pair: on link j from link i.
@@ -134,7 +134,8 @@ impl Kinetostatics {
                 let along = |k: usize| {
                     centre.first[k] * (centre.first[k] * w.acceleration + centre.second[k] * v2)
                 };
-                let turning = frame.first[2] * (frame.first[2] * w.acceleration + frame.second[2] * v2);
+                let turning =
+                    frame.first[2] * (frame.first[2] * w.acceleration + frame.second[2] * v2);
                 body.mass * (along(0) + along(1)) + body.moment * turning
             })
             .sum()
@@ -165,7 +166,11 @@ impl Kinetostatics {
             inertia: 0.0 - parts[3],
             loss,
             efficiency: (inflow > 0.0).then(|| (1.0 - loss / inflow).clamp(0.0, 1.0)),
-            residual: if greatest > 0.0 { missing.abs() / greatest } else { 0.0 },
+            residual: if greatest > 0.0 {
+                missing.abs() / greatest
+            } else {
+                0.0
+            },
         }
     }
 
@@ -176,13 +181,25 @@ impl Kinetostatics {
         let mut sum = [0.0; 3];
         for (index, body) in self.spec.links.iter().enumerate() {
             let (centre, link) = (&w.centres[index], &w.links[index]);
-            let force = [0, 1].map(|k| {
-                -body.mass * (centre.first[k] * w.acceleration + centre.second[k] * v2)
-            });
+            let force = [0, 1]
+                .map(|k| -body.mass * (centre.first[k] * w.acceleration + centre.second[k] * v2));
             let turning = link.first[2] * w.acceleration + link.second[2] * v2;
             sum[0] += force[0];
             sum[1] += force[1];
-            sum[2] += centre.place[0] * force[1] - centre.place[1] * force[0] - body.moment * turning;
+            sum[2] +=
+                centre.place[0] * force[1] - centre.place[1] * force[0] - body.moment * turning;
+        }
+        sum
+    }
+
+    /// Force (N) and moment about the ground's origin (N·m) of weights and
+    /// external forces on the links.
+    pub fn applied(&self, w: &ForceWorkspace) -> [f64; 3] {
+        let mut sum = [0.0; 3];
+        for (rows, centre) in w.applied.chunks_exact(3).zip(&w.centres) {
+            sum[0] += rows[0];
+            sum[1] += rows[1];
+            sum[2] += centre.place[0] * rows[1] - centre.place[1] * rows[0] + rows[2] * self.length;
         }
         sum
     }

@@ -128,13 +128,20 @@ impl ForceWorkspace {
         for index in 0..self.terms.len() {
             let term = self.terms[index];
             for which in 0..term.width() {
-                self.small.add(term.column + which, term.column + which, 1.0);
+                self.small
+                    .add(term.column + which, term.column + which, 1.0);
             }
             let Law::Guide([along, couple]) = term.law else {
                 self.next[term.column] = 0.0;
                 continue;
             };
-            let sign = |corner: usize| if pattern >> (2 * guide + corner) & 1 == 1 { -1.0 } else { 1.0 };
+            let sign = |corner: usize| {
+                if pattern >> (2 * guide + corner) & 1 == 1 {
+                    -1.0
+                } else {
+                    1.0
+                }
+            };
             let rows = [[along * sign(0), along * sign(1)], [couple, couple]];
             guide += 1;
             for (which, [p, q]) in rows.into_iter().enumerate() {
@@ -156,7 +163,8 @@ impl ForceWorkspace {
 
 /// Greatest magnitude.
 fn size(tau: &[f64]) -> f64 {
-    tau.iter().fold(0.0, |most: f64, value| most.max(value.abs()))
+    tau.iter()
+        .fold(0.0, |most: f64, value| most.max(value.abs()))
 }
 
 /// A number between −1 and 1, the same in every run (xorshift).

@@ -41,7 +41,8 @@ impl Kinetostatics {
         let (a, v2) = (w.acceleration, w.speed * w.speed);
         let of_mass = |link: usize| {
             let centre = &w.centres[link];
-            let along = |k: usize| centre.first[k] * a + centre.second[k] * v2 - self.spec.gravity[k];
+            let along =
+                |k: usize| centre.first[k] * a + centre.second[k] * v2 - self.spec.gravity[k];
             row(link, 0) * along(0) + row(link, 1) * along(1)
         };
         let of_moment = |link: usize| {
@@ -115,8 +116,16 @@ impl Kinetostatics {
                 axis => w.centres[link].first[axis],
             };
             greatest = greatest.max(transfer.abs());
-            error = if (value - transfer).abs() <= error { error } else { (value - transfer).abs() };
+            error = if (value - transfer).abs() <= error {
+                error
+            } else {
+                (value - transfer).abs()
+            };
         }
-        if greatest > 0.0 { error / greatest } else { error }
+        if greatest > 0.0 {
+            error / greatest
+        } else {
+            error
+        }
     }
 }

@@ -188,8 +188,15 @@ impl Kinetostatics {
             condition: f64::INFINITY,
         };
         if !self.factorise(unknown, w) {
-            let finite = w.centres.iter().all(|c| (c.place[0] + c.place[1]).is_finite());
-            return Err(if finite { singular } else { ForceFailure::NotFinite });
+            let finite = w
+                .centres
+                .iter()
+                .all(|c| (c.place[0] + c.place[1]).is_finite());
+            return Err(if finite {
+                singular
+            } else {
+                ForceFailure::NotFinite
+            });
         }
         if w.factors.pivots() > SMALL_PIVOT {
             return Ok(None);
