@@ -296,7 +296,7 @@ fn bad_numbers_are_refused() {
         paths,
         [
             "links.crank.mass",
-            "links.rod.moment_of_inertia",
+            "links.rod.moment",
             "pairs.R01.friction",
             "pairs"
         ]

@@ -5,7 +5,7 @@ mod jets;
 mod mechanisms;
 
 use dam::linkage::forces::{
-    ForceFailure, ForceWorkspace, InputMotion, Kinetostatics, Method, Options, Reaction,
+    Convention, ForceFailure, ForceWorkspace, InputMotion, Kinetostatics, Method, Options, Reaction,
 };
 use mechanisms::{known, spec};
 use serde_json::Value;
@@ -65,15 +65,19 @@ fn quantities(case: &Value, expected: &Value) -> Vec<(String, f64, f64)> {
     assert!(balance.residual < 1e-10, "{balance:?}");
     assert!(balance.loss >= 0.0);
     assert!(solver.influence_error(&mut w) < 1e-12);
-    let sign = dam_sign(output.1, output.2, speed);
-    let load = case["data"].get("P").or(case["data"].get("M3")).unwrap();
+    let found = solver.transmission(0, &solver.loads_of(0), angle, &w);
+    assert!((found.ratio - output.1).abs() < 1e-15 && (found.slope - output.2).abs() < 1e-12);
     let mut list = vec![
-        ("i".to_owned(), output.1, number(&expected["i"])),
-        ("sign".to_owned(), sign, number(&expected["sign_i_plus"])),
+        ("i".to_owned(), found.ratio, number(&expected["i"])),
+        (
+            "sign".to_owned(),
+            found.sign,
+            number(&expected["sign_i_plus"]),
+        ),
         ("M1".to_owned(), w.drive(), number(&expected["M1"])),
         (
             "chi".to_owned(),
-            w.drive() / number(load) * sign,
+            found.dynamic_ratio(w.drive(), Convention::Paper).unwrap(),
             number(&expected["chi"]),
         ),
         ("loss".to_owned(), balance.loss, number(&expected["loss_W"])),
@@ -89,14 +93,6 @@ fn quantities(case: &Value, expected: &Value) -> Vec<(String, f64, f64)> {
         }
     }
     list
-}
-
-fn dam_sign(i: f64, slope: f64, speed: f64) -> f64 {
-    if i.abs() > 1e-12 {
-        i.signum()
-    } else {
-        (slope * speed).signum()
-    }
 }
 
 fn two(solver: &Kinetostatics, pair: usize, w: &ForceWorkspace) -> [f64; 2] {

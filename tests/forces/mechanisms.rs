@@ -131,6 +131,17 @@ pub fn spec(kind: &str, data: &Value) -> LinkageSpec {
         other => panic!("unknown kind {other}"),
     };
     spec.gravity = [0.0, -d.get("g")];
+    let output = match kind {
+        "slider_crank" => OutputKind::Point {
+            point: of(2, 0.0, 0.0),
+            direction: d.get("beta_deg").to_radians(),
+        },
+        _ => OutputKind::Angle { link: 2 },
+    };
+    spec.outputs = vec![OutputSpec {
+        name: "output".to_owned(),
+        kind: output,
+    }];
     spec
 }
 

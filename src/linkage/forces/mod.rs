@@ -22,25 +22,25 @@ mod external;
 mod factor;
 mod friction;
 mod iteration;
+mod place;
 mod positions;
+mod ratio;
 mod result;
 mod search;
 mod sensitivity;
 mod solve;
 mod workspace;
 
-#[cfg(test)]
-mod tests;
-
 pub use accelerate::{Acceleration, Outcome};
 pub use iteration::{Convergence, Method};
 pub use positions::{LinkPosition, PointPosition, Positions};
+pub use ratio::{Convention, Transmission};
 pub use result::{Balance, Reaction, SlidingFriction};
 pub use sensitivity::Sensitivities;
 pub use solve::{ForceFailure, InputMotion, Options, Solved};
 pub use workspace::ForceWorkspace;
 
-use super::spec::{LinkageSpec, PairKind};
+use super::spec::{LinkageSpec, PairKind, PairSpec};
 use crate::fault::{Fault, Faults};
 use friction::Law;
 
@@ -64,6 +64,8 @@ pub struct Kinetostatics {
     units: Vec<f64>,
     /// Cosine and sine of each guide's direction in its link.
     directions: Vec<[f64; 2]>,
+    /// Places of each block's corners along its guide (m).
+    corners: Vec<[f64; 2]>,
     /// Factors of friction of each pair that has any, without sign.
     friction_factors: Vec<Option<Law>>,
     /// Size of the inertia in the column of the acceleration (kg or kg·m).
@@ -81,37 +83,16 @@ impl Kinetostatics {
     pub fn new(spec: &LinkageSpec) -> Result<Self, Vec<Fault>> {
         check(spec)?;
         let length = length_scale(spec);
-        let units = spec.pairs.iter().map(|pair| match pair.kind {
-            PairKind::Revolute { .. } => length,
-            PairKind::Sliding { .. } => 1.0,
-        });
-        let directions = spec.pairs.iter().map(|pair| match pair.kind {
-            PairKind::Revolute { .. } => [1.0, 0.0],
-            PairKind::Sliding { direction, .. } => [direction.cos(), direction.sin()],
-        });
-        let factors = spec.pairs.iter().map(|pair| {
-            let law = match pair.kind {
-                PairKind::Revolute { diameter } => {
-                    Law::Pin(pair.friction * diameter / 2.0 / length)
-                }
-                PairKind::Sliding { half_height, .. } => {
-                    Law::Guide([pair.friction, pair.friction * half_height / length])
-                }
-            };
-            let active = match law {
-                Law::Pin(factor) => factor > 0.0,
-                Law::Guide([along, _]) => along > 0.0,
-            };
-            active.then_some(law)
-        });
         let inertia = spec.links.iter().fold(0.0f64, |most, link| {
             most.max(link.mass * length).max(link.moment / length)
         });
+        let pairs = &spec.pairs;
         Ok(Self {
             length,
-            units: units.collect(),
-            directions: directions.collect(),
-            friction_factors: factors.collect(),
+            units: pairs.iter().map(|pair| unit(pair, length)).collect(),
+            directions: pairs.iter().map(direction).collect(),
+            corners: pairs.iter().map(|pair| corners(pair, length)).collect(),
+            friction_factors: pairs.iter().map(|pair| friction(pair, length)).collect(),
             inertia_scale: if inertia > 0.0 { inertia } else { 1.0 },
             spec: spec.clone(),
         })
@@ -152,6 +133,47 @@ impl Kinetostatics {
     }
 }
 
+/// Length that a unit of a pair's coordinate stands for.
+fn unit(pair: &PairSpec, length: f64) -> f64 {
+    match pair.kind {
+        PairKind::Revolute { .. } => length,
+        PairKind::Sliding { .. } => 1.0,
+    }
+}
+
+/// Cosine and sine of a guide's direction in its link.
+fn direction(pair: &PairSpec) -> [f64; 2] {
+    match pair.kind {
+        PairKind::Revolute { .. } => [1.0, 0.0],
+        PairKind::Sliding { direction, .. } => [direction.cos(), direction.sin()],
+    }
+}
+
+/// A block's corners; of one without friction they may be left open, and any
+/// two serve to carry force and couple.
+fn corners(pair: &PairSpec, length: f64) -> [f64; 2] {
+    match pair.kind {
+        PairKind::Sliding {
+            corners: [a, b], ..
+        } if a > b => [a, b],
+        _ => [0.5 * length, -0.5 * length],
+    }
+}
+
+/// Factors of a pair's friction, `None` without any.
+fn friction(pair: &PairSpec, length: f64) -> Option<Law> {
+    let mu = pair.friction;
+    match pair.kind {
+        PairKind::Revolute { diameter } => {
+            let factor = mu * diameter / 2.0 / length;
+            (factor > 0.0).then_some(Law::Pin(factor))
+        }
+        PairKind::Sliding { half_height, .. } => {
+            (mu > 0.0).then_some(Law::Guide([mu, mu * half_height / length]))
+        }
+    }
+}
+
 /// The greatest distance of two points of a link that pairs use; 1 if all coincide.
 fn length_scale(spec: &LinkageSpec) -> f64 {
     let ends = spec.pairs.iter().flat_map(|pair| [pair.on, pair.link]);
@@ -175,7 +197,7 @@ fn check(spec: &LinkageSpec) -> Result<(), Vec<Fault>> {
     for link in &spec.links {
         let path = format!("links.{}", link.name);
         faults.not_negative(&format!("{path}.mass"), link.mass);
-        faults.not_negative(&format!("{path}.moment_of_inertia"), link.moment);
+        faults.not_negative(&format!("{path}.moment"), link.moment);
         for coordinate in link.centre {
             faults.finite(&format!("{path}.centre"), coordinate);
         }
@@ -192,15 +214,14 @@ fn check(spec: &LinkageSpec) -> Result<(), Vec<Fault>> {
                 half_height,
                 ..
             } => {
-                faults.not_negative(&format!("{path}.height"), half_height);
-                if !(corners[0] > corners[1] && corners.iter().all(|b| b.is_finite())) {
-                    let message = format!(
-                        "corners at {} and {} m carry no moment",
-                        corners[0], corners[1]
-                    );
+                faults.not_negative(&format!("{path}.sliding.half_height"), half_height);
+                let finite = corners.iter().all(|b| b.is_finite());
+                let none = corners[0] == corners[1] && pair.friction == 0.0;
+                if !(finite && (none || corners[0] > corners[1])) {
+                    let [forward, back] = corners;
                     faults.add(
-                        format!("{path}.corners"),
-                        message,
+                        format!("{path}.sliding.corners"),
+                        format!("corners at {forward} m and {back} m carry no moment"),
                         "the first corner lies ahead of the second along the guide",
                     );
                 }

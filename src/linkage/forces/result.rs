@@ -11,7 +11,8 @@ pub enum Reaction {
     /// Force in a pin, in the frame of the ground (N).
     Pin([f64; 2]),
     /// Normal forces at the two corners of a block (N), positive along +n, to
-    /// the left of the guide's direction.
+    /// the left of the guide's direction. Where the corners were left open,
+    /// only their sum and [`Kinetostatics::couple`] mean something.
     Guide([f64; 2]),
 }
 
@@ -117,9 +118,10 @@ impl Kinetostatics {
     /// Corners' places of a sliding pair on the guide's axis, in the frame of
     /// the ground (m), and the direction +n of their forces.
     pub fn corners(&self, pair: usize, w: &ForceWorkspace) -> Option<([[f64; 2]; 2], [f64; 2])> {
-        let PairKind::Sliding { corners, .. } = self.spec.pairs[pair].kind else {
+        let PairKind::Sliding { .. } = self.spec.pairs[pair].kind else {
             return None;
         };
+        let corners = self.corners[pair];
         let ([x, y], [tx, ty]) = (w.pairs[pair].point, w.pairs[pair].tangent);
         Some((corners.map(|b| [x + b * tx, y + b * ty]), [-ty, tx]))
     }
@@ -226,19 +228,17 @@ impl Kinetostatics {
         sum
     }
 
-    /// Couple of a pair on link j about its point: of pin friction, or of the
-    /// corners' forces and their friction.
-    fn couple(&self, pair: usize, w: &ForceWorkspace) -> f64 {
+    /// Couple of a pair on link j about its point (N·m): of pin friction, or of
+    /// the corners' forces and their friction.
+    pub fn couple(&self, pair: usize, w: &ForceWorkspace) -> f64 {
         let term = w.terms.iter().find(|term| term.unknown == 2 * pair);
         let rubbing = term.map_or(0.0, |term| match term.law {
             Law::Pin(_) => self.length * w.friction[term.column],
             Law::Guide(_) => self.length * w.friction[term.column + 1],
         });
-        let pressing = match (self.spec.pairs[pair].kind, self.reaction(pair, w)) {
-            (PairKind::Sliding { corners, .. }, Reaction::Guide([a, b])) => {
-                corners[0] * a + corners[1] * b
-            }
-            _ => 0.0,
+        let pressing = match self.reaction(pair, w) {
+            Reaction::Guide([a, b]) => self.corners[pair][0] * a + self.corners[pair][1] * b,
+            Reaction::Pin(_) => 0.0,
         };
         rubbing + pressing
     }
