@@ -4,7 +4,9 @@
 use super::jets::D2;
 use dam::jet::Jet;
 use dam::linkage::forces::{LinkPosition, Positions};
-use dam::linkage::spec::{ForceLaw, ForceSpec, LinkSpec, LinkageSpec, PairKind, PairSpec, PointOf};
+use dam::linkage::spec::{
+    ForceLaw, ForceSpec, LinkSpec, LinkageSpec, OutputKind, OutputSpec, PairKind, PairSpec, PointOf,
+};
 use serde_json::Value;
 
 /// Positions written down by hand.
