@@ -6,6 +6,7 @@ pub mod cycle;
 mod document;
 pub mod exact;
 pub mod expectations;
+pub mod forces;
 mod kinematic;
 pub mod law;
 pub mod map;

@@ -3,6 +3,7 @@
 mod checks;
 mod jets;
 mod mechanisms;
+mod study;
 
 use dam::linkage::forces::{
     Convention, ForceFailure, ForceWorkspace, InputMotion, Kinetostatics, Method, Options, Reaction,
