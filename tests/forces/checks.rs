@@ -3,7 +3,7 @@
 
 use super::mechanisms::{known, spec};
 use super::reference;
-use dam::linkage::forces::{ForceWorkspace, InputMotion, Kinetostatics, Options, Outcome};
+use dam::linkage::kinetostatics::{ForceWorkspace, InputMotion, Kinetostatics, Options, Outcome};
 use dam::linkage::spec::{ForceLaw, ForceSpec, LinkageSpec, PointOf};
 use serde_json::Value;
 
@@ -226,8 +226,11 @@ fn acceleration_is_the_inverse_of_the_driving_force() {
     });
 }
 
-fn close(a: dam::linkage::forces::Reaction, b: dam::linkage::forces::Reaction) -> bool {
-    use dam::linkage::forces::Reaction::{Guide, Pin};
+fn close(
+    a: dam::linkage::kinetostatics::Reaction,
+    b: dam::linkage::kinetostatics::Reaction,
+) -> bool {
+    use dam::linkage::kinetostatics::Reaction::{Guide, Pin};
     match (a, b) {
         (Pin(a), Pin(b)) | (Guide(a), Guide(b)) => {
             let scale = 1.0 + a[0].hypot(a[1]);

@@ -3,9 +3,10 @@
 
 use super::jets::D2;
 use dam::jet::Jet;
-use dam::linkage::forces::{LinkPosition, Positions};
+use dam::linkage::kinetostatics::{LinkPosition, Positions};
 use dam::linkage::spec::{
-    ForceLaw, ForceSpec, LinkSpec, LinkageSpec, OutputKind, OutputSpec, PairKind, PairSpec, PointOf,
+    AssemblyChoice, AssemblySpec, ForceLaw, ForceSpec, LinkSpec, LinkageSpec, OutputKind,
+    OutputSpec, PairKind, PairSpec, PointOf,
 };
 use serde_json::Value;
 
@@ -20,8 +21,13 @@ impl Positions for Known {
         self.links[index]
     }
 
-    fn pair(&self, index: usize) -> Jet {
-        self.pairs[index]
+    fn pair_rates(&self, index: usize) -> [f64; 3] {
+        let jet = self.pairs[index];
+        [jet.first, jet.second, jet.third]
+    }
+
+    fn pair_coordinate(&self, index: usize) -> f64 {
+        self.pairs[index].value
     }
 }
 
@@ -140,6 +146,13 @@ pub fn spec(kind: &str, data: &Value) -> LinkageSpec {
         },
         _ => OutputKind::Angle { link: 2 },
     };
+    // Put together as the hand-written kinematics at an input of 0.4 rad.
+    spec.start = 0.4;
+    let place = known(kind, data, spec.start).0.links[1];
+    spec.assembly = vec![AssemblySpec {
+        link: 1,
+        choice: AssemblyChoice::Angle(place.sin.atan2(place.cos)),
+    }];
     spec.outputs = vec![OutputSpec {
         name: "output".to_owned(),
         kind: output,

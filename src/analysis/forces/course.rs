@@ -1,6 +1,6 @@
 //! The motion for which forces are asked.
 
-use crate::linkage::forces::{InputMotion, Positions};
+use crate::linkage::kinetostatics::{InputMotion, Positions};
 
 /// Gives the positions of a linkage at an input coordinate.
 pub trait PositionSource {
@@ -197,7 +197,7 @@ fn hermite([t0, t1]: [f64; 2], [a, b]: [&InputMotion; 2], t: f64) -> InputMotion
 #[cfg(test)]
 mod tests {
     use super::Course;
-    use crate::linkage::forces::InputMotion;
+    use crate::linkage::kinetostatics::InputMotion;
 
     #[test]
     fn instants_are_joined_smoothly_and_durations_add_up() {

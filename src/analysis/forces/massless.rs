@@ -7,7 +7,7 @@
 use super::row::Solver;
 use super::{Course, ForceSettings, PositionSource};
 use crate::fault::{Fault, Faults};
-use crate::linkage::forces::Kinetostatics;
+use crate::linkage::kinetostatics::Kinetostatics;
 use crate::linkage::spec::LinkageSpec;
 
 /// Deviation that counts as negligible.

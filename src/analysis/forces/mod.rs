@@ -22,7 +22,7 @@ pub use row::{Forces, LinkPlace, PairForces, Row, Trouble};
 pub use zones::{Zone, ZoneKind};
 
 use crate::fault::Fault;
-use crate::linkage::forces::{Convention, Kinetostatics, Options};
+use crate::linkage::kinetostatics::{Convention, Kinetostatics, Options};
 use crate::linkage::spec::{LinkageSpec, PairKind};
 use row::Solver;
 

@@ -1,7 +1,7 @@
 //! One position, solved and reduced to plain numbers.
 
 use super::{ForceSettings, PositionSource};
-use crate::linkage::forces::{
+use crate::linkage::kinetostatics::{
     Balance, ForceFailure, ForceWorkspace, InputMotion, Kinetostatics, Positions, Reaction,
     Sensitivities, Solved, Transmission,
 };

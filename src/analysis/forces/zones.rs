@@ -2,7 +2,7 @@
 
 use super::row::{Row, Solver, Trouble};
 use super::{Course, PositionSource};
-use crate::linkage::forces::ForceFailure;
+use crate::linkage::kinetostatics::ForceFailure;
 
 /// Bisections of an end.
 const BISECTIONS: usize = 50;

@@ -3,7 +3,6 @@
 use super::factor::Factors;
 use super::friction::Term;
 use super::positions::{LinkPosition, PointPosition};
-use crate::jet::Jet;
 
 /// Where a pair is and how it slides.
 #[derive(Clone, Copy, Debug, Default)]
@@ -12,8 +11,10 @@ pub(super) struct PairPlace {
     pub(super) point: [f64; 2],
     /// Direction of the guide.
     pub(super) tangent: [f64; 2],
-    /// Relative coordinate with its derivatives by the input coordinate.
-    pub(super) rates: Jet,
+    /// Relative coordinate; filled in for torsion springs only.
+    pub(super) coordinate: f64,
+    /// Its first three derivatives by the input coordinate.
+    pub(super) rates: [f64; 3],
     /// Sign of the sliding just after the position: −1, 0 or 1.
     pub(super) sense: f64,
 }

@@ -142,7 +142,7 @@ impl Kinetostatics {
             }
             OutputKind::Pair { pair } => {
                 let rates = w.pairs[pair].rates;
-                [rates.first, rates.second]
+                [rates[0], rates[1]]
             }
         }
     }
@@ -178,7 +178,7 @@ impl Kinetostatics {
                 &self.spec.forces[force].law,
                 &w.links,
                 input,
-                |pair| w.pairs[pair].rates,
+                |pair| [w.pairs[pair].coordinate, w.pairs[pair].rates[0]],
                 |_| [None; 2],
             );
             for wrench in found.into_iter().flatten() {

@@ -1,6 +1,7 @@
 //! Where the links are and how they move with the input coordinate.
 
-use crate::jet::Jet;
+use crate::linkage::Workspace;
+use crate::linkage::spec::PairKind;
 
 /// Place of a link's frame and its first two derivatives by the input
 /// coordinate q.
@@ -33,9 +34,41 @@ pub struct PointPosition {
 pub trait Positions {
     /// The link with this index.
     fn link(&self, index: usize) -> LinkPosition;
-    /// Relative coordinate of the pair with this index, with its derivatives by
-    /// the input coordinate (rad or m).
-    fn pair(&self, index: usize) -> Jet;
+    /// First three derivatives of a pair's relative coordinate by the input
+    /// coordinate.
+    fn pair_rates(&self, index: usize) -> [f64; 3];
+    /// Relative coordinate of a pair (rad or m).
+    fn pair_coordinate(&self, index: usize) -> f64;
+}
+
+impl Positions for Workspace {
+    #[inline]
+    fn link(&self, index: usize) -> LinkPosition {
+        let pose = self.pose(index);
+        LinkPosition {
+            origin: [pose.x, pose.y],
+            cos: pose.cos,
+            sin: pose.sin,
+            first: self.transfer(index, 1),
+            second: self.transfer(index, 2),
+        }
+    }
+
+    #[inline]
+    fn pair_rates(&self, index: usize) -> [f64; 3] {
+        let pair = self.pair_spec(index);
+        if let PairKind::Sliding { .. } = pair.kind {
+            let jet = self.pair(index);
+            return [jet.first, jet.second, jet.third];
+        }
+        let turning =
+            |link: Option<usize>, k: usize| link.map_or(0.0, |link| self.transfer(link, k)[2]);
+        [1, 2, 3].map(|k| turning(pair.link.link, k) - turning(pair.on.link, k))
+    }
+
+    fn pair_coordinate(&self, index: usize) -> f64 {
+        self.pair(index).value
+    }
 }
 
 impl LinkPosition {

@@ -42,7 +42,8 @@ pub struct Balance {
     /// Part of the power that flows in which reaches something else than
     /// friction: 1 − loss/(sum of all that is positive); `None` if no power flows.
     pub efficiency: Option<f64>,
-    /// What the balance misses, relative to its greatest part.
+    /// What the balance misses, relative to its greatest part (at least to a
+    /// millionth of the greatest reaction times the speed of the links).
     pub residual: f64,
 }
 
@@ -97,7 +98,7 @@ impl Kinetostatics {
         SlidingFriction {
             size,
             // −0 would be printed as such.
-            loss: 0.0 - size * w.pairs[pair].rates.first * w.speed,
+            loss: 0.0 - size * w.pairs[pair].rates[0] * w.speed,
         }
     }
 
@@ -161,15 +162,19 @@ impl Kinetostatics {
             (sum + flow.max(0.0), most.max(flow.abs()))
         });
         let missing = parts.iter().sum::<f64>() - loss;
+        // Power that the greatest force would have at the speed of the links:
+        // where all parts vanish, they are rounding of this.
+        let size = w.scale() * self.drive_unit() * q.abs();
+        let scale = greatest.max(1e-6 * size);
         Balance {
             drive: parts[0],
             weights: parts[1],
             forces: parts[2],
             inertia: 0.0 - parts[3],
             loss,
-            efficiency: (inflow > 0.0).then(|| (1.0 - loss / inflow).clamp(0.0, 1.0)),
-            residual: if greatest > 0.0 {
-                missing.abs() / greatest
+            efficiency: (inflow > 1e-12 * size).then(|| (1.0 - loss / inflow).clamp(0.0, 1.0)),
+            residual: if scale > 0.0 {
+                missing.abs() / scale
             } else {
                 0.0
             },

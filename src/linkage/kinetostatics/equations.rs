@@ -172,7 +172,7 @@ impl Kinetostatics {
                 law,
                 &w.links,
                 input,
-                |pair| pairs[pair].rates,
+                |pair| [pairs[pair].coordinate, pairs[pair].rates[0]],
                 |pair| {
                     let pair = &self.spec.pairs[pair];
                     [pair.on.link, pair.link.link]

@@ -4,6 +4,7 @@ use super::Kinetostatics;
 use super::friction::sense;
 use super::positions::{LinkPosition, Positions};
 use super::workspace::ForceWorkspace;
+use crate::linkage::spec::ForceLaw;
 
 /// A rate below this part of the greatest is rounding, and the pair's
 /// direction of sliding is that of the rate's change.
@@ -24,18 +25,19 @@ impl Kinetostatics {
             w.centres[index] = w.links[index].point(self.spec.links[index].centre);
         }
         for index in 0..self.spec.pairs.len() {
-            w.pairs[index].rates = positions.pair(index);
+            w.pairs[index].rates = positions.pair_rates(index);
             self.place_pair(index, w);
         }
         let scales = self.scales(w);
         for (index, pair) in w.pairs.iter_mut().enumerate() {
-            let jet = pair.rates;
             let unit = self.units[index];
-            pair.sense = sense(
-                [jet.first, jet.second, jet.third],
-                scales.map(|scale| scale / unit),
-                direction,
-            );
+            let scales = scales.map(|scale| scale / unit);
+            pair.sense = sense(pair.rates, scales, direction);
+        }
+        for force in &self.spec.forces {
+            if let ForceLaw::Torsion { pair, .. } = force.law {
+                w.pairs[pair].coordinate = positions.pair_coordinate(pair);
+            }
         }
     }
 
@@ -43,8 +45,7 @@ impl Kinetostatics {
     fn scales(&self, w: &ForceWorkspace) -> [f64; 3] {
         let mut scales = [0.0f64; 3];
         for (pair, unit) in w.pairs.iter().zip(&self.units) {
-            let jet = pair.rates;
-            for (scale, rate) in scales.iter_mut().zip([jet.first, jet.second, jet.third]) {
+            for (scale, rate) in scales.iter_mut().zip(pair.rates) {
                 *scale = scale.max(rate.abs() * unit);
             }
         }

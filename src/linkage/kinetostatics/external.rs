@@ -1,7 +1,7 @@
 //! External forces: weights, struts, forces, couples, torsion springs, tables.
 
 use super::positions::{LinkPosition, PointPosition};
-use crate::jet::Jet;
+use crate::linkage::forces::interpolate;
 use crate::linkage::spec::{ForceLaw, PointOf};
 
 /// A force at a point and a couple on one link; on the ground they change nothing.
@@ -37,13 +37,13 @@ pub(super) fn point_of(links: &[LinkPosition], point: &PointOf) -> PointPosition
 
 /// What a law of force does to the links, as up to two wrenches.
 ///
-/// `pair` is the relative coordinate of the pair of a torsion spring, `ends`
-/// the links it joins.
+/// `pair` gives the relative coordinate of the pair of a torsion spring and its
+/// derivative by the input coordinate, `ends` the links it joins.
 pub(super) fn wrenches(
     law: &ForceLaw,
     links: &[LinkPosition],
     input: Input,
-    pair: impl Fn(usize) -> Jet,
+    pair: impl Fn(usize) -> [f64; 2],
     ends: impl Fn(usize) -> [Option<usize>; 2],
 ) -> [Option<Wrench>; 2] {
     match law {
@@ -75,8 +75,8 @@ pub(super) fn wrenches(
             free_angle,
             damping,
         } => {
-            let angle = pair(*index);
-            let couple = -rate * (angle.value - free_angle) - damping * angle.first * input.speed;
+            let [angle, rate_of_turn] = pair(*index);
+            let couple = -rate * (angle - free_angle) - damping * rate_of_turn * input.speed;
             let [on, link] = ends(*index);
             [
                 Some(Wrench::couple(link, couple)),
@@ -89,7 +89,7 @@ pub(super) fn wrenches(
             points,
             period,
         } => {
-            let size = interpolate(points, *period, input.coordinate);
+            let size = interpolate(points, *period, input.coordinate)[0];
             let force = [size * direction.cos(), size * direction.sin()];
             let at = point_of(links, point);
             [Some(Wrench::force(point.link, at, force)), None]
@@ -155,42 +155,4 @@ fn strut(law: &ForceLaw, start: &PointPosition, end: &PointPosition, speed: f64)
         * (unit[0] * (end.first[0] - start.first[0]) + unit[1] * (end.first[1] - start.first[1]));
     let tension = rate * (length - free_length) + damping * lengthening;
     [tension * unit[0], tension * unit[1]]
-}
-
-/// Linear between the points, constant outside or periodic.
-fn interpolate(points: &[(f64, f64)], period: Option<f64>, at: f64) -> f64 {
-    let (Some(first), Some(last)) = (points.first(), points.last()) else {
-        return 0.0;
-    };
-    let x = period.map_or(at, |period| first.0 + (at - first.0).rem_euclid(period));
-    let above = points.partition_point(|point| point.0 <= x);
-    let (from, to) = match (above, period) {
-        (0, _) => return first.1,
-        (k, None) if k == points.len() => return last.1,
-        (k, Some(period)) if k == points.len() => (*last, (first.0 + period, first.1)),
-        (k, _) => (points[k - 1], points[k]),
-    };
-    if to.0 > from.0 {
-        from.1 + (to.1 - from.1) * (x - from.0) / (to.0 - from.0)
-    } else {
-        from.1
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::interpolate;
-
-    #[test]
-    fn tables_are_linear_and_periodic_or_constant_outside() {
-        let points = [(0.0, 1.0), (1.0, 3.0), (3.0, 0.0)];
-        assert_eq!(interpolate(&points, None, -5.0), 1.0);
-        assert_eq!(interpolate(&points, None, 0.5), 2.0);
-        assert_eq!(interpolate(&points, None, 2.0), 1.5);
-        assert_eq!(interpolate(&points, None, 9.0), 0.0);
-        // From (3, 0) back to (4, 1) within a period of 4.
-        assert_eq!(interpolate(&points, Some(4.0), 3.5), 0.5);
-        assert_eq!(interpolate(&points, Some(4.0), -0.5), 0.5);
-        assert_eq!(interpolate(&points, Some(4.0), 4.5), 2.0);
-    }
 }

@@ -1,0 +1,6 @@
+//! Tests of linkages.
+
+mod examples;
+mod first;
+mod random;
+mod support;
