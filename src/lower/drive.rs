@@ -20,7 +20,8 @@ impl<'a> Lowering<'a> {
             Err(faults) => return self.faults.absorb(&format!("{id}.motion"), faults),
         };
         let track = self.track(TrackSource::Time, motion.breaks(), self.indices[id]);
-        self.courses.insert(id, reach::Course::prescribed(&motion));
+        self.courses
+            .insert(id.to_owned(), reach::Course::prescribed(&motion));
         self.add_output(
             id,
             Node {
@@ -36,7 +37,8 @@ impl<'a> Lowering<'a> {
             .positive(&format!("{id}.motor.inertia"), spec.inertia);
         self.faults.finite(&format!("{id}.motor.angle"), angle);
         self.faults.finite(&format!("{id}.motor.speed"), speed);
-        self.courses.insert(id, reach::Course::motor(angle));
+        self.courses
+            .insert(id.to_owned(), reach::Course::motor(angle));
         let node = self.add_output(
             id,
             Node {
@@ -99,11 +101,11 @@ impl<'a> Lowering<'a> {
     }
 
     /// Adds the only node of an object.
-    pub(super) fn add_output(&mut self, id: &'a str, node: Node) -> usize {
+    pub(super) fn add_output(&mut self, id: &str, node: Node) -> usize {
         self.model.nodes.push(node);
         let index = self.model.nodes.len() - 1;
         self.model.objects[self.indices[id]].nodes.push(index);
-        self.outputs.insert(id, index);
+        self.outputs.insert(id.to_owned(), index);
         index
     }
 }

@@ -5,7 +5,7 @@ use super::load::{On, points, read_all};
 use super::motor;
 use super::plan;
 use super::spec::{DriveMotionSpec, DriveSpec};
-use super::{Description, Kind, Object};
+use super::{Description, Kind, Object, no_outputs};
 use crate::model::Coordinate;
 use crate::read::{Bounds, Fields, Slot};
 use crate::units::quantities as q;
@@ -30,6 +30,7 @@ pub(super) const KIND: Kind = Kind {
     name: "drive",
     doc: "A drive: prescribed motion, or a motor.",
     driven: false,
+    outputs: no_outputs,
     coordinate: |_| Some(Coordinate::Turning),
     read: |fields, _| {
         let spec = read(fields)?;

@@ -188,14 +188,22 @@ impl System {
         let varying = (0..frozen.loads.len()).map(|load| {
             frozen.load(load, time, &modes.0, work) * work.speed[frozen.loads[load].node]
         });
+        let (mut applied, mut damped) = (0.0, 0.0);
+        for (index, linkage) in frozen.linkages.iter().enumerate() {
+            let (reduced, speed) = (frozen.linkage(index, work), work.speed[linkage.node]);
+            applied += reduced.applied * speed;
+            damped -= reduced.damping * speed;
+        }
+        let chains = frozen.chains.iter();
         Power {
             drives: frozen.steps.iter().map(drive).sum(),
-            loads: constant.map(|(force, speed)| force * speed).sum::<f64>() + varying.sum::<f64>(),
-            dissipated: frozen
-                .chains
-                .iter()
+            loads: constant.map(|(force, speed)| force * speed).sum::<f64>()
+                + varying.sum::<f64>()
+                + applied,
+            dissipated: chains
                 .map(|chain| frozen.dissipated(chain, y, modes))
-                .sum(),
+                .sum::<f64>()
+                + damped,
         }
     }
 }

@@ -129,6 +129,12 @@ impl<'m> Builder<'m> {
         self.roles[node] = match &role {
             Role::Unfit => Role::Unfit,
             Role::Prescribed(course, laws) => follow(course, laws, law),
+            Role::Moved(_) if self.model.linkages.iter().any(|body| body.node == node) => {
+                let reason = "it is a linkage, whose reduced inertia changes as it moves, behind \
+                              an elastic object";
+                self.refuse_behind(object, &role, reason);
+                return;
+            }
             Role::Moved(moved) => {
                 let Some((ratio, offset)) = self.line(object, law, &role) else {
                     return;

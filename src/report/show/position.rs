@@ -55,6 +55,7 @@ pub fn summary(law: &Law, coordinate: Coordinate) -> String {
         Position::Plan(plan) => format!("plan of {} stations{lever}", plan.spec().stations.len()),
         Position::Table(table) if table.is_periodic() => format!("periodic table{lever}"),
         Position::Table(_) => format!("table{lever}"),
+        Position::Linkage(output) => format!("output {} of the linkage{lever}", output.name()),
         Position::Custom(_) => format!("own function{lever}"),
         Position::Ratio { .. } | Position::Sine { .. } | Position::Polynomial(_) => {
             let phi = symbol("φ", Index::None).expr();
@@ -87,6 +88,10 @@ fn bare_formula(position: &Position, phi: Expr) -> Expr {
         Position::Cam(cam) => Expr::Words(cam_words(cam)),
         Position::Plan(plan) => Expr::Words(plan_words(plan)),
         Position::Table(table) => Expr::Words(table_words(table)),
+        Position::Linkage(output) => Expr::Words(format!(
+            "output {} of the linkage, over its input coordinate",
+            output.name()
+        )),
         Position::Custom(_) => Expr::Words("own function of the driver's displacement".into()),
     }
 }
