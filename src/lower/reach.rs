@@ -173,7 +173,7 @@ impl<'a> Lowering<'a> {
 
     /// The prescribed motion that an object follows, with the laws from there
     /// to it in order; `None` behind a motor.
-    fn way<'s>(&'s self, mut id: &'s str) -> Option<(&DriveMotion, Vec<&Step>)> {
+    fn way<'s>(&'s self, mut id: &'s str) -> Option<(&'s DriveMotion, Vec<&'s Step>)> {
         let mut steps = Vec::new();
         loop {
             match &self.courses.get(id)?.origin {

@@ -21,7 +21,7 @@ pub enum DriveSpec {
 /// A motor: rotor inertia and torque characteristic.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MotorSpec {
-    /// Rotor inertia (kg·m²), > 0.
+    /// Rotor inertia (kg·m²), ≥ 0.
     pub inertia: f64,
     /// Angle at t = 0 (rad).
     pub angle: f64,

@@ -10,8 +10,12 @@ use super::passes::Work;
 use super::quantity::Quantity;
 use crate::jet::Jet;
 use crate::linkage::{Linkage, Reduced, Workspace};
+use crate::position::linkage_reach;
 use std::cell::RefCell;
 use std::sync::Arc;
+
+/// Share of a limited reach at each end that is not sampled.
+const EDGE: f64 = 0.05;
 
 /// A linkage of the frozen layout.
 #[derive(Clone, Debug)]
@@ -73,6 +77,31 @@ impl Solved {
             true => self.linkage.output(output, &self.workspace),
             false => NOWHERE,
         }
+    }
+
+    /// Force magnitudes that it takes at its input for a motion q, q̇, q̈; 0
+    /// where it cannot be assembled, and near there, where they grow beyond all
+    /// bounds.
+    pub(super) fn magnitude(&mut self, [q, rate, acceleration]: [f64; 3]) -> f64 {
+        if let Some((low, high)) = linkage_reach(&self.linkage) {
+            let margin = EDGE * (high - low);
+            if !(low + margin <= q && q <= high - margin) {
+                return 0.0;
+            }
+        }
+        let Some(reduced) = self.reduced(q, 2).filter(|_| q.is_finite()) else {
+            return 0.0;
+        };
+        let inertia = reduced.inertia;
+        let load = inertia.value * acceleration + 0.5 * inertia.first * rate * rate;
+        let parts = [
+            load,
+            reduced.potential.first,
+            reduced.force.value,
+            reduced.damping.value * rate,
+        ];
+        let sum: f64 = parts.iter().map(|part| part.abs()).sum();
+        if sum.is_finite() { sum } else { 0.0 }
     }
 
     /// `None` where it cannot be assembled.

@@ -69,14 +69,17 @@ const BILATERAL: Pair = Pair {
 /// The torque of a motor: its characteristic over speed, or the constant load
 /// that bears the torque's own address.
 fn motor(frozen: &Frozen, model: &Model, part: &ObjectPart, internal: usize) -> Body {
-    let torque = format!("{}.torque", part.id);
+    let own = |name: &str| {
+        let rest = name.strip_prefix(part.id.as_str());
+        rest.is_some_and(|rest| [".torque", ".motor.torque", ".motor.force"].contains(&rest))
+    };
     let loads = (0..frozen.loads.len())
         .filter(|&load| frozen.loads[load].node == internal && is_motor(&frozen.loads[load].law))
         .collect();
     let constant = model
         .loads
         .iter()
-        .filter(|load| load.node == part.nodes[0] && load.name == torque)
+        .filter(|load| load.node == part.nodes[0] && own(&load.name))
         .map(|load| match load.law {
             LoadLaw::Constant(torque) => torque,
             _ => 0.0,

@@ -91,6 +91,10 @@ impl<'m> Builder<'m> {
             } if plan.spec().period.is_some() => {
                 self.refuse(object, "its plan of motion over time repeats without end");
             }
+            NodeMotion::Prescribed {
+                motion: DriveMotion::Accelerated { .. },
+                ..
+            } => self.refuse(object, "it is accelerated without end"),
             NodeMotion::Prescribed { motion, .. } => {
                 self.roles[node] = Role::Prescribed(Course::new(motion), Vec::new());
             }
