@@ -16,6 +16,7 @@ pub mod html;
 pub mod law;
 pub mod map;
 pub mod math;
+pub mod mechanism;
 pub mod methods;
 pub mod quantity;
 pub mod show;
