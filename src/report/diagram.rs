@@ -145,7 +145,9 @@ pub fn pair<'a>(model: &'a Model, object: &'a ObjectPart) -> Option<&'a Pair> {
 fn detail(model: &Model, object: &ObjectPart) -> String {
     let motion = object.nodes.first().map(|&node| &model.nodes[node].motion);
     match motion {
-        Some(NodeMotion::Prescribed { motion, .. }) => position::motion_summary(motion),
+        Some(NodeMotion::Prescribed { motion, .. }) => {
+            position::motion_summary(motion, object.coordinate)
+        }
         Some(NodeMotion::Rotor { .. }) => "motor".into(),
         Some(NodeMotion::Rigid { .. }) => "rigid".into(),
         _ => match object.nodes.len() {
