@@ -13,6 +13,7 @@ pub mod diagram;
 #[cfg(test)]
 mod fixture;
 pub mod html;
+pub mod kinematics;
 pub mod law;
 pub mod map;
 pub mod math;
