@@ -65,7 +65,7 @@ impl LinkageOutput {
 
     /// The input after which the output repeats, and its advance in it.
     pub fn period(&self) -> Option<(f64, f64)> {
-        let period = self.linkage.range().period()?;
+        let period = self.linkage.range().period.as_ref()?.length;
         let start = self.linkage.spec().start;
         let advance = self.jet(start + period).value - self.jet(start).value;
         advance.is_finite().then_some((period, advance))
@@ -83,5 +83,6 @@ const NOWHERE: Jet = Jet {
 /// The open interval of the input coordinate in which a linkage can be
 /// assembled; `None`: everywhere.
 pub(crate) fn reach(linkage: &Linkage) -> Option<(f64, f64)> {
-    linkage.range().interval()
+    let [from, to] = linkage.range().ends();
+    (from.is_finite() || to.is_finite()).then_some((from, to))
 }
