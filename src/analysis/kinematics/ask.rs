@@ -1,6 +1,7 @@
 //! What is asked of a linkage, and what is known of its input's motion.
 
 use super::course::Course;
+use super::study::span;
 use crate::jet::Jet;
 use crate::linkage::Linkage;
 use crate::model::{Coordinate, LinkageBody, Model};
@@ -44,6 +45,8 @@ pub struct Question {
     pub acceleration: Option<f64>,
     /// Duration of the scene's run (s), for [`Over::Time`] by default.
     pub duration: f64,
+    /// A place on the axis that shall have a row of its own.
+    pub also: Option<f64>,
 }
 
 /// A question that can be answered.
@@ -57,6 +60,7 @@ pub struct Asked<'a> {
     pub(super) course: Option<Course<'a>>,
     pub(super) over: Over,
     pub(super) positions: usize,
+    pub(super) also: Option<f64>,
     /// Speed and acceleration over a turn or range.
     pub(super) rate: [f64; 2],
     /// True when the speed is that of nothing: 1.
@@ -115,6 +119,7 @@ impl<'a> Asked<'a> {
             course,
             over,
             positions: question.positions,
+            also: question.also,
             rate: [
                 question.speed.or(uniform).unwrap_or(1.0),
                 question.acceleration.unwrap_or(0.0),
@@ -122,6 +127,13 @@ impl<'a> Asked<'a> {
             unit_rate: question.speed.is_none() && uniform.is_none(),
         };
         asked.check(question)?;
+        if asked.also.is_some_and(|also| !asked.within(also)) {
+            let [from, to] = span(&asked);
+            return Err(format!(
+                "the place {} lies outside what is looked at: {from} to {to}",
+                asked.also.unwrap_or(f64::NAN)
+            ));
+        }
         Ok(asked)
     }
 
@@ -169,6 +181,11 @@ impl<'a> Asked<'a> {
         }
     }
 
+    fn within(&self, place: f64) -> bool {
+        let [from, to] = span(self);
+        from.min(to) <= place && place <= from.max(to)
+    }
+
     fn outside(&self, at: f64) -> bool {
         let [from, to] = self.linkage.range().ends();
         !(from < at && at < to)
@@ -204,12 +221,18 @@ impl<'a> Asked<'a> {
 }
 
 fn default_over(linkage: &Linkage, known: bool, uniform: Option<f64>, duration: f64) -> Over {
-    let range = linkage.range();
-    if range.period.is_some() && (uniform.is_some() || !known) {
-        return Over::Turn;
-    }
-    if known {
+    let turns = linkage.range().period.is_some();
+    if known && !(turns && uniform.is_some()) {
         return Over::Time { to: duration };
+    }
+    whole_travel(linkage)
+}
+
+/// A period, or where there is none the whole reach but its very ends.
+pub fn whole_travel(linkage: &Linkage) -> Over {
+    let range = linkage.range();
+    if range.period.is_some() {
+        return Over::Turn;
     }
     let [from, to] = range.ends();
     let room = 1e-6 * (to - from);

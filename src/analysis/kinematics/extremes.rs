@@ -23,7 +23,8 @@ pub(super) fn extremes(asked: &Asked<'_>, places: &[f64], columns: &[Column]) ->
         let mut find = |sign: f64| {
             let best = greatest_row(&column.values, sign);
             best.map_or((f64::NAN, f64::NAN), |row| {
-                seeker.refine(places, &column.values, index, row, sign)
+                let mut at = |place: f64| seeker.at(place, index);
+                located(places, &column.values, row, sign, &mut at)
             })
         };
         all.push(Extremes {
@@ -35,7 +36,7 @@ pub(super) fn extremes(asked: &Asked<'_>, places: &[f64], columns: &[Column]) ->
 }
 
 /// The first row at which sign·value is greatest.
-fn greatest_row(values: &[f64], sign: f64) -> Option<usize> {
+pub(super) fn greatest_row(values: &[f64], sign: f64) -> Option<usize> {
     let mut best: Option<usize> = None;
     for (row, value) in values.iter().enumerate() {
         let better = best.is_none_or(|best| sign * value > sign * values[best]);
@@ -62,44 +63,44 @@ impl Seeker<'_, '_> {
         columns::values(self.asked, &self.work, q, &mut self.values);
         self.values[column]
     }
+}
 
-    /// The extreme between the neighbours of a row.
-    fn refine(
-        &mut self,
-        places: &[f64],
-        values: &[f64],
-        column: usize,
-        row: usize,
-        sign: f64,
-    ) -> (f64, f64) {
-        let found = (places[row], values[row]);
-        let (Some(before), Some(after)) = (row.checked_sub(1), places.get(row + 1)) else {
-            return found;
-        };
-        let flat = |other: f64| (other - found.1).abs() <= 1e-13 * found.1.abs();
-        if flat(values[before]) && flat(values[row + 1]) {
-            return found;
-        }
-        let (mut low, mut high) = (places[before], *after);
-        let mut best = found;
-        let mut inner = [high - GOLDEN * (high - low), low + GOLDEN * (high - low)];
-        let mut worth = inner.map(|place| sign * self.at(place, column));
-        for _ in 0..STEPS {
-            for (place, worth) in inner.iter().zip(worth) {
-                if worth > sign * best.1 {
-                    best = (*place, sign * worth);
-                }
-            }
-            if worth[0] > worth[1] {
-                high = inner[1];
-                inner = [high - GOLDEN * (high - low), inner[0]];
-                worth = [sign * self.at(inner[0], column), worth[0]];
-            } else {
-                low = inner[0];
-                inner = [inner[1], low + GOLDEN * (high - low)];
-                worth = [worth[1], sign * self.at(inner[1], column)];
-            }
-        }
-        best
+/// The extreme of sign·value next to a row, between its neighbours, by golden
+/// section.
+pub(super) fn located(
+    places: &[f64],
+    values: &[f64],
+    row: usize,
+    sign: f64,
+    at: &mut dyn FnMut(f64) -> f64,
+) -> (f64, f64) {
+    let found = (places[row], values[row]);
+    let (Some(before), Some(after)) = (row.checked_sub(1), places.get(row + 1)) else {
+        return found;
+    };
+    let flat = |other: f64| (other - found.1).abs() <= 1e-13 * found.1.abs();
+    if flat(values[before]) && flat(values[row + 1]) {
+        return found;
     }
+    let (mut low, mut high) = (places[before], *after);
+    let mut best = found;
+    let mut inner = [high - GOLDEN * (high - low), low + GOLDEN * (high - low)];
+    let mut worth = inner.map(|place| sign * at(place));
+    for _ in 0..STEPS {
+        for (place, worth) in inner.iter().zip(worth) {
+            if worth > sign * best.1 {
+                best = (*place, sign * worth);
+            }
+        }
+        if worth[0] > worth[1] {
+            high = inner[1];
+            inner = [high - GOLDEN * (high - low), inner[0]];
+            worth = [sign * at(inner[0]), worth[0]];
+        } else {
+            low = inner[0];
+            inner = [inner[1], low + GOLDEN * (high - low)];
+            worth = [worth[1], sign * at(inner[1])];
+        }
+    }
+    best
 }

@@ -9,7 +9,7 @@ mod extremes;
 mod study;
 mod summary;
 
-pub use ask::{Asked, MOST_POSITIONS, Over, Question, linkage_of};
+pub use ask::{Asked, MOST_POSITIONS, Over, Question, linkage_of, whole_travel};
 pub use columns::Quantity;
 pub use study::kinematics;
 

@@ -143,8 +143,17 @@ impl<'q, 'a> Rows<'q, 'a> {
         let [from, to] = span(self.asked);
         let count = self.asked.positions;
         let mut values = Vec::new();
-        for index in 0..=count {
-            let place = from + (to - from) * index as f64 / count as f64;
+        let mut places: Vec<f64> = (0..=count)
+            .map(|index| from + (to - from) * index as f64 / count as f64)
+            .collect();
+        if let Some(also) = self.asked.also {
+            let sense = (to - from).signum();
+            let at = places.partition_point(|place| (place - also) * sense < 0.0);
+            if places.get(at) != Some(&also) {
+                places.insert(at, also);
+            }
+        }
+        for place in places {
             if let Err(outside) = self.row(place, &mut values) {
                 let before = self.places.last().copied().unwrap_or(from);
                 return Some(self.stop(before, place, &outside));

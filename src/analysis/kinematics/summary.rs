@@ -2,6 +2,7 @@
 
 use super::ask::Asked;
 use super::columns::unit_of;
+use super::extremes::{greatest_row, located};
 use super::{Stroke, Transmission};
 use crate::linkage::spec::{PairKind, PairSpec, PointOf};
 use crate::linkage::{Group, GroupKind, Workspace};
@@ -110,27 +111,25 @@ pub(super) fn transmission(asked: &Asked<'_>, places: &[f64]) -> Vec<Transmissio
     groups
         .filter_map(|group| {
             let dyad = Dyad::of(asked, group)?;
-            let mut least = (f64::NAN, f64::INFINITY);
-            let mut greatest = (f64::NAN, f64::NEG_INFINITY);
-            for &place in places {
+            let mut angle = |place: f64| {
                 let q = asked.input_at(place);
-                if asked.linkage.solve(q.value, 0, &mut work).is_err() {
-                    continue;
+                match asked.linkage.solve(q.value, 0, &mut work) {
+                    Ok(()) => dyad.angle(&work),
+                    Err(_) => f64::NAN,
                 }
-                let angle = dyad.angle(&work);
-                if angle < least.1 {
-                    least = (place, angle);
-                }
-                if angle > greatest.1 {
-                    greatest = (place, angle);
-                }
-            }
+            };
+            let values: Vec<f64> = places.iter().map(|&place| angle(place)).collect();
+            let mut end = |sign: f64| {
+                let row = greatest_row(&values, sign)?;
+                Some(located(places, &values, row, sign, &mut angle))
+            };
+            let (least, greatest) = (end(-1.0)?, end(1.0)?);
             let owner = |link: usize| asked.linkage.spec().links[link].name.clone();
             let names: Vec<String> = group.links.iter().map(|&link| owner(link)).collect();
-            least.0.is_finite().then(|| Transmission {
+            Some(Transmission {
                 owner: names.join(" and "),
-                least: (least.0, least.1),
-                greatest: (greatest.0, greatest.1),
+                least,
+                greatest,
             })
         })
         .collect()

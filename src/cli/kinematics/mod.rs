@@ -6,7 +6,10 @@ use super::console;
 use super::failure::{Failure, Status};
 use super::input::{Input, Ready};
 use super::output::{OutputFolder, ResultFile};
-use dam::analysis::kinematics::{Asked, Kinematics, Over, Question, kinematics, linkage_of};
+use dam::analysis::kinematics::{
+    Asked, Kinematics, Over, Question, kinematics, linkage_of, whole_travel,
+};
+use dam::linkage::Linkage;
 use dam::model::Coordinate;
 use dam::object::Measures;
 use dam::object::law::read_argument;
@@ -30,7 +33,10 @@ pub(crate) fn command(args: &KinematicsArgs) -> Result<Status, Failure> {
     let model = ready.system.model();
     let body = linkage_of(model, args.object.as_deref())?;
     let coordinate = model.objects[body.object].coordinate;
-    let question = question(args, &ready, coordinate)?;
+    let mut question = question(args, &ready, coordinate)?;
+    if let Some(at) = &args.svg {
+        place(&mut question, at, &body.linkage, coordinate)?;
+    }
     let asked = Asked::new(model, &question)?;
     let folder = match &args.out.out {
         Some(path) => {
@@ -44,7 +50,7 @@ pub(crate) fn command(args: &KinematicsArgs) -> Result<Status, Failure> {
         let files = files(&input, &ready, &found)?;
         folder.write("kinematics", &ready.scene().hash, &files)?;
     }
-    show(args, &ready, &found)?;
+    show(args, &ready, &found, question.also)?;
     if let (Some(folder), false) = (&folder, args.scene.quiet) {
         let report = folder.path("report.html");
         console::talk(&format!("report: {}", report.display()));
@@ -55,15 +61,19 @@ pub(crate) fn command(args: &KinematicsArgs) -> Result<Status, Failure> {
     })
 }
 
-fn show(args: &KinematicsArgs, ready: &Ready, found: &Kinematics<'_>) -> Result<(), Failure> {
+fn show(
+    args: &KinematicsArgs,
+    ready: &Ready,
+    found: &Kinematics<'_>,
+    also: Option<f64>,
+) -> Result<(), Failure> {
     let scene = ready.scene();
-    if let Some(at) = &args.svg {
-        let wanted = match found.axis.unit {
-            "rad" => Wanted::from(q::ANGLE),
-            "m" => Wanted::from(q::LENGTH),
-            _ => Wanted::from(q::TIME),
-        };
-        console::data(&picture(found, quantity("--svg", at, wanted)?));
+    if let Some(at) = also {
+        let row = found.axis.values.iter().position(|&place| place == at);
+        match row {
+            Some(row) => console::data(&picture(found, row)),
+            None => return Err("the linkage cannot be assembled at that place".to_owned().into()),
+        }
     } else if args.scene.json {
         console::json(&document(&scene.name, &scene.hash, found))?;
     } else if args.csv {
@@ -103,7 +113,35 @@ fn question(args: &KinematicsArgs, ready: &Ready, input: Coordinate) -> Result<Q
         speed: read("--speed", &args.speed, own.speed())?,
         acceleration: read("--acceleration", &args.acceleration, own.acceleration())?,
         duration: ready.settings.duration,
+        also: None,
     })
+}
+
+/// The place of the picture: a time or an input coordinate. Where it is not
+/// said over what the linkage is looked at, the place's unit tells.
+fn place(
+    question: &mut Question,
+    text: &str,
+    linkage: &Linkage,
+    input: Coordinate,
+) -> Result<(), Failure> {
+    let own = Measures(Some(input)).displacement();
+    let time = |text: &str| quantity("--svg", text, q::TIME.into());
+    let over_time = match question.over {
+        Some(over) => matches!(over, Over::Time { .. }),
+        None => read_argument("--svg", text, |slot| slot.quantity(own, Bounds::ANY)).is_err(),
+    };
+    question.also = Some(match over_time {
+        true => time(text)?,
+        false => quantity("--svg", text, own)?,
+    });
+    question.over = question.over.or(Some(match over_time {
+        true => Over::Time {
+            to: question.duration,
+        },
+        false => whole_travel(linkage),
+    }));
+    Ok(())
 }
 
 /// `FROM:TO`, each with its unit or the last unit for both.

@@ -13,11 +13,8 @@ pub fn drawing<'a>(found: &'a Kinematics<'_>) -> Drawing<'a> {
     with_rows(found, &rows)
 }
 
-/// The picture at a place on the axis: the nearest row.
-pub fn picture(found: &Kinematics<'_>, at: f64) -> String {
-    let away = |row: &usize| (found.axis.values[*row] - at).abs();
-    let rows = 0..found.axis.values.len();
-    let row = rows.min_by(|a, b| away(a).total_cmp(&away(b))).unwrap_or(0);
+/// The picture of one row, with the paths of all rows.
+pub fn picture(found: &Kinematics<'_>, row: usize) -> String {
     let all: Vec<usize> = (0..found.frames.len()).collect();
     with_rows(found, &all).svg(row)
 }
