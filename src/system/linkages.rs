@@ -92,13 +92,12 @@ impl Solved {
         let Some(reduced) = self.reduced(q, 2).filter(|_| q.is_finite()) else {
             return 0.0;
         };
-        let inertia = reduced.inertia;
-        let load = inertia.value * acceleration + 0.5 * inertia.first * rate * rate;
+        let [inertia, slope, _] = reduced.inertia;
         let parts = [
-            load,
-            reduced.potential.first,
-            reduced.force.value,
-            reduced.damping.value * rate,
+            inertia * acceleration + 0.5 * slope * rate * rate,
+            reduced.potential[1],
+            reduced.force[0],
+            reduced.damping[0] * rate,
         ];
         let sum: f64 = parts.iter().map(|part| part.abs()).sum();
         if sum.is_finite() { sum } else { 0.0 }
@@ -120,6 +119,10 @@ const NOWHERE: Jet = Jet {
     second: f64::NAN,
     third: f64::NAN,
 };
+
+fn with_slope([value, slope]: [f64; 2]) -> [f64; 3] {
+    [value, slope, 0.0]
+}
 
 /// A linkage reduced to its input coordinate, at an instant.
 #[derive(Clone, Copy, Debug)]
@@ -164,17 +167,22 @@ impl Frozen {
         let node = self.linkages[index].node;
         let (q, rate) = (work.displacement[node], work.speed[node]);
         let cell = &work.linkages[index];
-        let of = |pick: fn(&Reduced) -> Jet| {
-            let jet = |q: f64| {
+        let of = |pick: fn(&Reduced) -> [f64; 3]| {
+            q.lift(|q| {
                 let reduced = cell.borrow_mut().reduced(q, N::DERIVATIVES);
-                reduced.as_ref().map_or(NOWHERE, pick)
-            };
-            q.lift(jet)
+                let [value, first, second] = reduced.as_ref().map_or([f64::NAN; 3], pick);
+                Jet {
+                    value,
+                    first,
+                    second,
+                    third: 0.0,
+                }
+            })
         };
         let [inertia, slope, _] = of(|reduced| reduced.inertia);
         let [potential, gradient, _] = of(|reduced| reduced.potential);
-        let [applied, ..] = of(|reduced| reduced.force);
-        let [damping, ..] = of(|reduced| reduced.damping);
+        let [applied, ..] = of(|reduced| with_slope(reduced.force));
+        let [damping, ..] = of(|reduced| with_slope(reduced.damping));
         Reduction {
             inertia,
             bias: (slope * rate * rate).scale(0.5),
@@ -189,7 +197,7 @@ impl Frozen {
     pub(super) fn potential_stiffness(&self, index: usize, work: &Work<f64>) -> f64 {
         let q = work.displacement[self.linkages[index].node];
         let reduced = work.linkages[index].borrow_mut().reduced(q, 2);
-        reduced.map_or(0.0, |reduced| reduced.potential.second)
+        reduced.map_or(0.0, |reduced| reduced.potential[2])
     }
 
     /// U, U′ and U″ of an output at the displacement of its linkage's node.

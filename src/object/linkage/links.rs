@@ -137,7 +137,7 @@ fn one_of(mut slot: Slot<'_>, link: &str, known: Option<&Known>) -> Option<[f64;
 fn bar(slot: Slot<'_>, link: &str, known: Option<&Known>) -> Option<Body> {
     slot.record(|fields| {
         let end = |slot: Slot<'_>| one_of(slot, link, known);
-        let doc = "Point at which the bar begins; may be left out when the link has two points.";
+        let doc = "Point at which the bar begins; both ends may be left out when the link has two points, or one besides its origin.";
         let from = fields.maybe("from", doc, end);
         let to = fields.maybe("to", "Point at which it ends.", end);
         let length = |slot: Slot<'_>| slot.quantity(q::LENGTH, Bounds::POSITIVE);
@@ -163,6 +163,7 @@ fn bar(slot: Slot<'_>, link: &str, known: Option<&Known>) -> Option<Body> {
         let (from, to) = match (from?, to?, own.next(), own.next(), own.next()) {
             (Some(from), Some(to), ..) => (from, to),
             (None, None, Some((_, one)), Some((_, other)), None) => (*one, *other),
+            (None, None, Some((_, one)), None, None) => ([0.0; 2], *one),
             _ => {
                 let message = "the bar does not say between which points it lies";
                 fields

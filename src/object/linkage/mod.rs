@@ -11,7 +11,7 @@ use super::spec::DrivenLinkage;
 use super::{Description, Kind, Measures, Object};
 use crate::linkage::spec::{LinkageSpec, OutputKind};
 use crate::model::Coordinate;
-use crate::read::{Bounds, Fields};
+use crate::read::{Bounds, Fields, Slot};
 use names::Names;
 use serde_json::json;
 
@@ -98,6 +98,8 @@ fn read(fields: &mut Fields<'_>, driver: Measures) -> Option<DrivenLinkage> {
     let start = fields.or("start", doc, json!(0.0), |slot| {
         slot.quantity(input.displacement(), Bounds::ANY)
     });
+    let doc = "Least and greatest input coordinate: the stroke of a cylinder; default as far as the links allow.";
+    let travel = fields.maybe("travel", doc, |slot| travel(slot, input));
     let gravity = forces::gravity(fields);
     let forces = forces::read(fields, &names, pairs.as_deref(), input);
     let outputs = outputs::read(fields, &names);
@@ -112,6 +114,7 @@ fn read(fields: &mut Fields<'_>, driver: Measures) -> Option<DrivenLinkage> {
             driver: driven?,
             assembly: assembly?,
             start: start?,
+            travel: travel?,
             gravity: gravity?,
             forces: forces?,
             outputs: outputs?,
@@ -119,3 +122,13 @@ fn read(fields: &mut Fields<'_>, driver: Measures) -> Option<DrivenLinkage> {
     })
 }
 
+fn travel(mut slot: Slot<'_>, input: Measures) -> Option<[f64; 2]> {
+    let end = |slot: Slot<'_>| slot.quantity(input.displacement(), Bounds::ANY);
+    let (from, to) = slot.look(|slot| slot.pair(end, end))?;
+    if from < to {
+        return Some([from, to]);
+    }
+    let message = format!("the travel must end beyond its beginning: {to} is not above {from}");
+    slot.refuse("out-of-range", message);
+    None
+}
