@@ -85,7 +85,10 @@ pub fn linkage_of<'m>(model: &'m Model, id: Option<&str>) -> Result<&'m LinkageB
         }
         (Some(id), bodies) => bodies.iter().find(|body| name(body) == id).ok_or_else(|| {
             let names: Vec<String> = bodies.iter().map(name).collect();
-            format!("`{id}` is no linkage of the scene; one of {}", names.join(", "))
+            format!(
+                "`{id}` is no linkage of the scene; one of {}",
+                names.join(", ")
+            )
         }),
     }
 }

@@ -160,22 +160,19 @@ pub(super) struct Heading {
     pub(super) owner: String,
     pub(super) quantity: Quantity,
     pub(super) unit: String,
-    /// True for speeds and accelerations.
-    pub(super) timed: bool,
 }
 
 fn heading(owner: &str, quantity: Quantity, own: &str, input: &str) -> Heading {
-    let (unit, timed) = match quantity.shape() {
-        Unit::Time(0) => (own.to_owned(), false),
-        Unit::Time(1) => (format!("{own}/s"), true),
-        Unit::Time(_) => (format!("{own}/s²"), true),
-        Unit::Transfer(order) => (transfer_unit(own, input, order), false),
+    let unit = match quantity.shape() {
+        Unit::Time(0) => own.to_owned(),
+        Unit::Time(1) => format!("{own}/s"),
+        Unit::Time(_) => format!("{own}/s²"),
+        Unit::Transfer(order) => transfer_unit(own, input, order),
     };
     Heading {
         owner: owner.to_owned(),
         quantity,
         unit,
-        timed,
     }
 }
 

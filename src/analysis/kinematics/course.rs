@@ -68,8 +68,6 @@ pub(super) fn compose(f: Jet, x: Jet) -> Jet {
         value: f.value,
         first: f.first * x.first,
         second: f.second * x.first * x.first + f.first * x.second,
-        third: f.third * x.first.powi(3)
-            + 3.0 * f.second * x.first * x.second
-            + f.first * x.third,
+        third: f.third * x.first.powi(3) + 3.0 * f.second * x.first * x.second + f.first * x.third,
     }
 }

@@ -57,7 +57,12 @@ impl Seeker<'_, '_> {
     /// The value of a column at a place.
     fn at(&mut self, place: f64, column: usize) -> f64 {
         let q = self.asked.input_at(place);
-        if self.asked.linkage.solve(q.value, 3, &mut self.work).is_err() {
+        if self
+            .asked
+            .linkage
+            .solve(q.value, 3, &mut self.work)
+            .is_err()
+        {
             return f64::NAN;
         }
         columns::values(self.asked, &self.work, q, &mut self.values);

@@ -20,11 +20,21 @@ pub(super) fn strokes(asked: &Asked<'_>) -> Vec<Stroke> {
     let spec = asked.linkage.spec();
     let outputs = (0..spec.outputs.len()).map(|index| {
         let unit = unit_of(asked.outputs[index]);
-        (Moving::Output(index), spec.outputs[index].name.clone(), unit)
+        (
+            Moving::Output(index),
+            spec.outputs[index].name.clone(),
+            unit,
+        )
     });
     let slides = spec.pairs.iter().enumerate().filter_map(|(index, pair)| {
         let slides = matches!(pair.kind, PairKind::Sliding { .. });
-        slides.then(|| (Moving::Pair(index), pair.name.clone(), unit_of(Coordinate::Sliding)))
+        slides.then(|| {
+            (
+                Moving::Pair(index),
+                pair.name.clone(),
+                unit_of(Coordinate::Sliding),
+            )
+        })
     });
     let mut work = asked.linkage.workspace();
     let all = outputs.chain(slides);
@@ -65,7 +75,9 @@ type Ends = ([(f64, f64); 2], [f64; 2]);
 fn stroke(look: &mut dyn FnMut(f64, bool) -> f64, from: f64, period: f64) -> Option<Ends> {
     let place = |index: usize| from + period * index as f64 / LOOKS as f64;
     let senses: Vec<f64> = (0..=LOOKS).map(|index| look(place(index), false)).collect();
-    let largest = senses.iter().fold(0.0, |best: f64, value| best.max(value.abs()));
+    let largest = senses
+        .iter()
+        .fold(0.0, |best: f64, value| best.max(value.abs()));
     if !largest.is_finite() || largest == 0.0 {
         return None;
     }
@@ -73,7 +85,10 @@ fn stroke(look: &mut dyn FnMut(f64, bool) -> f64, from: f64, period: f64) -> Opt
     for index in 0..LOOKS {
         let (one, other) = (senses[index], senses[index + 1]);
         if (one > 0.0) != (other > 0.0) {
-            turns.push((root(look, place(index), place(index + 1), one > 0.0), one > 0.0));
+            turns.push((
+                root(look, place(index), place(index + 1), one > 0.0),
+                one > 0.0,
+            ));
         }
     }
     let &[(first, first_is_top), (second, second_is_top)] = turns.as_slice() else {
@@ -82,7 +97,11 @@ fn stroke(look: &mut dyn FnMut(f64, bool) -> f64, from: f64, period: f64) -> Opt
     if first_is_top == second_is_top {
         return None;
     }
-    let (top, foot) = if first_is_top { (first, second) } else { (second, first) };
+    let (top, foot) = if first_is_top {
+        (first, second)
+    } else {
+        (second, first)
+    };
     let rise = (top - foot).rem_euclid(period);
     let ends = [(foot, look(foot, true)), (top, look(top, true))];
     Some((ends, [rise, period - rise]))

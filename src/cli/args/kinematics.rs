@@ -15,7 +15,12 @@ pub(crate) struct KinematicsArgs {
     #[arg(long, group = "over")]
     pub(crate) turn: bool,
     /// Over a range of the input coordinate: 0:180 deg
-    #[arg(long, value_name = "FROM:TO", allow_hyphen_values = true, group = "over")]
+    #[arg(
+        long,
+        value_name = "FROM:TO",
+        allow_hyphen_values = true,
+        group = "over"
+    )]
     pub(crate) range: Option<String>,
     /// Over time, under the motion of the scene's drive; without a value over the scene's duration
     #[arg(long, value_name = "TIME", num_args = 0..=1, default_missing_value = "", group = "over")]

@@ -72,7 +72,11 @@ fn show(
         let row = found.axis.values.iter().position(|&place| place == at);
         match row {
             Some(row) => console::data(&picture(found, row)),
-            None => return Err("the linkage cannot be assembled at that place".to_owned().into()),
+            None => {
+                return Err("the linkage cannot be assembled at that place"
+                    .to_owned()
+                    .into());
+            }
         }
     } else if args.scene.json {
         console::json(&document(&scene.name, &scene.hash, found))?;
@@ -163,11 +167,7 @@ fn range_of(text: &str, own: Measures) -> Result<Over, Failure> {
     })
 }
 
-fn files(
-    input: &Input,
-    ready: &Ready,
-    found: &Kinematics<'_>,
-) -> Result<Vec<ResultFile>, Failure> {
+fn files(input: &Input, ready: &Ready, found: &Kinematics<'_>) -> Result<Vec<ResultFile>, Failure> {
     let scene = ready.scene();
     let report = page(&KinematicsReport {
         found,
@@ -178,7 +178,10 @@ fn files(
     });
     let document = document(&scene.name, &scene.hash, found);
     Ok(vec![
-        ResultFile::new(FILES[0], kinematics_csv(found).map_err(|error| error.to_string())?),
+        ResultFile::new(
+            FILES[0],
+            kinematics_csv(found).map_err(|error| error.to_string())?,
+        ),
         ResultFile::new(FILES[1], format!("{document:#}\n")),
         ResultFile::new(FILES[2], drawing(found).svg(0)),
         ResultFile::new(FILES[3], report),

@@ -106,7 +106,9 @@ fn points<'a>(found: &'a Kinematics<'_>) -> Vec<Point<'a>> {
         };
         let values = [column, y, vx, vy, ax, ay].map(|column| column.values.as_slice());
         let moves = values[..2].iter().any(|values| spread(values) > 0.0);
-        let twice = points.iter().any(|other: &Point<'_>| same_path(other, values[0], values[1]));
+        let twice = points
+            .iter()
+            .any(|other: &Point<'_>| same_path(other, values[0], values[1]));
         if moves && !twice {
             points.push(Point { owner, values });
         }
@@ -119,7 +121,11 @@ fn spread(values: &[f64]) -> f64 {
     let least = values.iter().copied().fold(f64::INFINITY, f64::min);
     let most = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let size = least.abs().max(most.abs());
-    if most - least > 1e-9 * size { most - least } else { 0.0 }
+    if most - least > 1e-9 * size {
+        most - least
+    } else {
+        0.0
+    }
 }
 
 /// True when two points are one pin of two links.
@@ -127,7 +133,9 @@ fn same_path(other: &Point<'_>, x: &[f64], y: &[f64]) -> bool {
     let near = |a: &[f64], b: &[f64]| {
         let size = a.iter().fold(0.0, |size: f64, value| size.max(value.abs()));
         let pairs = a.iter().zip(b);
-        pairs.into_iter().all(|(a, b)| (a - b).abs() <= 1e-9 * size.max(1e-300))
+        pairs
+            .into_iter()
+            .all(|(a, b)| (a - b).abs() <= 1e-9 * size.max(1e-300))
     };
     near(other.values[0], x) && near(other.values[1], y)
 }

@@ -44,7 +44,12 @@ pub fn page(report: &KinematicsReport<'_>) -> String {
     body.push_str(&strokes(found));
     body.push_str(&transmission(found));
     for group in plots::groups(found) {
-        let _ = writeln!(body, "<h2>{}</h2>\n<div class=\"plots\" style=\"--rows:{}\">", group.title, group.charts.len().div_ceil(2));
+        let _ = writeln!(
+            body,
+            "<h2>{}</h2>\n<div class=\"plots\" style=\"--rows:{}\">",
+            group.title,
+            group.charts.len().div_ceil(2)
+        );
         for chart in &group.charts {
             let _ = writeln!(
                 body,

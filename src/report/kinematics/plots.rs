@@ -24,9 +24,9 @@ pub(super) fn groups(found: &Kinematics<'_>) -> Vec<Group> {
         .collect();
     let mut groups = Vec::new();
     let mut add = |title: &str, owners: &[String], rows: &[(&str, Q)]| {
-        let charts = rows.iter().flat_map(|&(name, quantity)| {
-            charts(found, name, owners, quantity)
-        });
+        let charts = rows
+            .iter()
+            .flat_map(|&(name, quantity)| charts(found, name, owners, quantity));
         let charts: Vec<Chart> = charts.collect();
         if !charts.is_empty() {
             groups.push(Group {
@@ -72,9 +72,18 @@ pub(super) fn groups(found: &Kinematics<'_>) -> Vec<Group> {
             ("Relative speed", Q::RelativeSpeed),
             ("Transport speed across the guide", Q::TransportSpeedAcross),
             ("Relative acceleration", Q::RelativeAcceleration),
-            ("Transport acceleration along the guide", Q::TransportAccelerationAlong),
-            ("Transport acceleration across the guide", Q::TransportAccelerationAcross),
-            ("Coriolis acceleration across the guide", Q::CoriolisAcceleration),
+            (
+                "Transport acceleration along the guide",
+                Q::TransportAccelerationAlong,
+            ),
+            (
+                "Transport acceleration across the guide",
+                Q::TransportAccelerationAcross,
+            ),
+            (
+                "Coriolis acceleration across the guide",
+                Q::CoriolisAcceleration,
+            ),
         ],
     );
     groups
@@ -94,7 +103,11 @@ fn charts(found: &Kinematics<'_>, name: &str, owners: &[String], quantity: Quant
             continue;
         };
         let curve = curve(found, column);
-        let unit = if column.unit == "1" { "" } else { column.unit.as_str() };
+        let unit = if column.unit == "1" {
+            ""
+        } else {
+            column.unit.as_str()
+        };
         match charts.iter_mut().find(|chart| chart.unit == unit) {
             Some(chart) => chart.curves.push(curve),
             None => charts.push(Chart {
