@@ -74,7 +74,7 @@ pub struct Asked<'a> {
 pub fn linkage_of<'m>(model: &'m Model, id: Option<&str>) -> Result<&'m LinkageBody, String> {
     let name = |body: &LinkageBody| model.objects[body.object].id.clone();
     match (id, model.linkages.as_slice()) {
-        (_, []) => Err("the scene has no linkage".to_owned()),
+        (_, []) => Err("the scene has no object of kind `linkage`".to_owned()),
         (None, [only]) => Ok(only),
         (None, several) => {
             let names: Vec<String> = several.iter().map(name).collect();

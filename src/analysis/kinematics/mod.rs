@@ -138,6 +138,3 @@ pub struct Stopped {
     /// What happens there, in words.
     pub cause: String,
 }
-
-#[cfg(test)]
-mod tests;

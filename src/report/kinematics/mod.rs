@@ -34,6 +34,9 @@ pub(super) fn input(found: &Kinematics<'_>, at: f64) -> String {
 pub(super) fn angle_or(value: f64, unit: &str) -> String {
     match unit {
         "rad" => format!("{} deg", significant(value.to_degrees(), 8)),
+        "1" => significant(value, 8),
+        // A prefix does not go with a reciprocal.
+        unit if unit.starts_with('1') => format!("{} {unit}", significant(value, 8)),
         _ => with_unit(value, unit, 8),
     }
 }

@@ -146,10 +146,7 @@ fn extremes(found: &Kinematics<'_>) -> String {
     let mut rows = String::new();
     for (column, extremes) in found.columns.iter().zip(&found.extremes) {
         let end = |(at, value): (f64, f64)| {
-            let value = match column.unit.as_str() {
-                "1" => significant(value, 8),
-                unit => angle_or(value, unit),
-            };
+            let value = angle_or(value, &column.unit);
             format!(
                 "<td>{value}<span class=\"sub\">at {}</span></td>",
                 place(found, at)

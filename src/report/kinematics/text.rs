@@ -68,13 +68,7 @@ fn told(quantity: Quantity) -> bool {
 }
 
 fn row(out: &mut String, found: &Kinematics<'_>, column: &Column, extremes: &Extremes) {
-    let end = |(at, value): (f64, f64)| {
-        let shown = match column.unit.as_str() {
-            "1" => significant(value, 8),
-            unit => angle_or(value, unit),
-        };
-        (shown, place(found, at))
-    };
+    let end = |(at, value): (f64, f64)| (angle_or(value, &column.unit), place(found, at));
     let ((least, at_least), (greatest, at_greatest)) =
         (end(extremes.least), end(extremes.greatest));
     let name = column.name();

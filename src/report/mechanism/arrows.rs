@@ -18,12 +18,18 @@ pub(super) fn greatest(set: &ArrowSet) -> f64 {
         .fold(0.0, f64::max)
 }
 
-/// Pixels for a unit of the set's quantity; 0 where all vectors are zero.
-pub(super) fn pixels(set: &ArrowSet, view: &View) -> f64 {
+/// Metres for a unit of the set's quantity in a mechanism of this extent; 0
+/// where all vectors are zero.
+pub(super) fn metres(set: &ArrowSet, extent: f64) -> f64 {
     match greatest(set) {
-        length if length > 0.0 => LONGEST * view.extent * view.scale / length,
+        length if length > 0.0 => LONGEST * extent / length,
         _ => 0.0,
     }
+}
+
+/// Pixels for a unit of the set's quantity.
+pub(super) fn pixels(set: &ArrowSet, view: &View) -> f64 {
+    metres(set, view.extent) * view.scale
 }
 
 /// Heads of the arrows.

@@ -17,18 +17,24 @@ pub(super) fn picture(drawing: &Drawing<'_>, view: &View, frame: usize) -> Strin
     let mut out = String::new();
     out.push_str(&supports(drawing, view));
     let placed = drawing.frames.get(frame);
-    for link in 0..drawing.spec.links.len() {
-        let placement = placed.and_then(|frame| frame.get(link));
-        let transform = placement.map_or(String::new(), |placement| {
-            format!(" transform=\"{}\"", view.transform(placement))
-        });
-        let _ = writeln!(
-            out,
-            "<g class=\"link l{}\" data-link=\"{link}\"{transform}><title>{}</title>{}</g>",
-            link % 8,
-            escape(&drawing.spec.links[link].name),
-            body(drawing, view, link)
-        );
+    // Blocks lie upon what they slide on.
+    let layers: [fn(&Drawing<'_>, &View, usize) -> String; 2] = [bars, blocks];
+    for part in layers {
+        for link in 0..drawing.spec.links.len() {
+            let placement = placed.and_then(|frame| frame.get(link));
+            let transform = placement.map_or(String::new(), |placement| {
+                format!(" transform=\"{}\"", view.transform(placement))
+            });
+            let drawn = part(drawing, view, link);
+            if !drawn.is_empty() {
+                let _ = writeln!(
+                    out,
+                    "<g class=\"link l{}\" data-link=\"{link}\"{transform}><title>{}</title>{drawn}</g>",
+                    link % 8,
+                    escape(&drawing.spec.links[link].name),
+                );
+            }
+        }
     }
     out.push_str(&paths(drawing, view));
     out.push_str(&pins(drawing, view, placed));
@@ -169,8 +175,8 @@ fn place(frame: &[Placement], point: &PointOf) -> [f64; 2] {
     }
 }
 
-/// A link in pixels of its own frame, y upwards turned down.
-fn body(drawing: &Drawing<'_>, view: &View, link: usize) -> String {
+/// A link's bar or plate and its guides, in pixels of its own frame.
+fn bars(drawing: &Drawing<'_>, view: &View, link: usize) -> String {
     let spec = drawing.spec;
     let pixel = |[x, y]: [f64; 2]| {
         format!(
@@ -193,24 +199,29 @@ fn body(drawing: &Drawing<'_>, view: &View, link: usize) -> String {
         );
     }
     for (index, pair) in spec.pairs.iter().enumerate() {
-        if let PairKind::Sliding { direction, .. } = pair.kind {
-            if pair.on.link == Some(link) {
-                let [x, y] = pair.on.at;
-                let span = travel(drawing, index, view.extent);
-                let _ = write!(
-                    out,
-                    "<g class=\"rail\" transform=\"translate({}) rotate({})\">{}</g>",
-                    pixel([x, y]),
-                    coordinate(-direction.to_degrees()),
-                    rails(span, block_height(pair, view), view.scale, false)
-                );
-            }
-            if pair.link.link == Some(link) {
-                out.extend(shape::block(pair, view.extent).map(|block| rectangle(&block, view)));
-            }
+        let PairKind::Sliding { direction, .. } = pair.kind else {
+            continue;
+        };
+        if pair.on.link == Some(link) {
+            let span = travel(drawing, index, view.extent);
+            let _ = write!(
+                out,
+                "<g class=\"rail\" transform=\"translate({}) rotate({})\">{}</g>",
+                pixel(pair.on.at),
+                coordinate(-direction.to_degrees()),
+                rails(span, block_height(pair, view), view.scale, false)
+            );
         }
     }
     out
+}
+
+/// A link's blocks, in pixels of its own frame.
+fn blocks(drawing: &Drawing<'_>, view: &View, link: usize) -> String {
+    let pairs = drawing.spec.pairs.iter();
+    let own = pairs.filter(|pair| pair.link.link == Some(link));
+    let blocks = own.filter_map(|pair| shape::block(pair, view.extent));
+    blocks.map(|block| rectangle(&block, view)).collect()
 }
 
 fn rectangle(block: &Block, view: &View) -> String {

@@ -53,7 +53,7 @@ impl Drawing<'_> {
         let id = escape(id);
         format!(
             "<style>{STYLE}</style>\n<figure class=\"moving\" id=\"{id}\">\n\
-             <svg class=\"mechanism\" viewBox=\"0 0 {w} {h}\" role=\"img\" \
+             <svg class=\"mechanism\" viewBox=\"0 0 {w} {h}\" width=\"{w}\" height=\"{h}\" role=\"img\" \
              aria-label=\"the mechanism, to scale\">\n{markers}\n{parts}{layer}</svg>\n\
              <div class=\"bar controls\"></div>\n</figure>\n\
              <script type=\"application/json\" id=\"{id}-data\">{data}</script>\n\

@@ -1,6 +1,6 @@
 //! The part of the plane that is shown, and its scale.
 
-use super::{Drawing, Placement, shape};
+use super::{Drawing, Placement, arrows, shape};
 
 /// Largest picture (pixels).
 const WIDEST: f64 = 860.0;
@@ -19,7 +19,7 @@ pub(super) struct View {
     pub(super) scale: f64,
     /// Place of the ground's origin (pixels).
     pub(super) origin: [f64; 2],
-    /// Largest extent of what is shown (m).
+    /// Largest extent of the mechanism itself (m).
     pub(super) extent: f64,
 }
 
@@ -47,7 +47,19 @@ impl View {
         for point in drawing.paths.iter().flat_map(|path| &path.points) {
             area.take(*point);
         }
-        Self::around(&area)
+        let extent = Self::around(&area).extent;
+        for set in &drawing.arrows {
+            let scale = arrows::metres(set, extent);
+            for arrow in &set.arrows {
+                for (at, vector) in arrow.at.iter().zip(&arrow.vector) {
+                    area.take([at[0] + scale * vector[0], at[1] + scale * vector[1]]);
+                }
+            }
+        }
+        Self {
+            extent,
+            ..Self::around(&area)
+        }
     }
 
     fn around(area: &Area) -> Self {

@@ -1,1 +1,0 @@
-//! Kinematics against closed forms.
