@@ -8,6 +8,7 @@ pub mod exact;
 pub mod expectations;
 pub mod forces;
 mod kinematic;
+pub mod kinematics;
 pub mod law;
 pub mod map;
 mod method;

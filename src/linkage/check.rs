@@ -142,8 +142,8 @@ fn pair(spec: &LinkageSpec, pair: &PairSpec, found: &mut Faults) {
             found.finite(&format!("{path}.angle"), angle);
             found.not_negative(&format!("{path}.half_height"), half_height);
             place(found, &format!("{path}.corners"), corners);
-            if corners[0] <= corners[1] {
-                let message = format!("{} is not ahead of {}", corners[0], corners[1]);
+            if corners[0] < corners[1] {
+                let message = format!("{} lies behind {}", corners[0], corners[1]);
                 found.add(
                     format!("{path}.corners"),
                     message,

@@ -2,7 +2,9 @@
 
 use super::table::Table;
 use super::{equations, load_word, units};
-use crate::model::{Closure, Coordinate, DampingLaw, LinkBase, Model, NodeMotion, ObjectPart, Pair};
+use crate::model::{
+    Closure, Coordinate, DampingLaw, LinkBase, Model, NodeMotion, ObjectPart, Pair,
+};
 use crate::report::diagram::{drivers_first, pair};
 use crate::report::quantity::{significant, with_unit};
 use std::f64::consts::TAU;
