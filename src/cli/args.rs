@@ -1,8 +1,10 @@
 //! The command line's arguments.
 
+mod forces;
 mod kinematics;
 mod methods;
 
+pub(crate) use forces::{ConventionName, Direction, ForcesArgs};
 pub(crate) use kinematics::KinematicsArgs;
 pub(crate) use methods::MethodsArgs;
 
@@ -42,6 +44,8 @@ pub(crate) enum Command {
     Methods(MethodsArgs),
     /// Positions, transfer functions, speeds and accelerations of a linkage; the mechanism moving
     Kinematics(KinematicsArgs),
+    /// Kinetostatics of a linkage: reactions, driving force, friction, transmission ratio, self-locking
+    Forces(ForcesArgs),
 }
 
 /// What every command on a scene takes.

@@ -6,6 +6,7 @@ mod check;
 mod compare;
 mod console;
 mod failure;
+mod forces;
 mod input;
 mod interrupt;
 mod journal;
@@ -37,6 +38,7 @@ pub(crate) fn main() -> ExitCode {
         Command::Map(args) => (map::command(args), Some(&args.scene)),
         Command::Methods(args) => (methods::command(args), Some(&args.scene)),
         Command::Kinematics(args) => (kinematics::command(args), Some(&args.scene)),
+        Command::Forces(args) => (forces::command(args), Some(&args.scene)),
     };
     match result {
         Ok(status) => ExitCode::from(status.code()),

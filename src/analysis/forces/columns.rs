@@ -72,6 +72,12 @@ pub fn columns(linkage: &LinkageSpec, output: Option<usize>) -> Vec<Column> {
     list.extend(of_power());
     list.extend(of_frame());
     list.extend(of_changes(linkage, force));
+    if output.is_some() {
+        list.extend(of_ratio_changes(linkage));
+    }
+    list.push(Column::new("solutions", "", false, |_, f| {
+        Some(f.solved.solutions as f64)
+    }));
     list
 }
 
@@ -180,7 +186,7 @@ fn of_frame() -> Vec<Column> {
     list
 }
 
-/// Derivatives of the driving force, and the number of solutions.
+/// Derivatives of the driving force.
 fn of_changes(linkage: &LinkageSpec, force: &str) -> Vec<Column> {
     let mut list = Vec::new();
     for (index, pair) in linkage.pairs.iter().enumerate() {
@@ -205,8 +211,29 @@ fn of_changes(linkage: &LinkageSpec, force: &str) -> Vec<Column> {
             move |_, f| f.sensitivities.as_ref().map(|found| found.moment[index]),
         ));
     }
-    list.push(Column::new("solutions", "", false, |_, f| {
-        Some(f.solved.solutions as f64)
-    }));
+    list
+}
+
+/// Derivatives of the dynamic transmission ratio: those of the driving force
+/// over the load.
+fn of_ratio_changes(linkage: &LinkageSpec) -> Vec<Column> {
+    let per_drive = |f: &Forces| {
+        let found = f.transmission?;
+        // χ is proportional to the driving force.
+        found.dynamic_ratio(1.0, f.convention)
+    };
+    let mut list = Vec::new();
+    for (index, pair) in linkage.pairs.iter().enumerate() {
+        let name = format!("chi_by.{}.friction", pair.name);
+        list.push(Column::new(name, "", false, move |_, f| {
+            Some(per_drive(f)? * f.sensitivities.as_ref()?.friction[index])
+        }));
+    }
+    for (index, link) in linkage.links.iter().enumerate() {
+        let name = format!("chi_by.{}.mass", link.name);
+        list.push(Column::new(name, "1/kg", false, move |_, f| {
+            Some(per_drive(f)? * f.sensitivities.as_ref()?.mass[index])
+        }));
+    }
     list
 }

@@ -1,28 +1,28 @@
 //! Kinetostatics over a course of the input: reactions, driving force,
 //! transmission ratios, efficiency, self-locking, balance of the frame.
 
+mod asked;
 mod columns;
 mod counterweight;
 mod course;
 mod cycle;
-mod document;
 mod extremes;
 mod massless;
 mod row;
 mod zones;
 
+pub use asked::{LinkagePositions, course_of, course_of_record, only_loaded_output};
 pub use columns::{Column, columns};
 pub use counterweight::Counterweight;
 pub use course::{Course, PositionSource};
 pub use cycle::CycleForces;
-pub use document::document;
 pub use extremes::{Extreme, Extremes};
-pub use massless::{MasslessComparison, MasslessPoint, compare_massless};
+pub use massless::{MasslessComparison, MasslessPoint, NEGLIGIBLE, compare_massless};
 pub use row::{Forces, LinkPlace, PairForces, Row, Trouble};
 pub use zones::{Zone, ZoneKind};
 
 use crate::fault::Fault;
-use crate::linkage::kinetostatics::{Convention, Kinetostatics, Options};
+use crate::linkage::kinetostatics::{BAD_CONDITION, Convention, Kinetostatics, Options};
 use crate::linkage::spec::{LinkageSpec, PairKind};
 use row::Solver;
 
@@ -125,6 +125,14 @@ impl ForceStudy {
         }
     }
 
+    /// Unit of the driving force.
+    pub fn drive_unit(&self) -> &'static str {
+        match self.linkage.pairs[self.linkage.driver].kind {
+            PairKind::Revolute { .. } => "N m",
+            PairKind::Sliding { .. } => "N",
+        }
+    }
+
     /// The greatest residual of the power balance over all positions.
     pub fn worst_balance(&self) -> f64 {
         let residuals = self.solved().map(|(_, forces)| forces.balance.residual);
@@ -148,10 +156,10 @@ impl ForceStudy {
                 "friction is so strong that {several} positions have more than one solution; the one reached from no friction is given"
             ));
         }
-        let bad = count(&|forces| forces.solved.condition.is_some_and(|c| c > 1e12));
+        let bad = count(&|forces| forces.solved.condition.is_some_and(|c| c > BAD_CONDITION));
         if bad > 0 {
             warnings.push(format!(
-                "{bad} positions are so near to a dead position that the condition number is above 1e12"
+                "{bad} positions are so near to a dead position that the condition number is above {BAD_CONDITION:.0e}"
             ));
         }
         if self.worst_balance() > 1e-8 {

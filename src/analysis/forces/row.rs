@@ -2,8 +2,8 @@
 
 use super::{ForceSettings, PositionSource};
 use crate::linkage::kinetostatics::{
-    Balance, ForceFailure, ForceWorkspace, InputMotion, Kinetostatics, Positions, Reaction,
-    Sensitivities, Solved, Transmission,
+    Balance, Convention, ForceFailure, ForceWorkspace, InputMotion, Kinetostatics, Positions,
+    Reaction, Sensitivities, Solved, Transmission,
 };
 use std::fmt;
 
@@ -53,6 +53,8 @@ pub struct Forces {
     pub transmission: Option<Transmission>,
     /// Dynamic transmission ratio χ.
     pub chi: Option<f64>,
+    /// The sign it is given.
+    pub convention: Convention,
     /// Force and moment about the ground's origin of the links' inertia on the
     /// frame (N, N, N·m).
     pub shaking: [f64; 3],
@@ -178,6 +180,7 @@ impl<'a, S: PositionSource> Solver<'a, S> {
                 .collect(),
             balance: solver.balance(w),
             chi: transmission.and_then(ratio),
+            convention: self.settings.convention,
             transmission,
             shaking: solver.shaking(w),
             on_frame: solver.on_frame(w),

@@ -37,7 +37,7 @@ pub use positions::{LinkPosition, PointPosition, Positions};
 pub use ratio::{Convention, Transmission};
 pub use result::{Balance, Reaction, SlidingFriction};
 pub use sensitivity::Sensitivities;
-pub use solve::{ForceFailure, InputMotion, Options, Solved};
+pub use solve::{BAD_CONDITION, ForceFailure, InputMotion, Options, Solved};
 pub use workspace::ForceWorkspace;
 
 use super::spec::{LinkageSpec, PairKind, PairSpec};

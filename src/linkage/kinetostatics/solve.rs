@@ -8,7 +8,7 @@ use super::{Kinetostatics, Unknown};
 use std::fmt;
 
 /// Condition number from which a position is reported as badly conditioned.
-pub(super) const BAD_CONDITION: f64 = 1e12;
+pub const BAD_CONDITION: f64 = 1e12;
 /// Condition number from which W counts as singular.
 const SINGULAR: f64 = 1e15;
 /// Ratio of pivots below which the condition number is looked at.

@@ -1,17 +1,26 @@
 //! A study as one JSON document.
 
-use super::columns::columns;
-use super::{Counterweight, CycleForces, ForceStudy, MasslessComparison};
+use super::ForcesReport;
+use crate::analysis::forces::{
+    Counterweight, CycleForces, Extreme, ForceStudy, MasslessComparison, NEGLIGIBLE, columns,
+};
 use serde_json::{Map, Value, json};
 
-/// Everything that a study found: figures, zones, checks, and all columns.
-pub fn document(study: &ForceStudy, massless: Option<&MasslessComparison>) -> Value {
+/// Everything that a study found, in SI units: figures, zones, checks, and all
+/// columns.
+pub fn document(report: &ForcesReport<'_>) -> Value {
+    let (study, massless) = (report.study, report.massless);
     let linkage = &study.linkage;
     let output = study
         .settings
         .output
         .map(|index| &linkage.outputs[index].name);
     let mut object = Map::new();
+    object.insert("dam".into(), json!(1));
+    object.insert("scene".into(), json!(report.name));
+    object.insert("hash".into(), json!(report.hash));
+    object.insert("object".into(), json!(report.object));
+    object.insert("motion".into(), json!(report.motion));
     object.insert("convention".into(), json!(study.settings.convention.name()));
     object.insert("output".into(), json!(output));
     object.insert("positions".into(), json!(study.rows.len()));
@@ -49,7 +58,7 @@ pub fn document(study: &ForceStudy, massless: Option<&MasslessComparison>) -> Va
 
 fn extremes(study: &ForceStudy) -> Value {
     let entries = study.extremes.iter().map(|found| {
-        let end = |extreme: &super::Extreme| json!({ "value": extreme.value, "at": extreme.at });
+        let end = |extreme: &Extreme| json!({ "value": extreme.value, "at": extreme.at });
         let value = json!({
             "unit": found.unit,
             "least": end(&found.least),
@@ -134,7 +143,7 @@ fn comparison(found: &MasslessComparison) -> Value {
         "coordinates": found.coordinates,
         "chi": found.massless,
         "points": points.collect::<Vec<_>>(),
-        "negligible": super::massless::NEGLIGIBLE,
+        "negligible": NEGLIGIBLE,
         "negligible_up_to": found.negligible_up_to,
     })
 }
