@@ -2,12 +2,12 @@
 //! functions, reactions with friction, and the proof that they are the only ones.
 
 use criterion::{Criterion, criterion_group, criterion_main};
+use dam::linkage::Linkage;
 use dam::linkage::kinetostatics::{InputMotion, Kinetostatics, Options};
 use dam::linkage::spec::{
     AssemblyChoice, AssemblySpec, ForceLaw, ForceSpec, LinkSpec, LinkageSpec, PairKind, PairSpec,
     PointOf,
 };
-use dam::linkage::Linkage;
 use std::f64::consts::TAU;
 use std::hint::black_box;
 
@@ -106,8 +106,12 @@ fn eight_links() -> LinkageSpec {
         linkage.links.push(bar("rocker", 0.2));
         let pivot = 0.3 * (stage + 1) as f64;
         linkage.pairs.push(pin(last, of(coupler, 0.0, 0.0)));
-        linkage.pairs.push(pin(of(coupler, 0.3, 0.0), of(rocker, 0.2, 0.0)));
-        linkage.pairs.push(pin(ground(pivot, -0.2), of(rocker, 0.0, 0.0)));
+        linkage
+            .pairs
+            .push(pin(of(coupler, 0.3, 0.0), of(rocker, 0.2, 0.0)));
+        linkage
+            .pairs
+            .push(pin(ground(pivot, -0.2), of(rocker, 0.0, 0.0)));
         last = of(rocker, 0.2, 0.02);
     }
     // Names are addresses and must differ.
@@ -135,7 +139,9 @@ fn turn(linkage: &Linkage, solver: &Kinetostatics) -> impl FnMut() -> f64 {
                 speed: 20.0,
                 acceleration: 0.0,
             };
-            let solved = solver.solve(&at, motion, &options, &mut w).expect("solvable");
+            let solved = solver
+                .solve(&at, motion, &options, &mut w)
+                .expect("solvable");
             assert!(solved.unique);
             sum += w.drive();
         }

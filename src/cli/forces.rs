@@ -32,6 +32,14 @@ pub(crate) fn command(args: &ForcesArgs) -> Result<Status, Failure> {
     let told = |faults: Vec<Fault>| faults_of(&ready, object, faults);
     let solver = Kinetostatics::new(body.linkage.spec()).map_err(told)?;
     let settings = settings(args, &solver)?;
+    if let Some(value) = args
+        .compare_massless
+        .iter()
+        .find(|x| !(x.is_finite() && **x > 0.0))
+    {
+        let message = format!("--compare-massless: {value} is not a number above zero");
+        return Err(Failure::Other(message));
+    }
     let (course, motion) = course(args, &ready, body)?;
     let folder = match &args.out.out {
         Some(path) => {

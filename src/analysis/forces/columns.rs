@@ -72,8 +72,10 @@ pub fn columns(linkage: &LinkageSpec, output: Option<usize>) -> Vec<Column> {
     list.extend(of_power());
     list.extend(of_frame());
     list.extend(of_changes(linkage, force));
-    if output.is_some() {
-        list.extend(of_ratio_changes(linkage));
+    if let Some(output) = output {
+        let kind = &linkage.outputs[output].kind;
+        let unit = over([force, of_kind(kind, linkage)[1]]);
+        list.extend(of_ratio_changes(linkage, &unit));
     }
     list.push(Column::new("solutions", "", false, |_, f| {
         Some(f.solved.solutions as f64)
@@ -90,13 +92,17 @@ fn of_kind(kind: &OutputKind, linkage: &LinkageSpec) -> [&'static str; 2] {
     }
 }
 
-fn of_output(input: [&str; 2], output: [&str; 2]) -> [Column; 3] {
-    let over = |[above, below]: [&str; 2]| match [above, below] {
+/// Unit of a quotient of forces or displacements.
+fn over([above, below]: [&str; 2]) -> String {
+    match [above, below] {
         ["N m", "N"] => "m".to_owned(),
         ["N", "N m"] => "1/m".to_owned(),
         _ if above == below => String::new(),
         _ => format!("{above}/{below}"),
-    };
+    }
+}
+
+fn of_output(input: [&str; 2], output: [&str; 2]) -> [Column; 3] {
     let ratio = over([output[0], input[0]]);
     let chi = over([input[1], output[1]]);
     [
@@ -216,7 +222,11 @@ fn of_changes(linkage: &LinkageSpec, force: &str) -> Vec<Column> {
 
 /// Derivatives of the dynamic transmission ratio: those of the driving force
 /// over the load.
-fn of_ratio_changes(linkage: &LinkageSpec) -> Vec<Column> {
+fn of_ratio_changes(linkage: &LinkageSpec, unit: &str) -> Vec<Column> {
+    let per_mass = match unit {
+        "" => "1/kg".to_owned(),
+        unit => format!("{unit}/kg"),
+    };
     let per_drive = |f: &Forces| {
         let found = f.transmission?;
         // χ is proportional to the driving force.
@@ -225,13 +235,13 @@ fn of_ratio_changes(linkage: &LinkageSpec) -> Vec<Column> {
     let mut list = Vec::new();
     for (index, pair) in linkage.pairs.iter().enumerate() {
         let name = format!("chi_by.{}.friction", pair.name);
-        list.push(Column::new(name, "", false, move |_, f| {
+        list.push(Column::new(name, unit, false, move |_, f| {
             Some(per_drive(f)? * f.sensitivities.as_ref()?.friction[index])
         }));
     }
     for (index, link) in linkage.links.iter().enumerate() {
         let name = format!("chi_by.{}.mass", link.name);
-        list.push(Column::new(name, "1/kg", false, move |_, f| {
+        list.push(Column::new(name, &per_mass, false, move |_, f| {
             Some(per_drive(f)? * f.sensitivities.as_ref()?.mass[index])
         }));
     }

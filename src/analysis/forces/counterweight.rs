@@ -64,9 +64,12 @@ pub(super) fn fit(linkage: &LinkageSpec, rows: &[Row]) -> Option<Counterweight> 
         return None;
     }
     let best = [weights[0] / weights[2], weights[1] / weights[2]];
+    let size = best[0].hypot(best[1]);
+    // A component that is rounding must not turn straight back into −180°.
+    let best = best.map(|part| if part.abs() > 1e-12 * size { part } else { 0.0 });
     let mut result = Counterweight {
         link,
-        mass_radius: best[0].hypot(best[1]),
+        mass_radius: size,
         angle: best[1].atan2(best[0]),
         rms: [0.0; 2],
         greatest: [0.0; 2],

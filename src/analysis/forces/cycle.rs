@@ -47,6 +47,7 @@ pub(super) fn sum(course: &Course, rows: &[Row], linkage: &LinkageSpec) -> Optio
         mean_drive: 0.0,
         rms_drive: 0.0,
     };
+    let mut flowed = 0.0;
     for (row, dt) in rows.iter().zip(&durations) {
         let forces = row.forces.as_ref().ok()?;
         let balance = &forces.balance;
@@ -54,6 +55,7 @@ pub(super) fn sum(course: &Course, rows: &[Row], linkage: &LinkageSpec) -> Optio
         sums.applied_work += (balance.weights + balance.forces) * dt;
         sums.load_work += forces.transmission.map_or(0.0, |found| found.load_power) * dt;
         sums.loss += balance.loss * dt;
+        flowed += (balance.drive.abs() + balance.forces.abs() + balance.weights.abs()) * dt;
         sums.mean_drive += forces.drive * dt / duration;
         sums.rms_drive += forces.drive * forces.drive * dt / duration;
         for (sum, pair) in sums.pair_losses.iter_mut().zip(&forces.pairs) {
@@ -61,9 +63,21 @@ pub(super) fn sum(course: &Course, rows: &[Row], linkage: &LinkageSpec) -> Optio
         }
     }
     sums.rms_drive = sums.rms_drive.sqrt();
+    // What should be zero is rounding of what flowed to and fro.
+    for work in [
+        &mut sums.drive_work,
+        &mut sums.load_work,
+        &mut sums.applied_work,
+    ] {
+        if work.abs() <= 1e-12 * flowed {
+            *work = 0.0;
+        }
+    }
     // Over a cycle the driver and the applied forces together cover the loss.
     let put_in = sums.drive_work.max(0.0) + sums.applied_work.max(0.0);
     let whole = sums.closed && put_in > 0.0;
-    sums.efficiency = whole.then(|| (1.0 - sums.loss / put_in).clamp(0.0, 1.0));
+    let efficiency = 1.0 - sums.loss / put_in;
+    let clear = efficiency > 1e-12;
+    sums.efficiency = whole.then_some(if clear { efficiency.min(1.0) } else { 0.0 });
     Some(sums)
 }

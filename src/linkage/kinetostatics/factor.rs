@@ -196,3 +196,91 @@ fn subtract(row: &mut [f64], factor: f64, above: &[f64]) {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Factors;
+
+    /// A matrix of small integers with zeros in it, the same in every run.
+    fn matrix(size: usize, seed: u64) -> (Factors, Vec<f64>) {
+        let mut factors = Factors::default();
+        factors.clear(size);
+        let mut state = seed;
+        let mut values = vec![0.0; size * size];
+        for row in 0..size {
+            for column in 0..size {
+                state = state
+                    .wrapping_mul(6_364_136_223_846_793_005)
+                    .wrapping_add(99);
+                let value = ((state >> 33) % 11) as f64 - 5.0;
+                let value = if (state >> 50) % 2 == 0 { 0.0 } else { value };
+                let value = value + if (row + 1) % size == column { 7.0 } else { 0.0 };
+                factors.add(row, column, value);
+                values[row * size + column] = value;
+            }
+        }
+        (factors, values)
+    }
+
+    #[test]
+    fn systems_and_transposed_systems_are_solved() {
+        for size in [1, 2, 5, 9, 21] {
+            let (mut factors, a) = matrix(size, size as u64);
+            assert!(factors.factorise());
+            let wanted: Vec<f64> = (0..2 * size).map(|k| (k as f64).sin()).collect();
+            let mut right = vec![0.0; 2 * size];
+            let mut transposed = vec![0.0; size];
+            for row in 0..size {
+                for column in 0..size {
+                    let value = a[row * size + column];
+                    for which in 0..2 {
+                        right[2 * row + which] += value * wanted[2 * column + which];
+                    }
+                    transposed[column] += value * wanted[row];
+                }
+            }
+            factors.solve(&mut right, 2);
+            factors.solve_transposed(&mut transposed);
+            for k in 0..2 * size {
+                assert!((right[k] - wanted[k]).abs() < 1e-11, "{size} {k}");
+            }
+            for k in 0..size {
+                assert!((transposed[k] - wanted[k]).abs() < 1e-11, "{size} {k}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_condition_number_is_estimated() {
+        let size = 9;
+        let (mut factors, a) = matrix(size, 4);
+        let column_sum = |values: &dyn Fn(usize, usize) -> f64| {
+            let sums = (0..size).map(|c| (0..size).map(|r| values(r, c).abs()).sum::<f64>());
+            sums.fold(0.0, f64::max)
+        };
+        let norm = column_sum(&|r, c| a[r * size + c]);
+        assert!(factors.factorise());
+        let mut inverse = vec![0.0; size * size];
+        (0..size).for_each(|k| inverse[k * size + k] = 1.0);
+        factors.solve(&mut inverse, size);
+        let exact = norm * column_sum(&|r, c| inverse[r * size + c]);
+        let found = factors.condition(&mut Vec::new(), &mut Vec::new());
+        assert!(
+            found <= exact * (1.0 + 1e-12) && found > 0.3 * exact,
+            "{found} {exact}"
+        );
+    }
+
+    #[test]
+    fn singular_matrices_are_recognised() {
+        let mut factors = Factors::default();
+        factors.clear(2);
+        for (row, column, value) in [(0, 0, 1.0), (0, 1, 2.0), (1, 0, 2.0), (1, 1, 4.0)] {
+            factors.add(row, column, value);
+        }
+        assert!(!factors.factorise());
+        factors.clear(1);
+        factors.add(0, 0, f64::NAN);
+        assert!(!factors.factorise());
+    }
+}

@@ -125,20 +125,35 @@ fn over_course(
             points,
         });
     }
-    let shaded = study
-        .zones
-        .iter()
-        .map(|zone| [zone.from, zone.to].map(|at| report.axis_value(at)));
     Chart {
         title: title.to_owned(),
         unit,
         curves,
-        shaded: shaded.collect(),
+        shaded: shaded(report),
         horizontal: Axis {
             symbol: if report.over_time() { "t" } else { "q" }.to_owned(),
             unit: report.axis_unit().to_owned(),
         },
     }
+}
+
+/// The zones; one that goes on from the beginning of a closed course in two.
+fn shaded(report: &ForcesReport<'_>) -> Vec<[f64; 2]> {
+    let course = &report.study.course;
+    let mut list = Vec::new();
+    for zone in &report.study.zones {
+        match (course.period(), course.len()) {
+            (Some(period), 1..) if zone.to > course.parameter(0) + period => {
+                let (first, last) = (course.parameter(0), course.parameter(0) + period);
+                list.push([zone.from.min(last), last]);
+                list.push([first, zone.to - period]);
+            }
+            _ => list.push([zone.from, zone.to]),
+        }
+    }
+    let ends = list.into_iter();
+    ends.map(|ends| ends.map(|at| report.axis_value(at)))
+        .collect()
 }
 
 /// χ against i; without masses and friction the line of slope ∓1.

@@ -10,10 +10,12 @@ use std::fmt::Write as _;
 const MARGIN: f64 = 46.0;
 const TITLE: f64 = 26.0;
 
-const STYLE: &str = "text{font:12px system-ui,-apple-system,'Segoe UI',Roboto,Arial,sans-serif;\
-fill:#4a5560}.title{font-size:14px;font-weight:600;fill:#17202a}.grid{stroke:#e2e6ea;fill:none}\
-.axis{stroke:#aab3bd;fill:none}.curve{fill:none;stroke:#1d5a9e;stroke-width:1.6;\
-stroke-linejoin:round}.start{fill:#c04f15}";
+// Classes of their own: on a page styles reach into all pictures.
+const STYLE: &str = ".polar text{font:12px system-ui,-apple-system,'Segoe UI',Roboto,Arial,sans-serif;\
+fill:#4a5560}.polar .title{font-size:14px;font-weight:600;fill:#17202a}\
+.polar .ring{stroke:#e2e6ea;fill:none}.polar .spoke{stroke:#aab3bd;fill:none}\
+.polar .tip{fill:none;stroke:#1d5a9e;stroke-width:1.6;stroke-linejoin:round}\
+.polar .first{fill:#c04f15}";
 
 /// The vectors of a force over the positions.
 #[derive(Clone, Debug, Default)]
@@ -66,7 +68,7 @@ impl Hodograph {
             let label = coordinate(frame.centre[1] - value * frame.pixels - 3.0);
             let _ = write!(
                 grid,
-                "<circle class=\"grid\" cx=\"{x}\" cy=\"{y}\" r=\"{r}\"/>\
+                "<circle class=\"ring\" cx=\"{x}\" cy=\"{y}\" r=\"{r}\"/>\
                  <text x=\"{}\" y=\"{label}\">{}</text>\n",
                 coordinate(frame.centre[0] + 3.0),
                 rings.label(value)
@@ -74,11 +76,11 @@ impl Hodograph {
         }
         let (w, h) = (coordinate(size), coordinate(size + TITLE));
         format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {w} {h}\" width=\"{w}\" \
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"polar\" viewBox=\"0 0 {w} {h}\" width=\"{w}\" \
              height=\"{h}\" role=\"img\" aria-label=\"{title}\">\n<style>{STYLE}</style>\n\
              <rect width=\"{w}\" height=\"{h}\" fill=\"#fff\"/>\n\
              <text class=\"title\" x=\"14\" y=\"20\">{title}, {unit}</text>\n{spokes}{grid}\
-             <path class=\"curve\" d=\"{path}\"/>\n{start}</svg>\n",
+             <path class=\"tip\" d=\"{path}\"/>\n{start}</svg>\n",
             title = escape(&self.title),
             unit = escape(&shown.unit),
             spokes = frame.spokes(radius),
@@ -120,7 +122,7 @@ impl Hodograph {
             return String::new();
         }
         format!(
-            "<circle class=\"start\" cx=\"{}\" cy=\"{}\" r=\"3.5\"><title>first position</title></circle>\n",
+            "<circle class=\"first\" cx=\"{}\" cy=\"{}\" r=\"3.5\"><title>first position</title></circle>\n",
             coordinate(x),
             coordinate(y)
         )
@@ -150,7 +152,7 @@ impl Frame {
             let angle = f64::from(step) * std::f64::consts::FRAC_PI_6;
             let (sin, cos) = angle.sin_cos();
             let named = step % 3 == 0;
-            let class = if named { "axis" } else { "grid" };
+            let class = if named { "spoke" } else { "ring" };
             let _ = write!(
                 out,
                 "<path class=\"{class}\" d=\"M{} {}L{} {}\"/>",
@@ -172,5 +174,37 @@ impl Frame {
         }
         out.push('\n');
         out
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Hodograph;
+
+    #[test]
+    fn hodographs_are_closed_and_odd_data_make_a_picture_too() {
+        let circle = (0..36).map(|k| f64::from(k) * 0.1745);
+        let mut plot = Hodograph {
+            title: "Force in <A>".to_owned(),
+            unit: "N".to_owned(),
+            vectors: circle
+                .map(|angle| [2000.0 * angle.cos(), 2000.0 * angle.sin()])
+                .collect(),
+            closed: true,
+        };
+        let picture = plot.svg(300.0);
+        assert!(picture.contains("Force in &lt;A&gt;, kN"), "{picture}");
+        assert!(picture.contains("z\"/>"));
+        plot.vectors[3] = [f64::NAN; 2];
+        let broken = plot.svg(300.0);
+        assert_eq!(
+            broken.matches('M').count(),
+            picture.matches('M').count() + 1
+        );
+        for vectors in [vec![], vec![[0.0; 2]], vec![[f64::NAN; 2]]] {
+            plot.vectors = vectors;
+            let picture = plot.svg(300.0);
+            assert!(!picture.contains("NaN") && !picture.contains("inf"));
+        }
     }
 }

@@ -75,11 +75,9 @@ impl ForcesReport<'_> {
 
 /// A value with its unit; a plain number or a composed unit without prefixes.
 fn shown(value: f64, unit: &str) -> String {
-    // Rounding of a value that is zero.
-    let value = if value.abs() < 1e-300 { 0.0 } else { value };
     match unit {
         "" => significant(value, 6),
-        unit if unit.starts_with('1') || unit.contains('/') => {
+        unit if unit.starts_with(['1', 'k']) || unit.contains('/') => {
             format!("{} {unit}", significant(value, 6))
         }
         unit => with_unit(value, unit, 6),

@@ -157,12 +157,11 @@ fn sensitivities(out: &mut String, report: &ForcesReport<'_>) {
         let chi = all
             .iter()
             .find(|other| other.name == format!("chi_by.{name}"));
-        let chi = chi
-            .and_then(greatest)
-            .map_or(String::new(), |(_, value)| significant(value, 4));
+        let chi = chi.and_then(|column| Some((greatest(column)?.1, &column.unit)));
+        let chi = chi.map_or(String::new(), |(value, unit)| shown(value, unit));
         let _ = writeln!(
             rows,
-            "{name:<26} {:>20} {:>16} {chi:>14}",
+            "{name:<26} {:>20} {:>16} {chi:>18}",
             shown(value, &column.unit),
             report.place(study.course.parameter(index))
         );
@@ -170,7 +169,7 @@ fn sensitivities(out: &mut String, report: &ForcesReport<'_>) {
     if !rows.is_empty() {
         let _ = write!(
             out,
-            "\n{:<26} {:>20} {:>16} {:>14}\n{rows}",
+            "\n{:<26} {:>20} {:>16} {:>18}\n{rows}",
             "GREATEST CHANGE BY", "of the drive", "at", "of χ"
         );
     }
