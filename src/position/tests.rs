@@ -69,16 +69,21 @@ fn specs() -> impl Strategy<Value = PositionSpec> {
                     phase,
                 }
             ),
-        (prop::array::uniform4(length), any::<bool>(), -3.0f64..3.0).prop_map(
-            |([crank, coupler, rocker, frame], minus, phase)| PositionSpec::FourBar {
-                crank,
-                coupler,
-                rocker,
-                frame,
-                branch: sign(minus),
-                phase,
-            }
-        ),
+        (
+            prop::array::uniform4(length.clone()),
+            any::<bool>(),
+            -3.0f64..3.0
+        )
+            .prop_map(|([crank, coupler, rocker, frame], minus, phase)| {
+                PositionSpec::FourBar {
+                    crank,
+                    coupler,
+                    rocker,
+                    frame,
+                    branch: sign(minus),
+                    phase,
+                }
+            }),
         (
             length.clone(),
             0.0f64..1.0,
