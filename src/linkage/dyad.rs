@@ -146,7 +146,7 @@ impl Dyad {
         let unstretched = (a + b).square() - square;
         let unfolded = square - (a - b).square();
         let discriminant = unstretched * unfolded;
-        let area = discriminant.sqrt().scale(sign);
+        let area = Series::closing_root(unstretched, unfolded, sign);
         let half = square.reciprocal().scale(0.5);
         let along = (square + (a - b) * (a + b)) * half;
         let to_pin = apart.times(along) + apart.left().times(area * half);
@@ -228,7 +228,7 @@ impl Dyad {
         let (along, second) = self.guided(around, 1);
         let off = along.cross(self.apart(around)) + self.aside(around, 1);
         let discriminant = (length - off) * (length + off);
-        let ahead = discriminant.sqrt().scale(sign);
+        let ahead = Series::closing_root(length - off, length + off, sign);
         let to_pin = along.times(ahead) + along.left().times(off);
         let scale = length.value().powi(-2);
         let reach = length.value().abs() + off.value().abs();
@@ -250,8 +250,7 @@ impl Dyad {
         // Where the guide passes through both pins the distance itself is
         // wanted: its square has lost half the digits of a small one.
         let distance = square.sqrt();
-        let discriminant = (distance - off) * (distance + off);
-        let ahead = discriminant.sqrt().scale(sign);
+        let ahead = Series::closing_root(distance - off, distance + off, sign);
         let turned = Vector::new(ahead, -off);
         let along = apart.turn(turned).times(square.reciprocal());
         let scale = (size * size).recip();

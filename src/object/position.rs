@@ -5,7 +5,7 @@ use super::load::points;
 use super::measures::Measures;
 use super::plan;
 use crate::model::Coordinate::{Sliding, Turning};
-use crate::position::PositionSpec;
+use crate::position::{PositionSpec, SlottedDriver, SlottedOutput};
 use crate::read::{Bounds, Fields, Slot, Wanted};
 use crate::units::quantities as q;
 use serde_json::json;
@@ -105,6 +105,14 @@ fn check(fields: &mut Fields<'_>, function: &PositionSpec, ends: Ends, allowed: 
         PositionSpec::Table { .. } => ("table", false, None),
         PositionSpec::SliderCrank { .. } => ("slider_crank", true, Some(Sliding)),
         PositionSpec::FourBar { .. } => ("four_bar", true, Some(Turning)),
+        PositionSpec::SlottedLink(spec) => (
+            "slotted_link",
+            spec.driver == SlottedDriver::Crank,
+            Some(match spec.output {
+                SlottedOutput::Link | SlottedOutput::Crank => Turning,
+                SlottedOutput::Block => Sliding,
+            }),
+        ),
         PositionSpec::Cam(_) => ("cam", true, None),
         PositionSpec::Plan(_) => ("plan", false, None),
     };

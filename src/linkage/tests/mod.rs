@@ -2,3 +2,5 @@
 
 mod examples;
 mod first;
+mod random;
+mod support;
