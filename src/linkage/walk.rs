@@ -200,25 +200,14 @@ impl<'a> Walker<'a> {
         let tiny = gap.abs() <= LEFT * self.unit;
         let halved = self.try_at::<2>(middle, groups);
         let at_middle = self.probe.margins.clone();
-        if let Err(Stuck(group)) = halved {
-            return if tiny {
-                self.end_of(group)
-            } else {
-                Verdict::Shorten(middle)
-            };
-        }
         let reached = self.try_at::<2>(to, groups);
         let at_end = self.probe.margins.clone();
-        let known = match reached {
-            Ok(()) => groups,
-            Err(Stuck(group)) if self.is_dyad(group) => group + 1,
-            Err(Stuck(group)) if tiny => return self.end_of(group),
-            Err(_) => return Verdict::Shorten(middle),
-        };
-        if reached.is_ok() && !tiny && !self.followed(to) {
-            return Verdict::Shorten(middle);
-        }
-        for group in 0..known {
+        let followed = reached.is_err() || tiny || self.followed(to);
+        let known = [
+            halved.map_or_else(|Stuck(group)| group, |()| groups),
+            reached.map_or_else(|Stuck(group)| group + 1, |()| groups),
+        ];
+        for group in 0..known[0].min(known[1]) {
             if self.is_dyad(group) {
                 let margins = [self.place.margins[group], at_middle[group], at_end[group]];
                 let verdict = self.examine_dyad(group, to, margins);
@@ -227,7 +216,14 @@ impl<'a> Walker<'a> {
                 }
             }
         }
-        Verdict::Accept
+        // Beyond a change point not known yet later groups may fail, and links
+        // seem to have jumped: these are looked at last.
+        match halved.and(reached) {
+            Err(Stuck(group)) if tiny && self.is_dyad(group) => self.dead(group, to),
+            Err(Stuck(group)) if tiny => self.end_of(group),
+            Ok(()) if followed => Verdict::Accept,
+            _ => Verdict::Shorten(middle),
+        }
     }
 
     /// No link has turned or gone too far, and none has jumped.
@@ -283,7 +279,9 @@ impl<'a> Walker<'a> {
         }
         // Just on a dead position or a change point: nothing can be said here.
         if gap.abs() <= LEFT * self.unit {
-            return Verdict::End(to, group);
+            let left = -b.value / b.slope;
+            let near = left.abs() <= LEFT * self.unit;
+            return Verdict::End(if near { to + left } else { to }, group);
         }
         Verdict::Shorten(from + 0.73 * gap)
     }
@@ -363,9 +361,7 @@ impl<'a> Walker<'a> {
     fn end_of(&self, group: usize) -> Verdict {
         let here = self.place.margins[group].value;
         let mut end = self.place.at;
-        if let Some(before) = &self.before
-            && !self.is_dyad(group)
-        {
+        if let Some(before) = &self.before {
             // The square of the determinant goes to zero in proportion.
             let square = (here * here, before.margins[group].value.powi(2));
             let left = square.0 / (square.1 - square.0) * (self.place.at - before.at);

@@ -1,6 +1,6 @@
 //! Tests of linkages.
 
 mod examples;
-mod first;
+mod known;
 mod random;
 mod support;
