@@ -28,9 +28,9 @@ fn minus(a: Vector, b: Vector) -> Vector {
 
 /// Places and speeds of all links: centre of mass and angle, three each.
 #[derive(Clone)]
-pub struct State {
-    pub place: Vec<f64>,
-    pub speed: Vec<f64>,
+pub(crate) struct State {
+    pub(crate) place: Vec<f64>,
+    pub(crate) speed: Vec<f64>,
 }
 
 /// A point of a link at an instant: its place and speed, its arm from the
@@ -44,17 +44,17 @@ struct Point {
 }
 
 /// The mechanism: a linkage, what its driver does, and a rotor on it.
-pub struct Mechanism<'a> {
-    pub spec: &'a LinkageSpec,
+pub(crate) struct Mechanism<'a> {
+    pub(crate) spec: &'a LinkageSpec,
     /// Constant moment or force in the driven pair.
-    pub torque: f64,
+    pub(crate) torque: f64,
     /// Inertia that turns with the driven link, which must be on the ground.
-    pub rotor: f64,
+    pub(crate) rotor: f64,
 }
 
 impl Mechanism<'_> {
     /// Consistent places and speeds for the input q with the speed `rate`.
-    pub fn start(&self, linkage: &Linkage, q: f64, rate: f64) -> State {
+    pub(crate) fn start(&self, linkage: &Linkage, q: f64, rate: f64) -> State {
         let mut workspace = linkage.workspace();
         linkage.solve(q, 1, &mut workspace).expect("within reach");
         let mut state = State {
@@ -227,7 +227,7 @@ impl Mechanism<'_> {
     }
 
     fn couples(&self, state: &State, right: &mut DVector<f64>) {
-        let mut couple = |pair: usize, moment: f64| {
+        let couple = |pair: usize, moment: f64, right: &mut DVector<f64>| {
             let pair = &self.spec.pairs[pair];
             for (end, sign) in [(&pair.on, -1.0), (&pair.link, 1.0)] {
                 if let Some(link) = end.link {
@@ -235,7 +235,7 @@ impl Mechanism<'_> {
                 }
             }
         };
-        couple(self.spec.driver, self.torque);
+        couple(self.spec.driver, self.torque, right);
         for force in &self.spec.forces {
             let of_pair = |pair: usize, values: &[f64]| {
                 let pair = &self.spec.pairs[pair];
@@ -249,7 +249,8 @@ impl Mechanism<'_> {
                     damping,
                 } => {
                     let twist = of_pair(pair, &state.place) - free_angle;
-                    couple(pair, -rate * twist - damping * of_pair(pair, &state.speed));
+                    let rate = -rate * twist - damping * of_pair(pair, &state.speed);
+                    couple(pair, rate, right);
                 }
                 ForceLaw::Couple {
                     link,
@@ -261,7 +262,7 @@ impl Mechanism<'_> {
     }
 
     /// The state after `time`, by `steps` steps.
-    pub fn integrate(&self, start: &State, time: f64, steps: usize) -> State {
+    pub(crate) fn integrate(&self, start: &State, time: f64, steps: usize) -> State {
         let step = time / steps as f64;
         let mut state = start.clone();
         let moved = |state: &State, [speed, acceleration]: [&[f64]; 2], step: f64| State {
