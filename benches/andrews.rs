@@ -314,7 +314,7 @@ impl Reduced {
         self.system
             .observe(END, &y, &self.modes, &mut scratch, &mut states);
         let objects = self.system.model().objects.iter();
-        let outputs = objects.zip(&states).filter(|(part, _)| part.kind == "output");
+        let outputs = objects.zip(&states).filter(|(part, _)| part.kind == dam::model::OUTPUT);
         let errors = outputs
             .enumerate()
             .map(|(index, (_, state))| (state.displacement - POSITIONS[ORDER[index]]).abs());
