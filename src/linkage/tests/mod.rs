@@ -1,5 +1,6 @@
 //! Tests of linkages.
 
+mod change_points;
 mod examples;
 mod known;
 mod random;
