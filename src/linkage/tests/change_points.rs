@@ -64,8 +64,20 @@ fn rows_of_squares_turn_through_their_flat_positions() {
 #[test]
 fn rows_of_squares_fall_as_published() {
     for (count, x, y, vx, vy) in [
-        (1, 0.478385057756, 0.878150178794, 1.7272640755, -0.9409521794),
-        (2, 0.328458111536, 0.944518538180, 1.4230514702, -0.4948688455),
+        (
+            1,
+            0.478385057756,
+            0.878150178794,
+            1.7272640755,
+            -0.9409521794,
+        ),
+        (
+            2,
+            0.328458111536,
+            0.944518538180,
+            1.4230514702,
+            -0.4948688455,
+        ),
     ] {
         let linkage = Linkage::new(windows(count).0).unwrap();
         let mut workspace = linkage.workspace();
@@ -79,7 +91,10 @@ fn rows_of_squares_fall_as_published() {
             state = runge_kutta(state, 10.0 / f64::from(steps), &mut acceleration);
         }
         let ([q, v], (sin, cos)) = (state, state[0].sin_cos());
-        assert!((q - FRAC_PI_2).abs() > 3.0, "it has gone through flat positions");
+        assert!(
+            (q - FRAC_PI_2).abs() > 3.0,
+            "it has gone through flat positions"
+        );
         for (found, wanted) in [(cos, x), (sin, y), (-v * sin, vx), (v * cos, vy)] {
             approx::assert_abs_diff_eq!(found, wanted, epsilon = 1e-8);
         }
@@ -89,7 +104,9 @@ fn rows_of_squares_fall_as_published() {
 #[test]
 fn an_antiparallelogram_stays_crossed() {
     // Crossed at the start: the rocker turns against the crank.
-    let linkage = four_bar([0.2, 0.5, 0.2, 0.5]).start(1.0).choose(1, AssemblyChoice::Branch(-1.0));
+    let linkage = four_bar([0.2, 0.5, 0.2, 0.5])
+        .start(1.0)
+        .choose(1, AssemblyChoice::Branch(-1.0));
     let linkage = Linkage::new(linkage.0).unwrap();
     assert_eq!(linkage.range().reach, Reach::Everywhere);
     let mut workspace = linkage.workspace();
@@ -117,7 +134,10 @@ fn links_that_nearly_fold_flat_end_beside_the_flat_position_and_pass_the_other()
             panic!("{:?}", linkage.range());
         };
         let half = 2.0 * (share * excess.abs()).sqrt().asin();
-        let (from, to) = (centre + half - if centre > 1.0 { TAU } else { 0.0 }, centre - half);
+        let (from, to) = (
+            centre + half - if centre > 1.0 { TAU } else { 0.0 },
+            centre - half,
+        );
         let to = if to < 1.0 { to + TAU } else { to };
         // Rounding of the lengths, 1e-16, counts 1e-7 of the excess.
         approx::assert_abs_diff_eq!(lower.at, from, epsilon = 1e-6 * half);
