@@ -173,6 +173,7 @@ impl Workspace {
         &self.core.spec.pairs[pair]
     }
 
+    #[cfg(test)]
     pub(super) fn core(&self) -> &Core {
         &self.core
     }

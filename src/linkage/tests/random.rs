@@ -226,7 +226,7 @@ fn most_random_linkages_are_assembled_and_every_dyad_occurs() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 150, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 100, ..ProptestConfig::default() })]
     #[test]
     fn the_loops_close_and_the_transfer_functions_are_derivatives(
         seed: u64, dyads in 1usize..4, part in 0.02f64..0.98,
