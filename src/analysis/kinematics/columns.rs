@@ -243,18 +243,20 @@ pub(super) fn headings(asked: &Asked<'_>) -> Vec<Heading> {
         out.push(heading("input", *quantity, input, input));
     }
     for link in &spec.links {
-        out.extend(LINK.map(|quantity| heading(&link.name, quantity, "rad", input)));
+        let name = format!("links.{}", link.name);
+        out.extend(LINK.map(|quantity| heading(&name, quantity, "rad", input)));
         for point in &link.points {
-            let owner = format!("{}.{}", link.name, point.name);
+            let owner = format!("{name}.{}", point.name);
             out.extend(POINT.map(|quantity| heading(&owner, quantity, "m", input)));
         }
     }
     for pair in &spec.pairs {
         if matches!(pair.kind, PairKind::Sliding { .. }) {
+            let name = format!("pairs.{}", pair.name);
             let slide = |quantity| {
                 let angle = quantity == Quantity::GuideDirection;
                 let own = if angle { "rad" } else { "m" };
-                heading(&pair.name, quantity, own, input)
+                heading(&name, quantity, own, input)
             };
             out.extend(SLIDE.map(slide));
         }

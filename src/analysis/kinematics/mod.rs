@@ -64,7 +64,8 @@ pub struct Axis {
 /// One quantity over the rows.
 #[derive(Clone, Debug)]
 pub struct Column {
-    /// What it belongs to: `input`, `rod`, `rod.P`, `guide`, `ram`.
+    /// What it belongs to: `input`, `links.rod`, `links.rod.P`, `pairs.guide`, or
+    /// an output by its name: `ram`.
     pub owner: String,
     /// What it is.
     pub quantity: Quantity,
@@ -75,7 +76,7 @@ pub struct Column {
 }
 
 impl Column {
-    /// `rod.P.speed_x`.
+    /// `links.rod.P.speed_x`.
     pub fn name(&self) -> String {
         format!("{}.{}", self.owner, self.quantity.name())
     }

@@ -31,7 +31,7 @@ pub(super) fn strokes(asked: &Asked<'_>) -> Vec<Stroke> {
         slides.then(|| {
             (
                 Moving::Pair(index),
-                pair.name.clone(),
+                format!("pairs.{}", pair.name),
                 unit_of(Coordinate::Sliding),
             )
         })

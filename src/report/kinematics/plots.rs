@@ -15,9 +15,13 @@ pub(super) struct Group {
 /// The plots: links, points, sliding pairs, outputs.
 pub(super) fn groups(found: &Kinematics<'_>) -> Vec<Group> {
     use Quantity as Q;
-    let links: Vec<String> = names(&found.linkage.spec().links, |link| &link.name);
-    let outputs = names(&found.linkage.spec().outputs, |output| &output.name);
-    let pairs = names(&found.linkage.spec().pairs, |pair| &pair.name);
+    let links: Vec<String> = names(&found.linkage.spec().links, |link| {
+        format!("links.{}", link.name)
+    });
+    let outputs = names(&found.linkage.spec().outputs, |output| output.name.clone());
+    let pairs = names(&found.linkage.spec().pairs, |pair| {
+        format!("pairs.{}", pair.name)
+    });
     let points: Vec<String> = (found.columns.iter())
         .filter(|column| column.quantity == Q::X)
         .map(|column| column.owner.clone())
@@ -89,8 +93,8 @@ pub(super) fn groups(found: &Kinematics<'_>) -> Vec<Group> {
     groups
 }
 
-fn names<T>(list: &[T], name: impl Fn(&T) -> &String) -> Vec<String> {
-    list.iter().map(|one| name(one).clone()).collect()
+fn names<T>(list: &[T], name: impl Fn(&T) -> String) -> Vec<String> {
+    list.iter().map(name).collect()
 }
 
 /// One chart a unit; what is zero throughout gets none.
@@ -139,7 +143,13 @@ fn curve(found: &Kinematics<'_>, column: &Column) -> Curve {
     let place = |at: f64| if degrees { at.to_degrees() } else { at };
     let points = found.axis.values.iter().zip(&column.values);
     Curve {
-        label: column.owner.clone(),
+        label: short(&column.owner).to_owned(),
         points: points.map(|(&at, &value)| (place(at), value)).collect(),
     }
+}
+
+/// An owner without the word that says what it is: the heading says that.
+fn short(owner: &str) -> &str {
+    let owner = owner.strip_prefix("links.").unwrap_or(owner);
+    owner.strip_prefix("pairs.").unwrap_or(owner)
 }
