@@ -85,8 +85,13 @@ impl Linkage {
     /// then the first group that cannot be assembled at the start. Paths are
     /// relative to the linkage: `links.rod.mass`, `pairs.A`, `driver`.
     pub fn new(spec: LinkageSpec) -> Result<Self, Vec<Fault>> {
+        Self::with(spec, true)
+    }
+
+    /// [`Self::new`], its dyads in closed form or by iteration.
+    fn with(spec: LinkageSpec, closed_forms: bool) -> Result<Self, Vec<Fault>> {
         check::check(&spec)?;
-        let (plan, mut groups) = compile::compile(&spec)?;
+        let (plan, mut groups) = compile::compile(&spec, closed_forms)?;
         let mut state = State::new(&plan);
         let branches = assemble::assemble(&spec, &plan, &groups, &mut state)?;
         for (group, branch) in groups[1..].iter_mut().zip(&branches) {
