@@ -239,8 +239,13 @@ fn explore(
     }
     let down = Walker::new(plan, course, state, false).walk(limits[0]);
     for (end, way) in [down, up].into_iter().enumerate() {
-        if let Way::Ends(at, _) = way {
-            course.ends[end] = at;
+        if let Way::Ends(at, cause) = way {
+            // The ends of the travel belong to it, dead positions do not.
+            course.ends[end] = match (cause, end) {
+                (DeadPosition { .. }, _) => at,
+                (_, 0) => at.next_down(),
+                _ => at.next_up(),
+            };
         }
     }
     course.finish(&plan.driver);
