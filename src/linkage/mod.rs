@@ -86,8 +86,13 @@ impl Linkage {
     /// then the first group that cannot be assembled at the start. Paths are
     /// relative to the linkage: `links.rod.mass`, `pairs.A`, `driver`.
     pub fn new(spec: LinkageSpec) -> Result<Self, Vec<Fault>> {
+        Self::with(spec, true)
+    }
+
+    /// [`Self::new`], its dyads in closed form or by iteration.
+    fn with(spec: LinkageSpec, closed_forms: bool) -> Result<Self, Vec<Fault>> {
         check::check(&spec)?;
-        let (plan, mut groups) = compile::compile(&spec)?;
+        let (plan, mut groups) = compile::compile(&spec, closed_forms)?;
         let mut state = State::new(&plan);
         let branches = assemble::assemble(&spec, &plan, &groups, &mut state)?;
         for (group, branch) in groups[1..].iter_mut().zip(&branches) {
@@ -235,8 +240,13 @@ fn explore(
     }
     let down = Walker::new(plan, course, state, false).walk(limits[0]);
     for (end, way) in [down, up].into_iter().enumerate() {
-        if let Way::Ends(at, _) = way {
-            course.ends[end] = at;
+        if let Way::Ends(at, cause) = way {
+            // The ends of the travel belong to it, dead positions do not.
+            course.ends[end] = match (cause, end) {
+                (DeadPosition { .. }, _) => at,
+                (_, 0) => at.next_down(),
+                _ => at.next_up(),
+            };
         }
     }
     course.finish(&plan.driver);
