@@ -2,9 +2,6 @@
 
 use super::table::Table;
 use super::{equations, load_word, units};
-use crate::model::{
-    Closure, Coordinate, DampingLaw, LinkBase, Model, NodeMotion, ObjectPart, Pair,
-};
 use crate::model::{Closure, Coordinate, DampingLaw, LinkBase, Model, NodeMotion, OUTPUT, ObjectPart, Pair};
 use crate::report::diagram::{drivers_first, pair};
 use crate::report::quantity::{significant, with_unit};
