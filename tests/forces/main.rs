@@ -3,6 +3,7 @@
 mod checks;
 mod jets;
 mod mechanisms;
+mod scenes;
 mod study;
 
 use dam::linkage::Linkage;
