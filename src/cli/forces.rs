@@ -169,7 +169,9 @@ fn course(
     let part = &model.objects[body.object];
     if let Some(path) = &args.record {
         let text = read(path)?;
-        let course = course_of_record(&text, &part.id)
+        let outputs = body.linkage.spec().outputs.iter();
+        let outputs: Vec<&str> = outputs.map(|output| output.name.as_str()).collect();
+        let course = course_of_record(&text, &part.id, &outputs)
             .map_err(|reason| format!("`{}`: {reason}", path.display()))?;
         return Ok((course, format!("motion of the record {}", path.display())));
     }
@@ -292,9 +294,10 @@ fn talk(args: &ForcesArgs, found: &ForceStudy, behind: Vec<&str>) {
     for warning in found.warnings() {
         console::talk(&format!("warning: {warning}"));
     }
-    if !behind.is_empty() {
+    if !behind.is_empty() && args.record.is_none() {
         console::talk(&format!(
-            "warning: the forces of what the linkage drives ({}) are not among its loads",
+            "warning: the forces of what the linkage drives ({}) are not among its loads; take them \
+             from a run with --record",
             behind.join(", ")
         ));
     }

@@ -240,6 +240,51 @@ fn close(
     }
 }
 
+/// A force on an output is the same as a couple or force on its link.
+#[test]
+fn loads_on_outputs_are_forces() {
+    each(|kind, data, linkage, motion| {
+        let mut with = linkage.clone();
+        let law = match kind {
+            "slider_crank" => ForceLaw::Force {
+                point: PointOf {
+                    link: Some(2),
+                    at: [0.0, 0.0],
+                },
+                force: [37.0, 0.0],
+                follows: false,
+            },
+            _ => ForceLaw::Couple {
+                link: 2,
+                couple: 37.0,
+            },
+        };
+        with.forces.push(ForceSpec {
+            name: "same".to_owned(),
+            law,
+        });
+        let (solver, w) = solve(&with, kind, data, motion);
+        let other = Kinetostatics::new(linkage).unwrap();
+        let mut v = other.workspace();
+        v.set_output_loads(&[37.0]);
+        let (positions, _) = known(kind, data, motion.coordinate);
+        other
+            .solve(&positions, motion, &Options::default(), &mut v)
+            .unwrap();
+        assert!((w.drive() - v.drive()).abs() < 1e-11 * (1.0 + w.drive().abs()));
+        let (one, two) = (solver.balance(&w), other.balance(&v));
+        assert!((one.forces - two.forces).abs() < 1e-9 * (1.0 + one.forces.abs()));
+        assert!(two.residual < 1e-10);
+        let load = |solver: &Kinetostatics, w: &ForceWorkspace| {
+            let found = solver.transmission(0, &solver.loads_of(0), motion.coordinate, w);
+            (found.load.unwrap(), found.load_power)
+        };
+        let (a, b) = (load(&solver, &w), load(&other, &v));
+        assert!((a.0 - b.0).abs() < 1e-9 * (1.0 + a.0.abs()), "{a:?} {b:?}");
+        assert!((a.1 - b.1).abs() < 1e-9 * (1.0 + a.1.abs()));
+    });
+}
+
 /// At rest: no motion below the force that overcomes friction, in either direction.
 #[test]
 fn friction_holds_at_rest() {

@@ -157,6 +157,69 @@ fn a_record_gives_the_motion() {
     }
 }
 
+/// With an elastic slide behind the linkage the driving moment of the run, found
+/// on the reduced coordinate, is that of the free-body equations.
+#[test]
+fn what_hangs_behind_is_among_the_loads() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = std::fs::read_to_string(scene("slotted_lever.json")).unwrap();
+    let behind = r#""table": { "kind": "rocker", "input": "mechanism.lever",
+        "position": { "ratio": 2 }, "inertia": 0.3, "stiffness": 2e4, "damping_capacity": 0.3,
+        "masses": 2, "loads": { "work": { "constant": -5 } } },
+      "drive":"#;
+    let mut text = text
+        .replacen("\"drive\":", behind, 1)
+        .replace("0.1\n        },", "0\n },");
+    text = text.replace("\"friction\": 0.1", "\"friction\": 0");
+    let start = text.find("\"expect\"").unwrap();
+    let text = format!("{} }}", text[..start].trim_end().trim_end_matches(','));
+    std::fs::write(folder.path().join("scene.json"), text).unwrap();
+    let run = dam(
+        &[
+            "run",
+            "scene.json",
+            "--set",
+            "run.samples=40",
+            "--out",
+            "run",
+        ],
+        folder.path(),
+    );
+    assert_eq!(run.status.code(), Some(0), "{run:?}");
+    let found = dam(
+        &[
+            "forces",
+            "scene.json",
+            "--json",
+            "--record",
+            "run/record.csv",
+        ],
+        folder.path(),
+    );
+    assert_eq!(found.status.code(), Some(0), "{found:?}");
+    let found: Value = serde_json::from_slice(&found.stdout).unwrap();
+    let record = std::fs::read_to_string(folder.path().join("run/record.csv")).unwrap();
+    let mut lines = record.lines();
+    let head = lines.next().unwrap();
+    let column = |name: &str| {
+        head.split(',')
+            .position(|cell| cell.starts_with(name))
+            .unwrap()
+    };
+    let reaction = column("mechanism.reaction");
+    assert!(head.contains("mechanism.lever.reaction"));
+    let drives = found["columns"]["drive"]["values"].as_array().unwrap();
+    assert_eq!(drives.len(), 41);
+    for (line, drive) in lines.zip(drives) {
+        let wanted: f64 = line.split(',').nth(reaction).unwrap().parse().unwrap();
+        let drive = number(drive);
+        assert!(
+            (drive + wanted).abs() < 1e-7 * (1.0 + drive.abs()),
+            "{drive} {wanted}"
+        );
+    }
+}
+
 #[test]
 fn what_cannot_be_answered_is_said() {
     let folder = tempfile::tempdir().unwrap();

@@ -1,6 +1,6 @@
 //! From a question about a scene's linkage to a course and its positions.
 
-use super::{Course, PositionSource};
+use super::{Course, Instant, PositionSource};
 use crate::analysis::kinematics::{Asked, Over};
 use crate::linkage::kinetostatics::{InputMotion, Kinetostatics};
 use crate::linkage::{Linkage, Workspace};
@@ -69,16 +69,20 @@ pub fn course_of(asked: &Asked<'_>) -> Result<Course, String> {
         Over::Time { to } => {
             let step = to / asked.positions as f64;
             let times: Vec<f64> = (0..=asked.positions).map(|k| step * k as f64).collect();
-            let motion = |time: &f64| {
+            let instant = |time: &f64| {
                 let jet = asked.input_at(*time);
-                InputMotion {
+                let motion = InputMotion {
                     coordinate: jet.value,
                     speed: jet.first,
                     acceleration: jet.second,
+                };
+                Instant {
+                    motion,
+                    loads: Vec::new(),
                 }
             };
             Course::Instants {
-                motions: times.iter().map(motion).collect(),
+                instants: times.iter().map(instant).collect(),
                 times,
                 closed: false,
             }
@@ -94,61 +98,68 @@ pub fn only_loaded_output(kinetostatics: &Kinetostatics) -> Option<usize> {
     loaded.next().is_none().then_some(first)
 }
 
-/// The course of a linkage's input in the record of a run: the text of
-/// `record.csv`.
+/// The course of a linkage in the record of a run (the text of `record.csv`):
+/// motion of its input, and the forces of what hangs on its outputs.
 ///
 /// # Errors
 ///
 /// The text is no record, or has no motion of this object; in words.
-pub fn course_of_record(text: &str, object: &str) -> Result<Course, String> {
+pub fn course_of_record(text: &str, object: &str, outputs: &[&str]) -> Result<Course, String> {
     let mut reader = csv::Reader::from_reader(text.as_bytes());
     let headers = reader.headers().map_err(|error| error.to_string())?.clone();
-    let find = |name: &str| {
-        let position = headers.iter().position(|header| {
+    let position = |name: &str| {
+        headers.iter().position(|header| {
             let bare = header.split_once(" [").map_or(header, |(bare, _)| bare);
             bare == name
-        });
-        position.ok_or_else(|| format!("the record has no column `{name}`"))
+        })
     };
+    let find = |name: String| position(&name).ok_or(format!("the record has no column `{name}`"));
     let wanted = [
-        find("time")?,
-        find(&format!("{object}.displacement"))?,
-        find(&format!("{object}.speed"))?,
-        find(&format!("{object}.acceleration"))?,
+        find("time".to_owned())?,
+        find(format!("{object}.displacement"))?,
+        find(format!("{object}.speed"))?,
+        find(format!("{object}.acceleration"))?,
     ];
-    let (mut times, mut motions): (Vec<f64>, Vec<InputMotion>) = (Vec::new(), Vec::new());
+    let behind: Vec<Option<usize>> = outputs
+        .iter()
+        .map(|output| position(&format!("{object}.{output}.reaction")))
+        .collect();
+    let (mut times, mut instants): (Vec<f64>, Vec<Instant>) = (Vec::new(), Vec::new());
     for (row, record) in reader.records().enumerate() {
         let record = record.map_err(|error| error.to_string())?;
-        let mut numbers = [0.0; 4];
-        for (number, column) in numbers.iter_mut().zip(wanted) {
+        let read = |column: usize| {
             let text = record.get(column).unwrap_or_default();
             let value = text.parse::<f64>().ok().filter(|value| value.is_finite());
-            *number = value.ok_or_else(|| {
-                format!("row {} of the record: `{text}` is not a number", row + 1)
-            })?;
-        }
-        let [time, coordinate, speed, acceleration] = numbers;
+            value.ok_or(format!(
+                "row {} of the record: `{text}` is not a number",
+                row + 1
+            ))
+        };
+        let time = read(wanted[0])?;
+        let motion = InputMotion {
+            coordinate: read(wanted[1])?,
+            speed: read(wanted[2])?,
+            acceleration: read(wanted[3])?,
+        };
+        let loads = behind.iter().map(|column| column.map_or(Ok(0.0), &read));
+        let loads = loads.collect::<Result<Vec<f64>, String>>()?;
         // Of the two rows at a switch the later one counts.
-        if times.last().is_some_and(|last| *last >= time) {
+        if times.last().is_some_and(|last| *last == time) {
             times.pop();
-            motions.pop();
+            instants.pop();
         }
-        if times.last().is_some_and(|last| *last >= time) {
+        if times.last().is_some_and(|last| *last > time) {
             return Err(format!("row {} of the record: time runs back", row + 1));
         }
         times.push(time);
-        motions.push(InputMotion {
-            coordinate,
-            speed,
-            acceleration,
-        });
+        instants.push(Instant { motion, loads });
     }
     if times.is_empty() {
         return Err("the record has no rows".to_owned());
     }
     Ok(Course::Instants {
         times,
-        motions,
+        instants,
         closed: false,
     })
 }
@@ -160,18 +171,25 @@ mod tests {
 
     #[test]
     fn a_record_is_read_and_what_is_wrong_is_said() {
-        let head = "time [s],a.displacement [rad],a.speed [rad/s],a.acceleration [rad/s²]\n";
-        let course = course_of_record(&format!("{head}0,1,2,3\n1,2,2,0\n1,2,2,5\n"), "a").unwrap();
-        let Course::Instants { times, motions, .. } = &course else {
+        let head = "time [s],a.displacement [rad],a.speed [rad/s],a.acceleration [rad/s²],a.ram.reaction [N]\n";
+        let text = format!("{head}0,1,2,3,4\n1,2,2,0,0\n1,2,2,5,6\n");
+        let course = course_of_record(&text, "a", &["lever", "ram"]).unwrap();
+        let Course::Instants {
+            times, instants, ..
+        } = &course
+        else {
             panic!()
         };
         assert_eq!(times, &[0.0, 1.0]);
-        assert_eq!(motions[1].acceleration, 5.0);
-        let failure = |text: &str| course_of_record(text, "a").unwrap_err();
+        assert_eq!(instants[1].motion.acceleration, 5.0);
+        assert_eq!(instants[1].loads, [0.0, 6.0]);
+        let failure = |text: &str| course_of_record(text, "a", &[]).unwrap_err();
         assert!(failure("time [s]\n0\n").contains("a.displacement"));
-        assert!(failure(&format!("{head}0,1,x,3\n")).contains("`x` is not a number"));
-        assert!(failure(&format!("{head}0,1,NaN,3\n")).contains("not a number"));
-        assert!(failure(&format!("{head}1,1,1,1\n2,1,1,1\n0.5,1,1,1\n")).contains("runs back"));
+        assert!(failure(&format!("{head}0,1,x,3,0\n")).contains("`x` is not a number"));
+        assert!(failure(&format!("{head}0,1,NaN,3,0\n")).contains("not a number"));
+        assert!(
+            failure(&format!("{head}1,1,1,1,0\n2,1,1,1,0\n0.5,1,1,1,0\n")).contains("runs back")
+        );
         assert!(failure(head).contains("no rows"));
     }
 }

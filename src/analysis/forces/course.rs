@@ -14,6 +14,16 @@ pub trait PositionSource {
     fn at(&mut self, coordinate: f64) -> Result<&Self::At, String>;
 }
 
+/// What is asked of one position.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Instant {
+    /// Motion of the input.
+    pub motion: InputMotion,
+    /// Forces of what hangs on the outputs, along each (N·m or N); none where
+    /// the list is shorter.
+    pub loads: Vec<f64>,
+}
+
 /// The positions of the input in question.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Course {
@@ -36,8 +46,8 @@ pub enum Course {
     Instants {
         /// Times (s).
         times: Vec<f64>,
-        /// The input's motion at these times.
-        motions: Vec<InputMotion>,
+        /// What is asked at these times.
+        instants: Vec<Instant>,
         /// The motion repeats, and the last instant is the first of the next cycle.
         closed: bool,
     },
@@ -48,7 +58,7 @@ impl Course {
     pub fn len(&self) -> usize {
         match self {
             Self::Even { count, .. } => *count,
-            Self::Instants { motions, .. } => motions.len(),
+            Self::Instants { instants, .. } => instants.len(),
         }
     }
 
@@ -80,36 +90,39 @@ impl Course {
         }
     }
 
-    /// The motion at a position.
-    pub fn motion(&self, index: usize) -> InputMotion {
+    /// What is asked at a position.
+    pub fn instant(&self, index: usize) -> Instant {
         match self {
             Self::Even { .. } => self.between(self.parameter(index)),
-            Self::Instants { motions, .. } => motions[index],
+            Self::Instants { instants, .. } => instants[index].clone(),
         }
     }
 
-    /// The motion anywhere on the course: between instants by cubic
-    /// interpolation of the coordinate, linear in the acceleration.
-    pub fn between(&self, parameter: f64) -> InputMotion {
+    /// What is asked anywhere on the course: between instants the coordinate is
+    /// cubic, accelerations and loads are linear.
+    pub fn between(&self, parameter: f64) -> Instant {
         match self {
             Self::Even {
                 speed,
                 acceleration,
                 ..
-            } => InputMotion {
-                coordinate: parameter,
-                speed: *speed,
-                acceleration: *acceleration,
+            } => Instant {
+                motion: InputMotion {
+                    coordinate: parameter,
+                    speed: *speed,
+                    acceleration: *acceleration,
+                },
+                loads: Vec::new(),
             },
-            Self::Instants { times, motions, .. } => {
+            Self::Instants {
+                times, instants, ..
+            } => {
                 let above = times.partition_point(|time| *time <= parameter);
                 let index = above.clamp(1, times.len().max(2) - 1);
-                match (motions.get(index - 1), motions.get(index)) {
-                    (Some(a), Some(b)) => {
-                        hermite([times[index - 1], times[index]], [a, b], parameter)
-                    }
-                    (Some(only), _) => *only,
-                    _ => InputMotion::default(),
+                match (instants.get(index - 1), instants.get(index)) {
+                    (Some(a), Some(b)) => join([times[index - 1], times[index]], [a, b], parameter),
+                    (Some(only), _) => only.clone(),
+                    _ => Instant::default(),
                 }
             }
         }
@@ -177,26 +190,31 @@ impl Course {
     }
 }
 
-/// Cubic between two instants in coordinate and speed, linear in the acceleration.
-fn hermite([t0, t1]: [f64; 2], [a, b]: [&InputMotion; 2], t: f64) -> InputMotion {
+/// Between two instants.
+fn join([t0, t1]: [f64; 2], [from, to]: [&Instant; 2], t: f64) -> Instant {
     let h = t1 - t0;
     if h.is_nan() || h <= 0.0 {
-        return *a;
+        return from.clone();
     }
     let s = ((t - t0) / h).clamp(0.0, 1.0);
+    let (a, b) = (&from.motion, &to.motion);
     let (d0, d1) = (a.speed * h, b.speed * h);
     let rise = b.coordinate - a.coordinate;
     let (c2, c3) = (3.0 * rise - 2.0 * d0 - d1, d0 + d1 - 2.0 * rise);
-    InputMotion {
-        coordinate: a.coordinate + s * (d0 + s * (c2 + s * c3)),
-        speed: (d0 + s * (2.0 * c2 + s * 3.0 * c3)) / h,
-        acceleration: a.acceleration + s * (b.acceleration - a.acceleration),
+    let loads = from.loads.iter().zip(&to.loads);
+    Instant {
+        motion: InputMotion {
+            coordinate: a.coordinate + s * (d0 + s * (c2 + s * c3)),
+            speed: (d0 + s * (2.0 * c2 + s * 3.0 * c3)) / h,
+            acceleration: a.acceleration + s * (b.acceleration - a.acceleration),
+        },
+        loads: loads.map(|(a, b)| a + s * (b - a)).collect(),
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::Course;
+    use super::{Course, Instant};
     use crate::linkage::kinetostatics::InputMotion;
 
     #[test]
@@ -208,12 +226,19 @@ mod tests {
         };
         let times = vec![0.0, 0.5, 2.0];
         let course = Course::Instants {
-            motions: times.iter().map(|t| motion(*t)).collect(),
+            instants: times
+                .iter()
+                .map(|t| Instant {
+                    motion: motion(*t),
+                    loads: vec![1.0 + 2.0 * t],
+                })
+                .collect(),
             times,
             closed: false,
         };
         for t in [0.0, 0.2, 0.5, 1.3, 2.0] {
-            let (found, wanted) = (course.between(t), motion(t));
+            assert!((course.between(t).loads[0] - (1.0 + 2.0 * t)).abs() < 1e-14);
+            let (found, wanted) = (course.between(t).motion, motion(t));
             assert!((found.coordinate - wanted.coordinate).abs() < 1e-14, "{t}");
             assert!((found.speed - wanted.speed).abs() < 1e-13);
             assert!((found.acceleration - wanted.acceleration).abs() < 1e-13);

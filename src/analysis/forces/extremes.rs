@@ -69,7 +69,7 @@ fn extreme<S: PositionSource>(
     let before = neighbour(course, index, -1)?;
     let after = neighbour(course, index, 1)?;
     let mut at = |parameter: f64| {
-        let row = solver.row(course.between(parameter), false);
+        let row = solver.row(&course.between(parameter), false);
         column
             .value(&row)
             .map_or(f64::NEG_INFINITY, |value| sign * value)

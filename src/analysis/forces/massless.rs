@@ -157,10 +157,10 @@ fn ratios<S: PositionSource>(
 ) -> (Vec<Option<f64>>, f64) {
     let mut load = 0.0f64;
     let chi = (0..course.len()).map(|index| {
-        let mut motion = course.motion(index);
-        motion.speed = speed;
-        motion.acceleration = 0.0;
-        let forces = solver.row(motion, false).forces.ok()?;
+        let mut instant = course.instant(index);
+        instant.motion.speed = speed;
+        instant.motion.acceleration = 0.0;
+        let forces = solver.row(&instant, false).forces.ok()?;
         let size = forces.transmission.and_then(|found| found.load);
         load = load.max(size.map_or(0.0, f64::abs));
         forces.chi

@@ -14,7 +14,7 @@ mod zones;
 pub use asked::{LinkagePositions, course_of, course_of_record, only_loaded_output};
 pub use columns::{Column, columns};
 pub use counterweight::Counterweight;
-pub use course::{Course, PositionSource};
+pub use course::{Course, Instant, PositionSource};
 pub use cycle::CycleForces;
 pub use extremes::{Extreme, Extremes};
 pub use massless::{MasslessComparison, MasslessPoint, NEGLIGIBLE, compare_massless};
@@ -89,7 +89,7 @@ pub fn study<S: PositionSource>(
     let mut solver = Solver::new(&kinetostatics, source, &settings);
     let rows: Vec<Row> = (0..course.len())
         .map(|index| {
-            let mut row = solver.row(course.motion(index), true);
+            let mut row = solver.row(&course.instant(index), true);
             row.time = course.time(index);
             row
         })

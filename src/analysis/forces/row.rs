@@ -1,6 +1,6 @@
 //! One position, solved and reduced to plain numbers.
 
-use super::{ForceSettings, PositionSource};
+use super::{ForceSettings, Instant, PositionSource};
 use crate::linkage::kinetostatics::{
     Balance, Convention, ForceFailure, ForceWorkspace, InputMotion, Kinetostatics, Positions,
     Reaction, Sensitivities, Solved, Transmission,
@@ -141,16 +141,18 @@ impl<'a, S: PositionSource> Solver<'a, S> {
     }
 
     /// Solves a position; sensitivities and checks only in `full`.
-    pub(super) fn row(&mut self, motion: InputMotion, full: bool) -> Row {
+    pub(super) fn row(&mut self, instant: &Instant, full: bool) -> Row {
         Row {
             time: None,
-            motion,
-            forces: self.forces(motion, full),
+            motion: instant.motion,
+            forces: self.forces(instant, full),
         }
     }
 
-    fn forces(&mut self, motion: InputMotion, full: bool) -> Result<Forces, Trouble> {
+    fn forces(&mut self, instant: &Instant, full: bool) -> Result<Forces, Trouble> {
         let (solver, w) = (self.kinetostatics, &mut self.workspace);
+        let motion = instant.motion;
+        w.set_output_loads(&instant.loads);
         let positions = self
             .source
             .at(motion.coordinate)

@@ -165,7 +165,7 @@ fn marks<S: PositionSource>(
                     near
                 };
                 if (ends[0]..=ends[1]).contains(&near) {
-                    marks.push((near, state(&solver.row(course.between(near), false))));
+                    marks.push((near, state(&solver.row(&course.between(near), false))));
                 }
             }
         }
@@ -200,7 +200,7 @@ fn reversal<S: PositionSource>(
 ) -> f64 {
     for _ in 0..BISECTIONS {
         let middle = 0.5 * (low + high);
-        let row = solver.row(course.between(middle), false);
+        let row = solver.row(&course.between(middle), false);
         if ratio(&row).is_some_and(|ratio| ratio * sign > 0.0) {
             low = middle;
         } else {
@@ -219,7 +219,7 @@ fn bisect<S: PositionSource>(
 ) -> [f64; 2] {
     for _ in 0..BISECTIONS {
         let middle = 0.5 * (low + high);
-        if state(&solver.row(course.between(middle), false)) == before {
+        if state(&solver.row(&course.between(middle), false)) == before {
             low = middle;
         } else {
             high = middle;

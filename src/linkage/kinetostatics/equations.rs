@@ -184,6 +184,7 @@ impl Kinetostatics {
                 self.apply(&wrench, w);
             }
         }
+        self.apply_output_loads(w);
     }
 
     /// Adds a wrench to P.

@@ -99,7 +99,7 @@ pub(super) fn wrenches(
 
 impl Wrench {
     /// A force at a point.
-    fn force(link: Option<usize>, point: PointPosition, force: [f64; 2]) -> Self {
+    pub(super) fn force(link: Option<usize>, point: PointPosition, force: [f64; 2]) -> Self {
         Self {
             link,
             point,
@@ -109,7 +109,7 @@ impl Wrench {
     }
 
     /// A couple.
-    fn couple(link: Option<usize>, couple: f64) -> Self {
+    pub(super) fn couple(link: Option<usize>, couple: f64) -> Self {
         Self {
             link,
             point: PointPosition::default(),

@@ -22,6 +22,7 @@ mod external;
 mod factor;
 mod friction;
 mod iteration;
+mod outputs;
 mod place;
 mod positions;
 mod ratio;
@@ -101,7 +102,12 @@ impl Kinetostatics {
     /// Memory for this linkage.
     pub fn workspace(&self) -> ForceWorkspace {
         let spec = &self.spec;
-        ForceWorkspace::with_room(spec.links.len(), spec.pairs.len(), spec.forces.len())
+        ForceWorkspace::with_room([
+            spec.links.len(),
+            spec.pairs.len(),
+            spec.forces.len(),
+            spec.outputs.len(),
+        ])
     }
 
     /// The linkage in plain numbers.

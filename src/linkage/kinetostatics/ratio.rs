@@ -84,18 +84,6 @@ impl Kinetostatics {
             .collect()
     }
 
-    /// The link that an output looks at.
-    fn output_link(&self, output: usize) -> Option<usize> {
-        match self.spec.outputs[output].kind {
-            OutputKind::Angle { link } => Some(link),
-            OutputKind::Point { point, .. } => point.link,
-            OutputKind::Pair { pair } => {
-                let pair = &self.spec.pairs[pair];
-                pair.link.link.filter(|_| pair.on.link.is_none())
-            }
-        }
-    }
-
     /// Ratio, sign and load of an output at the position solved last.
     /// `loads`: indices of the forces that make up the load.
     pub fn transmission(
@@ -119,45 +107,21 @@ impl Kinetostatics {
             coordinate,
             speed: w.speed,
         };
-        let load = self.load(output, loads, input, [ratio, slope], w);
-        let power: f64 = loads.iter().map(|&force| w.forces[force] * w.speed).sum();
+        let behind = w.output_loads[output];
+        let own = self.load(output, loads, input, [ratio, slope], w);
+        let load = match own {
+            Some(own) if !loads.is_empty() => Some(own + behind),
+            None if !loads.is_empty() => None,
+            _ => (behind != 0.0).then_some(behind),
+        };
+        let forces: f64 = loads.iter().map(|&force| w.forces[force]).sum();
         Transmission {
             ratio,
             slope,
             sign,
-            load: if loads.is_empty() { None } else { load },
-            load_power: power,
+            load,
+            load_power: (forces + w.output_forces[output]) * w.speed,
         }
-    }
-
-    /// First and second derivative of an output's displacement.
-    fn output_rates(&self, output: usize, w: &ForceWorkspace) -> [f64; 2] {
-        match self.spec.outputs[output].kind {
-            OutputKind::Angle { link } => [w.links[link].first[2], w.links[link].second[2]],
-            OutputKind::Point { point, direction } => {
-                let at = super::external::point_of(&w.links, &point);
-                let (sin, cos) = direction.sin_cos();
-                let along = |v: [f64; 2]| v[0] * cos + v[1] * sin;
-                [along(at.first), along(at.second)]
-            }
-            OutputKind::Pair { pair } => {
-                let rates = w.pairs[pair].rates;
-                [rates[0], rates[1]]
-            }
-        }
-    }
-
-    /// Size of an output's ratio that is of the order of one.
-    fn output_scale(&self, output: usize) -> f64 {
-        let turns = match self.spec.outputs[output].kind {
-            OutputKind::Angle { .. } => true,
-            OutputKind::Point { .. } => false,
-            OutputKind::Pair { pair } => {
-                matches!(self.spec.pairs[pair].kind, PairKind::Revolute { .. })
-            }
-        };
-        let driver = self.units[self.spec.driver];
-        if turns { driver / self.length } else { driver }
     }
 
     /// Mₙ: couples and forces on the output's link, reduced to the output.

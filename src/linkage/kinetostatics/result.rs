@@ -33,7 +33,7 @@ pub struct Balance {
     pub drive: f64,
     /// Power of the weights (W).
     pub weights: f64,
-    /// Power of springs, dampers, forces and couples (W).
+    /// Power of springs, dampers, forces, couples and loads on outputs (W).
     pub forces: f64,
     /// Power that accelerates the links (W).
     pub inertia: f64,
@@ -150,13 +150,14 @@ impl Kinetostatics {
         let parts = [
             w.drive * q,
             w.weights.iter().sum::<f64>() * q,
-            w.forces.iter().sum::<f64>() * q,
+            (w.forces.iter().sum::<f64>() + w.output_forces.iter().sum::<f64>()) * q,
             -self.generalised_inertia(w) * q,
         ];
         let loss: f64 = (0..self.spec.pairs.len())
             .map(|pair| self.friction(pair, w).loss)
             .sum();
-        let each = w.forces.iter().map(|force| force * q);
+        let each = w.forces.iter().chain(&w.output_forces);
+        let each = each.map(|force| force * q);
         let flows = [parts[0], parts[1], parts[3]].into_iter().chain(each);
         let (inflow, greatest) = flows.fold((0.0, loss.abs()), |(sum, most): (f64, f64), flow| {
             (sum + flow.max(0.0), most.max(flow.abs()))

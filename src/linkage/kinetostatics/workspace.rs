@@ -32,6 +32,10 @@ pub struct ForceWorkspace {
     pub(super) weights: Vec<f64>,
     /// Generalised force of each of the spec's forces.
     pub(super) forces: Vec<f64>,
+    /// Forces of what hangs on the outputs, along each (N·m or N).
+    pub(super) output_loads: Vec<f64>,
+    /// The same along the input coordinate.
+    pub(super) output_forces: Vec<f64>,
     /// Rows of a unit of the driver's force.
     pub(super) drive_rows: Vec<f64>,
     /// W.
@@ -60,8 +64,9 @@ pub struct ForceWorkspace {
 }
 
 impl ForceWorkspace {
-    /// Memory for `links` links, `pairs` pairs and `forces` forces.
-    pub(super) fn with_room(links: usize, pairs: usize, forces: usize) -> Self {
+    /// Memory for `links` links, `pairs` pairs, `forces` forces and `outputs`
+    /// outputs.
+    pub(super) fn with_room([links, pairs, forces, outputs]: [usize; 4]) -> Self {
         let size = 3 * links;
         let most = 2 * pairs;
         Self {
@@ -71,6 +76,8 @@ impl ForceWorkspace {
             applied: vec![0.0; size],
             weights: vec![0.0; links],
             forces: vec![0.0; forces],
+            output_loads: vec![0.0; outputs],
+            output_forces: vec![0.0; outputs],
             drive_rows: vec![0.0; size],
             factors: Factors::with_room(size),
             right: Vec::with_capacity(size * (1 + most)),
