@@ -16,11 +16,22 @@ use dam::linkage::Linkage;
 use dam::linkage::kinetostatics::{Convention, Kinetostatics, Options};
 use dam::model::{Coordinate, LinkageBody, Model};
 use dam::object::Measures;
-use dam::report::forces::{ForcesReport, document, drawing, forces_csv, page, text};
+use dam::report::forces::{
+    ForcesReport, document, drawing, forces_csv, massless_chart, page, text,
+};
 use dam::units::quantities as q;
 use std::path::Path;
 
-const FILES: [&str; 4] = ["forces.csv", "forces.json", "mechanism.svg", "report.html"];
+const FILES: [&str; 5] = [
+    "forces.csv",
+    "forces.json",
+    "mechanism.svg",
+    "report.html",
+    "massless.svg",
+];
+
+/// Size of the picture of the comparison (pixels).
+const PICTURE: (f64, f64) = (900.0, 480.0);
 
 /// Runs the command.
 pub(crate) fn command(args: &ForcesArgs) -> Result<Status, Failure> {
@@ -309,10 +320,14 @@ fn talk(args: &ForcesArgs, found: &ForceStudy, behind: Vec<&str>) {
 fn files(report: &ForcesReport<'_>) -> Result<Vec<ResultFile>, Failure> {
     let table = forces_csv(report.study).map_err(|error| error.to_string())?;
     let document = document(report);
-    Ok(vec![
+    let mut files = vec![
         ResultFile::new(FILES[0], table),
         ResultFile::new(FILES[1], format!("{document:#}\n")),
         ResultFile::new(FILES[2], drawing(report).svg(0)),
         ResultFile::new(FILES[3], page(report)),
-    ])
+    ];
+    if let Some(chart) = massless_chart(report) {
+        files.push(ResultFile::new(FILES[4], chart.svg(PICTURE.0, PICTURE.1)));
+    }
+    Ok(files)
 }
