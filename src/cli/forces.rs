@@ -13,7 +13,7 @@ use dam::analysis::forces::{
 use dam::analysis::kinematics::{Asked, Over, Question, linkage_of, whole_travel};
 use dam::fault::Fault;
 use dam::linkage::Linkage;
-use dam::linkage::kinetostatics::{Convention, Kinetostatics, Options};
+use dam::linkage::kinetostatics::{Convention, ForceFailure, Kinetostatics, Options};
 use dam::model::{Coordinate, LinkageBody, Model};
 use dam::object::Measures;
 use dam::report::forces::{
@@ -52,6 +52,13 @@ pub(crate) fn command(args: &ForcesArgs) -> Result<Status, Failure> {
         return Err(Failure::Other(message));
     }
     let (course, motion) = course(args, &ready, body)?;
+    let rests = matches!(course, Course::Even { speed, acceleration, .. } if speed == 0.0 && acceleration == 0.0);
+    if rests && solver.has_friction() && !args.frictionless && args.direction.is_none() {
+        return Err(Failure::Other(format!(
+            "{}: give --direction forwards or backwards, or --frictionless",
+            ForceFailure::NoDirection
+        )));
+    }
     let folder = match &args.out.out {
         Some(path) => {
             let scene = &ready.scene().name;
