@@ -153,7 +153,7 @@ impl Linkage {
 
     fn place<const N: usize>(&self, q: f64, workspace: &mut Workspace) -> Result<(), OutOfReach> {
         let Core { plan, course, .. } = &*self.core;
-        if !(course.ends[0] < q && q < course.ends[1]) || !q.is_finite() {
+        if !(course.ends[0] < q && q < course.ends[1] && q.is_finite()) {
             return Err(self.out_of_reach(q));
         }
         let (reduced, turns) = course.reduce(q);
