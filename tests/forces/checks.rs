@@ -260,7 +260,7 @@ fn accelerations_under_strong_friction() {
         let (positions, _) = known(&kind, &data, q);
         for drive in [-400.0, 50.0] {
             // Driving forces that a given acceleration needs, of all solutions.
-            let mut needed = |acceleration: f64| -> Vec<f64> {
+            let needed = |acceleration: f64| -> Vec<f64> {
                 let motion = InputMotion {
                     coordinate: q,
                     speed: 12.0,
