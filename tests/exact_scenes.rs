@@ -4,9 +4,9 @@
 use dam::analysis::exact::Quick;
 use dam::analysis::run::{RunResult, run};
 use dam::analysis::{Control, RunSettings};
-use dam::exact::Parts;
+use dam::exact::{Asked, Parts};
 use dam::fault::Fault;
-use dam::integrate::{Method, Stop};
+use dam::integrate::{Limits, Method, Stop};
 use dam::lower::lower;
 use dam::scene::{BuiltIn, Document, Overrides};
 use dam::system::System;
@@ -22,6 +22,15 @@ fn prepare(objects: &Value, run: &Value) -> Result<(System, RunSettings), String
     let system = System::new(model).map_err(|faults| format!("{faults:?}"))?;
     let settings = RunSettings::of(&reading.scene).map_err(|fault| format!("{fault:?}"))?;
     Ok((system, settings))
+}
+
+fn limits(switches: u64) -> Limits<'static> {
+    Limits {
+        switches,
+        steps: u64::MAX,
+        wall_clock: None,
+        interrupt: None,
+    }
 }
 
 fn solve(
@@ -208,7 +217,7 @@ fn compare_quick(system: &System, settings: &RunSettings, exact: &RunResult, lab
     let quick = Quick::new(system).expect("it qualifies");
     let quick = quick.with_window(settings.window);
     let found = quick
-        .run(settings.duration, settings.samples, true, 1_000_000)
+        .run(settings.duration, settings.samples, Some(&|_| Asked::ALL), &limits(1_000_000))
         .expect("it runs");
     assert_eq!(found.switches, exact.outcome.statistics.switches, "{label}");
     for object in &found.objects {
@@ -366,7 +375,7 @@ fn a_thousand_cycles_bring_no_drift() {
         let (system, settings) = prepare(&objects, &settings).expect("a scene");
         let quick = Quick::new(&system).expect("it qualifies");
         let run = quick
-            .run(settings.duration, 64_000, false, 1_000)
+            .run(settings.duration, 64_000, None, &limits(1_000))
             .expect("it runs");
         let delta = &run.objects[0].delta;
         let size = delta.iter().fold(0.0f64, |m, x| m.max(x.abs()));

@@ -85,6 +85,7 @@
 //! and Bernstein coefficients as bounds of a polynomial on an interval;
 //! products and sums of two numbers after Dekker.
 
+mod asked;
 mod basis;
 mod bound;
 mod cluster;
@@ -117,6 +118,7 @@ mod tests;
 mod track;
 mod watch;
 
+pub use asked::Asked;
 pub use cursor::{Cursor, MOST_ORDERS};
 pub use from_model::{Part, Parts};
 pub use law::{LAW_DEGREE, Law, PolynomialSpan, Sine, SpanSource};
@@ -124,7 +126,7 @@ pub use problem::{
     Flank, ForcePiece, ForceSource, PairState, Refusal, TimeLoad, TreeMass, TreeObject, TreePair,
     TreeProblem,
 };
-pub use request::{ExactRun, ExactSwitch, Request};
+pub use request::{ExactRun, ExactSwitch, Halt, Request};
 pub use track::TreeFigures;
 
 /// Most combinations of engaged pairs that [`ExactTree::check`] tries.
@@ -202,6 +204,25 @@ impl ExactTree {
     /// # Errors
     /// The modes of a regime cannot be separated, or numbers stop being finite.
     pub fn run(&self, request: &Request) -> Result<ExactRun, Refusal> {
-        run::run(&self.problem, &self.functionals, &self.first, request)
+        self.run_while(request, &run::always)
+    }
+
+    /// Runs it for as long as `goes_on` says so; asked every thousand steps of
+    /// the search.
+    ///
+    /// # Errors
+    /// The same.
+    pub fn run_while(
+        &self,
+        request: &Request,
+        goes_on: &dyn Fn() -> bool,
+    ) -> Result<ExactRun, Refusal> {
+        run::run(
+            &self.problem,
+            &self.functionals,
+            &self.first,
+            request,
+            goes_on,
+        )
     }
 }

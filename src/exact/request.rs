@@ -1,5 +1,6 @@
 //! What is asked of a run, and what it leaves behind.
 
+use super::asked::Asked;
 use super::problem::PairState;
 use super::track::TreeFigures;
 
@@ -18,8 +19,12 @@ pub struct Request {
     /// Most steps of the search between two switches: beyond it the run is an
     /// error and not a crawl.
     pub steps: u64,
+    /// Most steps of the search in all: the run then ends where it stands.
+    pub all_steps: u64,
     /// Figures between samples, wanted or not.
     pub figures: bool,
+    /// Which of them, if any.
+    pub asked: Asked,
 }
 
 impl Request {
@@ -31,9 +36,22 @@ impl Request {
             all_masses: false,
             switches: 1_000_000,
             steps: 10_000_000,
+            all_steps: u64::MAX,
             figures: false,
+            asked: Asked::ALL,
         }
     }
+}
+
+/// Why a run ended before its end.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Halt {
+    /// There were more switches than allowed.
+    Switches,
+    /// There were as many steps of the search as allowed.
+    Steps,
+    /// It was told to stop.
+    Told,
 }
 
 /// A switch of a pair.
@@ -58,6 +76,8 @@ pub struct ExactRun {
     pub time: f64,
     /// True when the end was reached.
     pub complete: bool,
+    /// Why it was not.
+    pub halt: Option<Halt>,
     /// States of the pairs just after t = 0, by mass.
     pub start: Vec<PairState>,
     /// Every switch.

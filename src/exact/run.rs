@@ -5,7 +5,7 @@ use super::lanes::{Arith, Fused, Plain};
 use super::phase::{Exponentials, Phase};
 use super::problem::{PairState, Refusal, TreeObject, TreePair, TreeProblem};
 use super::regime::Regime;
-use super::request::{ExactRun, Request};
+use super::request::{ExactRun, Halt, Request};
 use super::sample::Sampler;
 use super::search::{Search, Step, Witness};
 use super::signal::Signal;
@@ -74,8 +74,21 @@ pub(super) struct Workspace<'a> {
     pub(super) at: (f64, f64),
     /// Switches at one and the same instant.
     stalled: usize,
-    /// Most steps of the search in a phase.
-    most_steps: u64,
+    /// Most steps of the search in a phase, and in all.
+    most_steps: [u64; 2],
+    /// Asked from time to time.
+    goes_on: &'a dyn Fn() -> bool,
+    /// True when it has said no.
+    told: bool,
+}
+
+/// Steps of the search between two looks at whether the run is to go on; a
+/// power of two.
+const PATIENCE: u64 = 1024;
+
+/// Goes on, whatever happens.
+pub(super) fn always() -> bool {
+    true
 }
 
 /// A phase gone through.
@@ -113,6 +126,7 @@ fn tracks(problem: &TreeProblem, request: &Request, blocks: usize) -> Vec<Track>
             flights,
             problem.displacement[object.last] - base,
             cap,
+            request.asked,
         )
     };
     problem.objects.iter().map(make).collect()
@@ -124,14 +138,15 @@ pub(crate) fn run(
     functionals: &[Functional],
     first: &[usize],
     request: &Request,
+    goes_on: &dyn Fn() -> bool,
 ) -> Result<ExactRun, Refusal> {
     #[cfg(target_arch = "x86_64")]
     if std::is_x86_feature_detected!("avx2") && std::is_x86_feature_detected!("fma") {
         // SAFETY: the processor has the features the function is compiled for.
         #[allow(unsafe_code)]
-        return unsafe { run_fused(problem, functionals, first, request) };
+        return unsafe { run_fused(problem, functionals, first, request, goes_on) };
     }
-    run_plain(problem, functionals, first, request)
+    run_plain(problem, functionals, first, request, goes_on)
 }
 
 #[cfg(target_arch = "x86_64")]
@@ -141,8 +156,11 @@ fn run_fused(
     functionals: &[Functional],
     first: &[usize],
     request: &Request,
+    goes_on: &dyn Fn() -> bool,
 ) -> Result<ExactRun, Refusal> {
-    Workspace::new(problem, functionals, first, request)?.run::<Fused>(request)
+    let mut work = Workspace::new(problem, functionals, first, request)?;
+    work.goes_on = goes_on;
+    work.run::<Fused>(request)
 }
 
 /// The run without special instructions.
@@ -151,8 +169,11 @@ pub(crate) fn run_plain(
     functionals: &[Functional],
     first: &[usize],
     request: &Request,
+    goes_on: &dyn Fn() -> bool,
 ) -> Result<ExactRun, Refusal> {
-    Workspace::new(problem, functionals, first, request)?.run::<Plain>(request)
+    let mut work = Workspace::new(problem, functionals, first, request)?;
+    work.goes_on = goes_on;
+    work.run::<Plain>(request)
 }
 
 impl<'a> Workspace<'a> {
@@ -195,7 +216,9 @@ impl<'a> Workspace<'a> {
             },
             at: (0.0, 0.0),
             stalled: 0,
-            most_steps: request.steps,
+            most_steps: [request.steps, request.all_steps],
+            goes_on: &always,
+            told: false,
         })
     }
 
@@ -204,11 +227,26 @@ impl<'a> Workspace<'a> {
         loop {
             let passed = self.forward::<A>(request.end)?;
             self.settle(&passed)?;
-            if self.reached(request.end) || self.out.switches.len() as u64 > request.switches {
+            self.out.halt = self.halt(request);
+            if self.reached(request.end) || self.out.halt.is_some() {
                 break;
             }
         }
         Ok(self.finish(request))
+    }
+
+    /// Why the run is not to go on.
+    #[inline(always)]
+    fn halt(&self, request: &Request) -> Option<Halt> {
+        if self.reached(request.end) {
+            None
+        } else if self.out.switches.len() as u64 > request.switches {
+            Some(Halt::Switches)
+        } else if self.told {
+            Some(Halt::Told)
+        } else {
+            (self.search.steps >= self.most_steps[1]).then_some(Halt::Steps)
+        }
     }
 
     /// The run's figures and end state.
@@ -347,10 +385,17 @@ impl<'a> Workspace<'a> {
         if horizon <= 0.0 {
             return Ok(None);
         }
-        let limit = self.search.steps.saturating_add(self.most_steps);
+        let limit = self.search.steps.saturating_add(self.most_steps[0]);
         loop {
-            if self.search.steps >= limit {
-                return Err(self.crawling(self.most_steps));
+            let steps = self.search.steps;
+            if steps >= limit {
+                return Err(self.crawling(self.most_steps[0]));
+            }
+            if steps % PATIENCE == 0 {
+                self.told |= !(self.goes_on)();
+            }
+            if self.told || steps >= self.most_steps[1] {
+                return Ok(None);
             }
             let entry = &self.regimes[regime];
             let mut witness = Tracks {

@@ -252,7 +252,8 @@ fn starts_on_the_law_agree_with_quadruple_precision() {
         approx::assert_relative_eq!(measured, peak, max_relative = 1e-12);
         approx::assert_relative_eq!(f.sigma, sigma, max_relative = 1e-12);
         approx::assert_abs_diff_eq!(run.samples[999], end, epsilon = 1e-11 * peak);
-        let plain = run::run_plain(&tree.problem, &tree.functionals, &tree.first, &request);
+        let (problem, pairs) = (&tree.problem, &tree.functionals);
+        let plain = run::run_plain(problem, pairs, &tree.first, &request, &run::always);
         let plain = plain.expect("runs");
         assert_eq!(plain.switches.len(), switches);
         for (a, b) in plain.samples.iter().zip(&run.samples) {

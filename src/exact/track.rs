@@ -9,8 +9,9 @@
 
 mod climb;
 
+use super::asked::Asked;
 use super::basis::Basis;
-use super::hermite::{End, Piece, Point, enclose};
+use super::hermite::{Bounds, End, Piece, Point, enclose};
 use super::lanes::{Arith, V, WIDTH};
 use super::panel::{Panel, PanelPhase};
 use super::phase::{Exponentials, Phase};
@@ -74,6 +75,7 @@ pub(crate) struct Track {
     pub(crate) area: f64,
     state: PanelPhase,
     engaged: bool,
+    asked: Asked,
     /// Cap on the clearance (half the gap).
     cap: f64,
     high: V,
@@ -92,7 +94,13 @@ pub(crate) struct Track {
 }
 
 impl Track {
-    pub(crate) fn new(blocks: usize, flights: usize, delta: f64, cap: f64) -> Self {
+    pub(crate) fn new(
+        blocks: usize,
+        flights: usize,
+        delta: f64,
+        cap: f64,
+        asked: Asked,
+    ) -> Self {
         Self {
             figures: TreeFigures {
                 delta_max: delta,
@@ -102,6 +110,7 @@ impl Track {
             area: 0.0,
             state: PanelPhase::new(blocks, flights),
             engaged: true,
+            asked,
             cap,
             high: V::ZERO,
             low: V::ZERO,
@@ -137,8 +146,16 @@ impl Track {
         if !engaged && f.max_lift >= self.cap {
             self.high.0[3] = f64::INFINITY;
         }
+        // What is not asked for can never pass.
+        for (k, asked) in self.asked.functionals(engaged).into_iter().enumerate() {
+            if !asked {
+                (self.high.0[k], self.low.0[k]) = (f64::INFINITY, f64::NEG_INFINITY);
+            }
+        }
         self.last = self.state.point::<A>(basis, panel, phase, e);
-        self.turned = self.state.primitive::<A>(basis, panel, phase, e);
+        if self.asked.mean {
+            self.turned = self.state.primitive::<A>(basis, panel, phase, e);
+        }
     }
 
     /// Takes the step from `before` to `now` into the figures.
@@ -242,7 +259,7 @@ impl Track {
         let bounds = enclose::<A>(&a, &b, &loss);
         let worst = (bounds.high - self.high).max(self.low - bounds.low);
         let margin = self.margin();
-        (0..4).all(|k| worst.0[k] <= margin.0[k]) && !mixed(bounds.low.0[0], bounds.high.0[0])
+        (0..4).all(|k| worst.0[k] <= margin.0[k]) && !self.may_turn(&bounds)
     }
 
     /// Takes the part from the last point to `b`, which begins at `before`.
@@ -273,9 +290,15 @@ impl Track {
                 }
             }
         }
-        if mixed(bounds.low.0[0], bounds.high.0[0]) {
+        if self.may_turn(&bounds) {
             self.turns::<A>(scene, before, (&a, &b));
         }
+    }
+
+    /// True when δ may change its sign, and that matters.
+    #[inline(always)]
+    fn may_turn(&self, bounds: &Bounds) -> bool {
+        self.asked.mean && mixed(bounds.low.0[0], bounds.high.0[0])
     }
 
     #[inline(always)]
@@ -287,6 +310,9 @@ impl Track {
     /// Ends the phase at the instant of `e`.
     #[inline(always)]
     pub(crate) fn end<A: Arith>(&mut self, scene: Scene, e: &Exponentials) {
+        if !self.asked.mean {
+            return;
+        }
         let last = self
             .state
             .primitive::<A>(scene.basis, scene.panel, scene.phase, e);

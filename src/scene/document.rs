@@ -260,6 +260,11 @@ fn write_sorted(value: &serde_json::Value, out: &mut String) {
 }
 
 impl Places {
+    /// The tree that was decoded.
+    pub(super) fn into_root(self) -> Node {
+        self.root
+    }
+
     /// Where the property at an address stands; the nearest part of the
     /// address that exists.
     pub fn locate(&self, path: &str) -> Place {

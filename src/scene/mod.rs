@@ -9,11 +9,13 @@ mod overrides;
 mod root;
 mod run;
 mod schema;
+mod variation;
 
 pub use catalogue::{BuiltIn, Catalogue, Layered};
 pub use document::{Document, Places, Reading};
 pub use overrides::Overrides;
 pub use schema::{schema, schema_text};
+pub use variation::Variation;
 
 use crate::graph::MechanismGraph;
 use crate::object::Object;

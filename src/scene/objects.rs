@@ -17,8 +17,36 @@ pub(super) struct Known {
     pub(super) objects: BTreeMap<String, KnownObject>,
 }
 
+impl Known {
+    /// What the text of the objects tells by itself.
+    fn by_text(node: &Node) -> Self {
+        let known = node.members().iter().map(|member| {
+            let kind = kind_of(&member.value);
+            let object = KnownObject {
+                coordinate: kind.and_then(|kind| (kind.coordinate)(&member.value)),
+                masses: None,
+            };
+            (member.name.clone(), object)
+        });
+        Self {
+            objects: known.collect(),
+        }
+    }
+
+    /// What is known of objects that have been read.
+    pub(super) fn of(node: Option<&Node>, objects: &BTreeMap<String, SceneObject>) -> Self {
+        let mut known = node.map(Self::by_text).unwrap_or_default();
+        for (id, object) in objects {
+            if let Some(entry) = known.objects.get_mut(id) {
+                entry.masses = Some(start_size(object.object.description()));
+            }
+        }
+        known
+    }
+}
+
 /// What is known of one object; `None`: not known.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct KnownObject {
     pub(super) coordinate: Option<Coordinate>,
     /// Number of coordinates that a start state has: its masses, 1 for a
@@ -33,14 +61,7 @@ pub(super) fn read(mut slot: Slot<'_>, known: &mut Known) -> Option<BTreeMap<Str
         return None;
     }
     let node = slot.node()?;
-    for member in node.members() {
-        let coordinate = kind_of(&member.value).and_then(|kind| (kind.coordinate)(&member.value));
-        let object = KnownObject {
-            coordinate,
-            masses: None,
-        };
-        known.objects.insert(member.name.clone(), object);
-    }
+    *known = Known::by_text(node);
     let objects = slot.look(|slot| slot.map(|id, slot| object(slot, id, known)));
     let sound = check_graph(&mut slot, node);
     objects.filter(|_| sound)
@@ -56,7 +77,8 @@ fn kind(fields: &mut Fields<'_>) -> Option<Kind> {
     fields.need("kind", "What the object is.", |slot| slot.choice(&kinds))
 }
 
-fn object(mut slot: Slot<'_>, id: &str, known: &mut Known) -> Option<SceneObject> {
+/// Reads one object; notes in `known` how many masses it has.
+pub(super) fn object(mut slot: Slot<'_>, id: &str, known: &mut Known) -> Option<SceneObject> {
     let sound = check_id(&mut slot, id);
     let object = slot.record(|fields| {
         fields.remark("description", "Remarks for people.");

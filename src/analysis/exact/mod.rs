@@ -1,5 +1,6 @@
 //! Exact propagation of whole scenes.
 
+mod clock;
 mod quick;
 
 pub use quick::{Quick, QuickObject, QuickRun};

@@ -1,12 +1,14 @@
 //! The cells of a study, worked out side by side.
 
 use super::cell::{Cell, evaluate};
+use super::scenes::Scenes;
 use super::study::Study;
 use crate::analysis::Control;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::sync::Mutex;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::AtomicBool;
+use std::sync::atomic::Ordering::Relaxed;
 
 /// Listens to a map while it is worked out; called from any thread.
 pub trait Listener: Sync {
@@ -57,12 +59,32 @@ pub fn map(
     let rows = Mutex::new(known);
     let trouble = Mutex::new(None);
     let stop = AtomicBool::new(false);
+    let scenes = Scenes::new(study);
     let work = |&row: &usize| {
-        let Some(cells) = work_out(study, row, control, listener, &stop) else {
+        let one = |panel, cell| {
+            let interrupted = control.interrupt.is_some_and(|flag| flag.load(Relaxed));
+            if interrupted || stop.load(Relaxed) {
+                return None;
+            }
+            let found = evaluate(study, &scenes, (panel, cell), control)?;
+            listener.cell();
+            Some(found)
+        };
+        let (panel, cells) = study.row(row);
+        let cells = match threads {
+            Some(1) => cells.map(|cell| one(panel, cell)).collect(),
+            // Cells of a row are shared out too: the last rows are then done by
+            // all threads together.
+            _ => cells
+                .into_par_iter()
+                .map(|cell| one(panel, cell))
+                .collect::<Option<Vec<Cell>>>(),
+        };
+        let Some(cells) = cells else {
             return;
         };
         if let Err(message) = listener.row(row, &cells) {
-            stop.store(true, Ordering::Relaxed);
+            stop.store(true, Relaxed);
             *lock(&trouble) = Some(message);
         }
         lock(&rows).insert(row, cells);
@@ -87,29 +109,6 @@ fn lock<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
     mutex
         .lock()
         .unwrap_or_else(std::sync::PoisonError::into_inner)
-}
-
-/// The cells of a row; `None` when interrupted before the last.
-fn work_out(
-    study: &Study<'_>,
-    row: usize,
-    control: &Control<'_>,
-    listener: &dyn Listener,
-    stop: &AtomicBool,
-) -> Option<Vec<Cell>> {
-    let (panel, cells) = study.row(row);
-    let mut found = Vec::with_capacity(cells.len());
-    for cell in cells {
-        let interrupted = control
-            .interrupt
-            .is_some_and(|flag| flag.load(Ordering::Relaxed));
-        if interrupted || stop.load(Ordering::Relaxed) {
-            return None;
-        }
-        found.push(evaluate(study, panel, cell, control)?);
-        listener.cell();
-    }
-    Some(found)
 }
 
 fn assemble(study: &Study<'_>, mut rows: BTreeMap<usize, Vec<Cell>>) -> MapResult {
