@@ -217,7 +217,12 @@ fn compare_quick(system: &System, settings: &RunSettings, exact: &RunResult, lab
     let quick = Quick::new(system).expect("it qualifies");
     let quick = quick.with_window(settings.window);
     let found = quick
-        .run(settings.duration, settings.samples, Some(&|_| Asked::ALL), &limits(1_000_000))
+        .run(
+            settings.duration,
+            settings.samples,
+            Some(&|_| Asked::ALL),
+            &limits(1_000_000),
+        )
         .expect("it runs");
     assert_eq!(found.switches, exact.outcome.statistics.switches, "{label}");
     for object in &found.objects {

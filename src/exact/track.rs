@@ -94,13 +94,7 @@ pub(crate) struct Track {
 }
 
 impl Track {
-    pub(crate) fn new(
-        blocks: usize,
-        flights: usize,
-        delta: f64,
-        cap: f64,
-        asked: Asked,
-    ) -> Self {
+    pub(crate) fn new(blocks: usize, flights: usize, delta: f64, cap: f64, asked: Asked) -> Self {
         Self {
             figures: TreeFigures {
                 delta_max: delta,

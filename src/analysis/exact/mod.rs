@@ -2,6 +2,8 @@
 
 mod clock;
 mod quick;
+#[cfg(test)]
+mod tests;
 
 pub use quick::{Quick, QuickObject, QuickRun};
 

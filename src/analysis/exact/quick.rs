@@ -145,7 +145,9 @@ impl Quick {
                 asked: branch.asked(asked),
                 ..Request::new(end, samples)
             };
-            let run = branch.tree.run_while(&request, &|| clock.stop().is_none())?;
+            let run = branch
+                .tree
+                .run_while(&request, &|| clock.stop().is_none())?;
             out.add(&run);
             for (index, watched) in branch.objects.iter().enumerate() {
                 out.objects.push(QuickObject {

@@ -8,8 +8,8 @@ use super::rigid::RigidMotion;
 use super::study::Study;
 use super::verdict::Verdict;
 use crate::analysis::exact::{Quick, QuickRun, whole};
-use crate::analysis::{Control, RunSettings};
 use crate::analysis::spread::{CHANGE, DETERMINED, changed_loads};
+use crate::analysis::{Control, RunSettings};
 use crate::exact::Asked;
 use crate::fault::Fault;
 use crate::integrate::{Method, Stop};
@@ -132,7 +132,12 @@ impl Task<'_> {
         let quick = Quick::of(self.system, &parts, &place).with_window(settings.window);
         let limits = self.control.limits(settings);
         // Modes that cannot be separated: a general method does not need them.
-        let run = quick.run(settings.duration, samples, Some(&|o| self.asked(o)), &limits);
+        let run = quick.run(
+            settings.duration,
+            samples,
+            Some(&|o| self.asked(o)),
+            &limits,
+        );
         run.ok().map(Ok)
     }
 
@@ -179,7 +184,10 @@ impl Task<'_> {
             };
             task.propagate(0)?.ok()
         });
-        if run.as_ref().is_some_and(|run| run.stop == Stop::Interrupted) {
+        if run
+            .as_ref()
+            .is_some_and(|run| run.stop == Stop::Interrupted)
+        {
             return None;
         }
         let nothing = ObjectFigures::default();
