@@ -120,7 +120,7 @@ mod watch;
 
 pub use asked::Asked;
 pub use cursor::{Cursor, MOST_ORDERS};
-pub use from_model::{Part, Parts};
+pub use from_model::{Part, Parts, Rest};
 pub use law::{LAW_DEGREE, Law, PolynomialSpan, Sine, SpanSource};
 pub use problem::{
     Flank, ForcePiece, ForceSource, PairState, Refusal, TimeLoad, TreeMass, TreeObject, TreePair,
