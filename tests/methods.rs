@@ -104,6 +104,25 @@ fn measured_limits_of_stability_agree_with_theory() {
 }
 
 #[test]
+fn the_limit_of_a_series_is_that_of_the_exponential_cut_off() {
+    for (damping, accuracy, degree) in [
+        ("wheel.damping=0", 1e-8, 16),
+        ("wheel.damping=0", 1e-6, 14),
+        ("wheel.damping=8", 1e-6, 14),
+        ("wheel.damping=253", 1e-8, 16),
+    ] {
+        let plan = plan(accuracy, &[Method::Exact, Method::Taylor], &[accuracy], &[]);
+        let study = studied(WHEEL, &[damping], &plan);
+        let found = &line(&study, Method::Taylor).stability;
+        assert_eq!(found.degree, Some(degree));
+        let (theory, measured) = (found.theory.unwrap(), found.measured.unwrap());
+        assert!(theory > 1.0);
+        approx::assert_relative_eq!(measured, theory, max_relative = 0.01);
+        assert_eq!(only(&study, Method::Taylor).verdict, Verdict::Converged);
+    }
+}
+
+#[test]
 fn errors_are_those_of_the_closed_form() {
     // Undamped about the drag's deflection −2/8000: rk4 at ωh = 0.1 loses phase
     // by (ωh)⁴/120 of the angle ωt = 126.5, and amplitude by (ωh)⁵/144 a step.

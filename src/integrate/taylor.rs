@@ -26,7 +26,7 @@ const MOST_CUT: f64 = 0.25;
 
 /// Degree for a tolerance: the work of a series grows with the square of its
 /// degree, its reach with tolerance^(1/degree).
-fn degree(tolerance: f64) -> usize {
+pub fn degree(tolerance: f64) -> usize {
     let digits = -tolerance.log10();
     (6.0 + 1.25 * digits)
         .round()

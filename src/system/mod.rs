@@ -16,6 +16,7 @@ mod dynamics;
 mod energy;
 mod frequencies;
 mod frozen;
+mod growth;
 mod kappa;
 mod links;
 mod loads;

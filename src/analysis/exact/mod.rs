@@ -1,6 +1,8 @@
 //! Exact propagation of whole scenes.
 
 mod clock;
+#[cfg(test)]
+mod mixed_tests;
 mod quick;
 #[cfg(test)]
 mod tests;

@@ -126,7 +126,12 @@ fn limits_of_time_steps_and_switches_end_a_run() {
     // What was done until then is that of a run that goes on.
     let whole = run(&quick, found.time, Asked::ALL, &UNLIMITED);
     assert!(whole.is_complete());
-    assert_eq!(whole.objects[0].switch_times, found.objects[0].switch_times);
+    let times = |run: &QuickRun| run.objects[0].switch_times.clone();
+    let (wanted, times) = (times(&whole), times(&found));
+    assert!(wanted.len() > 50 && wanted.len().abs_diff(times.len()) <= 1);
+    for (time, wanted) in times.iter().zip(&wanted) {
+        approx::assert_relative_eq!(time, wanted, max_relative = 1e-12);
+    }
     let [own, other] = [&found, &whole].map(|run| run.objects[0].figures.as_ref().unwrap());
     approx::assert_relative_eq!(own.delta_max, other.delta_max, max_relative = 1e-12);
     approx::assert_relative_eq!(

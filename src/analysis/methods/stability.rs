@@ -10,11 +10,16 @@
 //! classical method). The polynomial of dop853 is worked out from its tableau,
 //! R(z) = 1 + z·bᵀ(I − zA)⁻¹·1.
 
-use crate::integrate::Method;
+use crate::integrate::{Method, series_degree};
 use crate::system::System;
 
 /// Growth a step that counts as none: rounding.
 const SLACK: f64 = 1e-9;
+
+/// The same of truncated exponentials. Those of degree 4k + 1 and 4k + 2 grow on
+/// the imaginary axis at any step, by as little as the step is short: what
+/// takes a million steps to grow threefold is no instability.
+pub(super) const SERIES_SLACK: f64 = 1e-6;
 
 /// An undamped eigenvalue has a real part of rounding only: this share of its size.
 const ROUNDING: f64 = 1e-9;
@@ -61,6 +66,11 @@ fn polynomial(method: Method) -> Option<&'static [f64]> {
     }
 }
 
+/// Degree of a method of power series at a tolerance.
+pub(super) fn degree(method: Method, tolerance: f64) -> Option<usize> {
+    (method == Method::Taylor).then(|| series_degree(tolerance))
+}
+
 /// What theory says of a method's stability, in words, where there is no limit.
 pub(super) fn remark(method: Method) -> Option<&'static str> {
     match method.name() {
@@ -77,16 +87,31 @@ pub(super) fn remark(method: Method) -> Option<&'static str> {
 /// (real and imaginary part): the end of the ray from 0 along which |R| ≤ 1.
 /// `None`: no such limit, or an eigenvalue that grows by itself.
 pub fn stability_limit(method: Method, eigenvalue: [f64; 2]) -> Option<f64> {
+    limit(polynomial(method)?, SLACK, eigenvalue)
+}
+
+/// The same for a power series of a degree, whose stability polynomial is the
+/// exponential series cut off behind that power.
+pub fn series_limit(degree: usize, eigenvalue: [f64; 2]) -> Option<f64> {
+    let mut coefficient = 1.0;
+    let mut coefficients = vec![1.0];
+    for power in 1..=degree {
+        coefficient /= power as f64;
+        coefficients.push(coefficient);
+    }
+    limit(&coefficients, SERIES_SLACK, eigenvalue)
+}
+
+fn limit(coefficients: &[f64], slack: f64, eigenvalue: [f64; 2]) -> Option<f64> {
     const STEP: f64 = 1e-2;
     const FARTHEST: usize = 4000;
-    let coefficients = polynomial(method)?;
     let size = eigenvalue[0].hypot(eigenvalue[1]);
     let [re, im] = eigenvalue.map(|part| part / size);
     let re = if re.abs() < ROUNDING { 0.0 } else { re };
     if !(size > 0.0 && size.is_finite() && re <= 0.0) {
         return None;
     }
-    let grows = |r: f64| growth(coefficients, r * re, r * im) > 1.0 + SLACK;
+    let grows = |r: f64| growth(coefficients, r * re, r * im) > 1.0 + slack;
     let first = (1..FARTHEST).find(|&k| grows(STEP * k as f64))?;
     let (mut low, mut high) = (STEP * (first - 1) as f64, STEP * first as f64);
     for _ in 0..40 {
@@ -153,10 +178,24 @@ impl Spectrum {
         Self { values, fastest }
     }
 
-    /// What bounds the step of a method; `None`: nothing does, or it is not known.
+    /// What bounds the step of a method; `None`: nothing does, or it is not
+    /// known, or depends on the tolerance.
     pub(super) fn bound(&self, method: Method) -> Option<Bound> {
+        self.least(|eigenvalue| stability_limit(method, eigenvalue))
+    }
+
+    /// The same at a tolerance, which the degree of series follows.
+    pub(super) fn bound_at(&self, method: Method, tolerance: f64) -> Option<Bound> {
+        match degree(method, tolerance) {
+            Some(degree) => self.least(|eigenvalue| series_limit(degree, eigenvalue)),
+            None => self.bound(method),
+        }
+    }
+
+    /// The bound by the eigenvalue that bears the least step.
+    fn least(&self, limit: impl Fn([f64; 2]) -> Option<f64>) -> Option<Bound> {
         let bounds = self.values.iter().flatten().filter_map(|&eigenvalue| {
-            let limit = stability_limit(method, eigenvalue)?;
+            let limit = limit(eigenvalue)?;
             Some(Bound { eigenvalue, limit })
         });
         bounds.min_by(|a, b| a.step().total_cmp(&b.step()))
@@ -173,7 +212,7 @@ fn by_iteration(system: &System) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{polynomial, stability_limit};
+    use super::{polynomial, series_limit, stability_limit};
     use crate::integrate::Method;
 
     #[test]
@@ -185,6 +224,25 @@ mod tests {
         approx::assert_abs_diff_eq!(limit(Method::Dop853, -1.0, 0.0), 6.393_6, epsilon = 1e-3);
         // Rounding in the real part of an undamped eigenvalue does not matter.
         approx::assert_abs_diff_eq!(limit(Method::Rk4, 1e-12, 1.0), 8f64.sqrt(), epsilon = 1e-6);
+    }
+
+    #[test]
+    fn series_are_as_stable_as_the_exponential_cut_off() {
+        // Of degree 4 it is the classical Runge–Kutta method.
+        for direction in [[0.0, 1.0], [-1.0, 0.0], [-1.0, 2.0]] {
+            let own = series_limit(4, direction).unwrap();
+            let classical = stability_limit(Method::Rk4, direction).unwrap();
+            approx::assert_abs_diff_eq!(own, classical, epsilon = 1e-4);
+        }
+        // Szegő (1924): on the real axis the limits grow by 1/e a degree.
+        let real = |degree| series_limit(degree, [-1.0, 0.0]).unwrap();
+        for degree in [10, 14, 20] {
+            let slope = 0.5 * (real(degree + 2) - real(degree));
+            approx::assert_abs_diff_eq!(slope, (-1f64).exp(), epsilon = 0.03);
+        }
+        // An interval of the imaginary axis is stable for degrees 4k − 1 and 4k.
+        let imaginary = |degree| series_limit(degree, [0.0, 1.0]).unwrap();
+        assert!(imaginary(16) > imaginary(14) && imaginary(20) > imaginary(16));
     }
 
     #[test]
