@@ -98,8 +98,9 @@ fn choose_beside(system: &System, settings: &RunSettings, mixed: Mixed) -> Choic
         .map(|&object| &system.model().objects[object].id)
         .collect();
     held.sort();
-    let others = own.model().objects.iter();
-    let others = others.filter(|part| part.driver.is_some() || !part.links.is_empty());
+    let others = own.model().objects.iter().enumerate();
+    let moves = |object: usize| own.last_coordinate(object).is_some();
+    let others = others.filter(|(object, part)| part.driver.is_some() || moves(*object));
     let because: Vec<String> = parts
         .refusals
         .iter()
@@ -109,7 +110,7 @@ fn choose_beside(system: &System, settings: &RunSettings, mixed: Mixed) -> Choic
         "exact propagation of {}, known in closed form between switches; {method} for {} ({}): \
          {why}",
         ids(&mut held.into_iter()),
-        ids(&mut others.map(|part| &part.id)),
+        ids(&mut others.map(|(_, part)| &part.id)),
         because.join("; "),
     );
     Choice {
