@@ -105,7 +105,7 @@ fn measured_limits_of_stability_agree_with_theory() {
 }
 
 #[test]
-fn the_limit_of_a_series_is_that_of_the_exponential_cut_off() {
+fn the_limit_of_a_series_is_measured_as_it_is_foreseen() {
     for (damping, accuracy, degree) in [
         ("wheel.damping=0", 1e-8, 16),
         ("wheel.damping=0", 1e-6, 14),
