@@ -391,7 +391,7 @@ impl<'a> Workspace<'a> {
             if steps >= limit {
                 return Err(self.crawling(self.most_steps[0]));
             }
-            if steps % PATIENCE == 0 {
+            if steps.is_multiple_of(PATIENCE) {
                 self.told |= !(self.goes_on)();
             }
             if self.told || steps >= self.most_steps[1] {

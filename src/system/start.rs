@@ -14,17 +14,14 @@ impl System {
     /// No static balance, a start outside the reach of a position function, an
     /// explicit state that does not fit its objects or is not finite.
     pub fn initial_state(&self) -> Result<InitialState, Vec<Fault>> {
-        let (y, mut modes, warnings) = self.place()?;
-        let noise = self.start_noise(&y, &modes);
-        self.settle_pairs(&y, &noise, &mut modes);
+        let mut state = self.place()?;
+        let (y, modes) = (&state.y, &mut state.modes.0);
+        let noise = self.start_noise(y, modes);
+        self.settle_pairs(y, &noise, modes);
         // A rotor at rest on an edge leaves it by its acceleration, which the
         // pairs have a say in.
-        self.frozen.locate_tracks(&y, &mut modes);
-        Ok(InitialState {
-            y,
-            modes: Modes(modes),
-            warnings,
-        })
+        self.frozen.locate_tracks(y, modes);
+        Ok(state)
     }
 
     /// The state y at t = 0 alone, for methods that find out by themselves
@@ -34,11 +31,11 @@ impl System {
     /// # Errors
     /// Those of [`Self::initial_state`].
     pub fn initial_place(&self) -> Result<Vec<f64>, Vec<Fault>> {
-        Ok(self.place()?.0)
+        Ok(self.place()?.y)
     }
 
-    /// State at t = 0, modes as far as it says them, warnings.
-    fn place(&self) -> Result<(Vec<f64>, Vec<i64>, Vec<String>), Vec<Fault>> {
+    /// State at t = 0 with the modes that were supposed in finding it.
+    fn place(&self) -> Result<InitialState, Vec<Fault>> {
         let mut warnings = Vec::new();
         let mut modes = self.frozen.no_modes();
         let y = match &self.model.start {
@@ -52,7 +49,11 @@ impl System {
             Start::Kinetostatic => self.kinetostatic(&mut modes)?,
         };
         self.check_start(&y, &modes)?;
-        Ok((y, modes, warnings))
+        Ok(InitialState {
+            y,
+            modes: Modes(modes),
+            warnings,
+        })
     }
 
     /// The quiet start.
