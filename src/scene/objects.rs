@@ -17,34 +17,6 @@ pub(super) struct Known {
     pub(super) objects: BTreeMap<String, KnownObject>,
 }
 
-impl Known {
-    /// What the text of the objects tells by itself.
-    fn by_text(node: &Node) -> Self {
-        let known = node.members().iter().map(|member| {
-            let kind = kind_of(&member.value);
-            let object = KnownObject {
-                coordinate: kind.and_then(|kind| (kind.coordinate)(&member.value)),
-                masses: None,
-            };
-            (member.name.clone(), object)
-        });
-        Self {
-            objects: known.collect(),
-        }
-    }
-
-    /// What is known of objects that have been read.
-    pub(super) fn of(node: Option<&Node>, objects: &BTreeMap<String, SceneObject>) -> Self {
-        let mut known = node.map(Self::by_text).unwrap_or_default();
-        for (id, object) in objects {
-            if let Some(entry) = known.objects.get_mut(id) {
-                entry.masses = Some(start_size(object.object.description()));
-            }
-        }
-        known
-    }
-}
-
 /// What is known of one object; `None`: not known.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct KnownObject {
@@ -61,7 +33,14 @@ pub(super) fn read(mut slot: Slot<'_>, known: &mut Known) -> Option<BTreeMap<Str
         return None;
     }
     let node = slot.node()?;
-    *known = Known::by_text(node);
+    for member in node.members() {
+        let coordinate = kind_of(&member.value).and_then(|kind| (kind.coordinate)(&member.value));
+        let object = KnownObject {
+            coordinate,
+            masses: None,
+        };
+        known.objects.insert(member.name.clone(), object);
+    }
     let objects = slot.look(|slot| slot.map(|id, slot| object(slot, id, known)));
     let sound = check_graph(&mut slot, node);
     objects.filter(|_| sound)

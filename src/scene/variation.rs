@@ -35,8 +35,13 @@ impl Variation {
         let root = reading.places.into_root();
         let mut scene = reading.scene;
         scene.hash.clear();
+        // What objects know of each other is not kept by a reading.
+        let mut known = Known::default();
+        Reader::new().read(root.get("objects"), "objects", |slot| {
+            objects::read(slot, &mut known)
+        });
         Ok(Self {
-            known: Known::of(root.get("objects"), &scene.objects),
+            known,
             root,
             scene,
             settings: settings.to_vec(),

@@ -130,3 +130,75 @@ fn assemble(study: &Study<'_>, mut rows: BTreeMap<usize, Vec<Cell>>) -> MapResul
         complete,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Silent, map};
+    use crate::analysis::Control;
+    use crate::analysis::axis::Axis;
+    use crate::analysis::map::{Panels, Question, Study};
+    use crate::scene::{BuiltIn, Document};
+    use std::collections::BTreeMap;
+    use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
+    use std::time::{Duration, Instant};
+
+    const TWO_MASSES: &[u8] = include_bytes!("../../../scenarios/rocker/two_masses.json");
+
+    fn question(overrides: &[&str]) -> Question {
+        Question {
+            overrides: overrides.iter().map(|&text| text.to_owned()).collect(),
+            x: Axis::parse("rocker.inertia=0.05:1:4").unwrap(),
+            y: Some(Axis::parse("rocker.stiffness=0.25e7:5e7:3").unwrap()),
+            panels: Panels::default(),
+            figure: None,
+            check_determined: true,
+        }
+    }
+
+    #[test]
+    fn cells_without_end_stop_at_once_when_interrupted() {
+        let document = Document::parse("two_masses.json", TWO_MASSES).unwrap();
+        let endless = ["run.duration=1e9", "run.max_switches=1000000000"];
+        let study = Study::new(&document, &BuiltIn, question(&endless)).unwrap();
+        for threads in [1, 2] {
+            let told = AtomicBool::new(false);
+            let control = Control {
+                interrupt: Some(&told),
+                ..Control::default()
+            };
+            let begun = Instant::now();
+            let found = std::thread::scope(|scope| {
+                scope.spawn(|| {
+                    std::thread::sleep(Duration::from_millis(50));
+                    told.store(true, Relaxed);
+                });
+                map(&study, BTreeMap::new(), Some(threads), &control, &Silent).unwrap()
+            });
+            assert!(!found.complete && found.panels[0].iter().all(Option::is_none));
+            // It would take hours; a second is for machines with other work.
+            assert!(
+                begun.elapsed() < Duration::from_secs(5),
+                "{:?}",
+                begun.elapsed()
+            );
+        }
+    }
+
+    #[test]
+    fn cells_do_not_depend_on_who_worked_out_the_one_before() {
+        let document = Document::parse("two_masses.json", TWO_MASSES).unwrap();
+        let study = Study::new(&document, &BuiltIn, question(&["run.duration=0.2"])).unwrap();
+        let control = Control::default();
+        let all = |known, threads| map(&study, known, Some(threads), &control, &Silent).unwrap();
+        let whole = all(BTreeMap::new(), 1);
+        assert!(whole.complete);
+        assert_eq!(all(BTreeMap::new(), 3), whole);
+        // The last row alone, by a scene that has seen no other.
+        let known = (0..study.rows() - 1).map(|row| {
+            let (panel, cells) = study.row(row);
+            let cells = cells.map(|cell| whole.panels[panel][cell].clone().unwrap());
+            (row, cells.collect())
+        });
+        assert_eq!(all(known.collect(), 1), whole);
+    }
+}
