@@ -7,6 +7,7 @@ mod document;
 pub mod exact;
 pub mod expectations;
 mod kinematic;
+pub mod kinematics;
 pub mod law;
 pub mod map;
 mod method;

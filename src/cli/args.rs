@@ -1,7 +1,9 @@
 //! The command line's arguments.
 
+mod kinematics;
 mod methods;
 
+pub(crate) use kinematics::KinematicsArgs;
 pub(crate) use methods::MethodsArgs;
 
 use super::law::args::LawCommand;
@@ -38,6 +40,8 @@ pub(crate) enum Command {
     Map(MapArgs),
     /// Chart speed against accuracy of every method on a scene, and where and why methods fail
     Methods(MethodsArgs),
+    /// Positions, transfer functions, speeds and accelerations of a linkage; the mechanism moving
+    Kinematics(KinematicsArgs),
 }
 
 /// What every command on a scene takes.

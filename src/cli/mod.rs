@@ -9,6 +9,7 @@ mod failure;
 mod input;
 mod interrupt;
 mod journal;
+mod kinematics;
 mod law;
 mod map;
 mod methods;
@@ -35,6 +36,7 @@ pub(crate) fn main() -> ExitCode {
         Command::Law(args) => (law::command(args), None),
         Command::Map(args) => (map::command(args), Some(&args.scene)),
         Command::Methods(args) => (methods::command(args), Some(&args.scene)),
+        Command::Kinematics(args) => (kinematics::command(args), Some(&args.scene)),
     };
     match result {
         Ok(status) => ExitCode::from(status.code()),

@@ -4,7 +4,7 @@ use super::chain::{self, Rules};
 use super::geometry::Beam;
 use super::position;
 use super::spec::{ChainSpec, InertiaSplit};
-use super::{Description, Kind, Object};
+use super::{Description, Kind, Object, no_outputs};
 use crate::model::{Closure, Coordinate};
 use crate::read::Node;
 
@@ -57,6 +57,7 @@ pub(super) const KIND: Kind = Kind {
     name: "cam_follower",
     doc: "The follower of a cam, turning or sliding, held to it by a closing force.",
     driven: true,
+    outputs: no_outputs,
     coordinate: motion,
     read: |fields, context| {
         let coordinate = fields.need("motion", "Whether the follower turns or slides.", |slot| {

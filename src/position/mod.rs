@@ -8,6 +8,7 @@
 
 mod cam;
 mod four_bar;
+mod linkage;
 mod reach;
 mod series;
 mod slider_crank;
@@ -19,6 +20,8 @@ mod tests;
 pub use crate::motion::{Cycle, CycleSpec, LawName, LawSpec};
 pub use cam::Cam;
 pub use four_bar::FourBar;
+pub use linkage::LinkageOutput;
+pub(crate) use linkage::reach as linkage_reach;
 pub use reach::OutOfReach;
 pub use slider_crank::SliderCrank;
 pub use spec::{CamSpec, PositionSpec};
@@ -80,6 +83,8 @@ pub enum Position {
     Cam(Cam),
     /// A plan of motion: any number of rises, dwells and returns.
     Plan(Box<Cycle>),
+    /// An output of a linkage, over its input coordinate.
+    Linkage(LinkageOutput),
     /// Anything else.
     Custom(Arc<dyn PositionFunction>),
 }
@@ -194,6 +199,7 @@ impl Position {
             Self::FourBar(linkage) => linkage.jet(phi),
             Self::Cam(cam) => cam.jet(segment, phi),
             Self::Plan(cycle) => cycle.jet(segment, phi),
+            Self::Linkage(output) => output.jet(phi),
             Self::Custom(function) => function.jet(segment, phi),
         }
     }
@@ -238,6 +244,7 @@ impl Position {
         match self {
             Self::SliderCrank(linkage) => linkage.reach_from(phi),
             Self::FourBar(linkage) => linkage.reach_from(phi),
+            Self::Linkage(output) => output.reach_from(phi),
             Self::Custom(function) => match function.reach() {
                 Some(interval) if !(interval.0 < phi && phi < interval.1) => Err(OutOfReach {
                     intervals: vec![interval],

@@ -13,9 +13,11 @@ pub mod diagram;
 #[cfg(test)]
 mod fixture;
 pub mod html;
+pub mod kinematics;
 pub mod law;
 pub mod map;
 pub mod math;
+pub mod mechanism;
 pub mod methods;
 pub mod quantity;
 pub mod show;

@@ -161,6 +161,7 @@ fn copy_from_catalogue(
         let from = members.remove(at);
         match catalogue_members(&from, &object.name, catalogue, sources) {
             Ok(mut copied) => {
+                merge_dimensions(members, &mut copied);
                 copied.retain(|copy| members.iter().all(|own| own.name != copy.name));
                 members.append(&mut copied);
             }
@@ -170,6 +171,20 @@ fn copy_from_catalogue(
                 members.push(from);
             }
         }
+    }
+}
+
+/// Named numbers are replaced one by one, all other properties as a whole.
+fn merge_dimensions(own: &mut [Member], copied: &mut [Member]) {
+    let of = |members: &[Member]| members.iter().position(|m| m.name == "dimensions");
+    let (Some(mine), Some(theirs)) = (of(own), of(copied)) else {
+        return;
+    };
+    if let (Value::Object(mine), Value::Object(theirs)) =
+        (&mut own[mine].value.value, &mut copied[theirs].value.value)
+    {
+        theirs.retain(|copy| mine.iter().all(|own| own.name != copy.name));
+        mine.append(theirs);
     }
 }
 

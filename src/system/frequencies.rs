@@ -2,7 +2,8 @@
 //!
 //! Linearised about the position at t = 0, in absolute displacements of the
 //! free nodes: rigid objects move with their driver by U′, an elastic link
-//! stretches by φ₁ − U′·φ_driver. The stiffness that loaded laws add through U″
+//! stretches by φ₁ − U′·φ_driver; weights and springs of a linkage have the
+//! stiffness V″. The stiffness that loaded laws add through U″
 //! and damping are left out of the natural frequencies.
 
 use super::System;
@@ -220,6 +221,11 @@ impl Frozen {
             if let (LoadLaw::Spring { rate, .. }, Some((c, factor))) = (&load.law, moves[load.node])
             {
                 stiffness[(c, c)] += rate * factor * factor;
+            }
+        }
+        for (index, linkage) in self.linkages.iter().enumerate() {
+            if let Some((c, factor)) = moves[linkage.node] {
+                stiffness[(c, c)] += self.potential_stiffness(index, &work) * factor * factor;
             }
         }
         (mass, stiffness)

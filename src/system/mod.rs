@@ -4,8 +4,8 @@
 //! `&mut` slices; nothing here allocates, hashes or walks a graph once built.
 //!
 //! `check` and `build` make the `frozen` layout of a model; `passes` and
-//! `links` are the equations of motion; `pairs`, `loads` and `switches` what
-//! enters them; `balance`, `placing`, `start` and `onset` the state at t = 0;
+//! `links` are the equations of motion; `pairs`, `loads`, `linkages` and
+//! `switches` what enters them; `balance`, `placing`, `start` and `onset` the state at t = 0;
 //! `observe` and `energy` what is read off; `scales` and `frequencies` what the
 //! methods are chosen and steered by.
 
@@ -18,6 +18,7 @@ mod frequencies;
 mod frozen;
 mod growth;
 mod kappa;
+mod linkages;
 mod links;
 mod loads;
 mod observe;
@@ -115,7 +116,7 @@ pub struct Power {
     pub drives: f64,
     /// Work rate of all loads (motors and springs included).
     pub loads: f64,
-    /// Dissipation in links and pairs, ≥ 0.
+    /// Dissipation in links, pairs and the dampers of linkages, ≥ 0.
     pub dissipated: f64,
 }
 
@@ -124,7 +125,7 @@ pub struct Power {
 pub struct Energy {
     /// Kinetic energy of all inertias.
     pub kinetic: f64,
-    /// Elastic energy of links and pairs.
+    /// Elastic energy of links and pairs, potential energy of linkages.
     pub elastic: f64,
 }
 

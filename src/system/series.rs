@@ -141,6 +141,8 @@ fn difference(above: f64, below: f64) -> f64 {
 }
 
 impl Quantity for Series {
+    const DERIVATIVES: usize = 3;
+
     /// Exact up to the third derivative of U, the fourth from a difference;
     /// from the fifth on U is taken as a polynomial of degree four.
     fn lift(self, jet: impl Fn(f64) -> Jet) -> [Self; 3] {

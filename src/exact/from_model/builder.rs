@@ -91,6 +91,10 @@ impl<'m> Builder<'m> {
             } if plan.spec().period.is_some() => {
                 self.refuse(object, "its plan of motion over time repeats without end");
             }
+            NodeMotion::Prescribed {
+                motion: DriveMotion::Accelerated { .. },
+                ..
+            } => self.refuse(object, "it is accelerated without end"),
             NodeMotion::Prescribed { motion, .. } => {
                 self.roles[node] = Role::Prescribed(Course::new(motion), Vec::new());
             }
@@ -129,6 +133,12 @@ impl<'m> Builder<'m> {
         self.roles[node] = match &role {
             Role::Unfit => Role::Unfit,
             Role::Prescribed(course, laws) => follow(course, laws, law),
+            Role::Moved(_) if self.model.linkages.iter().any(|body| body.node == node) => {
+                let reason = "it is a linkage, whose reduced inertia changes as it moves, behind \
+                              an elastic object";
+                self.refuse_behind(object, &role, reason);
+                return;
+            }
             Role::Moved(moved) => {
                 let Some((ratio, offset)) = self.line(object, law, &role) else {
                     return;

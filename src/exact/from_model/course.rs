@@ -212,6 +212,7 @@ impl Stage {
                 let spec = plan.spec();
                 Ok((spec.period.unwrap_or(TAU), spec.advance))
             }
+            Position::Linkage(output) => output.period().ok_or(None),
             Position::Table(table) if table.is_periodic() => {
                 let (first, last) = table.ends();
                 Ok((last - first, 0.0))

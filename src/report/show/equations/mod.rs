@@ -7,6 +7,7 @@
 
 mod chain;
 mod latex;
+mod linkage;
 mod loads;
 mod sources;
 mod text;
@@ -15,7 +16,7 @@ pub use latex::latex;
 pub use loads::summary as load_summary;
 pub use text::text;
 
-use crate::model::{Model, NodeMotion};
+use crate::model::{LinkageBody, Model, NodeIndex, NodeMotion};
 use crate::report::diagram::drivers_first;
 use crate::report::math::{Expr, Index, Symbol, symbol};
 
@@ -138,6 +139,11 @@ fn of_mass(letter: &'static str, mass: usize) -> Symbol {
     symbol(letter, Index::Mass(mass))
 }
 
+/// The linkage whose input is a node.
+fn linkage_of(model: &Model, node: NodeIndex) -> Option<&LinkageBody> {
+    model.linkages.iter().find(|body| body.node == node)
+}
+
 /// What the followers of a node add to its equation, moved to the node by the
 /// transfer functions of the rigid objects in between.
 struct Reflected {
@@ -204,7 +210,20 @@ fn descend(model: &Model, driver: usize, above: Option<&Transfer>, out: &mut Ref
                 .push(inertia.clone().times(first.clone().squared()));
             out.bias.push(inertia.times(first).times(second));
         }
-        if model.loads.iter().any(|load| load.node == node) {
+        let linkage = linkage_of(model, node);
+        if linkage.is_some() {
+            let inertia = of_object("J", model, follower);
+            let (first, second) = (transfer.first.clone(), transfer.second.clone());
+            let half_slope = Expr::Number(0.5).times(inertia.clone().prime());
+            out.inertia
+                .push(inertia.clone().expr().times(first.clone().squared()));
+            out.bias
+                .push(inertia.expr().times(first.clone()).times(second));
+            out.bias
+                .push(half_slope.times(Expr::Power(Box::new(first), 3)));
+        }
+        let forces = linkage.is_some_and(|body| linkage::Parts::of(body).any());
+        if forces || model.loads.iter().any(|load| load.node == node) {
             let load = of_object("W", model, follower).expr();
             out.force.push(load.times(transfer.first.clone()));
         }

@@ -1,0 +1,4 @@
+//! Tests of linkages.
+
+mod examples;
+mod first;
