@@ -308,7 +308,7 @@ pub fn owner_of(address: &str, known: impl Fn(&str) -> bool) -> (&str, &str) {
 pub struct ObjectPart {
     /// Id in the scene; of an output `object.output`.
     pub id: String,
-    /// Kind in the scene; `output` of an output.
+    /// Kind in the scene; [`OUTPUT`] of an output.
     pub kind: &'static str,
     /// Turning or sliding.
     pub coordinate: Coordinate,
@@ -321,6 +321,9 @@ pub struct ObjectPart {
     /// The pair of a rigid object (an elastic object's is in its link 1).
     pub rigid_pair: Option<Pair>,
 }
+
+/// The kind of an object part that is an output of another one.
+pub const OUTPUT: &str = "output";
 
 /// State at t = 0.
 #[derive(Clone, Debug, Default, PartialEq)]

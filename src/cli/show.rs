@@ -6,7 +6,7 @@ use super::failure::{Failure, Status};
 use super::input::Input;
 use dam::analysis::exact::{Mixed, mixed};
 use dam::exact::{Parts, Refusal};
-use dam::model::Model;
+use dam::model::{Coordinate, LinkageBody, Model};
 use dam::report::diagram::Diagram;
 use dam::report::show::equations::{equations, latex, text};
 use dam::report::show::graph;
@@ -154,8 +154,28 @@ fn document(scene: &str, system: &System) -> serde_json::Value {
         "dam": 1,
         "scene": scene,
         "objects": objects,
+        "linkages": model.linkages.iter().map(|body| linkage(model, body)).collect::<Vec<_>>(),
         "natural_frequencies": { "unit": "rad/s", "engaged": found.engaged, "open": found.open },
         "exact": exact_document(system),
         "equations": { "text": text(&equations(model)), "latex": latex(&equations(model)) },
+    })
+}
+
+/// Structure and range of a linkage.
+fn linkage(model: &Model, body: &LinkageBody) -> serde_json::Value {
+    let (structure, range) = (body.linkage.structure(), body.linkage.range());
+    let part = &model.objects[body.object];
+    let turning = part.coordinate == Coordinate::Turning;
+    let groups = (0..structure.groups.len()).map(|group| structure.describe(group));
+    let end = |at: f64| at.is_finite().then_some(at);
+    json!({
+        "id": part.id,
+        "mobility": structure.mobility,
+        "explanation": structure.explanation,
+        "groups": groups.collect::<Vec<_>>(),
+        "reach": range.ends().map(end),
+        "period": range.period.as_ref().map(|period| period.length),
+        "change_points": range.changes.iter().map(|change| change.at).collect::<Vec<_>>(),
+        "range": range.describe(structure, turning),
     })
 }

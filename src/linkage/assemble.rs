@@ -1,15 +1,15 @@
 //! Putting the linkage together at the start: the branch of every dyad, the
 //! first position of every larger group.
 
-use super::course::{Branch, Course, nearest_turn};
+use super::course::{Branch, Course, Table, nearest_turn};
 use super::dyad::{Dyad, Form, Margin};
+use super::examine::tolerance;
 use super::guesses;
 use super::plan::{Body, Frame, Plan, Step};
 use super::solve::{around, drive};
 use super::spec::{AssemblyChoice, AssemblySpec, LinkageSpec};
 use super::state::State;
 use super::structure::Group;
-use super::walk::tolerance;
 use crate::fault::Fault;
 
 /// Chooses the branches and leaves the position at the start in `state`.
@@ -87,15 +87,18 @@ fn dyad_at_start(
             .map(|choice| mismatch(choice, state, plan.size))
             .sum()
     };
+    let asked = asked_branch(choices);
     if matches!(dyad.form, Form::Prp | Form::Rpp) {
         place(1.0);
-        return Ok(1.0);
+        return match asked? {
+            Some(_) => Err((
+                format!("{names} have one assembly only"),
+                "leave out the branch".to_owned(),
+            )),
+            None => Ok(1.0),
+        };
     }
-    let asked = choices.iter().find_map(|choice| match choice.choice {
-        AssemblyChoice::Branch(sign) => Some(sign),
-        _ => None,
-    });
-    let sign = match asked {
+    let sign = match asked? {
         Some(sign) => sign,
         None if choices.is_empty() => 1.0,
         None => {
@@ -111,6 +114,22 @@ fn dyad_at_start(
     };
     place(sign);
     Ok(sign)
+}
+
+/// The branch that was asked for, if any.
+pub(super) fn asked_branch(choices: &[&AssemblySpec]) -> Result<Option<f64>, Wrong> {
+    let mut asked = None;
+    for choice in choices {
+        let AssemblyChoice::Branch(sign) = choice.choice else {
+            continue;
+        };
+        if asked.is_some_and(|other| other != sign) {
+            let hint = "give the branch of one of its links only";
+            return Err(("both branches are asked for".to_owned(), hint.to_owned()));
+        }
+        asked = Some(sign);
+    }
+    Ok(asked)
 }
 
 /// How far a link is from where it was said to be about, dimensionless.
@@ -148,7 +167,14 @@ fn not_assemblable(
     let around = around::<1>(dyad, state);
     let [one, other] = [0, 1].map(|k| dyad.arm(&around, k).length().value());
     let apart = dyad.apart(&around).square().value().sqrt();
-    let start = spec.start;
+    let start = short(spec.start);
+    if matches!(dyad.form, Form::Prp | Form::Rpp) {
+        return (
+            format!("the guides of {names} are parallel at the start {start}, they hold nothing"),
+            "turn one of the guides, or give the approximate positions for another input"
+                .to_owned(),
+        );
+    }
     if margin.value >= -tolerance(margin) {
         return (
             format!("{names} are in line at the start {start}: both assemblies meet there"),
@@ -157,31 +183,33 @@ fn not_assemblable(
     }
     let message = match dyad.form {
         Form::Rrr if apart > one + other => format!(
-            "{names} cannot be joined at the start {start}: their outer pins are {apart} m apart, \
+            "{names} cannot be joined at the start {start}: their outer pins are {} m apart, \
              they reach {} m, {} m are missing",
-            one + other,
-            apart - one - other
+            short(apart),
+            short(one + other),
+            short(apart - one - other)
         ),
         Form::Rrr => format!(
-            "{names} cannot be joined at the start {start}: their outer pins are {apart} m apart, \
+            "{names} cannot be joined at the start {start}: their outer pins are {} m apart, \
              folded they reach no nearer than {} m, {} m too far",
-            (one - other).abs(),
-            (one - other).abs() - apart
+            short(apart),
+            short((one - other).abs()),
+            short((one - other).abs() - apart)
         ),
         _ => format!(
             "{names} cannot be joined at the start {start}: the link does not reach the guide, \
              {} m are missing",
-            missing(dyad, state)
+            short(dyad.overreach(&around))
         ),
     };
     let hint = "change these lengths, or give the approximate positions for another input";
     (message, hint.to_owned())
 }
 
-/// By how much a link fails to reach a guide (m).
-fn missing(dyad: &Dyad, state: &State) -> f64 {
-    let around = around::<1>(dyad, state);
-    dyad.overreach(&around)
+/// A number with six digits, without zeros at the end.
+pub(super) fn short(number: f64) -> String {
+    let rounded: f64 = format!("{number:.5e}").parse().unwrap_or(number);
+    rounded.to_string()
 }
 
 /// The course before anything is known of it but its start.
@@ -191,6 +219,7 @@ pub(super) fn course(spec: &LinkageSpec, branches: Vec<Branch>) -> Course {
         ends: [f64::NEG_INFINITY, f64::INFINITY],
         period: None,
         branches,
-        table: super::course::Table::default(),
+        table: Table::default(),
+        below: Table::default(),
     }
 }

@@ -27,6 +27,8 @@ pub(super) struct Course {
     pub(super) branches: Vec<Branch>,
     /// Positions from place to place.
     pub(super) table: Table,
+    /// Those below the start, away from it, until they are joined on.
+    pub(super) below: Table,
 }
 
 impl Course {
@@ -76,6 +78,10 @@ impl Course {
     /// The table is complete: turns the driven link so that the angle of the
     /// driver's pair is the input, and notes what every link gains in a period.
     pub(super) fn finish(&mut self, driver: &Driver) {
+        let below = std::mem::take(&mut self.below);
+        if !below.inputs.is_empty() {
+            self.table.join(below);
+        }
         let links = self.table.links;
         let start = self
             .table
@@ -144,40 +150,33 @@ impl Table {
         })
     }
 
-    /// Takes the present position in as the last place (`up`) or the first; the
-    /// angles continue those of the place beside it.
-    pub(super) fn push(&mut self, input: f64, state: &State, up: bool) {
+    /// Takes the present position in as the last place; the angles continue
+    /// those of the place before.
+    pub(super) fn push(&mut self, input: f64, state: &State) {
         self.links = state.links.len();
-        let beside = match (self.inputs.is_empty(), up) {
-            (true, _) => None,
-            (false, true) => Some(self.rows.len() - self.links),
-            (false, false) => Some(0),
-        };
-        let row: Vec<[f64; 6]> = state
-            .links
-            .iter()
-            .enumerate()
-            .map(|(link, motion)| {
-                let angle = motion.angle();
-                let near = beside.map_or(angle, |first| self.rows[first + link][2]);
-                let [x, y] = motion.at;
-                [
-                    x[0],
-                    y[0],
-                    nearest_turn(angle, near),
-                    x[1],
-                    y[1],
-                    motion.turning()[0],
-                ]
-            })
-            .collect();
-        if up {
-            self.inputs.push(input);
-            self.rows.extend(row);
-        } else {
-            self.inputs.insert(0, input);
-            self.rows.splice(0..0, row);
+        let before = self.rows.len().checked_sub(self.links);
+        for (link, motion) in state.links.iter().enumerate() {
+            let angle = motion.angle();
+            let near = before.map_or(angle, |first| self.rows[first + link][2]);
+            let [x, y] = motion.at;
+            let (angle, turning) = (nearest_turn(angle, near), motion.turning()[0]);
+            self.rows.push([x[0], y[0], angle, x[1], y[1], turning]);
         }
+        self.inputs.push(input);
+    }
+
+    /// Puts the places of a table that begins with the same place and goes the
+    /// other way in front.
+    fn join(&mut self, below: Table) {
+        let links = self.links.max(1);
+        let inputs = below.inputs[1..].iter().rev().copied();
+        let rows = below.rows[links..]
+            .chunks_exact(links)
+            .rev()
+            .flatten()
+            .copied();
+        self.inputs = inputs.chain(self.inputs.iter().copied()).collect();
+        self.rows = rows.chain(self.rows.iter().copied()).collect();
     }
 }
 

@@ -96,8 +96,8 @@ impl Dyad {
         size: f64,
     ) -> Directions<N> {
         match self.form {
-            Form::Rrr => self.rrr(around, sign),
-            Form::Rrp => self.rrp(around, sign),
+            Form::Rrr => self.rrr(around, sign, size),
+            Form::Rrp => self.rrp(around, sign, size),
             Form::Rpr => self.rpr(around, sign * self.sense, size),
             Form::Prp => self.prp(around),
             Form::Rpp => self.rpp(around),
@@ -138,7 +138,7 @@ impl Dyad {
     /// Two circles: the inner pin lies to the left of the line from the first
     /// outer pin to the second on branch +.
     #[inline(always)]
-    fn rrr<const N: usize>(&self, around: &Around<N>, sign: f64) -> Directions<N> {
+    fn rrr<const N: usize>(&self, around: &Around<N>, sign: f64, typical: f64) -> Directions<N> {
         let (arms, lengths, apart) = self.arms(around);
         let square = apart.square();
         let [a, b] = lengths;
@@ -146,12 +146,12 @@ impl Dyad {
         let unstretched = (a + b).square() - square;
         let unfolded = square - (a - b).square();
         let discriminant = unstretched * unfolded;
-        let area = discriminant.sqrt().scale(sign);
+        let area = Series::closing_root(unstretched, unfolded, sign);
         let half = square.reciprocal().scale(0.5);
         let along = (square + (a - b) * (a + b)) * half;
         let to_pin = apart.times(along) + apart.left().times(area * half);
         let size = (a.value() + b.value()).powi(2) + square.value();
-        let scale = 0.25 / (a.value() * b.value()).powi(2);
+        let scale = 0.25 / (arms[0].unit(typical) * arms[1].unit(typical)).powi(2);
         let noise = size * (unstretched.value().abs() + unfolded.value().abs()) * scale;
         Directions {
             of: [arms[0].frame(to_pin), arms[1].frame(to_pin - apart)],
@@ -222,15 +222,15 @@ impl Dyad {
     /// A circle and a line: the inner pin lies ahead of the outer pin along the
     /// guide on branch +.
     #[inline(always)]
-    fn rrp<const N: usize>(&self, around: &Around<N>, sign: f64) -> Directions<N> {
+    fn rrp<const N: usize>(&self, around: &Around<N>, sign: f64, typical: f64) -> Directions<N> {
         let arm = self.arm(around, 0);
         let length = arm.length();
         let (along, second) = self.guided(around, 1);
         let off = along.cross(self.apart(around)) + self.aside(around, 1);
         let discriminant = (length - off) * (length + off);
-        let ahead = discriminant.sqrt().scale(sign);
+        let ahead = Series::closing_root(length - off, length + off, sign);
         let to_pin = along.times(ahead) + along.left().times(off);
-        let scale = length.value().powi(-2);
+        let scale = arm.unit(typical).powi(-2);
         let reach = length.value().abs() + off.value().abs();
         Directions {
             of: [arm.frame(to_pin), second],
@@ -250,8 +250,7 @@ impl Dyad {
         // Where the guide passes through both pins the distance itself is
         // wanted: its square has lost half the digits of a small one.
         let distance = square.sqrt();
-        let discriminant = (distance - off) * (distance + off);
-        let ahead = discriminant.sqrt().scale(sign);
+        let ahead = Series::closing_root(distance - off, distance + off, sign);
         let turned = Vector::new(ahead, -off);
         let along = apart.turn(turned).times(square.reciprocal());
         let scale = (size * size).recip();

@@ -1,7 +1,9 @@
 //! The first position of a larger group, from approximate positions of some of
 //! its links or from a number of trials.
 
-use super::assemble::{Wrong, mismatch, names};
+use super::assemble::{Wrong, asked_branch, mismatch, names, short};
+use super::course::nearest_turn;
+use super::dense::{factorise, solve};
 use super::dyad::Margin;
 use super::newton::{NewtonGroup, Scratch};
 use super::plan::Plan;
@@ -30,6 +32,12 @@ pub(super) fn assemble(
     state: &mut State,
 ) -> Result<Margin, Wrong> {
     let names = names(spec, &group.bodies);
+    if asked_branch(choices)?.is_some() {
+        return Err((
+            format!("the group of {names} has no branches + and -"),
+            "give the approximate angle of one or more of these links at the start".to_owned(),
+        ));
+    }
     let mut scratch = Scratch::new(group.bodies.len());
     let mut found: Vec<Assembly> = Vec::new();
     let mut closest = f64::INFINITY;
@@ -83,15 +91,27 @@ fn choose<'a>(
     if found.is_empty() {
         return Err((
             format!(
-                "{names} cannot be joined at the start {start}: the closest of {TRIALS} trials \
-                 leaves a closing error of {closest:.3e} m"
+                "{names} cannot be joined at the start {}: the closest of {TRIALS} trials \
+                 leaves a closing error of {} m",
+                short(start),
+                short(closest)
             ),
             "check the lengths, or give approximate positions of these links".to_owned(),
         ));
     }
     if choices.is_empty() && found.len() > 1 {
+        let mut angles: Vec<f64> = found.iter().map(|way| principal(way.unknowns[2])).collect();
+        angles.sort_by(f64::total_cmp);
+        let angles: Vec<String> = angles
+            .iter()
+            .map(|angle| short(angle.to_degrees()))
+            .collect();
         return Err((
-            format!("{names} can be joined in {} ways", found.len()),
+            format!(
+                "{names} can be joined in {} ways, the first of them at the angles {} deg",
+                found.len(),
+                angles.join(", ")
+            ),
             "give the approximate angle of one or more of these links at the start".to_owned(),
         ));
     }
@@ -99,6 +119,11 @@ fn choose<'a>(
         .iter()
         .min_by(|one, other| one.mismatch.total_cmp(&other.mismatch));
     best.ok_or_else(|| ("nothing was found".to_owned(), String::new()))
+}
+
+/// The angle in (−π, π].
+fn principal(angle: f64) -> f64 {
+    nearest_turn(angle, 0.0)
 }
 
 fn same(one: &[f64], other: &[f64], size: f64) -> bool {
@@ -167,5 +192,54 @@ fn settle(
 fn put(group: &NewtonGroup, scratch: &Scratch, state: &mut State) {
     for (index, body) in group.bodies.iter().enumerate() {
         state.put(body, &NewtonGroup::frame::<1>(scratch, index));
+    }
+}
+
+impl NewtonGroup {
+    /// Moves the bodies, without turning them, to where the least squares of
+    /// the closing errors are.
+    pub(super) fn relax(&self, state: &State, scratch: &mut Scratch, size: f64) {
+        let n = 3 * self.bodies.len();
+        self.equations::<1>(state, scratch, size);
+        self.matrix(state, scratch, size);
+        // Normal equations of the columns of x and y alone; the angles stay.
+        let mut normal = vec![0.0; n * n];
+        let mut right = vec![0.0; n];
+        let moves = |column: usize| column % 3 != 2;
+        for a in 0..n {
+            if !moves(a) {
+                normal[a * n + a] = 1.0;
+                continue;
+            }
+            for row in 0..n {
+                let entry = scratch.matrix[row * n + a];
+                right[a] -= entry * scratch.equations[row][0];
+                for b in (0..n).filter(|&b| moves(b)) {
+                    normal[a * n + b] += entry * scratch.matrix[row * n + b];
+                }
+            }
+            normal[a * n + a] += 1e-9;
+        }
+        if factorise(&mut normal, &mut scratch.pivots[..n]) != 0.0 {
+            solve(&normal, &scratch.pivots[..n], &mut right);
+            for (row, change) in right.iter().enumerate() {
+                if change.is_finite() {
+                    scratch.unknowns[row][0] += change * size;
+                }
+            }
+        }
+    }
+
+    /// Blocks point along their guides, not against them.
+    pub(super) fn proper(&self, state: &State, scratch: &Scratch) -> bool {
+        self.joints
+            .iter()
+            .filter(|joint| joint.slides)
+            .all(|joint| {
+                let [i, j] = joint
+                    .sides
+                    .map(|side| self.seen::<1>(&side, state, scratch));
+                i.along.dot(j.along).value() > 0.0
+            })
     }
 }

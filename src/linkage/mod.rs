@@ -25,6 +25,7 @@ mod course;
 mod decompose;
 mod dense;
 mod dyad;
+mod examine;
 mod forces;
 mod guesses;
 mod newton;
@@ -208,11 +209,20 @@ fn explore(
         let names = assemble::names(spec, links);
         return Err(vec![Fault::new(
             "links",
-            format!("{names} are in a dead position at the start {start}"),
+            format!(
+                "{names} are in a dead position at the start {}",
+                assemble::short(start)
+            ),
             "give approximate positions for another input",
         )]);
     }
-    course.table.push(start, state, true);
+    course.table.push(start, state);
+    course.below.push(start, state);
+    if groups == 0 && plan.driver.sliding.is_some() && spec.travel.is_none() {
+        // A sliding link alone goes wherever it is sent.
+        course.finish(&plan.driver);
+        return Ok([Way::Everywhere; 2]);
+    }
     let limits = spec
         .travel
         .map_or([None, None], |[from, to]| [Some(from), Some(to)]);
@@ -239,13 +249,14 @@ fn ranged(course: &Course, ways: [Way; 2]) -> Range {
             cause: DeadPosition { group: group + 1 },
         },
         Way::Ends(at, cause) => End { at, cause },
-        Way::Repeats(_) => End {
+        Way::Repeats(_) | Way::Everywhere => End {
             at: f64::INFINITY,
             cause: Cause::Unexplored,
         },
     };
     let (reach, period) = match ways[1] {
         Way::Repeats(turns) => (Reach::Everywhere, Some(Period::of_turns(turns))),
+        Way::Everywhere => (Reach::Everywhere, None),
         Way::Ends(..) => {
             let [lower, upper] = ways.map(end);
             (Reach::Interval { lower, upper }, None)

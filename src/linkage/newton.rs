@@ -58,10 +58,10 @@ pub(super) struct NotConverged;
 pub(super) struct Scratch {
     /// x, y (m), θ of each body as series.
     pub(super) unknowns: Vec<[f64; 4]>,
-    matrix: Vec<f64>,
-    pivots: Vec<usize>,
-    equations: Vec<[f64; 4]>,
-    right: Vec<f64>,
+    pub(super) matrix: Vec<f64>,
+    pub(super) pivots: Vec<usize>,
+    pub(super) equations: Vec<[f64; 4]>,
+    pub(super) right: Vec<f64>,
 }
 
 impl Scratch {
@@ -79,12 +79,12 @@ impl Scratch {
 }
 
 /// A point and a direction of a pair's side, seen from the ground.
-struct Seen<const N: usize> {
-    point: Vector<N>,
+pub(super) struct Seen<const N: usize> {
+    pub(super) point: Vector<N>,
     /// From the origin of the body to the point; of no meaning when known.
-    arm: Vector<N>,
-    along: Vector<N>,
-    body: Option<usize>,
+    pub(super) arm: Vector<N>,
+    pub(super) along: Vector<N>,
+    pub(super) body: Option<usize>,
 }
 
 impl NewtonGroup {
@@ -196,7 +196,12 @@ impl NewtonGroup {
         }
     }
 
-    fn seen<const N: usize>(&self, side: &Side, state: &State, scratch: &Scratch) -> Seen<N> {
+    pub(super) fn seen<const N: usize>(
+        &self,
+        side: &Side,
+        state: &State,
+        scratch: &Scratch,
+    ) -> Seen<N> {
         match side {
             Side::Known(element) => {
                 let frame = state.frame(element.link);
@@ -222,7 +227,12 @@ impl NewtonGroup {
     }
 
     /// The closing errors as series, lengths over the size.
-    fn equations<const N: usize>(&self, state: &State, scratch: &mut Scratch, size: f64) {
+    pub(super) fn equations<const N: usize>(
+        &self,
+        state: &State,
+        scratch: &mut Scratch,
+        size: f64,
+    ) {
         for (index, joint) in self.joints.iter().enumerate() {
             let [i, j] = joint
                 .sides
@@ -240,7 +250,7 @@ impl NewtonGroup {
     }
 
     /// The derivatives of the closing errors by the unknowns.
-    fn matrix(&self, state: &State, scratch: &mut Scratch, size: f64) {
+    pub(super) fn matrix(&self, state: &State, scratch: &mut Scratch, size: f64) {
         let n = 3 * self.bodies.len();
         scratch.matrix[..n * n].fill(0.0);
         for (index, joint) in self.joints.iter().enumerate() {
@@ -273,54 +283,5 @@ impl NewtonGroup {
                 }
             }
         }
-    }
-}
-
-impl NewtonGroup {
-    /// Moves the bodies, without turning them, to where the least squares of
-    /// the closing errors are.
-    pub(super) fn relax(&self, state: &State, scratch: &mut Scratch, size: f64) {
-        let n = 3 * self.bodies.len();
-        self.equations::<1>(state, scratch, size);
-        self.matrix(state, scratch, size);
-        // Normal equations of the columns of x and y alone; the angles stay.
-        let mut normal = vec![0.0; n * n];
-        let mut right = vec![0.0; n];
-        let moves = |column: usize| column % 3 != 2;
-        for a in 0..n {
-            if !moves(a) {
-                normal[a * n + a] = 1.0;
-                continue;
-            }
-            for row in 0..n {
-                let entry = scratch.matrix[row * n + a];
-                right[a] -= entry * scratch.equations[row][0];
-                for b in (0..n).filter(|&b| moves(b)) {
-                    normal[a * n + b] += entry * scratch.matrix[row * n + b];
-                }
-            }
-            normal[a * n + a] += 1e-9;
-        }
-        if factorise(&mut normal, &mut scratch.pivots[..n]) != 0.0 {
-            solve(&normal, &scratch.pivots[..n], &mut right);
-            for (row, change) in right.iter().enumerate() {
-                if change.is_finite() {
-                    scratch.unknowns[row][0] += change * size;
-                }
-            }
-        }
-    }
-
-    /// Blocks point along their guides, not against them.
-    pub(super) fn proper(&self, state: &State, scratch: &Scratch) -> bool {
-        self.joints
-            .iter()
-            .filter(|joint| joint.slides)
-            .all(|joint| {
-                let [i, j] = joint
-                    .sides
-                    .map(|side| self.seen::<1>(&side, state, scratch));
-                i.along.dot(j.along).value() > 0.0
-            })
     }
 }

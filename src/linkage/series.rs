@@ -97,6 +97,13 @@ impl<const N: usize> Series<N> {
         Self(root)
     }
 
+    /// The root of a discriminant given as a product of differences, on a
+    /// branch: the closure of a triangle or of a link between a pin and a line.
+    #[inline(always)]
+    pub(crate) fn closing_root(above: Self, below: Self, branch: f64) -> Self {
+        (above * below).sqrt().scale(branch)
+    }
+
     /// 1 over the series.
     #[inline(always)]
     pub(crate) fn reciprocal(self) -> Self {

@@ -187,6 +187,15 @@ impl<const N: usize> Local<N> {
         }
     }
 
+    /// A constant length to measure by: its own, or a typical one where it changes.
+    #[inline(always)]
+    pub(crate) fn unit(self, typical: f64) -> f64 {
+        match self {
+            Self::Fixed([x, y]) => x.hypot(y),
+            Self::Moving(_) => typical,
+        }
+    }
+
     /// The vector as seen from the ground, `direction` being that of the frame.
     #[inline(always)]
     pub(crate) fn seen(self, direction: Vector<N>) -> Vector<N> {

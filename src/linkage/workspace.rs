@@ -167,6 +167,7 @@ impl Workspace {
         (frame.at, frame.direction)
     }
 
+    #[cfg(test)]
     pub(super) fn core(&self) -> &Core {
         &self.core
     }

@@ -17,7 +17,7 @@ pub use chain::ChainParameters;
 
 use crate::breaks::Breaks;
 use crate::fault::{Fault, Faults};
-use crate::model::{ExplicitStart, Model, NodeIndex, ObjectPart, Start, Track, TrackSource};
+use crate::model::{ExplicitStart, Model, NodeIndex, OUTPUT, ObjectPart, Start, Track, TrackSource};
 use crate::object::Description;
 use crate::scene::{Scene, StartSpec};
 use std::collections::BTreeMap;
@@ -66,7 +66,7 @@ fn parts(scene: &Scene) -> Vec<ObjectPart> {
         if let Description::Linkage(spec) = object.description() {
             for output in &spec.linkage.outputs {
                 let coordinate = spec.output_coordinate(&output.kind);
-                parts.push(part(format!("{id}.{}", output.name), "output", coordinate));
+                parts.push(part(format!("{id}.{}", output.name), OUTPUT, coordinate));
             }
         }
     }

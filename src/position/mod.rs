@@ -10,8 +10,8 @@ mod cam;
 mod four_bar;
 mod linkage;
 mod reach;
-mod series;
 mod slider_crank;
+mod slotted_link;
 mod spec;
 mod table;
 #[cfg(test)]
@@ -24,7 +24,8 @@ pub use linkage::LinkageOutput;
 pub(crate) use linkage::reach as linkage_reach;
 pub use reach::OutOfReach;
 pub use slider_crank::SliderCrank;
-pub use spec::{CamSpec, PositionSpec};
+pub use slotted_link::SlottedLink;
+pub use spec::{CamSpec, PositionSpec, SlottedDriver, SlottedLinkSpec, SlottedOutput};
 pub use table::Table;
 
 use crate::breaks::Breaks;
@@ -79,6 +80,8 @@ pub enum Position {
     SliderCrank(SliderCrank),
     /// A four-bar linkage.
     FourBar(FourBar),
+    /// A slotted link.
+    SlottedLink(SlottedLink),
     /// A cam.
     Cam(Cam),
     /// A plan of motion: any number of rises, dwells and returns.
@@ -143,6 +146,7 @@ impl Position {
                 branch,
                 phase,
             } => FourBar::new([crank, coupler, rocker, frame], branch, phase).map(Self::FourBar),
+            PositionSpec::SlottedLink(ref spec) => SlottedLink::new(spec).map(Self::SlottedLink),
             PositionSpec::Cam(ref cam) => Cam::new(cam).map(Self::Cam),
             PositionSpec::Plan(ref spec) => match Cycle::new(spec) {
                 Ok(cycle) => Ok(Self::Plan(Box::new(cycle))),
@@ -197,6 +201,7 @@ impl Position {
             Self::Table(table) => table.jet(segment, phi),
             Self::SliderCrank(linkage) => linkage.jet(phi),
             Self::FourBar(linkage) => linkage.jet(phi),
+            Self::SlottedLink(linkage) => linkage.jet(phi),
             Self::Cam(cam) => cam.jet(segment, phi),
             Self::Plan(cycle) => cycle.jet(segment, phi),
             Self::Linkage(output) => output.jet(phi),
@@ -245,6 +250,7 @@ impl Position {
             Self::SliderCrank(linkage) => linkage.reach_from(phi),
             Self::FourBar(linkage) => linkage.reach_from(phi),
             Self::Linkage(output) => output.reach_from(phi),
+            Self::SlottedLink(linkage) => linkage.reach_from(phi),
             Self::Custom(function) => match function.reach() {
                 Some(interval) if !(interval.0 < phi && phi < interval.1) => Err(OutOfReach {
                     intervals: vec![interval],

@@ -208,6 +208,10 @@ impl Stage {
                     Err(None)
                 }
             }
+            Position::SlottedLink(linkage) => match linkage.advance() {
+                Some(advance) => Ok((TAU, advance)),
+                None => Err(None),
+            },
             Position::Plan(plan) if plan.spec().period.is_some() => {
                 let spec = plan.spec();
                 Ok((spec.period.unwrap_or(TAU), spec.advance))

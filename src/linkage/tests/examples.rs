@@ -192,3 +192,45 @@ pub(super) fn andrews() -> Builder {
         .choose(5, AssemblyChoice::Angle(omega + epsilon))
         .choose(6, AssemblyChoice::Angle(epsilon))
 }
+
+/// A plate on three levers, one of them driven through a fourth: driver 0,
+/// plate 1, levers 2, 3 and 4; the plate cannot be placed by dyads.
+pub(super) fn triad() -> Builder {
+    let plate = [[0.0, 0.0], [0.5, 0.1], [0.2, 0.45]];
+    Builder::new(&["crank", "plate", "rod", "left", "right"])
+        .pin((GROUND, [0.3, 0.0]), (Some(0), [0.0; 2]))
+        .pin((Some(0), [0.08, 0.0]), (Some(2), [0.0; 2]))
+        .pin((Some(2), [0.42, 0.0]), (Some(1), plate[0]))
+        .pin((GROUND, [1.2, 0.2]), (Some(4), [0.0; 2]))
+        .pin((Some(4), [0.4, 0.0]), (Some(1), plate[1]))
+        .pin((GROUND, [-0.1, 1.1]), (Some(3), [0.0; 2]))
+        .pin((Some(3), [0.79, 0.0]), (Some(1), plate[2]))
+        .choose(
+            1,
+            AssemblyChoice::Near {
+                point: [0.2, 0.2],
+                place: [0.6, 0.6],
+            },
+        )
+        .choose(1, AssemblyChoice::Angle(0.0))
+        .choose(2, AssemblyChoice::Angle(1.4))
+        .choose(3, AssemblyChoice::Angle(-0.3))
+        .choose(4, AssemblyChoice::Angle(2.2))
+        .mass(1, 2.0, [0.2, 0.2], 0.1)
+        .output(OutputKind::Angle { link: 1 })
+}
+
+/// Cylinder 0 about (0.5, 0), rod 1 in it, boom 2 about the origin with the
+/// rod's pin at 0.3 m: the input is the distance of the two pins.
+pub(super) fn cylinder() -> Builder {
+    let mut builder = Builder::new(&["cylinder", "rod", "boom"])
+        .pin((GROUND, [0.5, 0.0]), (Some(0), [0.0; 2]))
+        .slide((Some(0), [0.0; 2]), (Some(1), [0.0; 2]), 0.0, 0.0)
+        .pin((Some(1), [0.0; 2]), (Some(2), [0.3, 0.0]))
+        .pin((GROUND, [0.0; 2]), (Some(2), [0.0; 2]))
+        .mass(2, 3.0, [0.2, 0.0], 0.05)
+        .choose(2, AssemblyChoice::Angle(1.0))
+        .start(0.4);
+    builder.0.driver = 1;
+    builder
+}

@@ -1,4 +1,9 @@
 //! Tests of linkages.
 
+mod branches;
+mod change_points;
 mod examples;
-mod first;
+mod known;
+mod random;
+mod refusals;
+mod support;

@@ -7,6 +7,9 @@ use crate::read::{Bounds, Fields, Slot};
 use crate::units::quantities as q;
 use serde_json::json;
 
+/// Corners of a block of which nothing is said (m).
+const CORNERS: (f64, f64) = (0.01, -0.01);
+
 /// Whether a pair turns or slides.
 pub(super) fn coordinate(kind: &PairKind) -> Coordinate {
     match kind {
@@ -42,6 +45,8 @@ fn pair(slot: Slot<'_>, name: &str, names: &Names) -> Option<PairSpec> {
             sliding(slot, names)
         });
         let kind = kind.finish();
+        let sliding = fields.member("sliding");
+        let given_corners = sliding.is_some_and(|pair| pair.value.get("corners").is_some());
         let doc = "Diameter of the pin, for friction; default 0";
         let diameter = fields.maybe("diameter", doc, |slot| {
             slot.quantity(q::LENGTH, Bounds::NOT_NEGATIVE)
@@ -49,8 +54,8 @@ fn pair(slot: Slot<'_>, name: &str, names: &Names) -> Option<PairSpec> {
         let (friction, (on, link, mut kind), diameter) = (friction?, kind?, diameter?);
         match (&mut kind, diameter) {
             (PairKind::Revolute { diameter }, given) => *diameter = given.unwrap_or(0.0),
-            (PairKind::Sliding { corners, .. }, None) => {
-                if friction > 0.0 && corners[0] == corners[1] {
+            (PairKind::Sliding { .. }, None) => {
+                if friction > 0.0 && !given_corners {
                     let message = "a block with friction needs the places of its two corners";
                     let fault = fields.refuse("friction", "missing-property", message);
                     let hint = "add \"corners\": [\"20 mm\", \"-20 mm\"] to `sliding`";
@@ -92,7 +97,7 @@ fn sliding(slot: Slot<'_>, names: &Names) -> Option<(PointOf, PointOf, PairKind)
         let through = fields.maybe("through", doc, |slot| names.point(slot));
         let doc = "Angle of the block's frame less the direction of the guide";
         let turned = fields.or("angle", doc, json!(0.0), angle);
-        let doc = "Places of the block's two corners along the guide from its point, the forward one first, for friction; default both at the point";
+        let doc = "Places of the block's two corners along the guide from its point, the forward one first, for reactions and friction; default 10 mm ahead and behind";
         let length = |slot: Slot<'_>| slot.quantity(q::LENGTH, Bounds::ANY);
         let corners = fields.maybe("corners", doc, |slot| slot.pair(length, length));
         let doc = "Half the height of the block";
@@ -113,7 +118,8 @@ fn sliding(slot: Slot<'_>, names: &Names) -> Option<(PointOf, PointOf, PairKind)
             fields.refuse("corners", "out-of-range", message);
             return None;
         }
-        let (forward, back) = corners.unwrap_or((0.0, 0.0));
+        fields.fill_in("corners", json!(corners.unwrap_or(CORNERS)));
+        let (forward, back) = corners.unwrap_or(CORNERS);
         (!clash).then_some(())?;
         let kind = PairKind::Sliding {
             direction,

@@ -2,9 +2,7 @@
 
 use super::table::Table;
 use super::{equations, load_word, units};
-use crate::model::{
-    Closure, Coordinate, DampingLaw, LinkBase, Model, NodeMotion, ObjectPart, Pair,
-};
+use crate::model::{Closure, Coordinate, DampingLaw, LinkBase, Model, NodeMotion, OUTPUT, ObjectPart, Pair};
 use crate::report::diagram::{drivers_first, pair};
 use crate::report::quantity::{significant, with_unit};
 use std::f64::consts::TAU;
@@ -55,7 +53,7 @@ fn masses(model: &Model) -> Table {
         vec!["object", "kind", "mass", "inertia J", "", "motion"],
         &[2, 3],
     );
-    for object in objects(model) {
+    for object in objects(model).filter(|object| object.kind != OUTPUT) {
         let driver = object.driver.map_or("", |driver| &model.objects[driver].id);
         for (place, &index) in object.nodes.iter().enumerate() {
             let node = &model.nodes[index];
@@ -98,6 +96,13 @@ fn linkages(model: &Model) -> String {
         let turning = part.coordinate == Coordinate::Turning;
         let range = linkage.range().describe(linkage.structure(), turning);
         out.push_str(&format!("  input {range}\n"));
+        let outputs = model.objects.iter().filter(|one| one.driver == Some(body.object));
+        let outputs: Vec<String> = (outputs.filter(|one| one.kind == OUTPUT))
+            .map(|one| format!("{} ({})", one.id, units(one.coordinate).displacement))
+            .collect();
+        if !outputs.is_empty() {
+            out.push_str(&format!("  outputs {}\n", outputs.join(", ")));
+        }
     }
     out
 }
@@ -140,7 +145,11 @@ fn pairs(model: &Model) -> Table {
         vec!["object", "closure", "gap", "opens", "contact law"],
         &[2],
     );
-    for object in objects(model).filter(|object| object.driver.is_some()) {
+    let linkage = |object: &ObjectPart| {
+        let mut bodies = model.linkages.iter();
+        object.kind == OUTPUT || bodies.any(|body| object.nodes.contains(&body.node))
+    };
+    for object in objects(model).filter(|one| one.driver.is_some() && !linkage(one)) {
         let bilateral = Pair {
             closure: Closure::Bilateral,
             gap: 0.0,

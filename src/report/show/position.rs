@@ -3,7 +3,9 @@
 use crate::model::{Coordinate, Law};
 use crate::motion::DriveMotion;
 use crate::motion::cycle::{Cycle, Motion};
-use crate::position::{Cam, FourBar, Position, SliderCrank, Table};
+use crate::position::{
+    Cam, FourBar, Position, SliderCrank, SlottedDriver, SlottedLinkSpec, SlottedOutput, Table,
+};
 use crate::report::math::{Expr, Index, Relation, symbol};
 use crate::report::quantity::{significant, with_unit};
 use crate::report::show::units;
@@ -42,6 +44,11 @@ pub fn summary(law: &Law, coordinate: Coordinate) -> String {
                 linkage.frame,
             ];
             format!("four-bar {} mm{lever}", lengths.map(millimetres).join("/"))
+        }
+        Position::SlottedLink(linkage) => {
+            let spec = linkage.spec();
+            let lengths = [spec.crank, spec.frame].map(millimetres);
+            format!("slotted link {} mm{lever}", lengths.join("/"))
         }
         Position::Cam(cam) => {
             let unit = match coordinate {
@@ -86,6 +93,7 @@ fn bare_formula(position: &Position, phi: Expr) -> Expr {
         Position::Polynomial(coefficients) => polynomial(coefficients, &phi),
         Position::SliderCrank(linkage) => slider_crank(linkage, phi),
         Position::FourBar(linkage) => Expr::Words(four_bar(linkage)),
+        Position::SlottedLink(linkage) => Expr::Words(slotted_link(linkage.spec())),
         Position::Cam(cam) => Expr::Words(cam_words(cam)),
         Position::Plan(plan) => Expr::Words(plan_words(plan)),
         Position::Table(table) => Expr::Words(table_words(table)),
@@ -148,6 +156,32 @@ fn four_bar(linkage: &FourBar) -> String {
             "crossed"
         },
         added(linkage.phase)
+    )
+}
+
+fn slotted_link(spec: &SlottedLinkSpec) -> String {
+    let metres = |length: f64| significant(length, 6);
+    let output = match spec.output {
+        SlottedOutput::Link => "angle of the slotted link",
+        SlottedOutput::Crank => "angle of the crank",
+        SlottedOutput::Block => "distance of the block",
+    };
+    let driver = match spec.driver {
+        SlottedDriver::Crank => format!("crank at φ{}", added(spec.phase)),
+        SlottedDriver::Block => format!(
+            "block at φ + {} m, {}",
+            metres(spec.phase),
+            if spec.branch >= 0.0 {
+                "branch +"
+            } else {
+                "branch -"
+            }
+        ),
+    };
+    format!(
+        "{output} of a slotted-link mechanism: crank {} m, frame {} m, {driver}",
+        metres(spec.crank),
+        metres(spec.frame)
     )
 }
 

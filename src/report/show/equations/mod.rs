@@ -16,7 +16,7 @@ pub use latex::latex;
 pub use loads::summary as load_summary;
 pub use text::text;
 
-use crate::model::{LinkageBody, Model, NodeIndex, NodeMotion};
+use crate::model::{LinkageBody, Model, NodeIndex, NodeMotion, OUTPUT};
 use crate::report::diagram::drivers_first;
 use crate::report::math::{Expr, Index, Symbol, symbol};
 
@@ -112,7 +112,9 @@ impl Section {
 
 /// Writes out the equations of a model.
 pub fn equations(model: &Model) -> Equations {
-    let sections = drivers_first(model).into_iter().map(|object| {
+    let objects = drivers_first(model).into_iter();
+    let shown = objects.filter(|&object| !only_looked_at(model, object));
+    let sections = shown.map(|object| {
         let first = model.objects[object].nodes.first();
         match first.map(|&node| &model.nodes[node].motion) {
             Some(NodeMotion::Mass { .. }) => chain::section(model, object),
@@ -127,6 +129,13 @@ pub fn equations(model: &Model) -> Equations {
     Equations {
         sections: sections.collect(),
     }
+}
+
+/// True for an output of a linkage on which nothing hangs.
+fn only_looked_at(model: &Model, object: usize) -> bool {
+    let part = &model.objects[object];
+    let drives = |other: &crate::model::ObjectPart| other.driver == Some(object);
+    part.kind == OUTPUT && !model.objects.iter().any(drives)
 }
 
 /// The letter with an object's id: φ_shaft.

@@ -1,7 +1,10 @@
 //! Equations of drives and of rigid objects.
 
-use super::{Section, inertia_side, linkage, linkage_of, loads, of_object, output_name, reflected};
-use crate::model::{Closure, Law, Model, NodeMotion, ObjectPart};
+use super::{
+    Section, inertia_side, linkage, linkage_of, loads, of_object, only_looked_at, output_name,
+    reflected,
+};
+use crate::model::{Closure, Law, Model, NodeMotion, OUTPUT, ObjectPart};
 use crate::motion::DriveMotion;
 use crate::report::math::{Expr, Index, Relation, symbol};
 use crate::report::show::{position, units};
@@ -109,6 +112,7 @@ pub(super) fn rigid(model: &Model, object: usize, law: &Law) -> Section {
     lift_off(part, of_object("F", model, object).expr(), &mut section);
     match body {
         Some(body) => linkage::entry(model, object, body, &mut section),
+        None if part.kind == OUTPUT => {}
         None => inertia_entry_of(model, object, &mut section),
     }
     loads::write(model, object, &mut section);
@@ -119,6 +123,7 @@ pub(super) fn rigid(model: &Model, object: usize, law: &Law) -> Section {
 fn direct_pulls(model: &Model, object: usize) -> Vec<Expr> {
     (0..model.objects.len())
         .filter(|&other| model.objects[other].driver == Some(object))
+        .filter(|&other| !only_looked_at(model, other))
         .map(|other| {
             let prime = of_object("U", model, other).prime();
             of_object("F", model, other).expr().times(prime)
