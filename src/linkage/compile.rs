@@ -15,8 +15,12 @@ struct Bodies {
     of_link: Vec<Option<usize>>,
 }
 
-/// Structure and plan of a linkage whose numbers are right.
-pub(super) fn compile(spec: &LinkageSpec) -> Result<(Plan, Vec<Group>), Vec<Fault>> {
+/// Structure and plan of a linkage whose numbers are right; dyads by iteration
+/// like larger groups when `closed_forms` is false.
+pub(super) fn compile(
+    spec: &LinkageSpec,
+    closed_forms: bool,
+) -> Result<(Plan, Vec<Group>), Vec<Fault>> {
     let mut faults = Faults::default();
     let driver = Driver::new(&spec.pairs[spec.driver]);
     let bodies = bodies(spec, &driver);
@@ -48,7 +52,12 @@ pub(super) fn compile(spec: &LinkageSpec) -> Result<(Plan, Vec<Group>), Vec<Faul
             .filter(|(_, edge)| is_last(edge, group, &groups))
             .map(|(&pair, _)| pair)
             .collect();
-        let (step, kind) = step(spec, &bodies, group, &pairs, &mut faults);
+        let (step, kind) = match (group.as_slice(), pairs.as_slice()) {
+            ([one, other], [_, _, _]) if closed_forms => {
+                dyad(spec, &bodies, [*one, *other], &pairs, &mut faults)
+            }
+            _ => larger_group(spec, &bodies, group, &pairs),
+        };
         let mut links: Vec<usize> = group
             .iter()
             .flat_map(|&body| bodies.list[body].links())
@@ -206,17 +215,13 @@ fn is_or_are(names: &str) -> String {
     format!("{names} {word}")
 }
 
-/// The solution of one group.
-fn step(
+/// A group that is solved by iteration.
+fn larger_group(
     spec: &LinkageSpec,
     bodies: &Bodies,
     group: &[usize],
     pairs: &[usize],
-    faults: &mut Faults,
 ) -> (Option<Step>, GroupKind) {
-    if let ([one, other], [_, _, _]) = (group, pairs) {
-        return dyad(spec, bodies, [*one, *other], pairs, faults);
-    }
     let own = |element: &Element| -> Side {
         let body = element.link.and_then(|link| bodies.of_link[link]);
         match body.and_then(|body| group.iter().position(|&other| other == body)) {
