@@ -143,7 +143,7 @@ fn a_follower_rolled_on_the_polygon_gives_its_law_back() {
 #[test]
 fn an_undercut_is_found_where_the_roller_is_greater_than_the_pitch_radius() {
     let position = law(0.02, LawName::Cycloidal, LawName::Cycloidal);
-    let cam = DiscCam::new(&position, &translating(0.002, 0.02, 0.0)).unwrap();
+    let cam = DiscCam::new(&position, &translating(0.002, 0.03, 0.0)).unwrap();
     let found = cam.findings();
     let undercuts: Vec<[f64; 2]> = found
         .iter()
@@ -156,7 +156,7 @@ fn an_undercut_is_found_where_the_roller_is_greater_than_the_pitch_radius() {
     for &[from, to] in &undercuts {
         for phi in [from, to] {
             let (piece, phi) = cam.motion().locate(phi);
-            approx::assert_relative_eq!(cam.at(piece, phi).pitch_radius, 0.02, max_relative = 1e-9);
+            approx::assert_relative_eq!(cam.at(piece, phi).pitch_radius, 0.03, max_relative = 1e-9);
         }
     }
     // Densely looked at, the pitch radius is below the roller's there alone.
@@ -164,7 +164,7 @@ fn an_undercut_is_found_where_the_roller_is_greater_than_the_pitch_radius() {
         let phi = f64::from(step) * std::f64::consts::TAU / 20_000.0;
         let (piece, phi) = cam.motion().locate(phi);
         let radius = cam.at(piece, phi).pitch_radius;
-        let sharp = radius > 0.0 && radius < 0.02;
+        let sharp = radius > 0.0 && radius < 0.03;
         let inside = undercuts.iter().any(|[from, to]| {
             (*from..=*to).contains(&phi)
                 || *from <= phi + std::f64::consts::TAU && phi + std::f64::consts::TAU <= *to
@@ -181,7 +181,7 @@ fn an_undercut_is_found_where_the_roller_is_greater_than_the_pitch_radius() {
     for phi in crossings {
         let [p, q] = phi.map(|phi| {
             let (piece, phi) = cam.motion().locate(phi);
-            cam.curve_point(piece, phi, -0.02)
+            cam.curve_point(piece, phi, -0.03)
         });
         assert!((p[0] - q[0]).hypot(p[1] - q[1]) < 1e-12, "{p:?} {q:?}");
     }

@@ -242,10 +242,10 @@ fn a_cam_that_cannot_be_is_refused_with_what_can() {
         faults[0].hint.contains("the stroke may be up to"),
         "{faults:?}"
     );
-    let fast = law(0.8, LawName::Cycloidal, LawName::Cycloidal);
+    let fast = law(1.0, LawName::Cycloidal, LawName::Cycloidal);
     let with = CamGeometry {
         contact: flat(0.0, 0.0),
-        ..turning(0.02, 0.0, -1.0)
+        ..turning(0.02, 0.0, 1.0)
     };
     let faults = DiscCam::new(&fast, &with).unwrap_err();
     assert!(
