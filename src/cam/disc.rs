@@ -53,6 +53,20 @@ pub struct CamState {
     pub normal: [f64; 2],
 }
 
+/// The follower where it is innermost, in the machine's frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pose {
+    /// Centre of the roller, the edge; of a flat face the place from which
+    /// [`CamState::face`] counts.
+    pub point: [f64; 2],
+    /// Direction along a flat face in which [`CamState::face`] counts.
+    pub along: [f64; 2],
+    /// Direction of outward motion of a translating follower.
+    pub outward: [f64; 2],
+    /// Axis of a turning follower; not a number of another.
+    pub axis: [f64; 2],
+}
+
 impl DiscCam {
     /// A cam from the law U(φ) of its follower and the geometry.
     ///
@@ -91,11 +105,6 @@ impl DiscCam {
     pub(crate) fn with_prime_radius(&self, radius: f64) -> Option<Self> {
         let geometry = self.geometry.with_prime_radius(radius);
         Self::of(Arc::clone(&self.motion), &geometry).ok()
-    }
-
-    /// The same with another geometry.
-    pub(crate) fn with_geometry(&self, geometry: &CamGeometry) -> Option<Self> {
-        Self::of(Arc::clone(&self.motion), geometry).ok()
     }
 
     /// A turning follower must stay on one side of the line of centres, and the
@@ -184,6 +193,50 @@ impl DiscCam {
         }
     }
 
+    /// The follower where it is innermost, in the machine's frame.
+    pub fn innermost(&self) -> Pose {
+        let touch = contact::touch(&self.geometry, self.start, [0.0; 3]);
+        let turned = |n: [f64; 2]| [n[1], -n[0]];
+        match (self.geometry.guide, self.geometry.contact) {
+            (Guide::Translating { .. }, contact) => {
+                let along = turned(touch.normal);
+                // From where a flat face touches to where its line is crossed.
+                let back = match contact {
+                    Contact::Flat { .. } => touch.face,
+                    _ => 0.0,
+                };
+                let point = plus(touch.point, times(along, -back));
+                Pose {
+                    point: self.in_machine(point),
+                    along: self.in_machine(along),
+                    outward: self.in_machine([0.0, 1.0]),
+                    axis: [f64::NAN; 2],
+                }
+            }
+            (
+                Guide::Turning {
+                    centre_distance,
+                    against,
+                    ..
+                },
+                contact,
+            ) => {
+                let axis = [centre_distance, 0.0];
+                let along = times(turned(touch.normal), -against);
+                let point = match contact {
+                    Contact::Flat { .. } => plus(touch.point, times(along, -touch.face)),
+                    _ => touch.point,
+                };
+                Pose {
+                    point: self.in_machine(point),
+                    along: self.in_machine(along),
+                    outward: self.in_machine(touch.normal),
+                    axis: self.in_machine(axis),
+                }
+            }
+        }
+    }
+
     /// A vector of the standing frame of a cam that turns counter-clockwise in
     /// the machine's frame.
     pub(crate) fn in_machine(&self, vector: [f64; 2]) -> [f64; 2] {
@@ -236,6 +289,33 @@ impl DiscCam {
     /// Least and greatest place of the contact on a flat face.
     pub fn face(&self) -> [At; 2] {
         extremes(&self.motion, |piece, phi| self.touch(piece, phi).face)
+    }
+
+    /// Least radius of curvature of the curve at `offset` where it is convex, and
+    /// where it is concave (as a positive number); `None` where it nowhere is.
+    /// On an undercut the radius is that of the curve which runs backwards.
+    pub fn radii(&self, offset: f64) -> [Option<At>; 2] {
+        // The curvature of an offset curve grows without bound at a cusp, the
+        // radius of a flat face's profile at nothing: look at what stays finite.
+        let radius = |sign: f64| {
+            let [least, most] = self.bends();
+            match (self.geometry.roller(), sign > 0.0) {
+                (Some(_), true) => (most.value > 0.0).then(|| At {
+                    value: 1.0 / most.value + offset,
+                    ..most
+                }),
+                (Some(_), false) => (least.value < 0.0).then(|| At {
+                    value: -1.0 / least.value - offset,
+                    ..least
+                }),
+                (None, true) => Some(At {
+                    value: least.value + offset,
+                    ..least
+                }),
+                (None, false) => None,
+            }
+        };
+        [radius(1.0), radius(-1.0)]
     }
 
     /// Least and greatest of the quantity that says how the reference curve

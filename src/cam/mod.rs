@@ -25,7 +25,7 @@ mod spec;
 mod tests;
 
 pub use curve::Polygon;
-pub use disc::{CamState, DiscCam};
+pub use disc::{CamState, DiscCam, Pose};
 pub use findings::Finding;
 pub use motion::{FollowerMotion, Piece};
 pub use search::At;
