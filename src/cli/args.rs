@@ -1,7 +1,9 @@
 //! The command line's arguments.
 
+mod cam;
 mod methods;
 
+pub(crate) use cam::{CamArgs, CamForm};
 pub(crate) use methods::MethodsArgs;
 
 use super::law::args::LawCommand;
@@ -34,6 +36,8 @@ pub(crate) enum Command {
     /// Laws of motion: list, show, synthesize, cycle, compare
     #[command(subcommand)]
     Law(LawCommand),
+    /// Work out the cam of an object: profile, checks, sizes, closing force, files to cut it
+    Cam(CamArgs),
     /// Show a figure over one or two parameters, with a verdict and its cause for every point
     Map(MapArgs),
     /// Chart speed against accuracy of every method on a scene, and where and why methods fail

@@ -113,6 +113,11 @@ impl<'m> CamForce<'m> {
         })
     }
 
+    /// The cam.
+    pub fn cam(&self) -> &'m DiscCam {
+        self.cam
+    }
+
     /// Speed of the cam (rad/s).
     pub fn speed(&self) -> f64 {
         self.speed

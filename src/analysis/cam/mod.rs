@@ -1,10 +1,12 @@
 //! The cam of an object in a scene: its profile, its checks, its sizes, and the
 //! force that keeps the follower on it.
 
+mod elastic;
 mod force;
 mod reduction;
 mod result;
 
+pub use elastic::{Steady, steady_contact};
 pub use force::{CamForce, ForceFigures, Reserve, SpringAnswer};
 pub use result::{Answer, CamFigures, FaceFigures, Question, Radii, figures};
 
