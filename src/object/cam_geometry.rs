@@ -32,8 +32,8 @@ pub(super) fn read(
                only, not by the dynamics.";
     let found = fields.maybe("cam", doc, |slot| {
         slot.defined("cam_geometry", |slot| geometry(slot, follower))
-    })?;
-    if found.is_some() && context.driver == Some(Coordinate::Sliding) {
+    });
+    if fields.has("cam") && context.driver == Some(Coordinate::Sliding) {
         let message = "a disc cam turns, but the driver of this object slides";
         let fault = fields.refuse("cam", "contradiction", message);
         fault
@@ -41,7 +41,7 @@ pub(super) fn read(
             .push("leave out `cam`, or let something that turns drive it".to_owned());
         return None;
     }
-    Some(found)
+    found
 }
 
 fn geometry(slot: Slot<'_>, follower: Option<Coordinate>) -> Option<CamGeometry> {
@@ -121,8 +121,24 @@ fn contact(slot: Slot<'_>, follower: Option<Coordinate>) -> Option<Contact> {
                 kinds.finish()
             })
         },
-        |slot| slot.choice(&[("knife_edge", Contact::KnifeEdge)]),
+        knife_edge,
     )
+}
+
+fn knife_edge(mut slot: Slot<'_>) -> Option<Contact> {
+    if slot.describing() {
+        return slot.choice(&[("knife_edge", Contact::KnifeEdge)]);
+    }
+    let text = slot.look(|slot| slot.text())?;
+    if text == "knife_edge" {
+        return Some(Contact::KnifeEdge);
+    }
+    let fault = slot.refuse("unknown-choice", format!("unknown contact `{text}`"));
+    fault.hints.push(
+        r#"it is "knife_edge", { "roller": "8 mm" } or { "flat": { "width": "30 mm" } }"#
+            .to_owned(),
+    );
+    None
 }
 
 fn flat(slot: Slot<'_>, follower: Option<Coordinate>) -> Option<Contact> {
@@ -227,14 +243,14 @@ fn swinging(fields: &mut Fields<'_>, contact: Option<Contact>) -> Option<Guide> 
     if fields.describing() {
         return None;
     }
-    let (centre_distance, arm) = (centre_distance?, arm?);
-    if centre_distance.is_none() {
+    if centre_distance == Some(None) {
         fields.lack("centre_distance", None);
     }
     let flat = matches!(contact, Some(Contact::Flat { .. }));
-    if arm.is_none() && contact.is_some() && !flat {
+    if arm == Some(None) && contact.is_some() && !flat {
         fields.lack("arm", None);
     }
+    let (centre_distance, arm) = (centre_distance?, arm?);
     Some(Guide::Turning {
         centre_distance: centre_distance?,
         arm: match flat {

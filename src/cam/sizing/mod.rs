@@ -73,6 +73,24 @@ impl DiscCam {
                     to: None,
                 }])
             }
+            (Guide::Translating { .. }, Contact::Flat { inclination, .. }) => {
+                let least = limits.outward.min(limits.inward);
+                match inclination.abs() <= least {
+                    true => Ok(vec![BaseRange {
+                        from: 0.0,
+                        to: None,
+                    }]),
+                    false => {
+                        let message = format!(
+                            "the pressure angle is the face's inclination, {:.4} deg, on every \
+                             base circle",
+                            inclination.to_degrees().abs()
+                        );
+                        let path = "cam.contact.flat.inclination";
+                        Err(Fault::new(path, message, "incline the face less"))
+                    }
+                }
+            }
             _ => self.base_by_scan(limits),
         }
     }
@@ -122,7 +140,13 @@ impl DiscCam {
 
     /// Radius of the base circle on a prime circle of this radius.
     fn base_of(&self, prime: f64) -> f64 {
-        self.geometry().with_prime_radius(prime).base_radius
+        let base = self.geometry().with_prime_radius(prime).base_radius;
+        // A disc as small as its roller has no base circle left, not 1e-18 m of it.
+        if base.abs() < 1e-12 * prime {
+            0.0
+        } else {
+            base
+        }
     }
 
     /// Least prime radius of a translating roller follower with an offset.

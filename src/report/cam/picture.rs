@@ -71,16 +71,25 @@ pub(super) struct Mover {
     pub(super) axis: [f64; 2],
 }
 
+/// Chord tolerance of drawn curves, of the prime circle: a tenth of a pixel.
+const FINE: f64 = 3e-4;
+
+/// The curves as they are drawn: no finer than can be seen.
+pub(super) fn drawn(cam: &DiscCam) -> Vec<NamedCurve> {
+    super::curves(cam, FINE * cam.geometry().prime_radius(), None).unwrap_or_default()
+}
+
 /// The drawing at φ (rad) as a complete SVG document on white ground.
-pub fn picture(title: &str, cam: &DiscCam, curves: &[NamedCurve], phi: f64) -> String {
-    let view = view(cam, curves);
+pub fn picture(title: &str, cam: &DiscCam, phi: f64) -> String {
+    let curves = drawn(cam);
+    let view = view(cam, &curves);
     let [w, h] = view.size.map(short);
     format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {w} {h}\" width=\"{w}\" \
          height=\"{h}\" role=\"img\" aria-label=\"{}\">\n<style>{STYLE}</style>\n\
          <rect width=\"{w}\" height=\"{h}\" fill=\"#fff\"/>\n{}</svg>\n",
         escape(title),
-        drawing(cam, curves, &view, phi)
+        drawing(cam, &curves, &view, phi)
     )
 }
 
@@ -94,14 +103,14 @@ pub(super) fn drawing(cam: &DiscCam, curves: &[NamedCurve], view: &View, phi: f6
     let [x, y] = mover.axis.map(short);
     let _ = writeln!(
         out,
-        "<circle class=\"cam-base\" cx=\"{x}\" cy=\"{y}\" r=\"{}\"/>",
-        short(view.scale * base)
-    );
-    let _ = writeln!(
-        out,
         "<g id=\"cam-turning\" transform=\"{}\">\n{}</g>",
         cam_transform(&mover, phi),
         body(cam, curves, view)
+    );
+    let _ = writeln!(
+        out,
+        "<circle class=\"cam-base\" cx=\"{x}\" cy=\"{y}\" r=\"{}\"/>",
+        short(view.scale * base)
     );
     let _ = writeln!(
         out,
@@ -342,7 +351,11 @@ fn parts(cam: &DiscCam) -> Parts {
 
 /// A view that shows the cam at every angle, and the follower in and out.
 pub(super) fn view(cam: &DiscCam, curves: &[NamedCurve]) -> View {
-    let radius = rim_radius(cam, curves);
+    let pitch = curves.iter().filter(|curve| curve.name == "pitch");
+    let pitch = pitch.flat_map(|curve| &curve.polygon.points);
+    let radius = pitch
+        .map(|point| point[0].hypot(point[1]))
+        .fold(rim_radius(cam, curves), f64::max);
     let (mut low, mut high) = ([-radius; 2], [radius; 2]);
     let parts = parts(cam);
     let roller = cam.geometry().roller().unwrap_or(0.0);

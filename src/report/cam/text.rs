@@ -193,10 +193,15 @@ fn sizes(rows: &mut Rows, found: &CamFigures) {
             degrees(limits.inward)
         ),
     };
-    rows.push((
-        name,
-        format!("{} for {asked}", ranges(&found.base_for_pressure)),
-    ));
+    // An inclination says no more than the pressure angle above.
+    let bound =
+        found.face.is_none() || found.unit == "rad" || found.base_for_pressure.found.is_none();
+    if bound {
+        rows.push((
+            name,
+            format!("{} for {asked}", ranges(&found.base_for_pressure)),
+        ));
+    }
     if let Some(best) = found.best_offset {
         let text = format!(
             "{}, base circle {}",
@@ -221,16 +226,18 @@ fn sizes(rows: &mut Rows, found: &CamFigures) {
         };
         rows.push(("roller up to", text));
         if let Some(cutter) = roller.cutter {
-            rows.push((
-                "cutter or grinding wheel up to",
-                format!("radius {}", at(cutter, "m")),
-            ));
+            let radius = match found.profiles.len() {
+                1 => at(cutter, "m"),
+                _ => format!("{}, that of the roller", length(cutter.value)),
+            };
+            rows.push(("cutter or grinding wheel up to", format!("radius {radius}")));
         }
     }
 }
 
 fn ranges(answer: &Answer<Vec<BaseRange>>) -> String {
     let one = |range: &BaseRange| match range.to {
+        None if range.from == 0.0 => "any".to_owned(),
         Some(to) => format!("{} to {}", length(range.from), length(to)),
         None => format!("from {}", length(range.from)),
     };
