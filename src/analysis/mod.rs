@@ -1,6 +1,7 @@
 //! Questions asked of a system: one file a question.
 
 pub mod axis;
+pub mod cam;
 pub mod compare;
 pub mod cycle;
 mod document;

@@ -1,8 +1,10 @@
 //! The command line's arguments.
 
+mod cam;
 mod kinematics;
 mod methods;
 
+pub(crate) use cam::{CamArgs, CamForm};
 pub(crate) use kinematics::KinematicsArgs;
 pub(crate) use methods::MethodsArgs;
 
@@ -36,6 +38,8 @@ pub(crate) enum Command {
     /// Laws of motion: list, show, synthesize, cycle, compare
     #[command(subcommand)]
     Law(LawCommand),
+    /// Work out the cam of an object: profile, checks, sizes, closing force, files to cut it
+    Cam(CamArgs),
     /// Show a figure over one or two parameters, with a verdict and its cause for every point
     Map(MapArgs),
     /// Chart speed against accuracy of every method on a scene, and where and why methods fail

@@ -2,6 +2,7 @@
 //! the library.
 
 mod args;
+mod cam;
 mod check;
 mod compare;
 mod console;
@@ -34,6 +35,7 @@ pub(crate) fn main() -> ExitCode {
         Command::Show(args) => (show::command(args), Some(&args.scene)),
         Command::Compare(args) => (compare::command(args), Some(&args.scene)),
         Command::Law(args) => (law::command(args), None),
+        Command::Cam(args) => (cam::command(args), Some(&args.scene)),
         Command::Map(args) => (map::command(args), Some(&args.scene)),
         Command::Methods(args) => (methods::command(args), Some(&args.scene)),
         Command::Kinematics(args) => (kinematics::command(args), Some(&args.scene)),

@@ -5,6 +5,7 @@
 mod body;
 mod cam;
 mod cam_follower;
+mod cam_geometry;
 mod chain;
 mod crank;
 mod drive;
@@ -22,6 +23,7 @@ mod shaft;
 mod slider;
 pub mod spec;
 
+use crate::cam::CamGeometry;
 use crate::model::Coordinate;
 use crate::read::{Fields, Node};
 use spec::{ChainSpec, DriveSpec, DrivenLinkage};
@@ -46,6 +48,11 @@ pub trait Object: fmt::Debug + Send + Sync {
 
     /// What it lowers to.
     fn description(&self) -> Description<'_>;
+
+    /// The disc cam that realises its position function, if the scene tells of one.
+    fn cam(&self) -> Option<&CamGeometry> {
+        None
+    }
 }
 
 /// The things an object can be underneath.

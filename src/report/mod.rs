@@ -1,12 +1,14 @@
 //! Pictures and texts of models and runs, as pure functions: data in, text out.
 //!
 //! * [`html`]: the page of a run; [`compare`]: the page of several runs over each other.
+//! * [`cam`]: disc cams: text, tables, drawings, DXF, the page on which they turn.
 //! * [`csv`]: the samples as a table.
 //! * [`law`]: laws of motion and synthesised strokes.
 //! * [`svg`]: the object graph and line charts as stand-alone pictures.
 //! * [`show`]: the three models of a scene as text: graph, masses and links, equations.
 //! * [`math`]: formulas, written as Unicode text or as LaTeX.
 
+pub mod cam;
 pub mod compare;
 pub mod csv;
 pub mod diagram;
