@@ -148,7 +148,11 @@ fn tables_give_the_reference_to_eleven_digits() {
             ] {
                 worst.see(&format!("{id} {name}"), found, number(&expected[name]), 1e-11);
             }
-            // The estimate is of the size of the distance to the functions.
+            // The estimate is of the size of the distance to the functions; that
+            // of extremes knows nothing where they stand on even samples.
+            if mean == Mean::Midrange {
+                continue;
+            }
             let exact = number(&case["continuous"][mean.name()]["T_at_phi0"]);
             let halving = motion.figures.halving.unwrap();
             let off = (f.energy_at_start - exact).abs();
@@ -245,24 +249,16 @@ fn bad_numbers_are_refused_by_their_field_all_at_once() {
     assert!(matches!(found, Err(Refusal::Moment { .. })));
 }
 
-/// Complete elliptic integral of the first kind by the arithmetic-geometric mean.
-fn elliptic(parameter: f64) -> f64 {
-    let (mut a, mut b) = (1.0, (1.0 - parameter).sqrt());
-    for _ in 0..60 {
-        (a, b) = (0.5 * (a + b), (a * b).sqrt());
-    }
-    PI / (2.0 * a)
-}
-
 #[test]
 fn the_period_of_a_sine_is_the_elliptic_integral_down_to_standing_still() {
     let (inertia, work) = (2.0, 30.0);
-    let at = &mut |_: usize, phi: f64| [inertia, work * phi.sin()];
-    let profile = Profile::new(TAU, &[], Given::Work, at).unwrap();
+    let at = &mut |_: usize, phi: f64| [inertia, work * phi.cos()];
+    let profile = Profile::new(TAU, &[], Given::Moment, at).unwrap();
     for speed in [10.0, 5.0, 3.0, 1.5, 1.0] {
         let motion = steady(&profile, &Question::new(speed)).unwrap();
         let start = motion.figures.energy_at_start;
-        // 1 − m from the least energy, which start − work has no digits of.
+        // K by the arithmetic-geometric mean; 1 − m from the least energy, which
+        // start − work has no digits of.
         let least = 0.5 * inertia * motion.figures.least_speed.value.powi(2);
         let rest = least / (start + work);
         let (mut a, mut b) = (1.0, rest.sqrt());
@@ -274,7 +270,6 @@ fn the_period_of_a_sine_is_the_elliptic_integral_down_to_standing_still() {
         let stops = motion.figures.warnings.iter().any(|w| w.contains("almost stops"));
         assert_eq!(stops, motion.figures.energy_ratio < 1e-9, "{speed}");
     }
-    assert!(elliptic(0.5) > 1.85);
     let refusal = steady(&profile, &Question::new(0.1)).unwrap_err();
     assert!(matches!(refusal, Refusal::TooSlow { mean: Mean::Time, .. }), "{refusal:?}");
 }

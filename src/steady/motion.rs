@@ -65,9 +65,9 @@ pub fn steady(profile: &Profile, question: &Question) -> Result<SteadyMotion, Re
     Ok(motion)
 }
 
-/// ω at a position for a level of the kinetic energy.
-fn speed(panel: &Panel, level: f64, position: f64) -> f64 {
-    let (inertia, rise) = panel.masses(position);
+/// ω at a distance from the start of a panel for a level of the kinetic energy.
+fn speed(panel: &Panel, level: f64, distance: f64) -> f64 {
+    let (inertia, rise) = panel.masses(distance);
     (2.0 * (level + rise) / inertia).sqrt()
 }
 
@@ -79,8 +79,8 @@ impl Profile {
     fn sum(&self, level: f64, size: f64, of: impl Fn(f64) -> f64) -> Area {
         let mut total = Area::default();
         for panel in self.panels() {
-            let f = |position: f64| of(speed(panel, level, position));
-            let area = integrate(&f, panel.from, panel.to, TOLERANCE * size);
+            let f = |distance: f64| of(speed(panel, level, distance));
+            let area = integrate(&f, 0.0, panel.length(), TOLERANCE * size);
             total.value += area.value;
             total.error += area.error;
         }
@@ -235,7 +235,8 @@ impl SteadyMotion {
 
     /// ω at a position of [0, Φ] (rad/s).
     pub fn speed(&self, position: f64) -> f64 {
-        speed(self.profile.panel(position), self.level, position)
+        let panel = self.profile.panel(position);
+        speed(panel, self.level, position - panel.from)
     }
 
     /// The motion at `count` equal steps over the cycle, both ends included.
@@ -272,9 +273,10 @@ impl SteadyMotion {
         let crossed = panels.filter(|panel| panel.to > from && panel.from < to);
         crossed
             .map(|panel| {
-                let f = |position: f64| 1.0 / speed(panel, self.level, position);
+                let f = |distance: f64| 1.0 / speed(panel, self.level, distance);
                 let (from, to) = (from.max(panel.from), to.min(panel.to));
-                integrate(&f, from, to, 1e-15 * size).value
+                let ends = [from - panel.from, to - panel.from];
+                integrate(&f, ends[0], ends[1], 1e-15 * size).value
             })
             .sum()
     }

@@ -47,7 +47,7 @@ pub(super) struct Panel {
     pub(super) from: f64,
     pub(super) to: f64,
     inertia: Series,
-    /// dJ/dx, x the place in [−1, 1].
+    /// dJ/dφ.
     inertia_slope: Series,
     moment: Series,
     /// Work since the least, less `base`.
@@ -82,16 +82,22 @@ impl Panel {
         let x = self.x(position);
         Point {
             inertia: chebyshev::value(&self.inertia, x),
-            inertia_slope: chebyshev::value(&self.inertia_slope, x) / self.half(),
+            inertia_slope: chebyshev::value(&self.inertia_slope, x),
             moment: chebyshev::value(&self.moment, x),
             rise: (self.base + chebyshev::value(&self.rise, x)).max(0.0),
         }
     }
 
-    /// J and the work since the least: what a speed needs.
+    /// Its length.
+    pub(super) fn length(&self) -> f64 {
+        self.to - self.from
+    }
+
+    /// J and the work since the least, what a speed needs, at a distance from
+    /// the panel's start: finer than positions are.
     #[inline]
-    pub(super) fn masses(&self, position: f64) -> (f64, f64) {
-        let x = self.x(position);
+    pub(super) fn masses(&self, distance: f64) -> (f64, f64) {
+        let x = (distance - (self.length() - distance)) / self.length();
         (
             chebyshev::value(&self.inertia, x),
             (self.base + chebyshev::value(&self.rise, x)).max(0.0),
@@ -104,15 +110,25 @@ impl Panel {
         let refit = |series: &Series| {
             chebyshev::fit(&places.map(|place| chebyshev::value(series, self.x(place))))
         };
-        Self::new(from, to, refit(&self.inertia), refit(&self.moment))
+        Self {
+            from,
+            to,
+            inertia: refit(&self.inertia),
+            // Not differentiated anew: that would raise rounding in short panels.
+            inertia_slope: refit(&self.inertia_slope),
+            moment: refit(&self.moment),
+            rise: [0.0; COUNT],
+            base: 0.0,
+        }
     }
 
     fn new(from: f64, to: f64, inertia: Series, moment: Series) -> Self {
+        let half = 0.5 * (to - from);
         Self {
             from,
             to,
             inertia,
-            inertia_slope: chebyshev::derivative(&inertia),
+            inertia_slope: chebyshev::derivative(&inertia).map(|c| c / half),
             moment,
             rise: [0.0; COUNT],
             base: 0.0,
@@ -133,6 +149,9 @@ impl Panel {
         self.base = base;
     }
 }
+
+/// Relative differences that are none between extremes.
+const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// Halvings of the panels beside the least work.
 const HALVINGS: i32 = 16;
@@ -352,7 +371,7 @@ impl Profile {
             };
             for i in 0..=count {
                 let found = value(panel, place(i));
-                let rounding = 8.0 * f64::EPSILON * best.0.abs();
+                let rounding = ROUNDING * best.0.abs();
                 if found > best.0 + rounding || best.0 == f64::NEG_INFINITY {
                     let around = [place(i.saturating_sub(1)), place((i + 1).min(count))];
                     best = (found, index, place(i), around);
@@ -386,7 +405,8 @@ impl Profile {
             let found = sense * value(panel, at);
             // Within a panel the slope knows the place better than the values.
             let inside = around[0] < sample.at && sample.at < around[1];
-            if sense * (found - top.value) > 0.0 || inside {
+            let rounding = ROUNDING * top.value.abs();
+            if sense * (found - top.value) > rounding || inside {
                 top = Extreme { value: found, at };
             }
         }
@@ -408,7 +428,7 @@ impl Panel {
         let x = self.x(position);
         Signed {
             inertia: chebyshev::value(&self.inertia, x),
-            inertia_slope: chebyshev::value(&self.inertia_slope, x) / self.half(),
+            inertia_slope: chebyshev::value(&self.inertia_slope, x),
             moment: chebyshev::value(&self.moment, x),
             rise_signed: self.base + chebyshev::value(&self.rise, x),
         }

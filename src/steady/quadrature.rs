@@ -43,16 +43,25 @@ pub(super) struct Area {
     pub(super) error: f64,
 }
 
+/// Intervals at most: rounding in the integrand must not be chased for ever.
+const MOST_INTERVALS: u32 = 4000;
+
+/// Differences of the two rules that are rounding, relative.
+const ROUNDING: f64 = 20.0 * f64::EPSILON;
+
 /// ∫ of `f` over [from, to] with an error below `tolerance`, as far as
 /// rounding allows.
 pub(super) fn integrate(f: &impl Fn(f64) -> f64, from: f64, to: f64, tolerance: f64) -> Area {
     let mut total = Area::default();
     let mut open = vec![(from, to, 0)];
+    let mut intervals = 0;
     while let Some((a, b, depth)) = open.pop() {
         let area = rule(f, a, b);
+        intervals += 1;
         let middle = 0.5 * (a + b);
-        let settled = area.error <= tolerance.max(4.0 * f64::EPSILON * area.value.abs());
-        let ended = depth >= MOST_HALVINGS || middle <= a || middle >= b;
+        let settled = area.error <= tolerance;
+        let ended = depth >= MOST_HALVINGS || intervals >= MOST_INTERVALS;
+        let ended = ended || middle <= a || middle >= b;
         if settled || ended || !area.value.is_finite() {
             total.value += area.value;
             total.error += area.error;
@@ -84,7 +93,10 @@ fn rule(f: &impl Fn(f64) -> f64, a: f64, b: f64) -> Area {
     let weight = |i: usize| KRONROD[if i < 8 { i } else { 14 - i }];
     let spread: f64 = (0..15).map(|i| weight(i) * (values[i] - mean).abs()).sum();
     let difference = (kronrod - gauss).abs();
-    let error = if spread > 0.0 {
+    let error = if difference <= ROUNDING * kronrod.abs() {
+        // No more digits are to be had.
+        0.0
+    } else if spread > 0.0 {
         spread * (200.0 * difference / spread).powf(1.5).min(1.0)
     } else {
         difference
