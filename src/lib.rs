@@ -20,5 +20,6 @@ pub mod read;
 pub mod record;
 pub mod report;
 pub mod scene;
+pub mod steady;
 pub mod system;
 pub mod units;

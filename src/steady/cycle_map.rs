@@ -330,23 +330,53 @@ impl Machine<'_> {
         })
     }
 
+    /// T at a position, from the states kept along a regime.
+    fn energy(&self, grid: &[(usize, f64, f64)], position: f64) -> Option<f64> {
+        let below = grid.partition_point(|entry| entry.1 <= position).max(1) - 1;
+        let (piece, from, energy) = grid[below];
+        let mut state = [energy, 0.0, 0.0];
+        let reached =
+            position <= from || self.stretch(piece, [from, position], &mut state).is_ok();
+        reached.then_some(state[0])
+    }
+
+    /// Piece, place and T at the start of every stretch of a regime.
+    fn grid(&self, regime: &Regime) -> Result<Vec<(usize, f64, f64)>, Refusal> {
+        let mut grid = Vec::new();
+        self.follow(regime.energy, |piece, [from, _], energy| {
+            grid.push((piece, from, energy));
+        })?;
+        Ok(grid)
+    }
+
+    /// ω of a regime at `count` equal steps over the cycle, both ends included,
+    /// as the map itself gives them.
+    ///
+    /// # Errors
+    /// A stall.
+    pub fn speeds(&self, regime: &Regime, count: usize) -> Result<Vec<f64>, Refusal> {
+        let grid = self.grid(regime)?;
+        let speed = |i: usize| {
+            let position = self.cycle * i as f64 / count as f64;
+            let piece = self.breaks.partition_point(|&edge| edge <= position);
+            let energy = self.energy(&grid, position).unwrap_or(f64::NAN);
+            self.speed(piece, position, energy)
+        };
+        Ok((0..=count).map(speed).collect())
+    }
+
     /// The machine with the moment of a regime as a function of the position
     /// alone: M(φ, ω(φ)).
     ///
     /// # Errors
     /// As [`Profile::new`]; a stall.
     pub fn profile(&self, regime: &Regime) -> Result<Profile, Refusal> {
-        let mut grid: Vec<(f64, f64)> = Vec::new();
-        self.follow(regime.energy, |_, [from, _], energy| grid.push((from, energy)))?;
+        let grid = self.grid(regime)?;
         let mut at = |piece: usize, position: f64| {
-            let below = grid.partition_point(|entry| entry.0 <= position).max(1) - 1;
-            let (from, energy) = grid[below];
-            let mut state = [energy, 0.0, 0.0];
-            let reached = position <= from
-                || self.stretch(piece, [from, position], &mut state).is_ok();
-            let speed = self.speed(piece, position, state[0]);
+            let energy = self.energy(&grid, position).unwrap_or(f64::NAN);
+            let speed = self.speed(piece, position, energy);
             let load = (self.at)(piece, position, speed);
-            [load.inertia, if reached { load.moment } else { f64::NAN }]
+            [load.inertia, load.moment]
         };
         Profile::new(self.cycle, &self.breaks, Given::Moment, &mut at)
     }

@@ -1,0 +1,315 @@
+//! The periodic motion of an elastic scene behind prescribed drives: shooting.
+
+use super::map::{Map, SystemMap, TreeMap};
+use crate::analysis::method::choose_general;
+use crate::analysis::RunSettings;
+use crate::exact::Parts;
+use crate::fault::Fault;
+use crate::integrate::Dynamics;
+use crate::record::drive_cycle;
+use crate::scene::SteadySpec;
+use crate::system::System;
+use nalgebra::{DMatrix, DVector};
+use serde::Serialize;
+
+/// The periodic motion of an elastic scene.
+#[derive(Clone, Debug, Serialize)]
+pub struct PeriodicAnswer {
+    /// A turn of the drive (s).
+    pub turn: f64,
+    /// The parts that move independently of each other.
+    pub parts: Vec<PartMotion>,
+    /// State y = [u, u̇] of the whole system at t = 0 of the periodic motion.
+    pub state: Vec<f64>,
+    /// What is in `state`.
+    pub state_names: Vec<String>,
+}
+
+/// The periodic motion of one part.
+#[derive(Clone, Debug, Serialize)]
+pub struct PartMotion {
+    /// Its objects.
+    pub objects: Vec<String>,
+    /// Turns of the drive in a period.
+    pub periods: usize,
+    /// The period (s).
+    pub period: f64,
+    /// |y(T) − y(0)| relative to the sizes of the state's entries.
+    pub miss: f64,
+    /// Floquet multipliers, the greatest modulus first.
+    pub multipliers: Vec<Multiplier>,
+    /// True when every disturbance dies away.
+    pub attracts: bool,
+    /// Periods followed in finding it.
+    pub iterations: u32,
+    /// How the derivative of the motion was found.
+    pub how: String,
+    /// Whether a long run from the scene's own start settles on it.
+    pub long_run: LongRun,
+}
+
+/// A Floquet multiplier: what becomes of a small disturbance in a period.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Multiplier {
+    /// Real part.
+    pub re: f64,
+    /// Imaginary part.
+    pub im: f64,
+    /// Modulus.
+    pub modulus: f64,
+}
+
+/// A run of many periods from the scene's start.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct LongRun {
+    /// Turns of the drive.
+    pub turns: usize,
+    /// Distance of its end from the periodic motion, relative to the sizes of
+    /// the state's entries.
+    pub distance: f64,
+    /// True when it has settled on it.
+    pub settles: bool,
+    /// Why it could not be made.
+    pub missing: Option<String>,
+}
+
+/// Periods of plain following before Newton's method, at first.
+const SETTLING: u32 = 12;
+/// Newton's steps in a row.
+const STEPS: u32 = 12;
+/// Rounds of following and Newton's steps.
+const ROUNDS: u32 = 6;
+/// Miss that is rounding, and the greatest that still is a periodic motion.
+const ROUNDING: f64 = 1e-14;
+const CLOSED: f64 = 1e-9;
+/// A long run has settled within this distance.
+const SETTLED: f64 = 1e-6;
+/// Turns of a long run, at least and at most.
+const LONG: [usize; 2] = [50, 1000];
+
+/// Greatest |a − b| relative to the scales.
+fn distance(a: &[f64], b: &[f64], scales: &[f64]) -> f64 {
+    let each = a.iter().zip(b).zip(scales);
+    each.map(|((a, b), scale)| (a - b).abs() / scale)
+        .fold(0.0, |most, d| if d > most || d.is_nan() { d } else { most })
+}
+
+/// A fixed point of a map over a time.
+struct Fixed {
+    state: Vec<f64>,
+    miss: f64,
+    monodromy: DMatrix<f64>,
+    iterations: u32,
+}
+
+/// Newton's method on y(T) = y(0); where it leads nowhere, more of the plain
+/// motion, which settles by itself on what attracts.
+fn shoot(map: &dyn Map, start: &[f64], time: f64) -> Result<Fixed, String> {
+    let mut state = start.to_vec();
+    let mut iterations = 0;
+    let mut settling = SETTLING;
+    let mut nearest = f64::INFINITY;
+    for _ in 0..ROUNDS {
+        for _ in 0..settling {
+            state = map.apply(&state, time)?;
+            iterations += 1;
+        }
+        if let Some(mut fixed) = newton(map, &state, time, &mut iterations, &mut nearest)? {
+            fixed.iterations = iterations;
+            return Ok(fixed);
+        }
+        settling *= 2;
+    }
+    Err(format!(
+        "after {iterations} periods no state was found that comes back (nearest: {nearest:.1e} of \
+         its size)"
+    ))
+}
+
+fn newton(
+    map: &dyn Map,
+    start: &[f64],
+    time: f64,
+    iterations: &mut u32,
+    nearest: &mut f64,
+) -> Result<Option<Fixed>, String> {
+    let n = start.len();
+    let mut state = start.to_vec();
+    let mut end = map.apply(&state, time)?;
+    let mut miss = distance(&state, &end, map.scales());
+    for _ in 0..STEPS {
+        *nearest = nearest.min(miss);
+        if miss <= ROUNDING {
+            break;
+        }
+        let matrix = DMatrix::identity(n, n) - map.monodromy(&state, time)?;
+        let gap = DVector::from_iterator(n, end.iter().zip(&state).map(|(e, s)| e - s));
+        let Some(step) = matrix.lu().solve(&gap) else {
+            return Ok(None);
+        };
+        let next: Vec<f64> = state.iter().zip(step.iter()).map(|(s, d)| s + d).collect();
+        if next.iter().any(|entry| !entry.is_finite()) {
+            return Ok(None);
+        }
+        let next_end = map.apply(&next, time)?;
+        *iterations += 1;
+        let next_miss = distance(&next, &next_end, map.scales());
+        // No longer better: rounding, or astray.
+        if !(next_miss < miss) {
+            break;
+        }
+        (state, end, miss) = (next, next_end, next_miss);
+    }
+    if !(miss <= CLOSED) {
+        return Ok(None);
+    }
+    let monodromy = map.monodromy(&state, time)?;
+    Ok(Some(Fixed {
+        state,
+        miss,
+        monodromy,
+        iterations: 0,
+    }))
+}
+
+/// Eigenvalues, the greatest modulus first.
+fn multipliers(monodromy: &DMatrix<f64>) -> Vec<Multiplier> {
+    let mut found: Vec<Multiplier> = monodromy
+        .complex_eigenvalues()
+        .iter()
+        .map(|value| Multiplier {
+            re: value.re,
+            im: value.im,
+            modulus: value.re.hypot(value.im),
+        })
+        .collect();
+    found.sort_by(|a, b| b.modulus.total_cmp(&a.modulus).then(b.im.total_cmp(&a.im)));
+    found
+}
+
+/// A long run from the scene's start, against the periodic motion.
+fn long_run(map: &dyn Map, start: &[f64], fixed: &Fixed, turn: f64, periods: usize) -> LongRun {
+    let slowest = multipliers(&fixed.monodromy)
+        .first()
+        .map_or(0.0, |multiplier| multiplier.modulus);
+    let needed = if slowest > 0.0 && slowest < 1.0 {
+        (1e-13f64.ln() / slowest.ln()).ceil() * periods as f64
+    } else {
+        0.0
+    };
+    let turns = (needed.min(1e6) as usize).clamp(LONG[0], LONG[1]).div_ceil(periods) * periods;
+    let found = map.apply(start, turns as f64 * turn).and_then(|end| {
+        // It may have settled on the same motion some turns later.
+        let mut state = fixed.state.clone();
+        let mut nearest = f64::INFINITY;
+        for _ in 0..periods {
+            nearest = nearest.min(distance(&end, &state, map.scales()));
+            state = map.apply(&state, turn)?;
+        }
+        Ok(nearest)
+    });
+    match found {
+        Ok(distance) => LongRun {
+            turns,
+            distance,
+            settles: distance <= SETTLED,
+            missing: None,
+        },
+        Err(why) => LongRun {
+            turns,
+            distance: f64::NAN,
+            settles: false,
+            missing: Some(why),
+        },
+    }
+}
+
+/// The periodic motion of a part, of as few turns as possible.
+fn part(
+    map: &dyn Map,
+    start: &[f64],
+    turn: f64,
+    most: usize,
+    objects: Vec<String>,
+) -> Result<(PartMotion, Vec<f64>), String> {
+    let mut reasons = Vec::new();
+    let mut unstable = None;
+    for periods in 1..=most {
+        let period = turn * periods as f64;
+        match shoot(map, start, period) {
+            Ok(fixed) => {
+                let multipliers = multipliers(&fixed.monodromy);
+                let attracts = multipliers.iter().all(|multiplier| multiplier.modulus < 1.0);
+                let motion = PartMotion {
+                    objects: objects.clone(),
+                    periods,
+                    period,
+                    miss: fixed.miss,
+                    multipliers,
+                    attracts,
+                    iterations: fixed.iterations,
+                    how: map.how().to_owned(),
+                    long_run: long_run(map, start, &fixed, turn, periods),
+                };
+                if attracts {
+                    return Ok((motion, fixed.state));
+                }
+                unstable = unstable.or(Some((motion, fixed.state)));
+            }
+            Err(why) => reasons.push(format!("period {periods}: {why}")),
+        }
+    }
+    unstable.ok_or_else(|| reasons.join("; "))
+}
+
+/// The periodic motion of an elastic scene.
+///
+/// # Errors
+/// The drives do not repeat, there is no start, or no periodic motion was found.
+pub(super) fn answer(
+    system: &System,
+    settings: &RunSettings,
+    spec: &SteadySpec,
+) -> Result<PeriodicAnswer, Vec<Fault>> {
+    let refuse = |message: String, hint: &str| vec![Fault::new("steady", message, hint)];
+    let turn = drive_cycle(system.model()).map_err(|why| {
+        let message = format!("the motion of the drives does not repeat: {why}");
+        refuse(message, "a drive with a constant `speed`")
+    })? * spec.cycle
+        / std::f64::consts::TAU;
+    let initial = system.initial_state()?;
+    let parts = Parts::of(system);
+    let none = |why: String| {
+        let message = format!("no periodic motion was found: {why}");
+        refuse(message, "allow more turns of the drive in a period with `periods`")
+    };
+    let mut state = initial.y.clone();
+    let mut motions = Vec::new();
+    let id = |&object: &usize| system.model().objects[object].id.clone();
+    if parts.is_whole() {
+        for tree in &parts.trees {
+            let (q, v) = tree.own_state(&initial.y);
+            let (masses, start) = (q.len(), [q, v].concat());
+            let map = TreeMap::new(tree, &start, turn).map_err(none)?;
+            let objects = tree.objects.iter().map(id).collect();
+            let (motion, found) = part(&map, &start, turn, spec.periods, objects).map_err(none)?;
+            motions.push(motion);
+            tree.put_state(&found[..masses], &found[masses..], &mut state);
+        }
+    } else {
+        let choice = choose_general(system, settings, "");
+        let map = SystemMap::new(system, choice.method);
+        let elastic = (0..system.model().objects.len()).collect::<Vec<_>>();
+        let elastic = elastic.iter().filter(|&&o| system.first_coordinate(o).is_some());
+        let objects = elastic.map(id).collect();
+        let (motion, found) = part(&map, &initial.y, turn, spec.periods, objects).map_err(none)?;
+        motions.push(motion);
+        state = found;
+    }
+    Ok(PeriodicAnswer {
+        turn,
+        parts: motions,
+        state_names: (0..state.len()).map(|index| system.state_name(index)).collect(),
+        state,
+    })
+}
