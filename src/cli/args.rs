@@ -5,6 +5,7 @@ mod methods;
 pub(crate) use methods::MethodsArgs;
 
 use super::law::args::LawCommand;
+use super::steady::args::SteadyArgs;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
 
@@ -38,6 +39,9 @@ pub(crate) enum Command {
     Map(MapArgs),
     /// Chart speed against accuracy of every method on a scene, and where and why methods fail
     Methods(MethodsArgs),
+    /// Find the steady motion of a machine, size its flywheel; of an elastic scene the periodic
+    /// motion and its stability
+    Steady(SteadyArgs),
 }
 
 /// What every command on a scene takes.

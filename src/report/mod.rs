@@ -3,6 +3,7 @@
 //! * [`html`]: the page of a run; [`compare`]: the page of several runs over each other.
 //! * [`csv`]: the samples as a table.
 //! * [`law`]: laws of motion and synthesised strokes.
+//! * [`steady`]: the steady motion of a machine.
 //! * [`svg`]: the object graph and line charts as stand-alone pictures.
 //! * [`show`]: the three models of a scene as text: graph, masses and links, equations.
 //! * [`math`]: formulas, written as Unicode text or as LaTeX.
@@ -19,6 +20,7 @@ pub mod math;
 pub mod methods;
 pub mod quantity;
 pub mod show;
+pub mod steady;
 pub mod svg;
 pub mod ticks;
 pub mod verdict;

@@ -45,7 +45,7 @@ pub use law::{Means, Question, SteadyFigures};
 pub use motion::{Check, Row, SteadyMotion, steady};
 pub use profile::{Extreme, Given, Point, Profile};
 pub use refusal::{Field, Refusal};
-pub use table::{Table, TableFigures, TableMotion};
+pub use table::{Halving, Table, TableFigures, TableMotion};
 
 use serde::Serialize;
 

@@ -1,8 +1,8 @@
 //! The map of the state over a period of the drive, and its derivative.
 
-use super::sink::Last;
+use super::sink::{Grid, Last};
 use crate::exact::{Cursor, Part, PairState, Request, TreeProblem};
-use crate::integrate::{Dynamics, Limits, Method, Settings, Stop, integrate};
+use crate::integrate::{Dynamics, Limits, Method, Settings, Sink, Stop, integrate};
 use crate::system::System;
 use nalgebra::DMatrix;
 
@@ -19,6 +19,13 @@ pub(super) trait Map {
     /// # Errors
     /// As [`Map::apply`].
     fn monodromy(&self, state: &[f64], time: f64) -> Result<DMatrix<f64>, String>;
+
+    /// Displacements at `count` equal steps over a time from t = 0 on, t = 0
+    /// left out: one list a coordinate.
+    ///
+    /// # Errors
+    /// As [`Map::apply`].
+    fn orbit(&self, state: &[f64], time: f64, count: usize) -> Result<Vec<Vec<f64>>, String>;
 
     /// Sizes of the state's entries, for differences and misses.
     fn scales(&self) -> &[f64];
@@ -89,6 +96,18 @@ impl Map for TreeMap<'_> {
             true => Ok(product),
             false => Err("the derivative of the motion is no finite number".to_owned()),
         }
+    }
+
+    fn orbit(&self, state: &[f64], time: f64, count: usize) -> Result<Vec<Vec<f64>>, String> {
+        let n = self.masses();
+        let tree = self.part.tree_at(&state[..n], &state[n..]);
+        let request = Request {
+            all_masses: true,
+            ..Request::new(time, count)
+        };
+        let run = tree.run(&request).map_err(|refusal| refusal.reason)?;
+        let column = |mass: usize| run.samples.iter().skip(mass).step_by(2 * n).copied().collect();
+        Ok((0..n).map(column).collect())
     }
 
     fn scales(&self) -> &[f64] {
@@ -185,26 +204,15 @@ impl<'a> SystemMap<'a> {
 
 impl Map for SystemMap<'_> {
     fn apply(&self, state: &[f64], time: f64) -> Result<Vec<f64>, String> {
-        let modes = self.system.modes_at_start(state);
         let mut last = Last::default();
-        let settings = Settings {
-            method: self.method,
-            tolerance: TOLERANCE,
-            step: None,
-        };
-        let limits = Limits {
-            switches: 1_000_000,
-            steps: 10_000_000,
-            wall_clock: None,
-            interrupt: None,
-        };
-        let outcome = integrate(
-            self.system, 0.0, time, state, &modes, &settings, &limits, &mut last,
-        );
-        match outcome.stop {
-            Stop::Complete => Ok(last.y),
-            stop => Err(format!("it stopped at t = {} s: {stop:?}", outcome.time)),
-        }
+        self.follow(state, time, &mut last)?;
+        Ok(last.y)
+    }
+
+    fn orbit(&self, state: &[f64], time: f64, count: usize) -> Result<Vec<Vec<f64>>, String> {
+        let mut grid = Grid::new(time / count as f64, state.len() / 2);
+        self.follow(state, time, &mut grid)?;
+        Ok(grid.columns)
     }
 
     /// Central differences with two steps, extrapolated.
@@ -220,5 +228,29 @@ impl Map for SystemMap<'_> {
 
     fn how(&self) -> &'static str {
         "central differences of the integrated motion, extrapolated from two steps"
+    }
+}
+
+impl SystemMap<'_> {
+    fn follow(&self, state: &[f64], time: f64, sink: &mut dyn Sink) -> Result<(), String> {
+        let modes = self.system.modes_at_start(state);
+        let settings = Settings {
+            method: self.method,
+            tolerance: TOLERANCE,
+            step: None,
+        };
+        let limits = Limits {
+            switches: 1_000_000,
+            steps: 10_000_000,
+            wall_clock: None,
+            interrupt: None,
+        };
+        let outcome = integrate(
+            self.system, 0.0, time, state, &modes, &settings, &limits, sink,
+        );
+        match outcome.stop {
+            Stop::Complete => Ok(()),
+            stop => Err(format!("it stopped at t = {} s: {stop:?}", outcome.time)),
+        }
     }
 }

@@ -5,6 +5,7 @@
 //! depends on the speed. Elastic objects behind a prescribed drive: the periodic
 //! motion, by shooting.
 
+pub mod csv;
 mod expectations;
 mod machine;
 mod map;

@@ -6,6 +6,7 @@ use crate::analysis::RunSettings;
 use crate::exact::Parts;
 use crate::fault::Fault;
 use crate::integrate::Dynamics;
+use crate::model::Coordinate;
 use crate::record::drive_cycle;
 use crate::scene::SteadySpec;
 use crate::system::System;
@@ -44,6 +45,10 @@ pub struct PartMotion {
     pub iterations: u32,
     /// How the derivative of the motion was found.
     pub how: String,
+    /// Unit of the deviations.
+    pub unit: String,
+    /// Deviations from the law over the period: name and (t, value).
+    pub orbit: Vec<(String, Vec<(f64, f64)>)>,
     /// Whether a long run from the scene's own start settles on it.
     pub long_run: LongRun,
 }
@@ -224,13 +229,42 @@ fn long_run(map: &dyn Map, start: &[f64], fixed: &Fixed, turn: f64, periods: usi
     }
 }
 
+/// Points of an orbit.
+const ORBIT: usize = 720;
+
+/// Deviations over the period.
+fn orbit(
+    map: &dyn Map,
+    state: &[f64],
+    period: f64,
+    about: &About,
+) -> Result<Vec<(String, Vec<(f64, f64)>)>, String> {
+    let columns = map.orbit(state, period, ORBIT)?;
+    let named = about.names.iter().zip(columns).enumerate();
+    Ok(named
+        .map(|(index, (name, values))| {
+            let rest = (1..).map(|i| period * f64::from(i) / ORBIT as f64).zip(values);
+            let points = std::iter::once((0.0, state[index])).chain(rest);
+            (name.clone(), points.collect())
+        })
+        .collect())
+}
+
+/// What a part is called.
+struct About {
+    objects: Vec<String>,
+    /// Of its coordinates.
+    names: Vec<String>,
+    unit: String,
+}
+
 /// The periodic motion of a part, of as few turns as possible.
 fn part(
     map: &dyn Map,
     start: &[f64],
     turn: f64,
     most: usize,
-    objects: Vec<String>,
+    about: &About,
 ) -> Result<(PartMotion, Vec<f64>), String> {
     let mut reasons = Vec::new();
     let mut unstable = None;
@@ -241,7 +275,9 @@ fn part(
                 let multipliers = multipliers(&fixed.monodromy);
                 let attracts = multipliers.iter().all(|multiplier| multiplier.modulus < 1.0);
                 let motion = PartMotion {
-                    objects: objects.clone(),
+                    objects: about.objects.clone(),
+                    unit: about.unit.clone(),
+                    orbit: orbit(map, &fixed.state, period, about)?,
                     periods,
                     period,
                     miss: fixed.miss,
@@ -285,14 +321,29 @@ pub(super) fn answer(
     };
     let mut state = initial.y.clone();
     let mut motions = Vec::new();
-    let id = |&object: &usize| system.model().objects[object].id.clone();
+    let about = |objects: &[usize], names: Vec<String>| {
+        let part = |&object: &usize| &system.model().objects[object];
+        let slides = objects.iter().map(part).any(|p| p.coordinate == Coordinate::Sliding);
+        let turns = objects.iter().map(part).any(|p| p.coordinate == Coordinate::Turning);
+        let unit = match (turns, slides) {
+            (true, true) => "",
+            (false, true) => "m",
+            _ => "rad",
+        };
+        About {
+            objects: objects.iter().map(|object| part(object).id.clone()).collect(),
+            names,
+            unit: unit.to_owned(),
+        }
+    };
+    let name = |index: usize| system.state_name(index).replace(": displacement", "");
     if parts.is_whole() {
         for tree in &parts.trees {
             let (q, v) = tree.own_state(&initial.y);
             let (masses, start) = (q.len(), [q, v].concat());
             let map = TreeMap::new(tree, &start, turn).map_err(none)?;
-            let objects = tree.objects.iter().map(id).collect();
-            let (motion, found) = part(&map, &start, turn, spec.periods, objects).map_err(none)?;
+            let about = about(&tree.objects, tree.coordinates().map(name).collect());
+            let (motion, found) = part(&map, &start, turn, spec.periods, &about).map_err(none)?;
             motions.push(motion);
             tree.put_state(&found[..masses], &found[masses..], &mut state);
         }
@@ -300,9 +351,10 @@ pub(super) fn answer(
         let choice = choose_general(system, settings, "");
         let map = SystemMap::new(system, choice.method);
         let elastic = (0..system.model().objects.len()).collect::<Vec<_>>();
-        let elastic = elastic.iter().filter(|&&o| system.first_coordinate(o).is_some());
-        let objects = elastic.map(id).collect();
-        let (motion, found) = part(&map, &initial.y, turn, spec.periods, objects).map_err(none)?;
+        let elastic = elastic.into_iter().filter(|&o| system.first_coordinate(o).is_some());
+        let elastic: Vec<usize> = elastic.collect();
+        let about = about(&elastic, (0..system.coordinates()).map(name).collect());
+        let (motion, found) = part(&map, &initial.y, turn, spec.periods, &about).map_err(none)?;
         motions.push(motion);
         state = found;
     }

@@ -99,6 +99,11 @@ impl Part {
         (problem.displacement.clone(), problem.speed.clone())
     }
 
+    /// The coordinate of the system of every mass.
+    pub fn coordinates(&self) -> impl Iterator<Item = usize> + '_ {
+        self.masses.iter().map(|place| place.coordinate)
+    }
+
     /// The tree with given q and q̇ at t = 0.
     pub fn tree_at(&self, displacement: &[f64], speed: &[f64]) -> ExactTree {
         let mut problem = self.problem.clone();
