@@ -19,7 +19,9 @@ fn reference() -> Value {
 }
 
 fn number(value: &Value) -> f64 {
-    value.as_f64().unwrap_or_else(|| panic!("{value} is no number"))
+    value
+        .as_f64()
+        .unwrap_or_else(|| panic!("{value} is no number"))
 }
 
 /// Worst relative difference met so far.
@@ -77,7 +79,12 @@ fn functions_give_the_reference_to_nine_digits() {
                 ("mean_angle", f.means.angle),
                 ("mean_midrange", f.means.midrange),
             ] {
-                worst.see(&format!("{id} {name}"), found, number(&expected[name]), 1e-9);
+                worst.see(
+                    &format!("{id} {name}"),
+                    found,
+                    number(&expected[name]),
+                    1e-9,
+                );
             }
             for (name, found) in [
                 ("phi_omega_min", f.least_speed.at),
@@ -88,7 +95,10 @@ fn functions_give_the_reference_to_nine_digits() {
                 worst.see_of(&format!("{id} {name}"), found, expected, TAU, 1e-9);
             }
             let bracket = &expected["bracket_paper"];
-            for (name, found) in [("E0_min", f.first_bracket[0]), ("E0_max", f.first_bracket[1])] {
+            for (name, found) in [
+                ("E0_min", f.first_bracket[0]),
+                ("E0_max", f.first_bracket[1]),
+            ] {
                 let expected = number(&bracket[name]);
                 worst.see_of(&format!("{id} {name}"), found, expected, 1e3, 1e-9);
             }
@@ -96,7 +106,10 @@ fn functions_give_the_reference_to_nine_digits() {
             assert!(f.bracket[1] >= f.reference_energy * (1.0 - 1e-12));
             let rows = motion.rows(24);
             let profile = expected["profile"].as_array().unwrap();
-            let most = profile.iter().map(|row| number(&row["eps"]).abs()).fold(0.0, f64::max);
+            let most = profile
+                .iter()
+                .map(|row| number(&row["eps"]).abs())
+                .fold(0.0, f64::max);
             for (row, expected) in rows.iter().zip(profile) {
                 let at = format!("{id} at {}", expected["phi_deg"]);
                 worst.see(&at, row.speed, number(&expected["omega"]), 1e-9);
@@ -105,7 +118,10 @@ fn functions_give_the_reference_to_nine_digits() {
             let end = rows.last().unwrap();
             worst.see(&format!("{id} t(Φ)"), end.time, f.period, 1e-9);
             let check = motion.check().unwrap();
-            assert!(check.speed.abs() < 1e-9 && check.period.abs() < 1e-9, "{id}: {check:?}");
+            assert!(
+                check.speed.abs() < 1e-9 && check.period.abs() < 1e-9,
+                "{id}: {check:?}"
+            );
         }
     }
     println!("functions: worst {:.1e} ({})", worst.0, worst.1);
@@ -113,11 +129,18 @@ fn functions_give_the_reference_to_nine_digits() {
 
 fn table(case: &Value) -> Table {
     let list = |name: &str| -> Vec<f64> {
-        case["table"][name].as_array().unwrap().iter().map(number).collect()
+        case["table"][name]
+            .as_array()
+            .unwrap()
+            .iter()
+            .map(number)
+            .collect()
     };
     let (cycle, inertia) = (number(&case["cycle"]), list("J"));
     let count = inertia.len() as f64;
-    let positions: Vec<f64> = (0..inertia.len()).map(|k| cycle * k as f64 / count).collect();
+    let positions: Vec<f64> = (0..inertia.len())
+        .map(|k| cycle * k as f64 / count)
+        .collect();
     Table::new(cycle, &positions, &inertia, &list("A")).unwrap()
 }
 
@@ -146,7 +169,12 @@ fn tables_give_the_reference_to_eleven_digits() {
                 ("delta", f.fluctuation),
                 ("omega_first", motion.rows()[0].speed),
             ] {
-                worst.see(&format!("{id} {name}"), found, number(&expected[name]), 1e-11);
+                worst.see(
+                    &format!("{id} {name}"),
+                    found,
+                    number(&expected[name]),
+                    1e-11,
+                );
             }
             // The estimate is of the size of the distance to the functions; that
             // of extremes knows nothing where they stand on even samples.
@@ -170,7 +198,10 @@ fn tables_give_the_reference_to_eleven_digits() {
 fn accelerations_of_a_smooth_table_are_those_of_the_functions() {
     let file = reference();
     let case = &file["cases"][0];
-    let rows = table(case).steady(&question(case, Mean::Time)).unwrap().rows();
+    let rows = table(case)
+        .steady(&question(case, Mean::Time))
+        .unwrap()
+        .rows();
     let expected = case["continuous"]["time"]["profile"].as_array().unwrap();
     assert_eq!(rows.len(), 73);
     for (k, expected) in expected.iter().enumerate() {
@@ -184,7 +215,8 @@ fn accelerations_of_a_smooth_table_are_those_of_the_functions() {
 fn failures_are_refused_in_their_words() {
     let file = reference();
     let failures = file["failures"].as_array().unwrap();
-    let list = |value: &Value| -> Vec<f64> { value.as_array().unwrap().iter().map(number).collect() };
+    let list =
+        |value: &Value| -> Vec<f64> { value.as_array().unwrap().iter().map(number).collect() };
     let closed = |failure: &Value| {
         let (mut inertia, work) = (list(&failure["J"]), list(&failure["A_incl_end"]));
         let count = inertia.len();
@@ -194,7 +226,10 @@ fn failures_are_refused_in_their_words() {
     };
     let open = closed(&failures[0]).unwrap();
     let refusal = open.steady(&Question::new(10.0)).unwrap_err();
-    assert!(matches!(refusal, Refusal::Surplus { work: 5.0, .. }), "{refusal:?}");
+    assert!(
+        matches!(refusal, Refusal::Surplus { work: 5.0, .. }),
+        "{refusal:?}"
+    );
     assert!(refusal.message().contains("gains speed") && refusal.message().contains("5.0"));
     assert!(refusal.hint().contains("balance") && refusal.hint().contains("-0.7957747"));
     let balanced = Question {
@@ -232,20 +267,35 @@ fn bad_numbers_are_refused_by_their_field_all_at_once() {
         (vec![0.0, 1.0, 2.0], vec![1.0; 2], vec![0.0; 3], "inertia"),
         (vec![0.0, 1.0, 2.0], vec![1.0; 3], vec![0.0; 4], "work"),
         (vec![0.0, 2.0, 1.0], vec![1.0; 3], vec![0.0; 3], "position"),
-        (vec![0.0, 1.0, f64::NAN], vec![1.0; 3], vec![0.0; 3], "position"),
+        (
+            vec![0.0, 1.0, f64::NAN],
+            vec![1.0; 3],
+            vec![0.0; 3],
+            "position",
+        ),
         (vec![0.0, 1.0, 9.0], vec![1.0; 3], vec![0.0; 3], "position"),
-        (vec![0.0, 1.0, 2.0], vec![1.0; 3], vec![0.0, f64::INFINITY, 0.0], "work"),
+        (
+            vec![0.0, 1.0, 2.0],
+            vec![1.0; 3],
+            vec![0.0, f64::INFINITY, 0.0],
+            "work",
+        ),
     ] {
         let Err(Refusal::Input { faults }) = Table::new(TAU, &positions, &inertia, &work) else {
             panic!("{positions:?} {inertia:?} {work:?} passed");
         };
-        assert!(faults.iter().any(|fault| fault.field == field), "{faults:?}");
+        assert!(
+            faults.iter().any(|fault| fault.field == field),
+            "{faults:?}"
+        );
     }
     for cycle in [0.0, -1.0, f64::NAN] {
         let found = Profile::new(cycle, &[], Given::Work, &mut |_, _| [1.0, 0.0]);
         assert!(matches!(found, Err(Refusal::Input { .. })));
     }
-    let found = Profile::new(TAU, &[], Given::Moment, &mut |_, phi| [1.0, 1.0 / (phi - phi)]);
+    let found = Profile::new(TAU, &[], Given::Moment, &mut |_, phi| {
+        [1.0, 1.0 / (phi - phi)]
+    });
     assert!(matches!(found, Err(Refusal::Moment { .. })));
 }
 
@@ -267,11 +317,24 @@ fn the_period_of_a_sine_is_the_elliptic_integral_down_to_standing_still() {
         }
         let exact = (inertia / 2.0).sqrt() * 4.0 / (start + work).sqrt() * PI / (2.0 * a);
         approx::assert_relative_eq!(motion.figures.period, exact, max_relative = 1e-11);
-        let stops = motion.figures.warnings.iter().any(|w| w.contains("almost stops"));
+        let stops = motion
+            .figures
+            .warnings
+            .iter()
+            .any(|w| w.contains("almost stops"));
         assert_eq!(stops, motion.figures.energy_ratio < 1e-9, "{speed}");
     }
     let refusal = steady(&profile, &Question::new(0.1)).unwrap_err();
-    assert!(matches!(refusal, Refusal::TooSlow { mean: Mean::Time, .. }), "{refusal:?}");
+    assert!(
+        matches!(
+            refusal,
+            Refusal::TooSlow {
+                mean: Mean::Time,
+                ..
+            }
+        ),
+        "{refusal:?}"
+    );
 }
 
 #[test]
@@ -281,11 +344,18 @@ fn a_corner_of_the_work_gives_the_mean_over_time_a_lowest_value() {
     let at = &mut |piece: usize, _: f64| [1.0, if piece == 0 { -moment } else { moment }];
     let profile = Profile::new(TAU, &[PI], Given::Moment, at).unwrap();
     let refusal = steady(&profile, &Question::new(1.0)).unwrap_err();
-    let Refusal::TooSlow { lowest, position, .. } = refusal else {
+    let Refusal::TooSlow {
+        lowest, position, ..
+    } = refusal
+    else {
         panic!("{refusal:?}");
     };
     // ∫dφ/√(2m|φ−π|) = 2·√(2π/m).
-    approx::assert_relative_eq!(lowest, TAU / (2.0 * (TAU / moment).sqrt()), max_relative = 1e-8);
+    approx::assert_relative_eq!(
+        lowest,
+        TAU / (2.0 * (TAU / moment).sqrt()),
+        max_relative = 1e-8
+    );
     approx::assert_relative_eq!(position, PI, max_relative = 1e-12);
     let motion = steady(&profile, &Question::new(1.01 * lowest)).unwrap();
     assert!(motion.figures.met);
@@ -339,10 +409,17 @@ fn a_press_with_a_motor_settles_on_the_reference_and_the_energy_mass_method_agre
     worst.see("multiplier", regime.multiplier, multiplier, 1e-9);
     assert!(regime.attracts && regime.others.is_empty());
     let motion = machine.motion(&regime).unwrap();
-    for (row, expected) in motion.rows(24).iter().zip(case["profile"].as_array().unwrap()) {
+    for (row, expected) in motion
+        .rows(24)
+        .iter()
+        .zip(case["profile"].as_array().unwrap())
+    {
         worst.see("ω(φ)", row.speed, number(&expected["omega"]), 1e-9);
     }
-    println!("motor: worst {:.1e} ({}), {} cycles", worst.0, worst.1, regime.cycles);
+    println!(
+        "motor: worst {:.1e} ({}), {} cycles",
+        worst.0, worst.1, regime.cycles
+    );
     // The multiplier against a difference of the map.
     let step = 1e-4 * regime.energy;
     let shifted = |by: f64| machine.cycle(regime.energy + by).unwrap().energy;

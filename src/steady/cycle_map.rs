@@ -211,7 +211,9 @@ impl Machine<'_> {
     /// Speeds at which the forces of a cycle at constant speed balance and do
     /// less work above: guesses of steady motions that attract, descending.
     fn guesses(&self) -> Vec<f64> {
-        let speeds: Vec<f64> = (0..=240).map(|i| 10f64.powf(-3.0 + i as f64 / 30.0)).collect();
+        let speeds: Vec<f64> = (0..=240)
+            .map(|i| 10f64.powf(-3.0 + i as f64 / 30.0))
+            .collect();
         let works: Vec<f64> = speeds.iter().map(|&speed| self.work_at(speed)).collect();
         let mut found = Vec::new();
         for i in (1..speeds.len()).rev() {
@@ -297,9 +299,7 @@ impl Machine<'_> {
         for guess in guesses {
             match self.settle(guess) {
                 Ok(one) => {
-                    let known = |other: &(f64, CycleEnd, u32)| {
-                        (other.0 / one.0 - 1.0).abs() < 1e-6
-                    };
+                    let known = |other: &(f64, CycleEnd, u32)| (other.0 / one.0 - 1.0).abs() < 1e-6;
                     if !found.iter().any(known) {
                         found.push(one);
                     }
@@ -308,7 +308,10 @@ impl Machine<'_> {
             }
         }
         let mean = |end: &CycleEnd| self.cycle / end.period;
-        let best = found.iter().position(|one| one.1.multiplier < 1.0).unwrap_or(0);
+        let best = found
+            .iter()
+            .position(|one| one.1.multiplier < 1.0)
+            .unwrap_or(0);
         let Some(&(energy, end, cycles)) = found.get(best) else {
             return Err(refusal.unwrap_or_else(|| Refusal::NoCycle {
                 why: "at no constant speed from 0.001 to 100 000 rad/s do the forces balance over \
@@ -335,8 +338,7 @@ impl Machine<'_> {
         let below = grid.partition_point(|entry| entry.1 <= position).max(1) - 1;
         let (piece, from, energy) = grid[below];
         let mut state = [energy, 0.0, 0.0];
-        let reached =
-            position <= from || self.stretch(piece, [from, position], &mut state).is_ok();
+        let reached = position <= from || self.stretch(piece, [from, position], &mut state).is_ok();
         reached.then_some(state[0])
     }
 

@@ -81,7 +81,10 @@ pub(super) fn attempt<const N: usize>(
             (value[i] - before[i]).abs() <= tolerance * size + f64::MIN_POSITIVE
         });
         if k >= 2 && agree {
-            return value.iter().all(|v| v.is_finite()).then_some((value, k + 1));
+            return value
+                .iter()
+                .all(|v| v.is_finite())
+                .then_some((value, k + 1));
         }
     }
     None

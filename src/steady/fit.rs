@@ -125,10 +125,7 @@ fn halve(panel: &Open, tails: [f64; 2], open: &mut Vec<Open>) {
 
 /// Both functions at the nodes of a panel; refused where they are no numbers.
 fn sampled(panel: &Open, at: At<'_>) -> Result<[[f64; COUNT]; 2], Refusal> {
-    let (centre, half) = (
-        0.5 * (panel.from + panel.to),
-        0.5 * (panel.to - panel.from),
-    );
+    let (centre, half) = (0.5 * (panel.from + panel.to), 0.5 * (panel.to - panel.from));
     let mut values = [[0.0; COUNT]; 2];
     for (k, x) in chebyshev::nodes().into_iter().enumerate() {
         let position = centre + half * x;
@@ -146,5 +143,7 @@ fn sampled(panel: &Open, at: At<'_>) -> Result<[[f64; COUNT]; 2], Refusal> {
 
 /// Size of the highest terms.
 fn tail(series: &Series) -> f64 {
-    series[COUNT - 3..].iter().fold(0.0, |size, c| size.max(c.abs()))
+    series[COUNT - 3..]
+        .iter()
+        .fold(0.0, |size, c| size.max(c.abs()))
 }

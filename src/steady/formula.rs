@@ -33,7 +33,10 @@ impl Formula {
         let expression = exmex::parse::<f64>(text)
             .map_err(|error| refuse(format!("cannot read \"{text}\": {error}")))?;
         let names = expression.var_names();
-        if let Some(name) = names.iter().find(|name| !matches!(name.as_str(), "phi" | "φ")) {
+        if let Some(name) = names
+            .iter()
+            .find(|name| !matches!(name.as_str(), "phi" | "φ"))
+        {
             return Err(refuse(format!("\"{text}\": `{name}` is not known")));
         }
         if names.len() > 1 {
@@ -72,7 +75,15 @@ mod tests {
         let exact = 1.5 + 0.2 * 0.7f64.cos() - 2f64.powf(0.7) / std::f64::consts::PI;
         approx::assert_relative_eq!(formula.at(0.7), exact, max_relative = 1e-15);
         assert_eq!(Formula::new("inertia", "3").unwrap().at(1.0), 3.0);
-        for bad in ["", "1 +", "psi", "phi + φ", "sin(", "foo(phi)", &"1+".repeat(2000)] {
+        for bad in [
+            "",
+            "1 +",
+            "psi",
+            "phi + φ",
+            "sin(",
+            "foo(phi)",
+            &"1+".repeat(2000),
+        ] {
             let refusal = Formula::new("inertia", bad).unwrap_err();
             assert!(refusal.message().starts_with("inertia: "), "{bad}");
         }

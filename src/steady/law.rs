@@ -1,9 +1,9 @@
 //! The speed level that has a given mean.
 
+use super::Mean;
 use super::profile::Extreme;
 use super::refusal::{Field, Refusal};
 use super::root::bracketed;
-use super::Mean;
 use serde::Serialize;
 
 /// Which of all periodic motions is asked for.
@@ -219,7 +219,12 @@ pub(super) fn find(family: &impl Family, question: &Question) -> Result<Level, R
 const ALMOST_STOPS: f64 = 1e-9;
 
 /// What there is to say of a motion.
-pub(super) fn warnings(ratio: f64, position: f64, level: &Level, question: &Question) -> Vec<String> {
+pub(super) fn warnings(
+    ratio: f64,
+    position: f64,
+    level: &Level,
+    question: &Question,
+) -> Vec<String> {
     let mut warnings = Vec::new();
     if ratio < ALMOST_STOPS {
         warnings.push(format!(

@@ -37,8 +37,6 @@ mod quadrature;
 mod refusal;
 mod root;
 mod table;
-#[cfg(test)]
-mod tests;
 
 pub use formula::Formula;
 pub use law::{Means, Question, SteadyFigures};

@@ -1,11 +1,11 @@
 //! The steady motion on functions of the position.
 
+use super::Mean;
 use super::extrapolation::follow;
 use super::law::{Family, Level, Means, Question, SteadyFigures, find, warnings};
 use super::profile::{Extreme, Panel, Profile};
 use super::quadrature::{Area, integrate};
 use super::refusal::Refusal;
-use super::Mean;
 use serde::Serialize;
 
 /// A steady motion: the machine and the level of its kinetic energy.
@@ -167,7 +167,11 @@ impl Profile {
         });
         let after = self.at(place).moment;
         let index = panels.partition_point(|panel| panel.to < place);
-        let last = if place <= 0.0 { panels.len() - 1 } else { index };
+        let last = if place <= 0.0 {
+            panels.len() - 1
+        } else {
+            index
+        };
         let before = &panels[last.min(panels.len() - 1)];
         let end = if place <= 0.0 { self.cycle() } else { place };
         let before = before.at(end).moment;

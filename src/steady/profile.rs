@@ -355,11 +355,7 @@ impl Profile {
 
     /// The greatest (`sense` 1) or least (−1) of a function, given with its
     /// derivative in φ; the first position where it is reached.
-    pub(super) fn extreme(
-        &self,
-        sense: f64,
-        function: impl Fn(&Signed) -> [f64; 2],
-    ) -> Extreme {
+    pub(super) fn extreme(&self, sense: f64, function: impl Fn(&Signed) -> [f64; 2]) -> Extreme {
         let value = |panel: &Panel, place: f64| sense * function(&panel.signed(place))[0];
         let mut best = (f64::NEG_INFINITY, 0, 0.0, [0.0; 2]);
         for (index, panel) in self.panels.iter().enumerate() {

@@ -158,6 +158,9 @@ impl Refusal {
                 "ask for a higher mean, or take the mean over time".to_owned()
             }
             Self::TooSlow { .. } => "ask for a higher mean, or add inertia".to_owned(),
+            Self::Inertia { .. } => {
+                "inertia on the drive itself: a motor's rotor, a flywheel".to_owned()
+            }
             Self::Stalls { .. } => "a stronger motor, or more inertia".to_owned(),
             _ => String::new(),
         }

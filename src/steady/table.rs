@@ -1,10 +1,10 @@
 //! The steady motion on samples.
 
+use super::Mean;
 use super::law::{Family, Level, Means, Question, SteadyFigures, find, warnings};
 use super::motion::Row;
 use super::profile::Extreme;
 use super::refusal::{Field, Refusal};
-use super::Mean;
 use crate::motion::Spline;
 use serde::Serialize;
 
@@ -265,7 +265,13 @@ impl Table {
         let balance = question.balance(self.surplus, self.range(), self.cycle)?;
         let table = self.with(balance.unwrap_or(0.0), 0.0);
         let level = find(&table, question)?;
-        Ok(TableMotion::new(table, &level, question, self.surplus, balance))
+        Ok(TableMotion::new(
+            table,
+            &level,
+            question,
+            self.surplus,
+            balance,
+        ))
     }
 }
 

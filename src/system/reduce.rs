@@ -37,7 +37,13 @@ impl System {
 
     /// Reduces what hangs rigidly on the rotor of an object to it, in a state and
     /// its modes; zero for an object that has none. Allocates nothing.
-    pub fn reduced(&self, rotor: usize, y: &[f64], modes: &Modes, scratch: &mut Scratch) -> Reduced {
+    pub fn reduced(
+        &self,
+        rotor: usize,
+        y: &[f64],
+        modes: &Modes,
+        scratch: &mut Scratch,
+    ) -> Reduced {
         let Some(coordinate) = self.last_coordinate(rotor) else {
             return Reduced::default();
         };
@@ -50,7 +56,8 @@ impl System {
             let work = &mut scratch.dual_work;
             let state = &scratch.dual_state;
             let still = Dual::from(0.0);
-            self.frozen.motion(still, state, &modes.0, Extent::Full, work);
+            self.frozen
+                .motion(still, state, &modes.0, Extent::Full, work);
             self.frozen.apply_loads(still, &modes.0, work);
             self.frozen.reduce_rigid(Extent::Full, work);
             (work.mass[node], work.force[node])

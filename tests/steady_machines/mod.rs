@@ -55,7 +55,10 @@ pub fn machine(case: &Value) -> Machine {
             };
             let (inertia, work, phase) = (list("J"), list("A"), list("phase"));
             let at = move |_: usize, phi: f64| {
-                let cosines = inertia.iter().enumerate().map(|(k, j)| j * (k as f64 * phi).cos());
+                let cosines = inertia
+                    .iter()
+                    .enumerate()
+                    .map(|(k, j)| j * (k as f64 * phi).cos());
                 let sines = work.iter().zip(&phase).enumerate();
                 let sines =
                     sines.map(|(k, (a, p))| a * (((k + 1) as f64 * phi + p).sin() - p.sin()));

@@ -52,7 +52,10 @@ pub fn table(text: &str, cycle: f64) -> Result<Table, Refusal> {
         .trim(csv::Trim::All)
         .comment(Some(b'#'))
         .from_reader(text.trim_start_matches('\u{feff}').as_bytes());
-    let header = reader.headers().map_err(|error| wrong(error.to_string()))?.clone();
+    let header = reader
+        .headers()
+        .map_err(|error| wrong(error.to_string()))?
+        .clone();
     let columns: Vec<(Column, f64)> = header
         .iter()
         .map(|name| column(name).map_err(wrong))
@@ -60,7 +63,10 @@ pub fn table(text: &str, cycle: f64) -> Result<Table, Refusal> {
     let place = |wanted: Column| columns.iter().position(|column| column.0 == wanted);
     for column in Column::ALL {
         if columns.iter().filter(|other| other.0 == column).count() > 1 {
-            return Err(wrong(format!("two columns are named {}", column.names()[1])));
+            return Err(wrong(format!(
+                "two columns are named {}",
+                column.names()[1]
+            )));
         }
     }
     let (work, moment) = (place(Column::Work), place(Column::Moment));
@@ -97,7 +103,9 @@ fn column(name: &str) -> Result<(Column, f64), String> {
         Some((symbol, rest)) => (symbol.trim(), rest.trim_end().trim_end_matches(']').trim()),
         None => (name.trim(), ""),
     };
-    let found = Column::ALL.into_iter().find(|column| column.names().contains(&symbol));
+    let found = Column::ALL
+        .into_iter()
+        .find(|column| column.names().contains(&symbol));
     let column = found.ok_or_else(|| format!("a column \"{name}\" is not known"))?;
     if unit.is_empty() || matches!((column, unit), (Column::Work, "J")) {
         return Ok((column, 1.0));
@@ -105,7 +113,10 @@ fn column(name: &str) -> Result<(Column, f64), String> {
     let measure = parse(&format!("1 {unit}")).map_err(|_| format!("unknown unit in \"{name}\""))?;
     let factor = column.quantity().accept(measure);
     let units = column.quantity().units.join(", ");
-    Ok((column, factor.map_err(|_| format!("\"{name}\": the unit must be one of {units}"))?))
+    Ok((
+        column,
+        factor.map_err(|_| format!("\"{name}\": the unit must be one of {units}"))?,
+    ))
 }
 
 #[cfg(test)]
@@ -133,8 +144,16 @@ mod tests {
             let table = table(&text, TAU).unwrap();
             table.steady(&Question::new(10.0)).unwrap().figures.steady
         });
-        approx::assert_relative_eq!(one.energy_at_start, 0.103_342_352_430_8, max_relative = 1e-9);
-        approx::assert_relative_eq!(other.energy_at_start, one.energy_at_start, max_relative = 1e-6);
+        approx::assert_relative_eq!(
+            one.energy_at_start,
+            0.103_342_352_430_8,
+            max_relative = 1e-9
+        );
+        approx::assert_relative_eq!(
+            other.energy_at_start,
+            one.energy_at_start,
+            max_relative = 1e-6
+        );
     }
 
     #[test]
@@ -151,7 +170,11 @@ mod tests {
             ("phi,J,A\n0,1,0\n1,1,1\n", "too few"),
         ] {
             let refusal = table(text, TAU).unwrap_err();
-            assert!(refusal.message().contains(word), "{text:?}: {}", refusal.message());
+            assert!(
+                refusal.message().contains(word),
+                "{text:?}: {}",
+                refusal.message()
+            );
         }
     }
 }

@@ -33,6 +33,9 @@ pub struct Machine {
     memory: RefCell<(Scratch, Vec<f64>)>,
 }
 
+/// Less inertia than this is none (kg·m²).
+const NONE: f64 = 1e-290;
+
 /// The drive of a model, or the one named.
 ///
 /// # Errors
@@ -59,7 +62,10 @@ pub fn drive_of(model: &Model, named: Option<&str>) -> Result<usize, Vec<Fault>>
         return Err(vec![Fault::new("steady.drive", message, hint)]);
     };
     if part.coordinate == Coordinate::Sliding {
-        let message = format!("`{}` slides: a steady motion is asked of a drive that turns", part.id);
+        let message = format!(
+            "`{}` slides: a steady motion is asked of a drive that turns",
+            part.id
+        );
         return Err(vec![Fault::new("steady.drive", message, "")]);
     }
     Ok(index)
@@ -126,7 +132,12 @@ fn kinks(model: &Model, node: usize) -> Vec<f64> {
     let mut found: Vec<f64> = Vec::new();
     for load in model.loads.iter().filter(|load| load.node == node) {
         if let LoadLaw::SpeedTable(points) = &load.law {
-            found.extend(points.iter().map(|point| point.0).filter(|&speed| speed > 0.0));
+            found.extend(
+                points
+                    .iter()
+                    .map(|point| point.0)
+                    .filter(|&speed| speed > 0.0),
+            );
         }
     }
     found.sort_by(f64::total_cmp);
@@ -178,7 +189,10 @@ impl Machine {
         places.sort_by(f64::total_cmp);
         places.dedup();
         let all: Vec<Modes> = places.iter().map(|&place| self.modes_at(place)).collect();
-        if let Some(object) = all.iter().find_map(|modes| self.system.beyond_reach(&all[0], modes)) {
+        if let Some(object) = all
+            .iter()
+            .find_map(|modes| self.system.beyond_reach(&all[0], modes))
+        {
             let id = &self.system.model().objects[object].id;
             let message = "it cannot be assembled over the whole cycle of its drive";
             let hint = "a mechanism that turns fully, or swings within its reach";
@@ -239,9 +253,16 @@ impl Machine {
         let coordinate = self.system.last_coordinate(self.drive).unwrap_or(0);
         let count = state.len() / 2;
         (state[coordinate], state[count + coordinate]) = (position, speed);
-        let found = self.system.reduced(self.drive, state, &self.modes[piece], scratch);
+        let found = self
+            .system
+            .reduced(self.drive, state, &self.modes[piece], scratch);
         cycle_map::Load {
-            inertia: found.inertia,
+            // What a rotor without inertia is given is none.
+            inertia: if found.inertia > NONE {
+                found.inertia
+            } else {
+                0.0
+            },
             moment: found.moment,
             moment_by_speed: found.moment_by_speed,
         }

@@ -1,7 +1,7 @@
 //! The map of the state over a period of the drive, and its derivative.
 
 use super::sink::{Grid, Last};
-use crate::exact::{Cursor, Part, PairState, Request, TreeProblem};
+use crate::exact::{Cursor, PairState, Part, Request, TreeProblem};
 use crate::integrate::{Dynamics, Limits, Method, Settings, Sink, Stop, integrate};
 use crate::system::System;
 use nalgebra::DMatrix;
@@ -57,7 +57,9 @@ impl<'a> TreeMap<'a> {
                 *scale = scale.max(value.abs());
             }
         }
-        scales.iter_mut().for_each(|scale| *scale = scale.max(1e-12));
+        scales
+            .iter_mut()
+            .for_each(|scale| *scale = scale.max(1e-12));
         Ok(Self { part, scales })
     }
 
@@ -70,7 +72,9 @@ impl Map for TreeMap<'_> {
     fn apply(&self, state: &[f64], time: f64) -> Result<Vec<f64>, String> {
         let n = self.masses();
         let tree = self.part.tree_at(&state[..n], &state[n..]);
-        let run = tree.run(&Request::new(time, 0)).map_err(|refusal| refusal.reason)?;
+        let run = tree
+            .run(&Request::new(time, 0))
+            .map_err(|refusal| refusal.reason)?;
         if !run.complete {
             return Err(format!("too many switches before t = {} s", run.time));
         }
@@ -106,7 +110,14 @@ impl Map for TreeMap<'_> {
             ..Request::new(time, count)
         };
         let run = tree.run(&request).map_err(|refusal| refusal.reason)?;
-        let column = |mass: usize| run.samples.iter().skip(mass).step_by(2 * n).copied().collect();
+        let column = |mass: usize| {
+            run.samples
+                .iter()
+                .skip(mass)
+                .step_by(2 * n)
+                .copied()
+                .collect()
+        };
         Ok((0..n).map(column).collect())
     }
 
@@ -144,8 +155,10 @@ fn link(
     rates: &mut DMatrix<f64>,
 ) {
     let mass = &problem.masses[i];
-    let ends: [Option<(usize, f64)>; 2] =
-        [Some((i, 1.0)), mass.parent.map(|parent| (parent, -mass.lever))];
+    let ends: [Option<(usize, f64)>; 2] = [
+        Some((i, 1.0)),
+        mass.parent.map(|parent| (parent, -mass.lever)),
+    ];
     for (row, weight) in ends.into_iter().flatten() {
         let factor = weight / problem.masses[row].inertia;
         for (column, share) in ends.into_iter().flatten() {
@@ -246,7 +259,14 @@ impl SystemMap<'_> {
             interrupt: None,
         };
         let outcome = integrate(
-            self.system, 0.0, time, state, &modes, &settings, &limits, sink,
+            self.system,
+            0.0,
+            time,
+            state,
+            &modes,
+            &settings,
+            &limits,
+            sink,
         );
         match outcome.stop {
             Stop::Complete => Ok(()),

@@ -1,8 +1,8 @@
 //! The periodic motion of an elastic scene behind prescribed drives: shooting.
 
 use super::map::{Map, SystemMap, TreeMap};
-use crate::analysis::method::choose_general;
 use crate::analysis::RunSettings;
+use crate::analysis::method::choose_general;
 use crate::exact::Parts;
 use crate::fault::Fault;
 use crate::integrate::Dynamics;
@@ -39,8 +39,8 @@ pub struct PartMotion {
     pub miss: f64,
     /// Floquet multipliers, the greatest modulus first.
     pub multipliers: Vec<Multiplier>,
-    /// True when every disturbance dies away.
-    pub attracts: bool,
+    /// What becomes of small disturbances.
+    pub stability: Stability,
     /// Periods followed in finding it.
     pub iterations: u32,
     /// How the derivative of the motion was found.
@@ -51,6 +51,34 @@ pub struct PartMotion {
     pub orbit: Vec<(String, Vec<(f64, f64)>)>,
     /// Whether a long run from the scene's own start settles on it.
     pub long_run: LongRun,
+}
+
+/// What becomes of small disturbances of a periodic motion.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Stability {
+    /// All die away.
+    Attracts,
+    /// None grows, but some stay: nothing damps them.
+    Neutral,
+    /// Some grow.
+    Repels,
+}
+
+/// Moduli of multipliers this near to 1 are 1.
+const UNIT: f64 = 1e-8;
+
+impl Stability {
+    fn of(multipliers: &[Multiplier]) -> Self {
+        match multipliers
+            .first()
+            .map_or(0.0, |multiplier| multiplier.modulus)
+        {
+            greatest if greatest < 1.0 - UNIT => Self::Attracts,
+            greatest if greatest <= 1.0 + UNIT => Self::Neutral,
+            _ => Self::Repels,
+        }
+    }
 }
 
 /// A Floquet multiplier: what becomes of a small disturbance in a period.
@@ -202,7 +230,10 @@ fn long_run(map: &dyn Map, start: &[f64], fixed: &Fixed, turn: f64, periods: usi
     } else {
         0.0
     };
-    let turns = (needed.min(1e6) as usize).clamp(LONG[0], LONG[1]).div_ceil(periods) * periods;
+    let turns = (needed.min(1e6) as usize)
+        .clamp(LONG[0], LONG[1])
+        .div_ceil(periods)
+        * periods;
     let found = map.apply(start, turns as f64 * turn).and_then(|end| {
         // It may have settled on the same motion some turns later.
         let mut state = fixed.state.clone();
@@ -243,7 +274,9 @@ fn orbit(
     let named = about.names.iter().zip(columns).enumerate();
     Ok(named
         .map(|(index, (name, values))| {
-            let rest = (1..).map(|i| period * f64::from(i) / ORBIT as f64).zip(values);
+            let rest = (1..)
+                .map(|i| period * f64::from(i) / ORBIT as f64)
+                .zip(values);
             let points = std::iter::once((0.0, state[index])).chain(rest);
             (name.clone(), points.collect())
         })
@@ -273,7 +306,7 @@ fn part(
         match shoot(map, start, period) {
             Ok(fixed) => {
                 let multipliers = multipliers(&fixed.monodromy);
-                let attracts = multipliers.iter().all(|multiplier| multiplier.modulus < 1.0);
+                let stability = Stability::of(&multipliers);
                 let motion = PartMotion {
                     objects: about.objects.clone(),
                     unit: about.unit.clone(),
@@ -282,12 +315,12 @@ fn part(
                     period,
                     miss: fixed.miss,
                     multipliers,
-                    attracts,
+                    stability,
                     iterations: fixed.iterations,
                     how: map.how().to_owned(),
                     long_run: long_run(map, start, &fixed, turn, periods),
                 };
-                if attracts {
+                if stability != Stability::Repels {
                     return Ok((motion, fixed.state));
                 }
                 unstable = unstable.or(Some((motion, fixed.state)));
@@ -317,21 +350,33 @@ pub(super) fn answer(
     let parts = Parts::of(system);
     let none = |why: String| {
         let message = format!("no periodic motion was found: {why}");
-        refuse(message, "allow more turns of the drive in a period with `periods`")
+        refuse(
+            message,
+            "allow more turns of the drive in a period with `periods`",
+        )
     };
     let mut state = initial.y.clone();
     let mut motions = Vec::new();
     let about = |objects: &[usize], names: Vec<String>| {
         let part = |&object: &usize| &system.model().objects[object];
-        let slides = objects.iter().map(part).any(|p| p.coordinate == Coordinate::Sliding);
-        let turns = objects.iter().map(part).any(|p| p.coordinate == Coordinate::Turning);
+        let slides = objects
+            .iter()
+            .map(part)
+            .any(|p| p.coordinate == Coordinate::Sliding);
+        let turns = objects
+            .iter()
+            .map(part)
+            .any(|p| p.coordinate == Coordinate::Turning);
         let unit = match (turns, slides) {
             (true, true) => "",
             (false, true) => "m",
             _ => "rad",
         };
         About {
-            objects: objects.iter().map(|object| part(object).id.clone()).collect(),
+            objects: objects
+                .iter()
+                .map(|object| part(object).id.clone())
+                .collect(),
             names,
             unit: unit.to_owned(),
         }
@@ -351,7 +396,9 @@ pub(super) fn answer(
         let choice = choose_general(system, settings, "");
         let map = SystemMap::new(system, choice.method);
         let elastic = (0..system.model().objects.len()).collect::<Vec<_>>();
-        let elastic = elastic.into_iter().filter(|&o| system.first_coordinate(o).is_some());
+        let elastic = elastic
+            .into_iter()
+            .filter(|&o| system.first_coordinate(o).is_some());
         let elastic: Vec<usize> = elastic.collect();
         let about = about(&elastic, (0..system.coordinates()).map(name).collect());
         let (motion, found) = part(&map, &initial.y, turn, spec.periods, &about).map_err(none)?;
@@ -361,7 +408,9 @@ pub(super) fn answer(
     Ok(PeriodicAnswer {
         turn,
         parts: motions,
-        state_names: (0..state.len()).map(|index| system.state_name(index)).collect(),
+        state_names: (0..state.len())
+            .map(|index| system.state_name(index))
+            .collect(),
         state,
     })
 }

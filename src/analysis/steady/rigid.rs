@@ -143,7 +143,11 @@ fn by_cycle_map(machine: &Machine, spec: &SteadySpec) -> Result<RigidAnswer, Vec
     };
     let hint = "leave it out: the motor's characteristic decides";
     contradict(spec.mean_speed.is_some(), "mean_speed", hint);
-    contradict(spec.balance, "balance", "leave it out: the motor balances the cycle");
+    contradict(
+        spec.balance,
+        "balance",
+        "leave it out: the motor balances the cycle",
+    );
     let hint = "give the motor a constant torque and ask for a `mean_speed`";
     contradict(spec.fluctuation.is_some(), "fluctuation", hint);
     if !faults.is_empty() {

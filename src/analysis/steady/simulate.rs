@@ -56,7 +56,9 @@ pub(super) fn simulate(
     let start = answer.motion.speed(0.0);
     let model = freed(model, drive, 0.0, start * (1.0 + disturbed), added);
     let failed = |faults: Vec<crate::fault::Fault>| {
-        faults.first().map_or_else(String::new, |fault| fault.message.clone())
+        faults
+            .first()
+            .map_or_else(String::new, |fault| fault.message.clone())
     };
     let system = System::new(model).map_err(failed)?;
     let initial = system.initial_state().map_err(failed)?;
@@ -74,7 +76,14 @@ pub(super) fn simulate(
     };
     let end = f64::from(cycles) * answer.figures.period;
     let outcome = integrate(
-        &system, 0.0, end, &initial.y, &initial.modes, &settings, &limits, &mut last,
+        &system,
+        0.0,
+        end,
+        &initial.y,
+        &initial.modes,
+        &settings,
+        &limits,
+        &mut last,
     );
     if outcome.stop != Stop::Complete {
         return Err(format!("it stopped at t = {} s", outcome.time));

@@ -38,10 +38,20 @@ pub(crate) struct MachineArgs {
     #[arg(long, value_name = "FILE", conflicts_with_all = ["scene", "inertia"])]
     pub(crate) table: Option<PathBuf>,
     /// Reduced moment of inertia as an expression of phi (radians): "1.5 + 0.2*cos(phi)"
-    #[arg(long, value_name = "EXPRESSION", conflicts_with = "scene", allow_hyphen_values = true)]
+    #[arg(
+        long,
+        value_name = "EXPRESSION",
+        conflicts_with = "scene",
+        allow_hyphen_values = true
+    )]
     pub(crate) inertia: Option<String>,
     /// Work of all forces as an expression of phi (J)
-    #[arg(long, value_name = "EXPRESSION", requires = "inertia", allow_hyphen_values = true)]
+    #[arg(
+        long,
+        value_name = "EXPRESSION",
+        requires = "inertia",
+        allow_hyphen_values = true
+    )]
     pub(crate) work: Option<String>,
     /// Moment of all forces as an expression of phi (N m)
     #[arg(

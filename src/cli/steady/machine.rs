@@ -47,7 +47,10 @@ fn refused(refusal: &Refusal) -> Failure {
             };
             faults.iter().map(one).collect::<Vec<_>>().join("\nerror: ")
         }
-        refusal => line(&refusal.message(), &refusal.hint().replace("`balance`", "--balance")),
+        refusal => line(
+            &refusal.message(),
+            &refusal.hint().replace("`balance`", "--balance"),
+        ),
     })
 }
 
@@ -67,7 +70,9 @@ fn table(
         .and_then(|file| file.take(LARGEST).read_to_string(&mut text))
         .map_err(|error| format!("cannot read the table `{shown}`: {error}"))?;
     let table = csv::table(&text, spec.cycle).map_err(|refusal| refused(&refusal))?;
-    let motion = table.steady(question).map_err(|refusal| refused(&refusal))?;
+    let motion = table
+        .steady(question)
+        .map_err(|refusal| refused(&refusal))?;
     let folder = folder(args, &shown)?;
     let rows = motion.rows();
     let answered = Answered {
@@ -91,14 +96,9 @@ fn table(
     Ok(Status::Answered)
 }
 
-fn formulas(
-    args: &SteadyArgs,
-    spec: &SteadySpec,
-    question: &Question,
-) -> Result<Status, Failure> {
-    let read = |name: &str, text: &str| {
-        Formula::new(name, text).map_err(|refusal| refused(&refusal))
-    };
+fn formulas(args: &SteadyArgs, spec: &SteadySpec, question: &Question) -> Result<Status, Failure> {
+    let read =
+        |name: &str, text: &str| Formula::new(name, text).map_err(|refusal| refused(&refusal));
     let machine = &args.machine;
     let inertia = read("inertia", machine.inertia.as_deref().unwrap_or_default())?;
     let (given, other, symbol) = match (&machine.work, &machine.moment) {

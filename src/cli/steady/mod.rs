@@ -95,11 +95,15 @@ pub(crate) fn command(args: &SteadyArgs) -> Result<Status, Failure> {
 /// Puts what the command line asks in place of what the scene asks.
 fn asked(args: &QuestionArgs, spec: &mut SteadySpec) -> Result<(), Failure> {
     let quantity = |name: &str, text: &Option<String>, wanted: Quantity, bounds: Bounds| {
-        let read =
-            |text: &String| read_argument(name, text, |slot| slot.quantity(wanted, bounds));
+        let read = |text: &String| read_argument(name, text, |slot| slot.quantity(wanted, bounds));
         text.as_ref().map(read).transpose()
     };
-    let speed = quantity("--mean-speed", &args.mean_speed, q::ANGULAR_SPEED, Bounds::POSITIVE)?;
+    let speed = quantity(
+        "--mean-speed",
+        &args.mean_speed,
+        q::ANGULAR_SPEED,
+        Bounds::POSITIVE,
+    )?;
     spec.mean_speed = speed.or(spec.mean_speed);
     let cycle = quantity("--cycle", &args.cycle, q::ANGLE, Bounds::up_to(1e4))?;
     spec.cycle = cycle.unwrap_or(spec.cycle);
@@ -129,7 +133,9 @@ fn verdicts(args: &SteadyArgs, ready: &Ready, answer: &Answer) -> Vec<Verdict> {
         && !asked.balance
         && asked.mean.is_none()
         && asked.periods.is_none()
-        && [&asked.mean_speed, &asked.cycle, &asked.fluctuation].iter().all(|text| text.is_none());
+        && [&asked.mean_speed, &asked.cycle, &asked.fluctuation]
+            .iter()
+            .all(|text| text.is_none());
     match same {
         true => check(&ready.scene().expect, answer),
         false => Vec::new(),
@@ -166,7 +172,11 @@ fn tell(
 ) -> Result<(), Failure> {
     let csv = match &answered.rigid {
         Some(shown) => rows_csv(shown).map_err(|error| error.to_string())?,
-        None => answered.periodic.map(orbit_csv).transpose()?.unwrap_or_default(),
+        None => answered
+            .periodic
+            .map(orbit_csv)
+            .transpose()?
+            .unwrap_or_default(),
     };
     if args.json {
         console::json(&answered.document)?;

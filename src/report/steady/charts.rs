@@ -4,24 +4,28 @@ use super::Shown;
 use crate::report::svg::chart::{Axis, Chart, Curve};
 use crate::steady::Row;
 
+/// φ in degrees: plain numbers, so that no prefix is put before the unit.
 fn angle() -> Axis {
     Axis {
-        symbol: "φ".to_owned(),
-        unit: "rad".to_owned(),
+        symbol: "φ, degrees".to_owned(),
+        unit: String::new(),
     }
 }
 
 fn curve(label: &str, rows: &[Row], of: impl Fn(&Row) -> f64) -> Curve {
     Curve {
         label: label.to_owned(),
-        points: rows.iter().map(|row| (row.position, of(row))).collect(),
+        points: rows
+            .iter()
+            .map(|row| (row.position.to_degrees(), of(row)))
+            .collect(),
     }
 }
 
 fn level(label: &str, cycle: f64, value: f64) -> Curve {
     Curve {
         label: label.to_owned(),
-        points: vec![(0.0, value), (cycle, value)],
+        points: vec![(0.0, value), (cycle.to_degrees(), value)],
     }
 }
 
@@ -46,8 +50,8 @@ pub fn charts(shown: &Shown<'_>) -> Vec<Chart> {
             ],
         ),
         chart(
-            "Angular acceleration ε",
-            "rad/s²",
+            "Angular acceleration ε, rad/s²",
+            "",
             vec![curve("", rows, |row| row.acceleration)],
         ),
         chart(
@@ -64,8 +68,8 @@ pub fn charts(shown: &Shown<'_>) -> Vec<Chart> {
             ],
         ),
         chart(
-            "Reduced moment of inertia J",
-            "kg·m²",
+            "Reduced moment of inertia J, kg·m²",
+            "",
             vec![curve("", rows, |row| row.inertia)],
         ),
     ]
@@ -82,7 +86,11 @@ pub fn wittenbauer(shown: &Shown<'_>) -> Chart {
         label: label.to_owned(),
         points: vec![(0.0, origin), (end, origin + 0.5 * speed * speed * end)],
     };
-    let least = shown.rows.iter().map(|row| row.inertia).fold(f64::INFINITY, f64::min);
+    let least = shown
+        .rows
+        .iter()
+        .map(|row| row.inertia)
+        .fold(f64::INFINITY, f64::min);
     let reference = (2.0 * f.reference_energy / least).max(0.0).sqrt();
     Chart {
         title: "Energy-mass diagram (Wittenbauer): work A over reduced inertia J".to_owned(),
@@ -90,7 +98,11 @@ pub fn wittenbauer(shown: &Shown<'_>) -> Chart {
         curves: vec![
             Curve {
                 label: "A(J)".to_owned(),
-                points: shown.rows.iter().map(|row| (row.inertia, row.work)).collect(),
+                points: shown
+                    .rows
+                    .iter()
+                    .map(|row| (row.inertia, row.work))
+                    .collect(),
             },
             line("O₂, ω_max", f.greatest_speed.value),
             line("O₂, ω_min", f.least_speed.value),
@@ -104,8 +116,8 @@ pub fn wittenbauer(shown: &Shown<'_>) -> Chart {
             },
         ],
         horizontal: Axis {
-            symbol: "J".to_owned(),
-            unit: "kg·m²".to_owned(),
+            symbol: "J, kg·m²".to_owned(),
+            unit: String::new(),
         },
         ..Chart::default()
     }

@@ -1,7 +1,7 @@
 //! The periodic motion of elastic objects as text, table and pictures.
 
 use super::page::picture;
-use crate::analysis::steady::{LongRun, PartMotion, PeriodicAnswer};
+use crate::analysis::steady::{LongRun, PartMotion, PeriodicAnswer, Stability};
 use crate::report::html::facts;
 use crate::report::quantity::{escape, significant};
 use crate::report::svg::chart::{Axis, Chart, Curve};
@@ -29,10 +29,10 @@ fn lines(part: &PartMotion) -> Vec<(&'static str, String)> {
         1 => "one turn of the drive".to_owned(),
         count => format!("{count} turns of the drive"),
     };
-    let attracts = if part.attracts {
-        "attracts: every small disturbance dies away"
-    } else {
-        "repels: some small disturbances grow"
+    let stability = match part.stability {
+        Stability::Attracts => "attracts: every small disturbance dies away",
+        Stability::Neutral => "neutral: small disturbances stay, nothing damps them",
+        Stability::Repels => "repels: some small disturbances grow",
     };
     let shown = part.multipliers.iter().take(LISTED).map(|multiplier| {
         let re = significant(multiplier.re, 8);
@@ -44,16 +44,26 @@ fn lines(part: &PartMotion) -> Vec<(&'static str, String)> {
     });
     let mut multipliers = shown.collect::<Vec<_>>().join(", ");
     if part.multipliers.len() > LISTED {
-        let _ = write!(multipliers, " and {} smaller", part.multipliers.len() - LISTED);
+        let _ = write!(
+            multipliers,
+            " and {} smaller",
+            part.multipliers.len() - LISTED
+        );
     }
     vec![
-        ("period", format!("{} s, {turns}", significant(part.period, 10))),
-        ("stability", attracts.to_owned()),
+        (
+            "period",
+            format!("{} s, {turns}", significant(part.period, 10)),
+        ),
+        ("stability", stability.to_owned()),
         ("Floquet multipliers", multipliers),
         ("derivative by", part.how.clone()),
         (
             "comes back to",
-            format!("{:.1e} of its size, {} periods followed", part.miss, part.iterations),
+            format!(
+                "{:.1e} of its size, {} periods followed",
+                part.miss, part.iterations
+            ),
         ),
         ("long run", long_run(&part.long_run)),
     ]
@@ -69,7 +79,11 @@ pub fn periodic_text(title: &str, answer: &PeriodicAnswer) -> String {
         }
     }
     let _ = writeln!(text, "\nState at t = 0");
-    let width = answer.state_names.iter().map(|name| name.chars().count()).max();
+    let width = answer
+        .state_names
+        .iter()
+        .map(|name| name.chars().count())
+        .max();
     let width = width.unwrap_or(0);
     for (name, value) in answer.state_names.iter().zip(&answer.state) {
         let _ = writeln!(text, "  {name:<width$}  {}", significant(*value, 14));
@@ -77,24 +91,38 @@ pub fn periodic_text(title: &str, answer: &PeriodicAnswer) -> String {
     text
 }
 
+/// Size of the picture of the unit circle, in which it is round (pixels).
+const CIRCLE: (f64, f64) = (384.0, 436.0);
+
 /// The multipliers in the unit circle.
 fn circle(part: &PartMotion) -> Chart {
     let points = (0..=180).map(|i| (f64::from(i) * 2.0f64.to_radians()).sin_cos());
     let cross = |re: f64, im: f64| {
         let (a, gap) = (0.03, (f64::NAN, f64::NAN));
-        [(re - a, im), (re + a, im), gap, (re, im - a), (re, im + a), gap]
+        [
+            (re - a, im),
+            (re + a, im),
+            gap,
+            (re, im - a),
+            (re, im + a),
+            gap,
+        ]
     };
     Chart {
         title: format!("Floquet multipliers of {}", part.objects.join(", ")),
         unit: String::new(),
         curves: vec![
             Curve {
-                label: "unit circle".to_owned(),
-                points: points.map(|(sin, cos)| (cos, sin)).collect(),
+                label: "multipliers".to_owned(),
+                points: part
+                    .multipliers
+                    .iter()
+                    .flat_map(|m| cross(m.re, m.im))
+                    .collect(),
             },
             Curve {
-                label: "multipliers".to_owned(),
-                points: part.multipliers.iter().flat_map(|m| cross(m.re, m.im)).collect(),
+                label: "unit circle".to_owned(),
+                points: points.map(|(sin, cos)| (cos, sin)).collect(),
             },
         ],
         horizontal: Axis {
@@ -108,7 +136,10 @@ fn circle(part: &PartMotion) -> Chart {
 /// Deviations over a period.
 fn orbit(part: &PartMotion) -> Chart {
     Chart {
-        title: format!("Deviation from the law over a period: {}", part.objects.join(", ")),
+        title: format!(
+            "Deviation from the law over a period: {}",
+            part.objects.join(", ")
+        ),
         unit: part.unit.clone(),
         curves: part
             .orbit
@@ -133,7 +164,7 @@ pub(super) fn section(answer: &PeriodicAnswer) -> String {
             facts(&lines(part))
         );
         body.push_str(&picture(&orbit(part), (900.0, 360.0)));
-        body.push_str(&picture(&circle(part), (560.0, 520.0)));
+        body.push_str(&picture(&circle(part), CIRCLE));
     }
     body
 }

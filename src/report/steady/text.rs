@@ -39,7 +39,11 @@ pub(super) fn figures(shown: &Shown<'_>) -> Vec<Line> {
         value("mean over time", f.means.time, "rad/s"),
         value("mean over the angle", f.means.angle, "rad/s"),
         value("midway between extremes", f.means.midrange, "rad/s"),
-        at("least speed", [f.least_speed.value, f.least_speed.at], "rad/s"),
+        at(
+            "least speed",
+            [f.least_speed.value, f.least_speed.at],
+            "rad/s",
+        ),
         at(
             "greatest speed",
             [f.greatest_speed.value, f.greatest_speed.at],
@@ -55,7 +59,8 @@ pub(super) fn figures(shown: &Shown<'_>) -> Vec<Line> {
         ),
         value("fluctuation of the work", f.energy_fluctuation, "J"),
     ];
-    if f.cycle_work != 0.0 {
+    // Less is rounding.
+    if f.cycle_work.abs() > 1e-11 * f.energy_fluctuation {
         lines.push(value("work left over in a cycle", f.cycle_work, "J"));
     }
     if let Some(moment) = f.balance {
@@ -93,7 +98,10 @@ pub(super) fn agreement(shown: &Shown<'_>) -> Vec<Line> {
             add("equation of motion over a cycle", text);
         }
         if let Some(apart) = found.cycle_map {
-            add("cycle map and energy-mass method", format!("ω(φ) {} apart", exponent(apart)));
+            add(
+                "cycle map and energy-mass method",
+                format!("ω(φ) {} apart", exponent(apart)),
+            );
         }
         if let Some(run) = found.simulation {
             let from = match run.disturbed {
@@ -121,7 +129,10 @@ pub(super) fn agreement(shown: &Shown<'_>) -> Vec<Line> {
         add("with every second sample left out", text);
     }
     if let Some(error) = shown.figures.period_error {
-        add("estimated error of the period", format!("{} relative", exponent(error)));
+        add(
+            "estimated error of the period",
+            format!("{} relative", exponent(error)),
+        );
     }
     let f = shown.figures;
     let [low, high] = f.bracket.map(|end| significant(end, 12));
@@ -149,12 +160,14 @@ pub(super) fn flywheel(shown: &Shown<'_>) -> Vec<Line> {
     }
     lines.push(value("inertia to add", wheel.inertia, "kg·m²"));
     for one in &wheel.approximations {
-        let error = one.error.map_or(String::new(), |error| {
-            format!(" ({:+.2} %)", 100.0 * error)
-        });
-        let gives = one.fluctuation.map_or("the machine would stop".to_owned(), |found| {
-            format!("gives δ = {}", significant(found, 5))
-        });
+        let error = one
+            .error
+            .map_or(String::new(), |error| format!(" ({:+.2} %)", 100.0 * error));
+        let gives = one
+            .fluctuation
+            .map_or("the machine would stop".to_owned(), |found| {
+                format!("gives δ = {}", significant(found, 5))
+            });
         let text = format!("{} kg·m²{error}, {gives}", significant(one.inertia, 7));
         lines.push((format!("by {}", one.words), text));
     }
@@ -168,7 +181,11 @@ pub fn rigid_text(shown: &Shown<'_>) -> String {
         if lines.is_empty() {
             return;
         }
-        let width = lines.iter().map(|line| line.0.chars().count()).max().unwrap_or(0);
+        let width = lines
+            .iter()
+            .map(|line| line.0.chars().count())
+            .max()
+            .unwrap_or(0);
         let _ = writeln!(text, "\n{heading}");
         for (name, value) in lines {
             let _ = writeln!(text, "  {name:<width$}  {value}");
