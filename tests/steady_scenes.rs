@@ -17,7 +17,7 @@ fn scene(name: &str, set: &[&str]) -> (System, RunSettings, SteadySpec) {
 
 fn of_text(text: &str, set: &[&str]) -> (System, RunSettings, SteadySpec) {
     let document = Document::parse("scene", text.as_bytes()).unwrap();
-    let set = set.iter().map(|set| (*set).to_owned()).collect();
+    let set: Vec<String> = set.iter().map(|set| (*set).to_owned()).collect();
     let reading = document.scene(&BuiltIn, &Overrides::new(set)).unwrap();
     let system = System::new(lower(&reading.scene).unwrap()).unwrap();
     let settings = RunSettings::of(&reading.scene).unwrap();

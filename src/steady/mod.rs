@@ -32,18 +32,23 @@ pub mod flywheel;
 mod formula;
 mod law;
 mod motion;
+mod panel;
 mod profile;
 mod quadrature;
 mod refusal;
 mod root;
+mod samples;
 mod table;
+mod table_motion;
 
 pub use formula::Formula;
 pub use law::{Means, Question, SteadyFigures};
 pub use motion::{Check, Row, SteadyMotion, steady};
-pub use profile::{Extreme, Given, Point, Profile};
+pub use panel::Point;
+pub use profile::{Extreme, Given, Profile};
 pub use refusal::{Field, Refusal};
-pub use table::{Halving, Table, TableFigures, TableMotion};
+pub use table::Table;
+pub use table_motion::{Halving, TableFigures, TableMotion};
 
 use serde::Serialize;
 

@@ -3,7 +3,8 @@
 use super::Mean;
 use super::extrapolation::follow;
 use super::law::{Family, Level, Means, Question, SteadyFigures, find, warnings};
-use super::profile::{Extreme, Panel, Profile};
+use super::panel::Panel;
+use super::profile::{Extreme, Profile};
 use super::quadrature::{Area, integrate};
 use super::refusal::Refusal;
 use serde::Serialize;

@@ -1,64 +1,25 @@
 //! The steady motion on samples.
 
 use super::Mean;
-use super::law::{Family, Level, Means, Question, SteadyFigures, find, warnings};
-use super::motion::Row;
+use super::law::{Family, Means, Question, find};
 use super::profile::Extreme;
-use super::refusal::{Field, Refusal};
+use super::refusal::Refusal;
+use super::samples::{LEAST, SAME, check_inertia, extreme, faults, repeats_end, too_few};
+use super::table_motion::{Halving, TableMotion};
 use crate::motion::Spline;
-use serde::Serialize;
 
 /// J and the work as samples over one cycle.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Table {
-    cycle: f64,
+    pub(super) cycle: f64,
     /// Positions, the end of the cycle left out.
-    positions: Vec<f64>,
-    inertia: Vec<f64>,
+    pub(super) positions: Vec<f64>,
+    pub(super) inertia: Vec<f64>,
     /// A since the first sample.
-    work: Vec<f64>,
+    pub(super) work: Vec<f64>,
     /// A(Φ).
-    surplus: f64,
+    pub(super) surplus: f64,
 }
-
-/// A steady motion on samples.
-#[derive(Clone, Debug, PartialEq)]
-pub struct TableMotion {
-    table: Table,
-    level: f64,
-    /// Its figures.
-    pub figures: TableFigures,
-}
-
-/// Figures of a motion on samples: the extremes are those of the samples.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct TableFigures {
-    /// The figures.
-    #[serde(flatten)]
-    pub steady: SteadyFigures,
-    /// How far the figures move when every second sample is left out; `None`
-    /// for an odd number of samples, or too few.
-    pub halving: Option<Halving>,
-}
-
-/// Figures with all samples less those with every second one.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Halving {
-    /// Of T at φ = 0 (J).
-    pub energy_at_start: f64,
-    /// Of the period (s).
-    pub period: f64,
-    /// Of the least speed (rad/s).
-    pub least_speed: f64,
-    /// Of the greatest speed (rad/s).
-    pub greatest_speed: f64,
-}
-
-/// Samples at least.
-const LEAST: usize = 3;
-
-/// Share of the cycle, and of J, by which a repeated end point may differ.
-const SAME: f64 = 1e-9;
 
 impl Table {
     /// Samples of J and of the work A over a cycle. A sample at the end of the
@@ -202,7 +163,7 @@ impl Table {
         extreme(&self.positions, &self.work, 1.0).value - self.least_work().value
     }
 
-    fn least_work(&self) -> Extreme {
+    pub(super) fn least_work(&self) -> Extreme {
         extreme(&self.positions, &self.work, -1.0)
     }
 
@@ -211,7 +172,7 @@ impl Table {
         self.work.iter().map(move |work| work - least)
     }
 
-    fn speeds(&self, level: f64) -> Vec<f64> {
+    pub(super) fn speeds(&self, level: f64) -> Vec<f64> {
         let speed = |(rise, inertia): (f64, &f64)| (2.0 * (level + rise) / inertia).sqrt();
         self.rises().zip(&self.inertia).map(speed).collect()
     }
@@ -229,7 +190,7 @@ impl Table {
             .collect()
     }
 
-    fn means(&self, speeds: &[f64]) -> Means {
+    pub(super) fn means(&self, speeds: &[f64]) -> Means {
         let weights = self.weights();
         let slowness: f64 = weights.iter().zip(speeds).map(|(w, v)| w / v).sum();
         let least = extreme(&self.positions, speeds, -1.0).value;
@@ -303,185 +264,4 @@ impl Family for Table {
     fn lowest_position(&self) -> f64 {
         self.least_work().at
     }
-}
-
-impl TableMotion {
-    fn new(
-        table: Table,
-        level: &Level,
-        question: &Question,
-        surplus: f64,
-        balance: Option<f64>,
-    ) -> Self {
-        let speeds = table.speeds(level.level);
-        let means = table.means(&speeds);
-        let least_speed = extreme(&table.positions, &speeds, -1.0);
-        let greatest_speed = extreme(&table.positions, &speeds, 1.0);
-        let range = table.range();
-        let ratio = level.level / (level.level + range);
-        let place = table.least_work().at;
-        let steady = SteadyFigures {
-            mean_speed: question.mean_speed,
-            mean: question.mean,
-            means,
-            period: table.cycle / means.time,
-            energy_at_start: level.level - table.least_work().value,
-            reference_energy: level.level + table.rise()[1],
-            reference_position: extreme(&table.positions, &table.inertia, -1.0).at,
-            least_speed,
-            greatest_speed,
-            fluctuation: (greatest_speed.value - least_speed.value) / question.mean_speed,
-            energy_fluctuation: range,
-            cycle_work: surplus,
-            balance,
-            iterations: level.iterations,
-            bracket: level.bracket,
-            first_bracket: level.first,
-            miss: level.miss,
-            met: level.miss <= question.tolerance,
-            period_error: None,
-            energy_ratio: ratio,
-            warnings: warnings(ratio, place, level, question),
-        };
-        Self {
-            level: level.level,
-            figures: TableFigures {
-                steady,
-                halving: None,
-            },
-            table,
-        }
-    }
-
-    /// The samples, the balancing moment included.
-    pub fn table(&self) -> &Table {
-        &self.table
-    }
-
-    /// The motion at every sample and at the end of the cycle. Times by the
-    /// trapezoidal rule; derivatives in φ, for M and ε, are those of the
-    /// periodic cubic splines through T and J.
-    pub fn rows(&self) -> Vec<Row> {
-        let table = &self.table;
-        let closed = |values: &[f64]| {
-            let mut points: Vec<(f64, f64)> = table
-                .positions
-                .iter()
-                .copied()
-                .zip(values.iter().copied())
-                .collect();
-            points.push((table.positions[0] + table.cycle, values[0]));
-            Spline::periodic(&points)
-        };
-        let (work, inertia) = (closed(&table.work), closed(&table.inertia));
-        let speeds = table.speeds(self.level);
-        let count = speeds.len();
-        let mut time = 0.0;
-        let row = |i: usize| {
-            let place = i % count;
-            let position = table.positions[place] + if i == count { table.cycle } else { 0.0 };
-            if i > 0 {
-                let before = table.positions[i - 1];
-                time += 0.5 * (position - before) * (1.0 / speeds[i - 1] + 1.0 / speeds[place]);
-            }
-            let speed = speeds[place];
-            let own = table.inertia[place];
-            let moment = work.jet(table.positions[place]).first;
-            let slope = inertia.jet(table.positions[place]).first;
-            Row {
-                position,
-                time,
-                speed,
-                acceleration: (moment - 0.5 * slope * speed * speed) / own,
-                inertia: own,
-                moment,
-                work: table.work[place],
-                energy: 0.5 * own * speed * speed,
-            }
-        };
-        (0..=count).map(row).collect()
-    }
-}
-
-/// The first least (`sense` −1) or greatest (1) of samples.
-fn extreme(positions: &[f64], values: &[f64], sense: f64) -> Extreme {
-    let first = Extreme {
-        value: values[0],
-        at: positions[0],
-    };
-    let pairs = positions.iter().zip(values);
-    pairs.fold(first, |best, (&at, &value)| {
-        if sense * value > sense * best.value {
-            Extreme { value, at }
-        } else {
-            best
-        }
-    })
-}
-
-fn repeats_end(cycle: f64, positions: &[f64]) -> bool {
-    let span = positions[positions.len() - 1] - positions[0];
-    (span - cycle).abs() <= SAME * cycle
-}
-
-fn too_few(count: usize) -> Field {
-    Field {
-        field: "position".to_owned(),
-        message: format!("{count} samples in a cycle are too few"),
-        hint: format!("give at least {LEAST}"),
-    }
-}
-
-fn check_inertia(positions: &[f64], inertia: &[f64]) -> Result<(), Refusal> {
-    let bad = |pair: &(&f64, &f64)| !(*pair.1 > 0.0);
-    match positions.iter().zip(inertia).find(bad) {
-        Some((&position, &inertia)) => Err(Refusal::Inertia { position, inertia }),
-        None => Ok(()),
-    }
-}
-
-fn faults(
-    cycle: f64,
-    positions: &[f64],
-    inertia: &[f64],
-    other: [(&str, &[f64]); 1],
-) -> Vec<Field> {
-    let mut faults = Vec::new();
-    let mut add = |field: &str, message: String, hint: &str| {
-        faults.push(Field {
-            field: field.to_owned(),
-            message,
-            hint: hint.to_owned(),
-        });
-    };
-    let sound = cycle.is_finite() && cycle > 0.0;
-    if !sound {
-        add("cycle", format!("{cycle} is not a positive number"), "");
-    }
-    let count = positions.len();
-    if count < LEAST {
-        let fault = too_few(count);
-        add(&fault.field, fault.message, &fault.hint);
-    }
-    let columns = [("position", positions), ("inertia", inertia), other[0]];
-    for (name, values) in columns {
-        if values.len() != count {
-            let message = format!("{} values for {count} positions", values.len());
-            add(name, message, "give one for each position");
-        }
-        if let Some(row) = values.iter().position(|value| !value.is_finite()) {
-            let message = format!("sample {row} is {}, not a finite number", values[row]);
-            add(name, message, "");
-        }
-    }
-    if let Some(row) = (1..count).find(|&i| positions[i] <= positions[i - 1]) {
-        let (before, after) = (positions[row - 1], positions[row]);
-        let message = format!("{after} does not come after {before}");
-        add("position", message, "put the positions in ascending order");
-    } else if sound && count > 0 && positions[count - 1] - positions[0] > cycle * (1.0 + SAME) {
-        let span = positions[count - 1] - positions[0];
-        let message = format!("the positions span {span} rad, the cycle only {cycle} rad");
-        add("position", message, "give one cycle");
-    }
-    faults
 }

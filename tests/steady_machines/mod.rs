@@ -1,8 +1,45 @@
 //! The machines of `tests/reference/steady-state.json`, written from its
 //! definitions.
 
-use dam::steady::{Given, Profile, Refusal};
+#![allow(dead_code)] // each test uses its own part
+
+use dam::steady::{Given, Mean, Profile, Question, Refusal};
 use serde_json::Value;
+
+/// The whole file.
+pub fn reference() -> Value {
+    let path = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/tests/reference/steady-state.json"
+    );
+    serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap()
+}
+
+/// The question of a case.
+pub fn question(case: &Value, mean: Mean) -> Question {
+    Question {
+        mean,
+        ..Question::new(number(&case["omega_av"]))
+    }
+}
+
+/// Worst relative difference met so far.
+#[derive(Default)]
+pub struct Worst(pub f64, pub String);
+
+impl Worst {
+    pub fn see(&mut self, what: &str, found: f64, expected: f64, bound: f64) {
+        self.see_of(what, found, expected, expected.abs(), bound);
+    }
+
+    pub fn see_of(&mut self, what: &str, found: f64, expected: f64, size: f64, bound: f64) {
+        let off = (found - expected).abs() / size;
+        assert!(off <= bound, "{what}: {found} for {expected}, {off:e} off");
+        if off > self.0 {
+            *self = Self(off, what.to_owned());
+        }
+    }
+}
 
 /// A machine as functions of the position.
 pub struct Machine {
@@ -20,10 +57,13 @@ impl Machine {
     }
 }
 
-fn number(value: &Value) -> f64 {
+/// A number, written as one or as a text.
+pub fn number(value: &Value) -> f64 {
     match value {
         Value::String(text) => text.parse().unwrap(),
-        other => other.as_f64().unwrap(),
+        other => other
+            .as_f64()
+            .unwrap_or_else(|| panic!("{other} is no number")),
     }
 }
 

@@ -274,3 +274,55 @@ impl SystemMap<'_> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Map, SystemMap, TreeMap};
+    use crate::exact::Parts;
+    use crate::integrate::Method;
+    use crate::lower::lower;
+    use crate::scene::{BuiltIn, Document, Overrides};
+    use crate::system::System;
+
+    /// A lever that leaves its cam and meets it again, damped.
+    const SCENE: &str = r#"{ "dam": 1, "name": "test", "objects": {
+        "shaft": { "kind": "drive", "motion": { "speed": "1900 rpm" } },
+        "valve": { "kind": "rocker", "input": "shaft", "masses": 2, "inertia": 0.1,
+            "stiffness": 3e5, "damping_capacity": 0.5, "pair": { "closure": "force" },
+            "position": { "sine": { "amplitude": "8 deg" } },
+            "loads": { "closing": { "constant": -450 } } } },
+        "run": { "duration": 1, "start": "static" } }"#;
+
+    #[test]
+    fn exact_propagation_and_integration_give_the_same_map_and_multipliers() {
+        let document = Document::parse("test", SCENE.as_bytes()).unwrap();
+        let reading = document.scene(&BuiltIn, &Overrides::none()).unwrap();
+        let system = System::new(lower(&reading.scene).unwrap()).unwrap();
+        let parts = Parts::of(&system);
+        let start = system.initial_state().unwrap().y;
+        let turn = 60.0 / 1900.0;
+        let tree = TreeMap::new(&parts.trees[0], &start, turn).unwrap();
+        let general = SystemMap::new(&system, Method::Dop853);
+        // One tree: its q are the system's u.
+        let (one, other) = (tree.apply(&start, turn), general.apply(&start, turn));
+        let (one, other) = (one.unwrap(), other.unwrap());
+        for ((a, b), scale) in one.iter().zip(&other).zip(tree.scales()) {
+            approx::assert_abs_diff_eq!(a / scale, b / scale, epsilon = 1e-8);
+        }
+        let [one, other] = [&tree as &dyn Map, &general].map(|map| {
+            let moduli = map.monodromy(&start, turn).unwrap().complex_eigenvalues();
+            let mut moduli: Vec<f64> = moduli.iter().map(|z| z.re.hypot(z.im)).collect();
+            moduli.sort_by(|a, b| b.total_cmp(a));
+            moduli
+        });
+        assert!(one[0] > 1e-4, "the test must see something: {one:?}");
+        for (a, b) in one.iter().zip(&other) {
+            approx::assert_abs_diff_eq!(*a, *b, epsilon = 1e-5);
+        }
+        let orbits = [&tree as &dyn Map, &general].map(|map| map.orbit(&start, turn, 50).unwrap());
+        for (a, b) in orbits[0].iter().zip(&orbits[1]) {
+            assert_eq!((a.len(), b.len()), (50, 50));
+            approx::assert_abs_diff_eq!(a[17], b[17], epsilon = 1e-8);
+        }
+    }
+}

@@ -11,6 +11,7 @@ mod machine;
 mod map;
 mod periodic;
 mod rigid;
+mod shooting;
 mod simulate;
 mod sink;
 

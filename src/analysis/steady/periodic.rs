@@ -1,6 +1,7 @@
 //! The periodic motion of an elastic scene behind prescribed drives: shooting.
 
 use super::map::{Map, SystemMap, TreeMap};
+use super::shooting::{Fixed, distance, shoot};
 use crate::analysis::RunSettings;
 use crate::analysis::method::choose_general;
 use crate::exact::Parts;
@@ -10,7 +11,7 @@ use crate::model::Coordinate;
 use crate::record::drive_cycle;
 use crate::scene::SteadySpec;
 use crate::system::System;
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DMatrix;
 use serde::Serialize;
 
 /// The periodic motion of an elastic scene.
@@ -106,104 +107,10 @@ pub struct LongRun {
     pub missing: Option<String>,
 }
 
-/// Periods of plain following before Newton's method, at first.
-const SETTLING: u32 = 12;
-/// Newton's steps in a row.
-const STEPS: u32 = 12;
-/// Rounds of following and Newton's steps.
-const ROUNDS: u32 = 6;
-/// Miss that is rounding, and the greatest that still is a periodic motion.
-const ROUNDING: f64 = 1e-14;
-const CLOSED: f64 = 1e-9;
 /// A long run has settled within this distance.
 const SETTLED: f64 = 1e-6;
 /// Turns of a long run, at least and at most.
 const LONG: [usize; 2] = [50, 1000];
-
-/// Greatest |a − b| relative to the scales.
-fn distance(a: &[f64], b: &[f64], scales: &[f64]) -> f64 {
-    let each = a.iter().zip(b).zip(scales);
-    each.map(|((a, b), scale)| (a - b).abs() / scale)
-        .fold(0.0, |most, d| if d > most || d.is_nan() { d } else { most })
-}
-
-/// A fixed point of a map over a time.
-struct Fixed {
-    state: Vec<f64>,
-    miss: f64,
-    monodromy: DMatrix<f64>,
-    iterations: u32,
-}
-
-/// Newton's method on y(T) = y(0); where it leads nowhere, more of the plain
-/// motion, which settles by itself on what attracts.
-fn shoot(map: &dyn Map, start: &[f64], time: f64) -> Result<Fixed, String> {
-    let mut state = start.to_vec();
-    let mut iterations = 0;
-    let mut settling = SETTLING;
-    let mut nearest = f64::INFINITY;
-    for _ in 0..ROUNDS {
-        for _ in 0..settling {
-            state = map.apply(&state, time)?;
-            iterations += 1;
-        }
-        if let Some(mut fixed) = newton(map, &state, time, &mut iterations, &mut nearest)? {
-            fixed.iterations = iterations;
-            return Ok(fixed);
-        }
-        settling *= 2;
-    }
-    Err(format!(
-        "after {iterations} periods no state was found that comes back (nearest: {nearest:.1e} of \
-         its size)"
-    ))
-}
-
-fn newton(
-    map: &dyn Map,
-    start: &[f64],
-    time: f64,
-    iterations: &mut u32,
-    nearest: &mut f64,
-) -> Result<Option<Fixed>, String> {
-    let n = start.len();
-    let mut state = start.to_vec();
-    let mut end = map.apply(&state, time)?;
-    let mut miss = distance(&state, &end, map.scales());
-    for _ in 0..STEPS {
-        *nearest = nearest.min(miss);
-        if miss <= ROUNDING {
-            break;
-        }
-        let matrix = DMatrix::identity(n, n) - map.monodromy(&state, time)?;
-        let gap = DVector::from_iterator(n, end.iter().zip(&state).map(|(e, s)| e - s));
-        let Some(step) = matrix.lu().solve(&gap) else {
-            return Ok(None);
-        };
-        let next: Vec<f64> = state.iter().zip(step.iter()).map(|(s, d)| s + d).collect();
-        if next.iter().any(|entry| !entry.is_finite()) {
-            return Ok(None);
-        }
-        let next_end = map.apply(&next, time)?;
-        *iterations += 1;
-        let next_miss = distance(&next, &next_end, map.scales());
-        // No longer better: rounding, or astray.
-        if !(next_miss < miss) {
-            break;
-        }
-        (state, end, miss) = (next, next_end, next_miss);
-    }
-    if !(miss <= CLOSED) {
-        return Ok(None);
-    }
-    let monodromy = map.monodromy(&state, time)?;
-    Ok(Some(Fixed {
-        state,
-        miss,
-        monodromy,
-        iterations: 0,
-    }))
-}
 
 /// Eigenvalues, the greatest modulus first.
 fn multipliers(monodromy: &DMatrix<f64>) -> Vec<Multiplier> {
