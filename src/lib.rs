@@ -21,5 +21,6 @@ pub mod read;
 pub mod record;
 pub mod report;
 pub mod scene;
+pub mod steady;
 pub mod system;
 pub mod units;

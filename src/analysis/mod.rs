@@ -16,6 +16,7 @@ pub mod methods;
 pub mod run;
 mod settings;
 pub mod spread;
+pub mod steady;
 #[cfg(test)]
 pub(crate) mod testing;
 mod warning;

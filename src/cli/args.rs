@@ -9,6 +9,7 @@ pub(crate) use kinematics::KinematicsArgs;
 pub(crate) use methods::MethodsArgs;
 
 use super::law::args::LawCommand;
+use super::steady::args::SteadyArgs;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
 
@@ -46,6 +47,9 @@ pub(crate) enum Command {
     Methods(MethodsArgs),
     /// Positions, transfer functions, speeds and accelerations of a linkage; the mechanism moving
     Kinematics(KinematicsArgs),
+    /// Find the steady motion of a machine, size its flywheel; of an elastic scene the periodic
+    /// motion and its stability
+    Steady(SteadyArgs),
 }
 
 /// What every command on a scene takes.

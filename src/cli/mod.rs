@@ -18,6 +18,7 @@ mod output;
 mod progress;
 mod run;
 mod show;
+mod steady;
 mod tables;
 mod terminal;
 
@@ -39,12 +40,14 @@ pub(crate) fn main() -> ExitCode {
         Command::Map(args) => (map::command(args), Some(&args.scene)),
         Command::Methods(args) => (methods::command(args), Some(&args.scene)),
         Command::Kinematics(args) => (kinematics::command(args), Some(&args.scene)),
+        Command::Steady(args) => (steady::command(args), None),
     };
     match result {
         Ok(status) => ExitCode::from(status.code()),
         Err(failure) => {
             let json = match &cli.command {
                 Command::Law(args) => args.json(),
+                Command::Steady(args) => args.json,
                 _ => scene.is_some_and(|args| args.json),
             };
             report(&failure, json);

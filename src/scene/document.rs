@@ -90,6 +90,7 @@ impl Document {
                     name: read.name,
                     objects: read.objects,
                     run: read.run,
+                    steady: read.steady,
                     expect: read.expect,
                     hash: hash(&canonical),
                 },

@@ -6,7 +6,7 @@
 //! `check` and `build` make the `frozen` layout of a model; `passes` and
 //! `links` are the equations of motion; `pairs`, `loads`, `linkages` and
 //! `switches` what enters them; `balance`, `placing`, `start` and `onset` the state at t = 0;
-//! `observe` and `energy` what is read off; `scales` and `frequencies` what the
+//! `observe`, `energy` and `reduce` what is read off; `scales` and `frequencies` what the
 //! methods are chosen and steered by.
 
 mod balance;
@@ -28,6 +28,7 @@ mod passes;
 mod pattern;
 mod placing;
 mod quantity;
+mod reduce;
 mod scales;
 mod series;
 mod start;
@@ -44,6 +45,7 @@ mod testing_random;
 mod tests;
 
 pub use frequencies::{Regime, VibrationMode};
+pub use reduce::Reduced;
 
 use crate::fault::Fault;
 use crate::integrate::Modes;

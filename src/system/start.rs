@@ -56,6 +56,16 @@ impl System {
         })
     }
 
+    /// The modes in which a state at t = 0 moves on.
+    pub fn modes_at_start(&self, y: &[f64]) -> Modes {
+        let mut modes = self.frozen.no_modes();
+        self.frozen.locate_tracks(y, &mut modes);
+        let noise: Vec<f64> = y.iter().map(|entry| entry.abs()).collect();
+        self.settle_pairs(y, &noise, &mut modes);
+        self.frozen.locate_tracks(y, &mut modes);
+        Modes(modes)
+    }
+
     /// The quiet start.
     fn kinetostatic(&self, modes: &mut [i64]) -> Result<Vec<f64>, Vec<Fault>> {
         let mut state = self.balanced(Balance::Kinetostatic, modes)?.state;

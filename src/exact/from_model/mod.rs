@@ -132,6 +132,40 @@ impl Part {
         ExactTree::new(problem)
     }
 
+    /// The state of the tree, q and q̇ of every mass, that belongs to a state y =
+    /// [u, u̇] of the system.
+    pub fn own_state(&self, y: &[f64]) -> (Vec<f64>, Vec<f64>) {
+        let tree = self.tree(y);
+        let problem = tree.problem();
+        (problem.displacement.clone(), problem.speed.clone())
+    }
+
+    /// The coordinate of the system of every mass.
+    pub fn coordinates(&self) -> impl Iterator<Item = usize> + '_ {
+        self.masses.iter().map(|place| place.coordinate)
+    }
+
+    /// The tree with given q and q̇ at t = 0.
+    pub fn tree_at(&self, displacement: &[f64], speed: &[f64]) -> ExactTree {
+        let mut problem = self.problem.clone();
+        problem.displacement.copy_from_slice(displacement);
+        problem.speed.copy_from_slice(speed);
+        ExactTree::new(problem)
+    }
+
+    /// Writes q and q̇ of the tree into a state y = [u, u̇] of the system.
+    pub fn put_state(&self, displacement: &[f64], speed: &[f64], y: &mut [f64]) {
+        let n = y.len() / 2;
+        for (mass, place) in self.masses.iter().enumerate() {
+            let (mut u, mut v) = (displacement[mass], speed[mass]);
+            if let Some((base, ratio)) = place.base {
+                u -= ratio * displacement[base];
+                v -= ratio * speed[base];
+            }
+            (y[place.coordinate], y[n + place.coordinate]) = (u, v);
+        }
+    }
+
     /// The tree's description; displacements and speeds are zero.
     pub fn problem(&self) -> &TreeProblem {
         &self.problem
