@@ -36,13 +36,15 @@ impl<'a, D: Dynamics> Evaluator<'a, D> {
         }
     }
 
-    /// Jacobian times `direction`.
-    pub(super) fn tangent(&self, time: f64, y: &[f64], direction: &[f64], out: &mut [f64]) {
+    /// Derivatives of the accelerations along directions, see
+    /// [`Dynamics::tangents`]; each counts as one evaluation.
+    pub(super) fn tangents(&self, time: f64, y: &[f64], directions: &[f64], out: &mut [f64]) {
         let modes = self.modes.borrow();
         let mut scratch = self.scratch.borrow_mut();
         self.dynamics
-            .tangent(time, y, &modes, direction, &mut scratch, out);
-        self.evaluations.set(self.evaluations.get() + 1);
+            .tangents(time, y, &modes, directions, &mut scratch, out);
+        let count = out.len() / self.dynamics.coordinates().max(1);
+        self.evaluations.set(self.evaluations.get() + count as u64);
     }
 
     /// Derivative with respect to time at a fixed state.

@@ -12,6 +12,7 @@ mod diffsol_adapter;
 mod dynamics;
 mod edges;
 mod evaluator;
+mod linear;
 mod locate;
 mod ode_solvers_adapter;
 mod outcome;

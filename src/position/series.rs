@@ -29,6 +29,17 @@ impl Series {
         Self([c0 + value, c1, c2, c3])
     }
 
+    /// The value.
+    pub(super) fn value(self) -> f64 {
+        self.0[0]
+    }
+
+    /// The same with another value.
+    pub(super) fn with_value(self, value: f64) -> Self {
+        let [_, c1, c2, c3] = self.0;
+        Self([value, c1, c2, c3])
+    }
+
     /// The same plus `rate` times the variable, without changing the value.
     pub(super) fn tilt(self, rate: f64) -> Self {
         let [c0, c1, c2, c3] = self.0;
