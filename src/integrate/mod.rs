@@ -19,6 +19,7 @@ mod outcome;
 mod pace;
 #[cfg(test)]
 pub(crate) mod problems;
+mod radau;
 mod rosenbrock;
 mod run;
 mod stopping;
@@ -91,6 +92,7 @@ pub fn integrate<D: Dynamics>(
                 Method::Rk4 | Method::Dopri5 | Method::Dop853 => ode_solvers_adapter::leg(&mut run),
                 Method::Taylor => taylor::leg(&mut run),
                 Method::Rodas5p => rosenbrock::leg(&mut run),
+                Method::Radau => radau::leg(&mut run),
                 #[cfg(feature = "diffsol")]
                 Method::Bdf | Method::TrBdf2 | Method::Esdirk34 => diffsol_adapter::leg(&mut run),
                 Method::Exact => {

@@ -5,6 +5,7 @@ use super::edges::Edges;
 use super::evaluator::Evaluator;
 use super::locate::{Located, Stretch};
 use super::pace::Pace;
+use super::radau;
 use super::rosenbrock::Stepper;
 use super::taylor::Series;
 use super::{
@@ -37,6 +38,8 @@ pub(super) enum Given<'g> {
     /// The motion itself: power series of all signals of a degree, over a time
     /// of which the step takes a share.
     Series(&'g [f64], usize, f64),
+    /// The motion itself: polynomials of all signals of a degree in Bernstein form.
+    Polynomial(&'g [f64], usize),
 }
 
 /// State of a run between the steps of a method.
@@ -67,6 +70,8 @@ pub(super) struct Run<'a, D: Dynamics> {
     pub(super) pace: Pace,
     /// The own stiff method, with its memory, once it has been used.
     pub(super) rosenbrock: Option<Box<Stepper>>,
+    /// The own stiff method for fine tolerances, likewise.
+    pub(super) radau: Option<radau::Stepper>,
     /// Memory of the own method of Taylor series.
     pub(super) series: Series,
 }
@@ -104,6 +109,7 @@ impl<'a, D: Dynamics> Run<'a, D> {
             begun: Instant::now(),
             pace: Pace::default(),
             rosenbrock: None,
+            radau: None,
             series: Series::default(),
         }
     }
@@ -154,7 +160,7 @@ impl<'a, D: Dynamics> Run<'a, D> {
         let mut shorter = std::mem::take(&mut self.shorter_middle);
         let edge = self.look_at_edges(&mut shorter);
         let verdict = edge.map(|edge| match (given, edge) {
-            (Given::Middle(_), Some(edge)) => {
+            (Given::Middle(_) | Given::Polynomial(..), Some(edge)) => {
                 self.take_step(time, Given::Middle(&shorter), Some(edge))
             }
             (_, Some(edge)) => self.take_step(time, Given::Nothing, Some(edge)),
@@ -180,6 +186,11 @@ impl<'a, D: Dynamics> Run<'a, D> {
             Given::Series(series, degree, share) => {
                 self.output
                     .series(&self.from, &self.to, series, degree, share);
+                self.earliest()
+            }
+            Given::Polynomial(coefficients, degree) => {
+                self.output
+                    .bernstein(&self.from, &self.to, coefficients, degree);
                 self.earliest()
             }
         };
