@@ -163,13 +163,7 @@ impl Output {
     }
 
     /// The motion itself: polynomials of a degree in Bernstein form.
-    pub(super) fn bernstein(
-        &mut self,
-        from: &End,
-        to: &End,
-        coefficients: &[f64],
-        degree: usize,
-    ) {
+    pub(super) fn bernstein(&mut self, from: &End, to: &End, coefficients: &[f64], degree: usize) {
         self.start = from.time;
         self.length = to.time - from.time;
         self.degree = degree;
@@ -180,6 +174,7 @@ impl Output {
         for (row, (a, b)) in rows.zip(from.signals.iter().zip(&to.signals)) {
             row[0] = a[0];
             row[degree] = b[0];
+            row[degree - 1] = b[0] - self.length / degree as f64 * b[1];
         }
     }
 

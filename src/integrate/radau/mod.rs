@@ -21,16 +21,21 @@ use newton::Stages;
 use std::sync::OnceLock;
 use tableau::Tableau;
 
-/// Local error allowed per step, relative to the tolerance asked for.
-const SAFETY: f64 = 1.0;
-/// Tolerances below which five and seven stages take fewer steps' work.
-const FIVE_STAGES: f64 = 3e-3;
-const SEVEN_STAGES: f64 = 1e-6;
+/// Estimated error allowed per step, relative to the tolerance asked for. The
+/// estimate is of order S; the step itself, once the vibrations that are left are
+/// resolved, of nearly twice that.
+const SAFETY: f64 = 10.0;
+/// Tolerances below which five and seven stages have less work.
+const FIVE_STAGES: f64 = 3e-2;
+const SEVEN_STAGES: f64 = 2e-3;
 /// Bounds on the change of the step from one to the next.
-const SHORTEST: f64 = 0.2;
+const SHORTEST: f64 = 0.1;
 const LONGEST: f64 = 8.0;
 /// Share of the step that would just keep the tolerance.
 const CAUTION: f64 = 0.9;
+/// The error of a step just begun anew, or refused for the second time, falls with
+/// this power of its length: it is still too long for its fastest modes.
+const AGAIN: f64 = 3.0;
 /// A step on which Newton's iteration does not converge is shortened to this share.
 const NOT_CONVERGED: f64 = 0.4;
 
@@ -122,6 +127,7 @@ impl<const S: usize, const L: usize> Radau<S, L> {
         loop {
             let (time, target) = (run.from.time, run.target);
             let floor = 4.0 * f64::EPSILON * time.abs().max(target.abs());
+            let mut again = false;
             let (length, error) = loop {
                 // The last two steps before the target are made alike.
                 let rest = target - time;
@@ -136,22 +142,33 @@ impl<const S: usize, const L: usize> Radau<S, L> {
                 }
                 let factor = match self.attempt(run, length) {
                     Attempt::Error(error) if error <= 1.0 => break (length, error),
-                    Attempt::Error(error) => CAUTION * error.powf(-1.0 / (S + 1) as f64),
+                    Attempt::Error(error) => {
+                        let order = if again || self.stages.is_first() {
+                            AGAIN
+                        } else {
+                            (S + 1) as f64
+                        };
+                        CAUTION * error.powf(-1.0 / order)
+                    }
                     Attempt::NotConverged => NOT_CONVERGED,
                 };
                 run.rejected += 1;
+                again = true;
                 self.last = None;
                 // Not a number, or a step out of all proportion: well back.
                 wanted = length * if factor > SHORTEST { factor } else { SHORTEST };
             };
-            wanted = length * self.growth(length, error);
             let lands = length >= target - time;
             let end = if lands { target } else { time + length };
             self.interpolate(run, length);
             let given = Given::Polynomial(&self.output, S + 2);
-            let verdict = run.accept_with(end, &self.y, &self.dy, given);
-            if lands || verdict != Verdict::Continue {
-                return;
+            match run.accept_with(end, &self.y, &self.dy, given) {
+                Verdict::Again(shorter) => {
+                    wanted = shorter;
+                    continue;
+                }
+                Verdict::Continue if !lands => wanted = length * self.growth(length, error),
+                _ => return,
             }
             self.stages.keep(length);
         }

@@ -1,14 +1,15 @@
 //! The stages of a step, and Newton's simplified iteration for them.
 
 use super::tableau::{Tableau, times};
+use crate::integrate::Dynamics;
 use crate::integrate::linear::{Entry, Jacobian, Lanes, SparseLu};
 use crate::integrate::run::Run;
-use crate::integrate::Dynamics;
 
 /// Most iterations of a step.
 const ITERATIONS: u32 = 9;
 /// What is left of Newton's error, relative to the error allowed for the step.
-const LEFT: f64 = 0.03;
+const LEFT: f64 = 0.003;
+
 /// A contraction above this will not do.
 const SLOWEST: f64 = 0.9;
 
@@ -34,8 +35,6 @@ pub(super) struct Stages<const S: usize, const L: usize> {
     /// Length of the last step, whose accelerations the next continues (s).
     before: Option<f64>,
     first: bool,
-    /// How fast the last iteration has converged.
-    contraction: f64,
 }
 
 impl<const S: usize, const L: usize> Stages<S, L> {
@@ -57,7 +56,6 @@ impl<const S: usize, const L: usize> Stages<S, L> {
             sizes: vec![1.0; 2 * count],
             before: None,
             first: true,
-            contraction: 1.0,
         }
     }
 
@@ -65,7 +63,6 @@ impl<const S: usize, const L: usize> Stages<S, L> {
     pub(super) fn forget(&mut self) {
         self.before = None;
         self.first = true;
-        self.contraction = 1.0;
     }
 
     /// True for a step that does not continue the last.
@@ -80,7 +77,12 @@ impl<const S: usize, const L: usize> Stages<S, L> {
     }
 
     /// Solves for the stages of a step of a length. False where that fails.
-    pub(super) fn solve<D: Dynamics>(&mut self, run: &Run<'_, D>, length: f64, tolerance: f64) -> bool {
+    pub(super) fn solve<D: Dynamics>(
+        &mut self,
+        run: &Run<'_, D>,
+        length: f64,
+        tolerance: f64,
+    ) -> bool {
         self.predict(run, length);
         let middle = S / 2;
         let time = run.from.time + self.tableau.nodes[middle] * length;
@@ -119,18 +121,13 @@ impl<const S: usize, const L: usize> Stages<S, L> {
     /// Weights of the polynomial through the stages at the nodes of a next step
     /// `ratio` times as long.
     fn continuation(&self, ratio: f64) -> super::tableau::Matrix<S> {
-        let nodes = &self.tableau.nodes;
+        let (nodes, weights) = (&self.tableau.nodes, &self.tableau.weights);
         let mut out = [[0.0; S]; S];
-        for (i, node) in nodes.iter().enumerate() {
-            let x = 1.0 + ratio * node;
-            for (j, column) in out.iter_mut().enumerate() {
-                let mut weight = 1.0;
-                for (k, other) in nodes.iter().enumerate() {
-                    if k != j {
-                        weight *= (x - other) / (nodes[j] - other);
-                    }
-                }
-                column[i] = weight;
+        for i in 0..S {
+            let x = 1.0 + ratio * nodes[i];
+            let product: f64 = nodes.iter().map(|node| x - node).product();
+            for j in 0..S {
+                out[j][i] = product * weights[j] / (x - nodes[j]);
             }
         }
         out
@@ -180,8 +177,6 @@ impl<const S: usize, const L: usize> Stages<S, L> {
 
     fn iterate<D: Dynamics>(&mut self, run: &Run<'_, D>, length: f64) -> bool {
         let mut before = f64::INFINITY;
-        // Until it shows, convergence is taken to be a little slower than last time.
-        let mut rest = self.contraction.powf(0.8);
         for iteration in 0..ITERATIONS {
             self.defects(run, length);
             let change = self.improve(length);
@@ -193,15 +188,18 @@ impl<const S: usize, const L: usize> Stages<S, L> {
                 if contraction >= SLOWEST && change > LEFT {
                     return false;
                 }
-                self.contraction = contraction.clamp(1e-8, SLOWEST);
-                rest = self.contraction / (1.0 - self.contraction);
+                let contraction = contraction.min(SLOWEST);
+                let rest = change * contraction / (1.0 - contraction);
+                if rest <= LEFT {
+                    return true;
+                }
                 // Too slow to come to an end in time.
                 let left = (ITERATIONS - 1 - iteration) as i32;
-                if change * rest * self.contraction.powi(left) > LEFT {
+                if rest * contraction.powi(left) > LEFT {
                     return false;
                 }
-            }
-            if change * rest <= LEFT {
+            } else if change <= LEFT {
+                // How fast it converges is not known before the second.
                 return true;
             }
             before = change;
@@ -239,7 +237,10 @@ impl<const S: usize, const L: usize> Stages<S, L> {
             let change = times(&tableau.eigenvectors, &parts);
             let once = times(&tableau.once_eigenvectors, &parts);
             let twice = times(&tableau.twice_eigenvectors, &parts);
-            let (of_u, of_v) = (self.sizes[k] * length * length, self.sizes[count + k] * length);
+            let (of_u, of_v) = (
+                self.sizes[k] * length * length,
+                self.sizes[count + k] * length,
+            );
             for i in 0..S {
                 self.accelerations[k][i] += change[i];
                 self.speeds[k][i] += length * once[i];

@@ -75,7 +75,12 @@ impl<const S: usize, const L: usize> Radau<S, L> {
     ) -> bool {
         let output = &self.stages.tableau.output;
         let differences = rates.map(|other| length * (other - rate));
-        let slope: f64 = output.slope.iter().zip(&differences).map(|(a, b)| a * b).sum();
+        let slope: f64 = output
+            .slope
+            .iter()
+            .zip(&differences)
+            .map(|(a, b)| a * b)
+            .sum();
         let mut bend = length * length * acceleration - slope;
         let bends = (bend * output.greatest_bend).abs() <= allowed;
         if !bends {
@@ -84,7 +89,11 @@ impl<const S: usize, const L: usize> Radau<S, L> {
         let degree = S + 2;
         let row = &mut self.output[index * (degree + 1)..(index + 1) * (degree + 1)];
         for (k, out) in row.iter_mut().enumerate() {
-            let curved: f64 = output.rates[k].iter().zip(&differences).map(|(a, b)| a * b).sum();
+            let curved: f64 = output.rates[k]
+                .iter()
+                .zip(&differences)
+                .map(|(a, b)| a * b)
+                .sum();
             let straight = length * rate * k as f64 / degree as f64;
             *out = value + (straight + curved + bend * output.bend[k]);
         }

@@ -29,6 +29,8 @@ pub(super) fn times<const S: usize>(matrix: &Matrix<S>, vector: &[f64; S]) -> [f
 pub(super) struct Tableau<const S: usize, const L: usize> {
     /// Nodes c, ascending.
     pub(super) nodes: [f64; S],
+    /// 1/Π(c_j − c_k), k ≠ j.
+    pub(super) weights: [f64; S],
     /// A.
     pub(super) once: Matrix<S>,
     /// A².
@@ -79,8 +81,10 @@ impl<const S: usize, const L: usize> Tableau<S, L> {
         let (eigenvalues, eigenvectors) = eigen(&once);
         let dense = DMatrix::from_fn(S, S, |i, j| eigenvectors[j][i]);
         let inverse = dense.try_inverse().expect("the eigenvalues are distinct");
+        let difference = |j: usize, k: usize| if k == j { 1.0 } else { nodes[j] - nodes[k] };
         Self {
             nodes,
+            weights: std::array::from_fn(|j| (0..S).map(|k| difference(j, k).recip()).product()),
             eigenvalues,
             inverse: std::array::from_fn(|j| std::array::from_fn(|i| inverse[(i, j)])),
             once_eigenvectors: std::array::from_fn(|j| times(&once, &eigenvectors[j])),
@@ -104,13 +108,21 @@ impl<const S: usize> Output<S> {
             .map(|j| bernstein(S + 2, &|to| integral(to, &|x| lagrange(&all, j + 1, x))))
             .collect();
         // ℓ_j′(0) = 1/c_j · Π_{i≠j} c_i/(c_i − c_j)
-        let slope = std::array::from_fn(|j| lagrange(nodes, j, 0.0) / nodes[j]);
-        let bend = bernstein(S + 2, &|to| integral(to, &|x| x * product(x)));
+        let slope: [f64; S] = std::array::from_fn(|j| lagrange(nodes, j, 0.0) / nodes[j]);
+        let mut rates: Vec<[f64; S]> = (0..S + 3)
+            .map(|k| std::array::from_fn(|j| rates[j][k]))
+            .collect();
+        let mut bend = bernstein(S + 2, &|to| integral(to, &|x| x * product(x)));
+        // What is known of the start, without rounding: a guard that is zero there
+        // must not seem to set out in another direction.
+        let second = 1.0 / ((S + 2) * (S + 1)) as f64;
+        rates[0] = [0.0; S];
+        rates[1] = [0.0; S];
+        rates[2] = slope.map(|slope| slope * second);
+        bend[..3].copy_from_slice(&[0.0, 0.0, second]);
         Self {
-            rates: (0..S + 3)
-                .map(|k| std::array::from_fn(|j| rates[j][k]))
-                .collect(),
             greatest_bend: bend.iter().fold(0.0, |most, c| most.max(c.abs())),
+            rates,
             bend,
             slope,
         }
@@ -161,7 +173,8 @@ fn zeros(f: &dyn Fn(f64) -> f64) -> Vec<f64> {
     const PARTS: usize = 499;
     let mut found = Vec::new();
     for part in 0..PARTS {
-        let [mut low, mut high] = [part, part + 1].map(|k| (k as f64 + 0.01) / (PARTS as f64 + 1.0));
+        let [mut low, mut high] =
+            [part, part + 1].map(|k| (k as f64 + 0.01) / (PARTS as f64 + 1.0));
         let rises = f(high) > 0.0;
         if (f(low) > 0.0) == rises {
             continue;

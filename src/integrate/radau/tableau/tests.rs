@@ -24,7 +24,10 @@ fn conditions<const S: usize, const L: usize>() {
             0 => (column(0), [0.0; S]),
             _ => (column(2 * lane - 1), column(2 * lane)),
         };
-        let found = [times(&tableau.once, &real), times(&tableau.once, &imaginary)];
+        let found = [
+            times(&tableau.once, &real),
+            times(&tableau.once, &imaginary),
+        ];
         for i in 0..S {
             let expected = [
                 re * real[i] - im * imaginary[i],
@@ -87,7 +90,12 @@ fn the_continuous_output_is_exact_for_powers() {
     for power in 1..=6i32 {
         let rate = |x: f64| x.powi(power);
         let differences = tableau.nodes.map(rate);
-        let slope: f64 = output.slope.iter().zip(&differences).map(|(a, b)| a * b).sum();
+        let slope: f64 = output
+            .slope
+            .iter()
+            .zip(&differences)
+            .map(|(a, b)| a * b)
+            .sum();
         let bend = if power == 1 { 1.0 - slope } else { -slope };
         let coefficients: Vec<f64> = (0..8)
             .map(|k| {
