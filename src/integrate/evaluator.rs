@@ -47,6 +47,16 @@ impl<'a, D: Dynamics> Evaluator<'a, D> {
         self.evaluations.set(self.evaluations.get() + count as u64);
     }
 
+    /// Jacobian times `direction`.
+    #[cfg(feature = "diffsol")]
+    pub(super) fn tangent(&self, time: f64, y: &[f64], direction: &[f64], out: &mut [f64]) {
+        let modes = self.modes.borrow();
+        let mut scratch = self.scratch.borrow_mut();
+        self.dynamics
+            .tangent(time, y, &modes, direction, &mut scratch, out);
+        self.evaluations.set(self.evaluations.get() + 1);
+    }
+
     /// Derivative with respect to time at a fixed state.
     pub(super) fn time_tangent(&self, time: f64, y: &[f64], out: &mut [f64]) {
         let modes = self.modes.borrow();
