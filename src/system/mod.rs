@@ -50,7 +50,7 @@ pub use reduce::Reduced;
 use crate::fault::Fault;
 use crate::integrate::Modes;
 use crate::model::Model;
-use crate::number::Dual;
+use crate::number::{Dual, Duals};
 use frozen::Frozen;
 use observe::{Body, ObjectPlace};
 use passes::Work;
@@ -77,8 +77,21 @@ pub struct Scratch {
     dual_work: Work<Dual>,
     dual_state: Vec<Dual>,
     dual_accelerations: Vec<Dual>,
+    /// Derivatives along many directions, once they have been asked for.
+    bundle: Option<Box<Bundle>>,
     /// Series of the motion, once they have been asked for.
     taylor: Option<Box<Taylor>>,
+}
+
+/// Directions that the equations are differentiated along at once.
+const DIRECTIONS: usize = 8;
+
+/// Working memory of an evaluation with its derivatives along [`DIRECTIONS`].
+#[derive(Clone, Debug)]
+struct Bundle {
+    work: Work<Duals<DIRECTIONS>>,
+    state: Vec<Duals<DIRECTIONS>>,
+    accelerations: Vec<Duals<DIRECTIONS>>,
 }
 
 /// What one object is doing at an instant.

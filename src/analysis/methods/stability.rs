@@ -74,7 +74,7 @@ pub(super) fn degree(method: Method, tolerance: f64) -> Option<usize> {
 /// What theory says of a method's stability, in words, where there is no limit.
 pub(super) fn remark(method: Method) -> Option<&'static str> {
     match method.name() {
-        "tr_bdf2" | "esdirk34" | "rodas5p" => Some("L-stable: no limit on the step"),
+        "tr_bdf2" | "esdirk34" | "rodas5p" | "radau" => Some("L-stable: no limit on the step"),
         "bdf" => Some(
             "no limit for damped motions; orders above 2 lose stability near the imaginary axis",
         ),
