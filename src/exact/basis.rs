@@ -20,6 +20,9 @@ use super::problem::{PairState, TreeProblem};
 
 const ZERO: C = C::new(0.0, 0.0);
 
+/// A lane is followed over steps of up to this many radians of it.
+const FOLLOW: f64 = 2.8;
+
 /// A mode nearer than this share of Ω to iΩ is refused: its answer, which grows
 /// as t·e^{iΩt}, would come out as a difference of two terms of 1/|iΩ − λ| that
 /// keeps fewer than eight digits.
@@ -77,6 +80,10 @@ pub(crate) struct Basis {
     pub(crate) re: Vec<V>,
     pub(crate) im: Vec<V>,
     pub(crate) modulus: Vec<f64>,
+    /// Length over which the lane can be followed, and every one before it (s).
+    pub(crate) follow: Vec<f64>,
+    /// The same for the flights of floating parts (s).
+    pub(crate) follow_flights: f64,
     /// |λ|⁴.
     pub(crate) fourth: Vec<V>,
     /// 1 where a vector holds a lane, 0 beyond the last.
@@ -167,7 +174,15 @@ impl Basis {
             pack(&|l, i| l.row_v[i].re, n),
             pack(&|l, i| l.row_v[i].im, n),
         ];
-        let modulus = lanes.iter().map(|l| l.lambda.norm()).collect();
+        let modulus: Vec<f64> = lanes.iter().map(|l| l.lambda.norm()).collect();
+        let follow = modulus.iter().map(|m| FOLLOW / m).collect();
+        let harmonics = lanes.iter().filter(|l| l.kind != LaneKind::Mode);
+        let swing = harmonics.fold(0.0f64, |m, l| m.max(l.lambda.im));
+        let follow_flights = if rigid.is_empty() {
+            f64::INFINITY
+        } else {
+            FOLLOW / swing
+        };
         let fourth = pack(&|l, _| l.lambda.norm().powi(4), 1);
         let present = pack(&|_, _| 1.0, 1);
         let extent = pack(
@@ -191,6 +206,8 @@ impl Basis {
             re,
             im,
             modulus,
+            follow,
+            follow_flights,
             fourth,
             present,
             extent,

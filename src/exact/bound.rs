@@ -37,9 +37,6 @@ pub(crate) struct Bracket {
 /// Trial lengths tested at once, as shares of the greatest.
 const LADDER: [V; 2] = [V([1.0, 0.8, 0.62, 0.47]), V([0.35, 0.22, 0.1, 0.03])];
 
-/// A lane is followed over steps of up to this many radians of it.
-const FOLLOW: f64 = 2.8;
-
 /// Assesses `signal` from `terms`, up to `left` ahead.
 #[inline(always)]
 pub(crate) fn assess<A: Arith>(
@@ -50,58 +47,12 @@ pub(crate) fn assess<A: Arith>(
     s: f64,
     left: f64,
 ) -> Assessment {
-    let blocks = basis.blocks;
-    let lanes = basis.lanes.len().min(active * WIDTH);
-    let mut a = terms.slow;
-    let mut rest = 0.0;
-    for b in 0..active {
-        rest += terms.lane[4 * blocks + b].sum();
-    }
-    let mut r = signal.slow4();
-    let mut best = 0.0f64;
-    let mut reach = if r == 0.0 {
-        left
-    } else {
-        let swing = signal.swing();
-        if swing > 0.0 {
-            left.min(FOLLOW / swing)
-        } else {
-            left
-        }
-    };
-    for k in 0..lanes {
-        // All lanes before k followed, k and later enveloped.
-        if a[0] > rest && rest > 0.0 && reach > best {
-            let free = longest::<A>([a[0] - rest, a[1], a[2], a[3]], r, reach, left);
-            best = best.max(free);
-            if best >= left {
-                break;
-            }
-        }
-        let (b, i) = (k / WIDTH, k % WIDTH);
-        for (order, value) in a.iter_mut().enumerate() {
-            *value += terms.lane[order * blocks + b].0[i];
-        }
-        let size = terms.lane[4 * blocks + b].0[i];
-        rest -= size;
-        let square = basis.modulus[k] * basis.modulus[k];
-        r += size * square * square;
-        reach = reach.min(FOLLOW / basis.modulus[k]);
-    }
-    if best >= left {
-        return Assessment {
-            jet: a,
-            remainder: r,
-            free: best,
-            root: None,
-        };
-    }
+    let (mut a, r) = terms.jet(basis, active, signal.slow4());
     if s == 0.0 {
         a[..signal.zeros].fill(0.0);
     }
-    let clock = 2.0 * f64::EPSILON * s * a[1].abs();
     let lift = if signal.leaving {
-        2.0 * signal.noise + clock
+        2.0 * signal.noise + 2.0 * f64::EPSILON * s * a[1].abs()
     } else {
         0.0
     };
@@ -109,8 +60,18 @@ pub(crate) fn assess<A: Arith>(
     let free = match root {
         Some(bracket) => bracket.low,
         None => {
-            let lifted = [a[0] + lift, a[1], a[2], a[3]];
-            best.max(longest::<A>(lifted, r, reach, left))
+            let lanes = basis.lanes.len().min(active * WIDTH);
+            let reach = if lanes > 0 {
+                basis.follow_flights.min(basis.follow[lanes - 1])
+            } else {
+                basis.follow_flights
+            };
+            let free = longest::<A>([a[0] + lift, a[1], a[2], a[3]], r, reach, left);
+            if free < left && lanes > 0 {
+                enveloped::<A>(basis, lanes, signal, terms, left, free)
+            } else {
+                free
+            }
         }
     };
     Assessment {
@@ -119,6 +80,48 @@ pub(crate) fn assess<A: Arith>(
         free,
         root,
     }
+}
+
+/// The longest of `best` and what is free of roots with the fastest lanes
+/// enveloped, however many of them.
+#[inline(always)]
+fn enveloped<A: Arith>(
+    basis: &Basis,
+    lanes: usize,
+    signal: &Signal,
+    terms: &Terms,
+    left: f64,
+    mut best: f64,
+) -> f64 {
+    let blocks = basis.blocks;
+    let lane = |order: usize, k: usize| terms.lane[order * blocks + k / WIDTH].0[k % WIDTH];
+    let (mut value, mut rest) = (terms.slow[0], 0.0);
+    for k in 0..lanes {
+        rest += lane(4, k);
+    }
+    let mut reach = basis.follow_flights;
+    for k in 0..lanes {
+        // All lanes before k followed, k and later enveloped.
+        if value > rest && reach > best {
+            let mut a = terms.slow;
+            let mut r = signal.slow4();
+            for i in 0..k {
+                for (order, value) in a.iter_mut().enumerate() {
+                    *value += lane(order, i);
+                }
+                r += lane(4, i) * basis.fourth[i / WIDTH].0[i % WIDTH];
+            }
+            a[0] -= rest;
+            best = best.max(longest::<A>(a, r, reach, left));
+            if best >= left {
+                break;
+            }
+        }
+        value += lane(0, k);
+        rest -= lane(4, k);
+        reach = reach.min(basis.follow[k]);
+    }
+    best
 }
 
 /// The longest trial h ≤ `left`, found from `reach` downwards or upwards, on
@@ -155,16 +158,14 @@ fn longest<A: Arith>(a: [f64; 4], r: f64, reach: f64, left: f64) -> f64 {
 /// negative; 0 when none is.
 #[inline(always)]
 fn trial<A: Arith>(a: [f64; 4], r: f64, top: f64) -> f64 {
-    let mut best = 0.0f64;
+    let mut best = V::ZERO;
     for shares in LADDER {
         let h = shares * V::splat(top);
         let least = least_coefficient::<A>(a, r, h);
-        for i in 0..WIDTH {
-            let h = if least.0[i] >= 0.0 { h.0[i] } else { 0.0 };
-            best = if h > best { h } else { best };
-        }
+        let proven = h.zip(least, |h, least| if least >= 0.0 { h } else { 0.0 });
+        best = best.max(proven);
     }
-    best
+    best.greatest()
 }
 
 /// Least Bernstein coefficient on [0, h] of the quartic.
@@ -185,30 +186,33 @@ fn least_coefficient<A: Arith>(a: [f64; 4], r: f64, h: V) -> V {
 fn passes(a: [f64; 4], r: f64, h: f64) -> bool {
     let (p1, h2) = (a[1] * h, h * h);
     let (p2, p3) = (a[2] * h2 * 0.5, a[3] * h2 * h / 6.0);
-    a[0] >= 0.0
-        && a[0] + 0.25 * p1 >= 0.0
-        && a[0] + 0.5 * p1 + p2 / 6.0 >= 0.0
-        && a[0] + 0.75 * p1 + 0.5 * p2 + 0.25 * p3 >= 0.0
-        && a[0] + p1 + p2 + p3 - r * h2 * h2 / 24.0 >= 0.0
+    // All at once: which of them fails first cannot be foreseen.
+    (a[0] >= 0.0)
+        & (a[0] + 0.25 * p1 >= 0.0)
+        & (a[0] + 0.5 * p1 + p2 / 6.0 >= 0.0)
+        & (a[0] + 0.75 * p1 + 0.5 * p2 + 0.25 * p3 >= 0.0)
+        & (a[0] + p1 + p2 + p3 - r * h2 * h2 / 24.0 >= 0.0)
 }
 
-/// The first positive root of the cubic, roughly.
+/// The first positive root of the parabola; not a number, or not positive,
+/// where there is none.
 #[inline(always)]
-fn predict<A: Arith>(a: [f64; 4]) -> f64 {
-    let square = A::fma(a[1], a[1], -2.0 * a[0] * a[2]);
-    // NaN where the parabola stays positive: no prediction.
-    let root = square.sqrt();
-    let mut u = if a[1] < 0.0 {
+fn foresee<A: Arith>(a: [f64; 4]) -> f64 {
+    let root = A::fma(a[1], a[1], -2.0 * a[0] * a[2]).sqrt();
+    if a[1] < 0.0 {
         2.0 * a[0] / (root - a[1])
     } else {
         -(a[1] + root) / a[2]
-    };
-    for _ in 0..2 {
-        let value = A::fma(u, A::fma(u, A::fma(u, a[3] / 6.0, a[2] * 0.5), a[1]), a[0]);
-        let slope = A::fma(u, A::fma(u, a[3] * 0.5, a[2]), a[1]);
-        u -= value / slope;
     }
-    u
+}
+
+/// A root u of the parabola brought near to that of the cubic, by Halley's rule.
+#[inline(always)]
+fn predict<A: Arith>(a: [f64; 4], u: f64) -> f64 {
+    let value = A::fma(u, A::fma(u, A::fma(u, a[3] / 6.0, a[2] * 0.5), a[1]), a[0]);
+    let slope = A::fma(u, A::fma(u, a[3] * 0.5, a[2]), a[1]);
+    let bend = A::fma(u, a[3], a[2]);
+    u - value * slope / A::fma(slope, slope, -0.5 * value * bend)
 }
 
 /// Proves, where it can, that g has exactly one root in (0.9u, 1.1u) around
@@ -216,7 +220,12 @@ fn predict<A: Arith>(a: [f64; 4]) -> f64 {
 /// negative between, and g(1.1u) is negative.
 #[inline(always)]
 fn certify<A: Arith>(a: [f64; 4], r: f64, lift: f64, left: f64) -> Option<Bracket> {
-    let u = predict::<A>(a);
+    let u = foresee::<A>(a);
+    // The root of the cubic is seldom so much nearer.
+    if !(u > 0.0 && 0.5 * u < left) {
+        return None;
+    }
+    let u = predict::<A>(a, u);
     let (low, high) = (0.9 * u, 1.1 * u);
     if !(u > 0.0 && low < left) {
         return None;
@@ -228,13 +237,12 @@ fn certify<A: Arith>(a: [f64; 4], r: f64, lift: f64, left: f64) -> Option<Bracke
     let middle = first + bend * (high - low) * 0.5;
     let steepest = first.max(last).max(middle) + fast;
     let end = a[0] + high * (a[1] + high * (a[2] * 0.5 + high * (a[3] / 6.0))) + fast * high * 0.25;
-    (steepest < 0.0 && end < 0.0 && passes([a[0] + lift, a[1], a[2], a[3]], r, low)).then_some(
-        Bracket {
-            low,
-            guess: u,
-            high,
-        },
-    )
+    let free = passes([a[0] + lift, a[1], a[2], a[3]], r, low);
+    ((steepest < 0.0) & (end < 0.0) & free).then_some(Bracket {
+        low,
+        guess: u,
+        high,
+    })
 }
 
 /// Correction to the root from a point close to it: the reversed cubic series

@@ -1,9 +1,9 @@
 //! Linear functionals of the motion: clearances, forces, deviations, accelerations.
 
 use super::basis::{Basis, Lane, LaneKind, Rigid};
-use super::lanes::{V, WIDTH};
+use super::lanes::{Arith, V, WIDTH};
 use super::pencil::C;
-use super::phase::{POLY, Phase};
+use super::phase::{Exponentials, POLY, Phase};
 
 /// g = Σ (a·q_i + b·q̇_i + c·q̈_i) + l·(L, L̇, L̈) + constant.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -62,7 +62,7 @@ impl Functional {
     }
 
     /// The polynomial part of g over a phase, `phase.degree` + 1 coefficients
-    /// (and as many as the law needs); returns its degree.
+    /// (as many as the law needs, and three at least); returns its degree.
     #[inline(always)]
     pub(crate) fn polynomial(&self, phase: &Phase, out: &mut [f64; POLY]) -> usize {
         let law = self.law != [0.0; 3];
@@ -71,7 +71,22 @@ impl Functional {
         } else {
             phase.degree
         };
-        out[..=degree].fill(0.0);
+        out[..=degree.max(2)].fill(0.0);
+        if degree <= 2 {
+            for &(i, abc) in &self.terms {
+                let at = i * POLY;
+                // What lies above `phase.degree` is zero up to the second power.
+                accumulate_short(out, &phase.poly[at..at + 3], abc);
+            }
+            if law {
+                let mut own = [0.0; 3];
+                let count = phase.forcing.degree + 1;
+                own[..count].copy_from_slice(&phase.forcing.law[..count]);
+                accumulate_short(out, &own, self.law);
+            }
+            out[0] += self.constant;
+            return degree;
+        }
         for &(i, abc) in &self.terms {
             accumulate(out, &phase.poly[i * POLY..i * POLY + phase.degree + 1], abc);
         }
@@ -88,6 +103,15 @@ impl Functional {
             [0, 1, 2].map(|k| sum[k] + abc[k] * part.shape[i])
         })
     }
+}
+
+/// out += a·p + b·p′ + c·p″ for a polynomial of degree 2.
+#[inline(always)]
+fn accumulate_short(out: &mut [f64; POLY], p: &[f64], [a, b, c]: [f64; 3]) {
+    let [p0, p1, p2] = [p[0], p[1], p[2]];
+    out[0] += a * p0 + b * p1 + 2.0 * c * p2;
+    out[1] += a * p1 + 2.0 * b * p2;
+    out[2] += a * p2;
 }
 
 /// out += a·p + b·p′ + c·p″.
@@ -111,6 +135,41 @@ pub(crate) struct Weights {
     pub(crate) w: Vec<V>,
     /// Weight of each floating part's η, η̇ and η̈.
     pub(crate) rigid: Vec<[f64; 3]>,
+}
+
+/// A functional of displacements at one instant of a phase, and what of it
+/// cannot be told from zero.
+#[inline(always)]
+pub(crate) fn value<A: Arith>(
+    functional: &Functional,
+    weights: &Weights,
+    phase: &Phase,
+    e: &Exponentials,
+) -> (f64, f64) {
+    let blocks = weights.w.len() / 8;
+    let (mut sum, mut size) = (V::ZERO, V::ZERO);
+    for b in 0..phase.active {
+        let (zr, zi) = (phase.re[b], phase.im[b]);
+        let re = zr.fma::<A>(e.re[b], -(zi * e.im[b]));
+        let im = zr.fma::<A>(e.im[b], zi * e.re[b]);
+        let (own, other) = (weights.w[b] * re, weights.w[blocks + b] * im);
+        sum = sum + (own - other);
+        size = size + own.map(f64::abs) + other.map(f64::abs);
+    }
+    let (mut value, mut scale) = (sum.sum() + functional.constant, functional.constant.abs());
+    for &(i, [a, ..]) in &functional.terms {
+        let (place, _) = phase.polynomial::<A>(i, e.s);
+        value += a * place;
+        scale += (a * phase.poly[i * POLY]).abs();
+    }
+    for flight in &phase.flights {
+        let [x, y, _] = weights.rigid[flight.rigid];
+        let drive = C::new(0.0, flight.omega);
+        let swing = &e.swings[flight.harmonic];
+        let (a, b) = (flight.amplitude * x, flight.amplitude * drive * y);
+        value += (a.re + b.re) * swing.less_one - a.im * swing.less_x - b.im * swing.sin;
+    }
+    (value, 4.0 * f64::EPSILON * (scale + size.sum()))
 }
 
 impl Weights {

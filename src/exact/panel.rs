@@ -9,9 +9,9 @@
 use super::basis::Basis;
 use super::functional::Functional;
 use super::hermite::{Loss, Point};
-use super::lanes::{Arith, V, WIDTH, reduced};
+use super::lanes::{Arith, V, WIDTH};
 use super::pencil::C;
-use super::phase::{Exponentials, POLY, Phase, scalar_sin_cos};
+use super::phase::{Exponentials, POLY, Phase, Swing};
 
 /// The four functionals of an object in a basis.
 #[derive(Clone, Debug)]
@@ -31,6 +31,7 @@ pub(crate) struct Panel {
 /// A flight seen by the four functionals.
 #[derive(Clone, Copy, Debug)]
 struct Arc {
+    harmonic: usize,
     omega: f64,
     /// α, β: re, im each.
     c: [V; 4],
@@ -145,6 +146,7 @@ impl PanelPhase {
             let size = (re * re + im * im).map(f64::sqrt);
             self.slow4 = self.slow4 + size * V::splat(square * square);
             self.arcs.push(Arc {
+                harmonic: flight.harmonic,
                 omega: flight.omega,
                 c,
             });
@@ -183,7 +185,7 @@ impl PanelPhase {
         phase: &Phase,
         e: &Exponentials,
     ) -> Point {
-        let [mut value, mut slope] = self.slow_two::<A>(e.s);
+        let [mut value, mut slope] = self.slow_two::<A>(e);
         let lanes = basis.lanes.len().min(phase.active * WIDTH);
         for b in 0..phase.active {
             let (zr, zi) = (phase.re[b], phase.im[b]);
@@ -251,7 +253,7 @@ impl PanelPhase {
         e: &Exponentials,
         f: usize,
     ) -> ([f64; 4], f64) {
-        let mut a = self.slow::<A>(e.s).map(|v| v.0[f]);
+        let mut a = self.slow::<A>(e).map(|v| v.0[f]);
         let mut r = self.slow4.0[f];
         for k in 0..basis.lanes.len().min(phase.active * WIDTH) {
             let (b, i) = (k / WIDTH, k % WIDTH);
@@ -286,8 +288,8 @@ impl PanelPhase {
 
     /// Value and slope of polynomial and arcs.
     #[inline(always)]
-    fn slow_two<A: Arith>(&self, s: f64) -> [V; 2] {
-        let time = V::splat(s);
+    fn slow_two<A: Arith>(&self, e: &Exponentials) -> [V; 2] {
+        let time = V::splat(e.s);
         let (mut value, mut slope) = (self.poly[self.degree], V::ZERO);
         for k in (0..self.degree).rev() {
             slope = slope.fma::<A>(time, value);
@@ -296,8 +298,12 @@ impl PanelPhase {
         for arc in &self.arcs {
             let f = V::splat;
             let w = arc.omega;
-            let (sin, cos) = scalar_sin_cos::<A>(w * s);
-            let (c, l) = reduced::<A>(w * s, sin, cos);
+            let Swing {
+                sin,
+                cos,
+                less_one: c,
+                less_x: l,
+            } = e.swings[arc.harmonic];
             let [ar, ai, br, bi] = arc.c;
             value = value + (ar * f(c) - ai * f(l)) + (br * f(c) - bi * f(sin));
             slope = slope - f(w) * (ar * f(sin) + ai * f(c) + br * f(sin) + bi * f(cos));
@@ -306,8 +312,8 @@ impl PanelPhase {
     }
 
     #[inline(always)]
-    fn slow<A: Arith>(&self, s: f64) -> [V; 4] {
-        let time = V::splat(s);
+    fn slow<A: Arith>(&self, e: &Exponentials) -> [V; 4] {
+        let time = V::splat(e.s);
         let mut d = [self.poly[self.degree], V::ZERO, V::ZERO, V::ZERO];
         for k in (0..self.degree).rev() {
             d[3] = d[3].fma::<A>(time, d[2]);
@@ -320,8 +326,12 @@ impl PanelPhase {
         for arc in &self.arcs {
             let f = V::splat;
             let w = arc.omega;
-            let (sin, cos) = scalar_sin_cos::<A>(w * s);
-            let (c, l) = reduced::<A>(w * s, sin, cos);
+            let Swing {
+                sin,
+                cos,
+                less_one: c,
+                less_x: l,
+            } = e.swings[arc.harmonic];
             let [ar, ai, br, bi] = arc.c;
             let (sr, si) = (ar + br, ai + bi);
             d[0] = d[0] + (ar * f(c) - ai * f(l)) + (br * f(c) - bi * f(sin));
@@ -362,8 +372,11 @@ impl PanelPhase {
         sum += poly * e.s;
         for arc in &self.arcs {
             let x = arc.omega * e.s;
-            let (sin, cos) = scalar_sin_cos::<A>(x);
-            let (c, l) = reduced::<A>(x, sin, cos);
+            let Swing {
+                less_one: c,
+                less_x: l,
+                ..
+            } = e.swings[arc.harmonic];
             let [ar, ai, br, bi] = arc.c.map(|v| v.0[0]);
             // ∫E_k ds = E_{k+1}/(iΩ).
             let third = c + 0.5 * x * x;

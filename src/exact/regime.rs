@@ -6,7 +6,9 @@ use super::functional::{Functional, Weights};
 use super::panel::Panel;
 use super::polynomial::Steady;
 use super::problem::{PairState, Refusal, TreeObject, TreeProblem};
+use super::lanes::Plain;
 use super::run::Workspace;
+use super::sample::Strides;
 
 /// One combination of engaged pairs, ready for use.
 #[derive(Clone, Debug)]
@@ -15,6 +17,8 @@ pub(crate) struct Regime {
     pub(crate) basis: Basis,
     pub(super) steady: Option<Steady>,
     pub(crate) weights: Vec<Weights>,
+    /// For the samples.
+    pub(super) strides: Option<Strides>,
     /// Panels of every object: one, or one a flank while open.
     pub(super) panels: Vec<Vec<Panel>>,
 }
@@ -149,11 +153,14 @@ impl Workspace<'_> {
                 &basis,
             )
         };
+        let strides = self.sampler.interval();
+        let strides = strides.map(|interval| Strides::new::<Plain>(&basis, interval));
         self.regimes.push(Regime {
             key: self.key.clone(),
             basis,
             steady,
             weights,
+            strides,
             panels,
         });
         Ok(self.regimes.len() - 1)

@@ -1,7 +1,7 @@
 //! The run: phases and switches in turn.
 
 use super::functional::Functional;
-use super::lanes::{Arith, Fused, Plain};
+use super::lanes::{Arith, Fused, Plain, Task};
 use super::phase::{Exponentials, Phase};
 use super::problem::{PairState, Refusal, TreeObject, TreePair, TreeProblem};
 use super::regime::Regime;
@@ -24,9 +24,37 @@ struct Tracks<'a> {
 impl Witness for Tracks<'_> {
     #[inline(always)]
     fn see<A: Arith>(&mut self, before: &Exponentials, now: &Exponentials) {
-        for (o, track) in self.tracks.iter_mut().enumerate() {
-            let scene = scene(self.regime, self.phase, o, self.variants);
-            track.step::<A>(scene, before, now);
+        if !self.tracks.is_empty() {
+            A::apart(See {
+                tracks: self,
+                before,
+                now,
+            });
+        }
+    }
+}
+
+/// A step of the search taken into the figures.
+struct See<'a, 'b> {
+    tracks: &'a mut Tracks<'b>,
+    before: &'a Exponentials,
+    now: &'a Exponentials,
+}
+
+impl Task for See<'_, '_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<A: Arith>(self) {
+        let Tracks {
+            tracks,
+            variants,
+            regime,
+            phase,
+        } = self.tracks;
+        for (o, track) in tracks.iter_mut().enumerate() {
+            let scene = scene(regime, phase, o, variants);
+            track.step::<A>(scene, self.before, self.now);
         }
     }
 }
@@ -89,6 +117,13 @@ pub(super) struct Passed {
     pub(super) event: Option<usize>,
 }
 
+/// Room for the samples; what is asked for beyond it is taken as it comes.
+fn room(request: &Request, n: usize) -> usize {
+    const MOST: usize = 1 << 20;
+    let columns = if request.all_masses { 2 * n } else { 1 };
+    request.samples.saturating_add(8).saturating_mul(columns).min(MOST)
+}
+
 #[cold]
 fn not_finite() -> Refusal {
     Refusal::new("", "the motion is no longer a finite number")
@@ -96,10 +131,11 @@ fn not_finite() -> Refusal {
 
 /// One track an object, when figures are asked for.
 fn tracks(problem: &TreeProblem, request: &Request, blocks: usize) -> Vec<Track> {
+    let harmonics = problem.law.frequencies().len();
     if !request.figures {
         return Vec::new();
     }
-    let flights = problem.masses.len() * problem.law.frequencies().len();
+    let flights = problem.masses.len() * harmonics;
     let make = |object: &TreeObject| {
         let base = object
             .driver
@@ -109,7 +145,7 @@ fn tracks(problem: &TreeProblem, request: &Request, blocks: usize) -> Vec<Track>
             _ => f64::INFINITY,
         };
         Track::new(
-            blocks,
+            (blocks, harmonics),
             flights,
             problem.displacement[object.last] - base,
             cap,
@@ -178,7 +214,7 @@ impl<'a> Workspace<'a> {
             watched: Vec::with_capacity(2 * n),
             signals: vec![Signal::new(blocks, n * harmonics); functionals.len()],
             phase: Phase::new(problem, blocks),
-            search: Search::new(blocks),
+            search: Search::new(blocks, harmonics),
             q: problem.displacement.clone(),
             v: problem.speed.clone(),
             q_end: problem.displacement.clone(),
@@ -190,6 +226,7 @@ impl<'a> Workspace<'a> {
             out: ExactRun {
                 start: states.clone(),
                 switches: Vec::with_capacity(256),
+                samples: Vec::with_capacity(room(request, n)),
                 columns: if request.all_masses { 2 * n } else { 1 },
                 ..ExactRun::default()
             },
@@ -265,8 +302,9 @@ impl<'a> Workspace<'a> {
         if !self.q_end.iter().chain(&self.v_end).all(|x| x.is_finite()) {
             return Err(not_finite());
         }
+        let (strides, samples) = (entry.strides.as_ref(), &mut self.out.samples);
         self.sampler
-            .phase::<A>(&entry.basis, &self.phase, s, &mut self.out.samples);
+            .phase::<A>(&entry.basis, strides, &self.phase, s, samples);
         self.end_tracks::<A>(regime);
         self.at = self.phase.time(s);
         std::mem::swap(&mut self.q, &mut self.q_end);

@@ -9,7 +9,7 @@
 use super::basis::Basis;
 use super::bound::{Assessment, Bracket, assess, reversed};
 use super::lanes::{Arith, V, WIDTH};
-use super::phase::{Exponentials, Phase};
+use super::phase::{Exponentials, Phase, Swing};
 use super::signal::{Signal, Terms};
 
 /// What a step of the search found.
@@ -51,10 +51,10 @@ pub(crate) struct Search {
 }
 
 impl Search {
-    pub(crate) fn new(blocks: usize) -> Self {
+    pub(crate) fn new(blocks: usize, harmonics: usize) -> Self {
         Self {
-            e: Exponentials::new(blocks),
-            before: Exponentials::new(blocks),
+            e: Exponentials::new(blocks, harmonics),
+            before: Exponentials::new(blocks, harmonics),
             terms: Terms {
                 lane: vec![V::ZERO; 5 * blocks],
                 slow: [0.0; 4],
@@ -70,6 +70,10 @@ impl Search {
     #[inline(always)]
     pub(crate) fn restart(&mut self, phase: &Phase) {
         self.e.s = 0.0;
+        self.e.swings.fill(Swing {
+            cos: 1.0,
+            ..Swing::default()
+        });
         for b in 0..phase.active {
             self.e.re[b] = V::splat(1.0);
             self.e.im[b] = V::ZERO;
@@ -198,9 +202,11 @@ impl Search {
             } else {
                 high = s
             }
+            let inverse = 1.0 / a[1];
             let x = reversed(a);
-            let bend = 0.5 * a[2] * x / a[1];
-            let lost = (r * x * x * x / (24.0 * a[1])).abs() + 5.0 * (bend * bend * bend).abs();
+            let bend = 0.5 * a[2] * x * inverse;
+            let lost = (r * x * x * x * (1.0 / 24.0) * inverse).abs()
+                + 5.0 * (bend * bend * bend).abs();
             let next = s + x;
             let inside = next >= low && next <= high;
             if inside && lost * x.abs() <= 1e-16 * s {
@@ -211,6 +217,9 @@ impl Search {
                 if fastest * x.abs() < 1e-4 {
                     self.nudge::<A>(basis, phase.active, x);
                     self.e.s = next;
+                    if !phase.flights.is_empty() {
+                        phase.swing::<A>(basis, &mut self.e);
+                    }
                 } else if next != s {
                     self.evaluate::<A>(basis, phase, next);
                 }
@@ -241,16 +250,7 @@ impl Search {
         signal: &Signal,
     ) -> ([f64; 4], f64) {
         signal.terms::<A>(basis, phase.active, &self.e, &mut self.terms);
-        let blocks = basis.blocks;
-        let mut a = self.terms.slow;
-        let mut r = signal.slow4();
-        for b in 0..phase.active {
-            for (order, value) in a.iter_mut().enumerate() {
-                *value += self.terms.lane[order * blocks + b].sum();
-            }
-            r += (self.terms.lane[4 * blocks + b] * basis.fourth[b]).sum();
-        }
-        (a, r)
+        self.terms.jet(basis, phase.active, signal.slow4())
     }
 
     /// Moves the exponentials by a small x: e^{λx} by its Taylor series

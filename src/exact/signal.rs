@@ -2,18 +2,18 @@
 
 use super::basis::Basis;
 use super::functional::{Functional, Weights};
-use super::lanes::{Arith, V, reduced};
+use super::lanes::{Arith, V};
 use super::pencil::C;
-use super::phase::{Exponentials, POLY, Phase, scalar_sin_cos};
+use super::phase::{Exponentials, POLY, Phase, Swing};
 
-/// Rigid flight in a signal: Re(α·E₂(iΩs) + β·E₁(iΩs) + γ·e^{iΩs}), E_k the
-/// exponential without its first k Taylor terms.
+/// Rigid flight in a signal: Re(α·E₂(iΩs) + β·E₁(iΩs)), E_k the exponential
+/// without its first k Taylor terms.
 #[derive(Clone, Copy, Debug)]
 struct Arc {
+    harmonic: usize,
     omega: f64,
     alpha: C,
     beta: C,
-    gamma: C,
 }
 
 /// A functional over the present phase.
@@ -43,6 +43,28 @@ pub(crate) struct Terms {
     pub(crate) lane: Vec<V>,
     /// Polynomial and arcs.
     pub(crate) slow: [f64; 4],
+}
+
+impl Terms {
+    /// g … g⃛ with all lanes followed, and a bound on the fourth derivative, of
+    /// which `slow4` belongs to the polynomial and the arcs.
+    #[inline(always)]
+    pub(crate) fn jet(&self, basis: &Basis, active: usize, slow4: f64) -> ([f64; 4], f64) {
+        let blocks = basis.blocks;
+        let mut sums = [V::ZERO; 4];
+        let mut r = V::ZERO;
+        for b in 0..active {
+            for (order, sum) in sums.iter_mut().enumerate() {
+                *sum = *sum + self.lane[order * blocks + b];
+            }
+            r = r + self.lane[4 * blocks + b] * basis.fourth[b];
+        }
+        let mut a = self.slow;
+        for (value, sum) in a.iter_mut().zip(sums) {
+            *value += sum.sum();
+        }
+        (a, slow4 + r.sum())
+    }
 }
 
 impl Signal {
@@ -122,15 +144,14 @@ impl Signal {
                 self.poly[0] -= beta.re;
                 beta = C::default();
             }
-            let gamma = C::default();
             let square = flight.omega * flight.omega;
-            // Orders ≥ 2 see the three together, as (α + β + γ)e^{iΩs}.
-            self.slow4 += (alpha + beta + gamma).norm() * square * square;
+            // Orders ≥ 2 see the two together, as (α + β)e^{iΩs}.
+            self.slow4 += (alpha + beta).norm_sqr().sqrt() * square * square;
             self.arcs.push(Arc {
+                harmonic: flight.harmonic,
                 omega: flight.omega,
                 alpha,
                 beta,
-                gamma,
             });
         }
         self.noise = 4.0 * f64::EPSILON * scale;
@@ -167,12 +188,39 @@ impl Signal {
             }
             out.lane[4 * blocks + b] = self.size[b] * e.size[b];
         }
-        out.slow = self.slow::<A>(e.s);
+        out.slow = self.slow::<A>(e);
     }
 
-    /// Polynomial and arcs at s: value and three derivatives.
+    /// Polynomial and arcs at the instant of `e`: value and three derivatives.
     #[inline(always)]
-    fn slow<A: Arith>(&self, s: f64) -> [f64; 4] {
+    fn slow<A: Arith>(&self, e: &Exponentials) -> [f64; 4] {
+        let mut d = self.polynomial::<A>(e.s);
+        for arc in &self.arcs {
+            let w = arc.omega;
+            let Swing {
+                sin,
+                cos,
+                less_one,
+                less_x,
+            } = e.swings[arc.harmonic];
+            let (a, b) = (arc.alpha, arc.beta);
+            let sum = a + b;
+            d[0] += (a.re * less_one - a.im * less_x) + (b.re * less_one - b.im * sin);
+            d[1] -= w * ((a.re * sin + a.im * less_one) + (b.re * sin + b.im * cos));
+            d[2] -= w * w * (sum.re * cos - sum.im * sin);
+            d[3] += w * w * w * (sum.re * sin + sum.im * cos);
+        }
+        d
+    }
+
+    /// The polynomial at s: value and three derivatives.
+    #[inline(always)]
+    fn polynomial<A: Arith>(&self, s: f64) -> [f64; 4] {
+        if self.degree <= 2 {
+            let [a, b, c] = [self.poly[0], self.poly[1], self.poly[2]];
+            let value = A::fma(A::fma(c, s, b), s, a);
+            return [value, A::fma(2.0 * c, s, b), 2.0 * c, 0.0];
+        }
         let c = &self.poly[..=self.degree];
         let mut d = [c[self.degree], 0.0, 0.0, 0.0];
         for k in (0..self.degree).rev() {
@@ -183,45 +231,12 @@ impl Signal {
         }
         d[2] *= 2.0;
         d[3] *= 6.0;
-        for arc in &self.arcs {
-            let w = arc.omega;
-            let x = w * s;
-            let (sin, cos) = scalar_sin_cos::<A>(x);
-            let (c, l) = reduced::<A>(x, sin, cos);
-            let (a, b) = (arc.alpha, arc.beta);
-            let g = arc.gamma;
-            let rest = b + g;
-            let sum = a + rest;
-            d[0] += (a.re * c - a.im * l) + (b.re * c - b.im * sin) + (g.re * cos - g.im * sin);
-            d[1] -= w * ((a.re * sin + a.im * c) + (rest.re * sin + rest.im * cos));
-            d[2] -= w * w * (sum.re * cos - sum.im * sin);
-            d[3] += w * w * w * (sum.re * sin + sum.im * cos);
-        }
         d
-    }
-
-    /// Value alone at the instant of `e`.
-    #[inline(always)]
-    pub(crate) fn value<A: Arith>(&self, basis: &Basis, active: usize, e: &Exponentials) -> f64 {
-        let blocks = basis.blocks;
-        let mut sum = V::ZERO;
-        for b in 0..active {
-            sum = e.re[b].fma::<A>(self.c[b], sum) - e.im[b] * self.c[b + blocks];
-        }
-        sum.sum() + self.slow::<A>(e.s)[0]
     }
 
     /// Bound on the fourth derivative of the polynomial and the arcs.
     #[inline(always)]
     pub(crate) fn slow4(&self) -> f64 {
         self.slow4
-    }
-
-    /// Greatest Ω of the arcs and whether they exist.
-    #[inline(always)]
-    pub(crate) fn swing(&self) -> f64 {
-        self.arcs
-            .iter()
-            .fold(0.0, |m, arc| if arc.omega > m { arc.omega } else { m })
     }
 }

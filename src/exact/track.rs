@@ -9,9 +9,11 @@
 
 mod climb;
 
+use climb::{Climb, Turns};
+
 use super::basis::Basis;
 use super::hermite::{End, Piece, Point, enclose};
-use super::lanes::{Arith, V, WIDTH};
+use super::lanes::{Arith, Task, V, WIDTH};
 use super::panel::{Panel, PanelPhase};
 use super::phase::{Exponentials, Phase};
 
@@ -92,7 +94,7 @@ pub(crate) struct Track {
 }
 
 impl Track {
-    pub(crate) fn new(blocks: usize, flights: usize, delta: f64, cap: f64) -> Self {
+    pub(crate) fn new((blocks, harmonics): (usize, usize), flights: usize, delta: f64, cap: f64) -> Self {
         Self {
             figures: TreeFigures {
                 delta_max: delta,
@@ -109,9 +111,9 @@ impl Track {
             turned: 0.0,
             roots: Vec::with_capacity(CUTS),
             pieces: Vec::with_capacity(2 * CUTS + 2),
-            e: Exponentials::new(blocks),
-            from: Exponentials::new(blocks),
-            to: Exponentials::new(blocks),
+            e: Exponentials::new(blocks, harmonics),
+            from: Exponentials::new(blocks, harmonics),
+            to: Exponentials::new(blocks, harmonics),
         }
     }
 
@@ -155,7 +157,12 @@ impl Track {
                 .point::<A>(scene.basis, scene.panel, scene.phase, now);
             self.span::<A>(scene, before, end);
         } else {
-            self.walk::<A>(scene, before, now);
+            A::apart(Walk {
+                track: self,
+                scene,
+                before,
+                now,
+            });
         }
     }
 
@@ -265,16 +272,27 @@ impl Track {
             let noise = self.state.noise(basis, panel, b.s);
             for k in 0..4 {
                 let margin = margin.0[k].max(noise.0[k]);
-                if over.0[k] > margin {
-                    self.climb::<A>(scene, before, (&a, &b), (k, 1.0), margin);
-                }
-                if under.0[k] > margin {
-                    self.climb::<A>(scene, before, (&a, &b), (k, -1.0), margin);
+                for (beyond, sign) in [(over.0[k], 1.0), (under.0[k], -1.0)] {
+                    if beyond > margin {
+                        A::apart(Climb {
+                            track: self,
+                            scene,
+                            before,
+                            ends: (&a, &b),
+                            figure: (k, sign),
+                            margin,
+                        });
+                    }
                 }
             }
         }
         if mixed(bounds.low.0[0], bounds.high.0[0]) {
-            self.turns::<A>(scene, before, (&a, &b));
+            A::apart(Turns {
+                track: self,
+                scene,
+                before,
+                ends: (&a, &b),
+            });
         }
     }
 
@@ -311,6 +329,23 @@ impl Track {
         if (k > 0 && (k < 3 || self.engaged)) || sign < 0.0 {
             self.low.0[k] = -best;
         }
+    }
+}
+
+/// [`Track::walk`], out of line.
+struct Walk<'a> {
+    track: &'a mut Track,
+    scene: Scene<'a>,
+    before: &'a Exponentials,
+    now: &'a Exponentials,
+}
+
+impl Task for Walk<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<A: Arith>(self) {
+        self.track.walk::<A>(self.scene, self.before, self.now);
     }
 }
 

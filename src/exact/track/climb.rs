@@ -4,8 +4,52 @@
 use super::{CUTS, Scene, Track, piece};
 use crate::exact::bound::reversed;
 use crate::exact::hermite::{End, Piece, Point};
-use crate::exact::lanes::Arith;
+use crate::exact::lanes::{Arith, Task};
 use crate::exact::phase::Exponentials;
+
+/// [`Track::climb`], out of line.
+pub(super) struct Climb<'a> {
+    pub(super) track: &'a mut Track,
+    pub(super) scene: Scene<'a>,
+    pub(super) before: &'a Exponentials,
+    pub(super) ends: (&'a Point, &'a Point),
+    pub(super) figure: (usize, f64),
+    pub(super) margin: f64,
+}
+
+impl Task for Climb<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<A: Arith>(self) {
+        let Self {
+            track,
+            scene,
+            before,
+            ends,
+            figure,
+            margin,
+        } = self;
+        track.climb::<A>(scene, before, ends, figure, margin);
+    }
+}
+
+/// [`Track::turns`], out of line.
+pub(super) struct Turns<'a> {
+    pub(super) track: &'a mut Track,
+    pub(super) scene: Scene<'a>,
+    pub(super) before: &'a Exponentials,
+    pub(super) ends: (&'a Point, &'a Point),
+}
+
+impl Task for Turns<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<A: Arith>(self) {
+        self.track.turns::<A>(self.scene, self.before, self.ends);
+    }
+}
 
 impl Track {
     /// Finds the greatest value of sign·(functional k) in the step, where it
