@@ -21,7 +21,7 @@ use super::problem::{PairState, TreeProblem};
 const ZERO: C = C::new(0.0, 0.0);
 
 /// A lane is followed over steps of up to this many radians of it.
-const FOLLOW: f64 = 2.8;
+const FOLLOW: f64 = 3.2;
 
 /// A mode nearer than this share of Ω to iΩ is refused: its answer, which grows
 /// as t·e^{iΩt}, would come out as a difference of two terms of 1/|iΩ − λ| that
@@ -84,8 +84,9 @@ pub(crate) struct Basis {
     pub(crate) follow: Vec<f64>,
     /// The same for the flights of floating parts (s).
     pub(crate) follow_flights: f64,
-    /// |λ|⁴.
+    /// |λ|⁴, |λ|⁵.
     pub(crate) fourth: Vec<V>,
+    pub(crate) fifth: Vec<V>,
     /// 1 where a vector holds a lane, 0 beyond the last.
     pub(crate) present: Vec<V>,
     /// Square of the lane's greatest motion of any mass for amplitude 1.
@@ -184,6 +185,7 @@ impl Basis {
             FOLLOW / swing
         };
         let fourth = pack(&|l, _| l.lambda.norm().powi(4), 1);
+        let fifth = pack(&|l, _| l.lambda.norm().powi(5), 1);
         let present = pack(&|_, _| 1.0, 1);
         let extent = pack(
             &|l, _| l.shape.iter().fold(0.0, |m, x| x.norm_sqr().max(m)),
@@ -209,6 +211,7 @@ impl Basis {
             follow,
             follow_flights,
             fourth,
+            fifth,
             present,
             extent,
             longest,

@@ -128,7 +128,10 @@ fn accumulate(out: &mut [f64; POLY], p: &[f64], [a, b, c]: [f64; 3]) {
     }
 }
 
-/// A functional in a basis: weight of each lane in g, ġ, g̈, g⃛.
+/// Number of derivatives of a watched function that are followed, itself included.
+pub(crate) const ORDERS: usize = 5;
+
+/// A functional in a basis: weight of each lane in g and its derivatives.
 #[derive(Clone, Debug)]
 pub(crate) struct Weights {
     /// `[order][re/im][block]`.
@@ -146,7 +149,7 @@ pub(crate) fn value<A: Arith>(
     phase: &Phase,
     e: &Exponentials,
 ) -> (f64, f64) {
-    let blocks = weights.w.len() / 8;
+    let blocks = weights.w.len() / (2 * ORDERS);
     let (mut sum, mut size) = (V::ZERO, V::ZERO);
     for b in 0..phase.active {
         let (zr, zi) = (phase.re[b], phase.im[b]);
@@ -175,10 +178,10 @@ pub(crate) fn value<A: Arith>(
 impl Weights {
     pub(crate) fn new(basis: &Basis, functional: &Functional) -> Self {
         let blocks = basis.blocks;
-        let mut w = vec![V::ZERO; 8 * blocks];
+        let mut w = vec![V::ZERO; 2 * ORDERS * blocks];
         for (k, lane) in basis.lanes.iter().enumerate() {
             let mut weight = functional.weight(&basis.rigid, lane);
-            for order in 0..4 {
+            for order in 0..ORDERS {
                 w[2 * order * blocks + k / WIDTH].0[k % WIDTH] = weight.re;
                 w[(2 * order + 1) * blocks + k / WIDTH].0[k % WIDTH] = weight.im;
                 weight *= lane.lambda;

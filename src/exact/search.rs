@@ -7,7 +7,8 @@
 //! signal is below its own rounding, is counted as grazing.
 
 use super::basis::Basis;
-use super::bound::{Assessment, Bracket, assess, reversed};
+use super::bound::{Assessment, Bracket, Jet, assess, reversed};
+use super::functional::ORDERS;
 use super::lanes::{Arith, V, WIDTH};
 use super::phase::{Exponentials, Phase, Swing};
 use super::signal::{Signal, Terms};
@@ -56,8 +57,8 @@ impl Search {
             e: Exponentials::new(blocks, harmonics),
             before: Exponentials::new(blocks, harmonics),
             terms: Terms {
-                lane: vec![V::ZERO; 5 * blocks],
-                slow: [0.0; 4],
+                lane: vec![V::ZERO; (ORDERS + 1) * blocks],
+                slow: [0.0; ORDERS],
             },
             steps: 0,
             evaluations: 0,
@@ -161,14 +162,15 @@ impl Search {
             return seen.free;
         }
         self.grazing += 1;
-        let [_, d1, d2, d3] = seen.jet.map(f64::abs);
+        let [_, d1, d2, d3, d4] = seen.jet.map(f64::abs);
         let n = 0.25 * signal.noise;
         let mut h = left;
         h = h
             .min(n / d1)
             .min((2.0 * n / d2).sqrt())
             .min((6.0 * n / d3).cbrt());
-        h = h.min((24.0 * n / seen.remainder).sqrt().sqrt());
+        h = h.min((24.0 * n / d4).sqrt().sqrt());
+        h = h.min((120.0 * n / seen.remainder).powf(0.2));
         // Exactly zero in every order that is seen: a billionth of what is left.
         h.max(2.0 * least).max(1e-9 * left).min(left)
     }
@@ -202,11 +204,7 @@ impl Search {
             } else {
                 high = s
             }
-            let inverse = 1.0 / a[1];
-            let x = reversed(a);
-            let bend = 0.5 * a[2] * x * inverse;
-            let lost = (r * x * x * x * (1.0 / 24.0) * inverse).abs()
-                + 5.0 * (bend * bend * bend).abs();
+            let (x, lost) = reversed(a, r);
             let next = s + x;
             let inside = next >= low && next <= high;
             if inside && lost * x.abs() <= 1e-16 * s {
@@ -241,16 +239,17 @@ impl Search {
         Step::Root(number)
     }
 
-    /// g … g⃛ of a signal at the instant evaluated, all lanes followed.
+    /// g and its derivatives at the instant evaluated, all lanes followed, and
+    /// a bound on the next one.
     #[inline(always)]
     pub(crate) fn jet<A: Arith>(
         &mut self,
         basis: &Basis,
         phase: &Phase,
         signal: &Signal,
-    ) -> ([f64; 4], f64) {
+    ) -> (Jet, f64) {
         signal.terms::<A>(basis, phase.active, &self.e, &mut self.terms);
-        self.terms.jet(basis, phase.active, signal.slow4())
+        self.terms.jet(basis, phase.active, signal.slow5())
     }
 
     /// Moves the exponentials by a small x: e^{λx} by its Taylor series
