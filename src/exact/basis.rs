@@ -93,6 +93,8 @@ pub(crate) struct Basis {
     pub(crate) extent: Vec<V>,
     /// Longest phase (s) for which sine and cosine are accurate.
     pub(crate) longest: f64,
+    /// Vectors that never fade: at least one, and all with a harmonic.
+    pub(crate) kept: usize,
     /// Lane of each harmonic.
     pub(crate) harmonic: Vec<usize>,
     /// Shapes by mass: re, im, then λ·shape re, im; index mass·blocks + block.
@@ -202,9 +204,11 @@ impl Basis {
                 harmonic[j] = k;
             }
         }
+        let kept = harmonic.iter().fold(1, |m, k| m.max(k / WIDTH + 1));
         Self {
             masses: n,
             blocks,
+            kept,
             re,
             im,
             modulus,

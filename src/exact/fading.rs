@@ -1,7 +1,6 @@
 //! Modes that have died away leave the search until a switch excites them again.
 //!
-//! Lanes stand in ascending |λ|, harmonics of the law (which never fade) in
-//! front of the fast modes. The last vector of lanes is left out once none of
+//! Lanes stand in ascending |λ|; a vector with a harmonic of the law stays. The last vector of lanes is left out once none of
 //! its lanes adds as much as 10⁻²² of the greatest lane that stays, neither to
 //! displacements nor to accelerations: six digits below rounding, so that it
 //! is nothing in any functional either. It stays out to the end of the phase:
@@ -19,7 +18,7 @@ impl Phase {
     /// entries for them become zero.
     #[inline(always)]
     pub(super) fn fade(&mut self, basis: &Basis, e: &mut Exponentials) {
-        while self.active > 1 {
+        while self.active > basis.kept {
             let last = self.active - 1;
             // A look at the decay alone tells most often that it is too early.
             let alive = e.size[last].zip(basis.present[last], |size, one| size * one);

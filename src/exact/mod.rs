@@ -85,6 +85,7 @@
 //! and Bernstein coefficients as bounds of a polynomial on an interval;
 //! products and sums of two numbers after Dekker.
 
+mod audit;
 mod basis;
 mod bound;
 mod cluster;
@@ -117,6 +118,7 @@ mod tests;
 mod track;
 mod watch;
 
+pub use audit::TreeAudit;
 pub use cursor::{Cursor, MOST_ORDERS};
 pub use from_model::{Part, Parts};
 pub use law::{LAW_DEGREE, Law, PolynomialSpan, Sine, SpanSource};

@@ -1,6 +1,7 @@
 //! Regimes: the combinations of engaged pairs a run has met, each with its
 //! modes and the functionals in them, made when first met and kept.
 
+use super::audit::Forms;
 use super::basis::Basis;
 use super::functional::{Functional, Weights};
 use super::panel::Panel;
@@ -17,6 +18,8 @@ pub(crate) struct Regime {
     pub(crate) basis: Basis,
     pub(super) steady: Option<Steady>,
     pub(crate) weights: Vec<Weights>,
+    /// For the energy audit.
+    pub(super) forms: Option<Forms>,
     /// For the samples.
     pub(super) strides: Option<Strides>,
     /// Panels of every object: one, or one a flank while open.
@@ -153,6 +156,9 @@ impl Workspace<'_> {
                 &basis,
             )
         };
+        let still = steady.is_some();
+        let forms = (self.ledger.is_some())
+            .then(|| Forms::new(self.problem, &self.key, &basis, still));
         let strides = self.sampler.interval();
         let strides = strides.map(|interval| Strides::new::<Plain>(&basis, interval));
         self.regimes.push(Regime {
@@ -160,6 +166,7 @@ impl Workspace<'_> {
             basis,
             steady,
             weights,
+            forms,
             strides,
             panels,
         });

@@ -1,5 +1,6 @@
 //! What is asked of a run, and what it leaves behind.
 
+use super::audit::TreeAudit;
 use super::problem::PairState;
 use super::track::TreeFigures;
 
@@ -20,6 +21,8 @@ pub struct Request {
     pub steps: u64,
     /// Figures between samples, wanted or not.
     pub figures: bool,
+    /// Energy audit, wanted or not.
+    pub audit: bool,
 }
 
 impl Request {
@@ -32,6 +35,7 @@ impl Request {
             switches: 1_000_000,
             steps: 10_000_000,
             figures: false,
+            audit: false,
         }
     }
 }
@@ -73,6 +77,8 @@ pub struct ExactRun {
     pub speed: Vec<f64>,
     /// Figures of every object, when asked for.
     pub figures: Vec<TreeFigures>,
+    /// Energy audit, when asked for.
+    pub audit: Option<TreeAudit>,
     /// Phases, search steps, evaluations.
     pub phases: u64,
     /// Steps of the search.

@@ -1,5 +1,6 @@
 //! The run: phases and switches in turn.
 
+use super::audit::{Instant, Ledger, law_at};
 use super::functional::Functional;
 use super::lanes::{Arith, Fused, Plain, Task};
 use super::phase::{Exponentials, Phase};
@@ -95,6 +96,7 @@ pub(super) struct Workspace<'a> {
     pub(super) zeros: Vec<usize>,
     pub(super) sampler: Sampler,
     pub(super) tracks: Vec<Track>,
+    pub(super) ledger: Option<Ledger>,
     /// Panel in use and whether the object's link transmits force.
     pub(super) variants: Vec<(usize, bool)>,
     pub(super) out: ExactRun,
@@ -222,6 +224,7 @@ impl<'a> Workspace<'a> {
             zeros,
             sampler: Sampler::new(problem, request, blocks),
             tracks: tracks(problem, request, blocks),
+            ledger: request.audit.then(Ledger::new),
             variants: vec![(0, true); problem.objects.len()],
             out: ExactRun {
                 start: states.clone(),
@@ -254,6 +257,9 @@ impl<'a> Workspace<'a> {
         for track in &mut self.tracks {
             track.figures.sigma = track.area / length;
             self.out.figures.push(track.figures);
+        }
+        if let Some(ledger) = &self.ledger {
+            self.out.audit = Some(ledger.close(self.problem, &self.q, &self.v));
         }
         self.out.time = self.at.0;
         self.out.complete = self.reached(request.end);
@@ -289,6 +295,7 @@ impl<'a> Workspace<'a> {
         let horizon = self.phase.local(end).min(self.phase.reach);
         self.search.restart(&self.phase);
         self.begin_tracks::<A>(regime);
+        self.begin_ledger(regime);
         let event = self.pass::<A>(regime, horizon)?;
         let entry = &self.regimes[regime];
         self.phase.revive(&entry.basis);
@@ -306,6 +313,7 @@ impl<'a> Workspace<'a> {
         self.sampler
             .phase::<A>(&entry.basis, strides, &self.phase, s, samples);
         self.end_tracks::<A>(regime);
+        self.end_ledger::<A>(regime);
         self.at = self.phase.time(s);
         std::mem::swap(&mut self.q, &mut self.q_end);
         std::mem::swap(&mut self.v, &mut self.v_end);
@@ -332,6 +340,33 @@ impl<'a> Workspace<'a> {
             self.switch(number, self.at.0);
         }
         Ok(())
+    }
+
+    #[inline(always)]
+    fn begin_ledger(&mut self, regime: usize) {
+        let entry = &self.regimes[regime];
+        if let (Some(ledger), Some(forms)) = (&mut self.ledger, &entry.forms) {
+            let at = Instant {
+                q: &self.q_end,
+                v: &self.v_end,
+                law: law_at(&self.phase, &forms.harmonic, &self.search.e),
+            };
+            ledger.begin(self.problem, &entry.key, &at);
+        }
+    }
+
+    #[inline(always)]
+    fn end_ledger<A: Arith>(&mut self, regime: usize) {
+        let entry = &self.regimes[regime];
+        if let (Some(ledger), Some(forms)) = (&mut self.ledger, &entry.forms) {
+            let (phase, e) = (&self.phase, &self.search.e);
+            let at = Instant {
+                q: &self.q_end,
+                v: &self.v_end,
+                law: law_at(phase, &forms.harmonic, e),
+            };
+            ledger.end::<A>(self.problem, entry, phase, e, &at);
+        }
     }
 
     #[cold]
