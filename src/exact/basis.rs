@@ -80,6 +80,8 @@ pub(crate) struct Basis {
     pub(crate) re: Vec<V>,
     pub(crate) im: Vec<V>,
     pub(crate) modulus: Vec<f64>,
+    /// The same side by side.
+    pub(crate) moduli: Vec<V>,
     /// Length over which the lane can be followed, and every one before it (s).
     pub(crate) follow: Vec<f64>,
     /// The same for the flights of floating parts (s).
@@ -178,6 +180,7 @@ impl Basis {
             pack(&|l, i| l.row_v[i].im, n),
         ];
         let modulus: Vec<f64> = lanes.iter().map(|l| l.lambda.norm()).collect();
+        let moduli = pack(&|l, _| l.lambda.norm(), 1);
         let follow = modulus.iter().map(|m| FOLLOW / m).collect();
         let harmonics = lanes.iter().filter(|l| l.kind != LaneKind::Mode);
         let swing = harmonics.fold(0.0f64, |m, l| m.max(l.lambda.im));
@@ -212,6 +215,7 @@ impl Basis {
             re,
             im,
             modulus,
+            moduli,
             follow,
             follow_flights,
             fourth,

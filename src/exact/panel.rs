@@ -17,6 +17,11 @@ use super::phase::{Exponentials, POLY, Phase, Swing};
 #[derive(Clone, Debug)]
 pub(crate) struct Panel {
     functionals: [Functional; WIDTH],
+    /// Masses in the functionals with the factors of q, q̇, q̈.
+    terms: Vec<(usize, [V; 3])>,
+    /// Factors of the law and its first two derivatives.
+    law: [V; 3],
+    constant: V,
     /// Weights: lane-major, then order 0 … 3, then re, im.
     weights: Vec<V>,
     /// |weight|, and |weight|·|λ|⁴, by lane.
@@ -80,7 +85,24 @@ impl Panel {
                 [V(f.map(|x| x[0])), V(f.map(|x| x[1])), V(folds)]
             })
             .collect();
+        let mut masses: Vec<usize> = Vec::new();
+        for functional in &functionals {
+            masses.extend(functional.terms.iter().map(|term| term.0));
+        }
+        masses.sort_unstable();
+        masses.dedup();
+        let factors = |mass: usize| {
+            [0, 1, 2].map(|order| {
+                V([0, 1, 2, 3].map(|f| {
+                    let own = functionals[f].terms.iter().filter(|term| term.0 == mass);
+                    own.map(|term| term.1[order]).sum()
+                }))
+            })
+        };
         Self {
+            terms: masses.into_iter().map(|mass| (mass, factors(mass))).collect(),
+            law: [0, 1, 2].map(|order| V([0, 1, 2, 3].map(|f| functionals[f].law[order]))),
+            constant: V([0, 1, 2, 3].map(|f| functionals[f].constant)),
             functionals,
             weights,
             sizes,
@@ -121,7 +143,7 @@ impl PanelPhase {
             let (re, im) = (phase.re[b], phase.im[b]);
             self.size[b] = re.fma::<A>(re, im * im).map(f64::sqrt);
         }
-        self.take_polynomials(panel, phase);
+        self.take_polynomials::<A>(panel, phase);
         self.slow4 = if self.degree > 3 {
             self.fourth(phase.reach)
         } else {
@@ -154,9 +176,20 @@ impl PanelPhase {
     }
 
     #[inline(always)]
-    fn take_polynomials(&mut self, panel: &Panel, phase: &Phase) {
-        let mut work = [0.0; POLY];
+    fn take_polynomials<A: Arith>(&mut self, panel: &Panel, phase: &Phase) {
         self.degree = phase.degree.max(phase.forcing.degree);
+        if self.degree <= 2 {
+            self.poly[..3].copy_from_slice(&[panel.constant, V::ZERO, V::ZERO]);
+            for &(i, factors) in &panel.terms {
+                self.accumulate::<A>(&phase.poly[i * POLY..i * POLY + 3], factors);
+            }
+            let mut law = [0.0; 3];
+            let count = phase.forcing.degree + 1;
+            law[..count].copy_from_slice(&phase.forcing.law[..count]);
+            self.accumulate::<A>(&law, panel.law);
+            return;
+        }
+        let mut work = [0.0; POLY];
         self.poly[..=self.degree].fill(V::ZERO);
         for (f, functional) in panel.functionals.iter().enumerate() {
             let degree = functional.polynomial(phase, &mut work);
@@ -164,6 +197,16 @@ impl PanelPhase {
                 lanes.0[f] = *value;
             }
         }
+    }
+
+    /// Adds a·p + b·ṗ + c·p̈ for a polynomial of degree 2.
+    #[inline(always)]
+    fn accumulate<A: Arith>(&mut self, p: &[f64], [a, b, c]: [V; 3]) {
+        let [p0, p1, p2] = [V::splat(p[0]), V::splat(p[1]), V::splat(p[2])];
+        let twice = p2 + p2;
+        self.poly[0] = a.fma::<A>(p0, b.fma::<A>(p1, c.fma::<A>(twice, self.poly[0])));
+        self.poly[1] = a.fma::<A>(p1, b.fma::<A>(twice, self.poly[1]));
+        self.poly[2] = a.fma::<A>(p2, self.poly[2]);
     }
 
     #[inline(never)]
@@ -222,14 +265,18 @@ impl PanelPhase {
         let square = h * h;
         let mut middle = self.slow4 * V::splat(square * square * (1.0 / 144.0));
         let mut flat = V::ZERO;
-        for k in 0..follow {
-            let x = basis.modulus[k] * h;
-            let size = self.size[k / WIDTH].0[k % WIDTH] * e.size[k / WIDTH].0[k % WIDTH];
-            let (fourth, level) = (x * x * x * x * (1.0 / 144.0), 2.0 + 0.25 * x);
-            if fourth < level {
-                middle = panel.sizes[k][0].fma::<A>(V::splat(size * fourth), middle);
-            } else {
-                flat = panel.sizes[k][0].fma::<A>(V::splat(size * level), flat);
+        for b in 0..follow.div_ceil(WIDTH) {
+            let size = self.size[b] * e.size[b];
+            let level = basis.moduli[b].fma::<A>(V::splat(0.25 * h), V::splat(2.0));
+            let fourth = basis.fourth[b] * V::splat(square * square * (1.0 / 144.0));
+            let (bent, level_part) = (size * fourth, size * level);
+            for i in 0..WIDTH.min(follow - b * WIDTH) {
+                let own = panel.sizes[b * WIDTH + i][0];
+                if fourth.0[i] < level.0[i] {
+                    middle = own.fma::<A>(V::splat(bent.0[i]), middle);
+                } else {
+                    flat = own.fma::<A>(V::splat(level_part.0[i]), flat);
+                }
             }
         }
         Loss { middle, flat }
@@ -291,9 +338,15 @@ impl PanelPhase {
     fn slow_two<A: Arith>(&self, e: &Exponentials) -> [V; 2] {
         let time = V::splat(e.s);
         let (mut value, mut slope) = (self.poly[self.degree], V::ZERO);
-        for k in (0..self.degree).rev() {
-            slope = slope.fma::<A>(time, value);
-            value = value.fma::<A>(time, self.poly[k]);
+        if self.degree <= 2 {
+            let [a, b, c] = [self.poly[0], self.poly[1], self.poly[2]];
+            value = c.fma::<A>(time, b).fma::<A>(time, a);
+            slope = (c + c).fma::<A>(time, b);
+        } else {
+            for k in (0..self.degree).rev() {
+                slope = slope.fma::<A>(time, value);
+                value = value.fma::<A>(time, self.poly[k]);
+            }
         }
         for arc in &self.arcs {
             let f = V::splat;

@@ -255,9 +255,23 @@ impl Track {
     /// Takes the part from the last point to `b`, which begins at `before`.
     #[inline(always)]
     fn span<A: Arith>(&mut self, scene: Scene, before: &Exponentials, b: Point) {
-        let (basis, panel) = (scene.basis, scene.panel);
         let a = self.last;
         self.last = b;
+        self.between::<A>(scene, before, (a, b), true);
+    }
+
+    /// Takes the part between two points; `whole`: it may be cut in half first,
+    /// which settles most of what a bound over the whole leaves open for all
+    /// figures at once.
+    #[inline(always)]
+    fn between<A: Arith>(
+        &mut self,
+        scene: Scene,
+        before: &Exponentials,
+        (a, b): (Point, Point),
+        whole: bool,
+    ) {
+        let (basis, panel) = (scene.basis, scene.panel);
         let h = b.s - a.s;
         let loss = self
             .state
@@ -265,10 +279,19 @@ impl Track {
         let bounds = enclose::<A>(&a, &b, &loss);
         let over = bounds.high - self.high;
         let under = self.low - bounds.low;
-        let worst = over.max(under);
         // Differences below rounding are not worth a climb.
         let margin = self.margin();
-        if (0..4).any(|k| worst.0[k] > margin.0[k]) {
+        let beyond = over.max(under) - margin;
+        if beyond.greatest() > 0.0 {
+            if whole {
+                A::apart(Halves {
+                    track: self,
+                    scene,
+                    before,
+                    ends: (a, b),
+                });
+                return;
+            }
             let noise = self.state.noise(basis, panel, b.s);
             for k in 0..4 {
                 let margin = margin.0[k].max(noise.0[k]);
@@ -346,6 +369,38 @@ impl Task for Walk<'_> {
     #[inline(always)]
     fn run<A: Arith>(self) {
         self.track.walk::<A>(self.scene, self.before, self.now);
+    }
+}
+
+/// A part of a step taken in two halves.
+struct Halves<'a> {
+    track: &'a mut Track,
+    scene: Scene<'a>,
+    before: &'a Exponentials,
+    ends: (Point, Point),
+}
+
+impl Task for Halves<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<A: Arith>(self) {
+        let Self {
+            track,
+            scene,
+            before,
+            ends: (a, b),
+        } = self;
+        let Scene {
+            basis,
+            panel,
+            phase,
+        } = scene;
+        phase.exponentials::<A>(basis, 0.5 * (a.s + b.s), &mut track.e);
+        let middle = track.state.point::<A>(basis, panel, phase, &track.e);
+        for ends in [(a, middle), (middle, b)] {
+            track.between::<A>(scene, before, ends, false);
+        }
     }
 }
 

@@ -171,7 +171,7 @@ impl Track {
                 continue;
             }
             cuts += 1;
-            let cut = self.root::<A>(scene, &piece, noise);
+            let cut = self.root::<A>(scene, before, &piece, noise);
             self.pieces.push(Piece { a: cut, b: piece.b });
             self.pieces.push(Piece { a: piece.a, b: cut });
         }
@@ -182,9 +182,60 @@ impl Track {
         }
     }
 
+    /// The root of δ about `near` behind the start of the step (up to `most`),
+    /// where Taylor's polynomial there is good enough for it: the integral of
+    /// |δ| may be off by `allowed`. Nothing has to be evaluated for it.
+    #[inline(always)]
+    fn root_from<A: Arith>(
+        &mut self,
+        scene: Scene,
+        before: &Exponentials,
+        (near, most): (f64, f64),
+        allowed: f64,
+    ) -> Option<End> {
+        let Scene {
+            basis,
+            panel,
+            phase,
+        } = scene;
+        let (f, rest) = self.state.jet::<A>(basis, panel, phase, before, 0);
+        let off = |x: f64| rest * (x * x) * (x * x) * (1.0 / 24.0);
+        let fine = |x: f64, slope: f64| {
+            let value = off(x);
+            value * value < allowed * slope.abs() && 0.2 * value * x.abs() < allowed
+        };
+        if !fine(near, f[1] + near * f[2]) {
+            return None;
+        }
+        let value = |x: f64| f[0] + x * (f[1] + x * (f[2] * 0.5 + x * f[3] * (1.0 / 6.0)));
+        let slope = |x: f64| f[1] + x * (f[2] + x * f[3] * 0.5);
+        let mut x = near;
+        for _ in 0..3 {
+            x -= value(x) / slope(x);
+        }
+        let settled = value(x).abs() <= off(x).max(f64::EPSILON * f[0].abs());
+        if !(x > 0.0 && x < most && settled && fine(x, slope(x))) {
+            return None;
+        }
+        let start = self.state.primitive::<A>(basis, panel, phase, before);
+        let more = x * (f[0] + x * (f[1] * 0.5 + x * (f[2] / 6.0 + x * (f[3] / 24.0))));
+        self.roots.push((before.s + x, start + more));
+        Some(End {
+            s: before.s + x,
+            f: 0.0,
+            g: slope(x),
+        })
+    }
+
     /// A root of δ in the piece (noted, value exactly zero), or a point to cut at.
     #[inline(always)]
-    fn root<A: Arith>(&mut self, scene: Scene, piece: &Piece, noise: f64) -> End {
+    fn root<A: Arith>(
+        &mut self,
+        scene: Scene,
+        before: &Exponentials,
+        piece: &Piece,
+        noise: f64,
+    ) -> End {
         let crosses = (piece.a.f > 0.0 && piece.b.f < 0.0) || (piece.a.f < 0.0 && piece.b.f > 0.0);
         let share = if crosses {
             piece.crossing()
@@ -205,6 +256,13 @@ impl Track {
             }
             .summit()
         };
+        if crosses && piece.a.s == before.s {
+            let allowed = noise * piece.length();
+            let near = share * piece.length();
+            if let Some(end) = self.root_from::<A>(scene, before, (near, piece.length()), allowed) {
+                return end;
+            }
+        }
         let mut s = piece.a.s + share * piece.length();
         let mut first = None;
         for _ in 0..8 {
