@@ -452,11 +452,8 @@ impl<'a> Workspace<'a> {
                     return Ok(Some(number));
                 }
                 Step::Free => {
-                    // Figures look back over the phase, for which all lanes count.
-                    if self.tracks.is_empty() {
-                        let basis = &self.regimes[regime].basis;
-                        self.phase.fade(basis, &mut self.search.e);
-                    }
+                    let basis = &self.regimes[regime].basis;
+                    self.phase.fade(basis, &mut self.search.e);
                     if self.comes_clear::<A>(regime, None) {
                         self.watch();
                         self.take_signals::<A>(regime);

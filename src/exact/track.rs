@@ -42,6 +42,9 @@ const CUTS: usize = 64;
 /// Lanes are followed over up to this many radians of theirs.
 const FOLLOW: f64 = 4.5;
 
+/// Most times that a part is halved before its summits are climbed.
+const HALVINGS: u8 = 2;
+
 /// What the figures are taken from.
 #[derive(Clone, Copy)]
 pub(crate) struct Scene<'a> {
@@ -201,7 +204,9 @@ impl Track {
             }
             self.last = end;
             std::mem::swap(&mut from, &mut to);
-            length = (4.0 * h).min(now.s - from.s);
+            // Where every lane had to be followed the next part is as short.
+            let growth = if follow == scene.lanes() { 1.4 } else { 4.0 };
+            length = (growth * h).min(now.s - from.s);
         }
         self.from = from;
         self.to = to;
@@ -257,19 +262,19 @@ impl Track {
     fn span<A: Arith>(&mut self, scene: Scene, before: &Exponentials, b: Point) {
         let a = self.last;
         self.last = b;
-        self.between::<A>(scene, before, (a, b), true);
+        self.between::<A>(scene, before, (a, b), HALVINGS);
     }
 
-    /// Takes the part between two points; `whole`: it may be cut in half first,
-    /// which settles most of what a bound over the whole leaves open for all
-    /// figures at once.
+    /// Takes the part between two points. It may be cut in half so many times
+    /// first, which settles most of what a bound over the whole leaves open,
+    /// for all figures at once.
     #[inline(always)]
     fn between<A: Arith>(
         &mut self,
         scene: Scene,
         before: &Exponentials,
         (a, b): (Point, Point),
-        whole: bool,
+        halvings: u8,
     ) {
         let (basis, panel) = (scene.basis, scene.panel);
         let h = b.s - a.s;
@@ -283,12 +288,13 @@ impl Track {
         let margin = self.margin();
         let beyond = over.max(under) - margin;
         if beyond.greatest() > 0.0 {
-            if whole {
+            if halvings > 0 {
                 A::apart(Halves {
                     track: self,
                     scene,
                     before,
                     ends: (a, b),
+                    halvings: halvings - 1,
                 });
                 return;
             }
@@ -378,6 +384,7 @@ struct Halves<'a> {
     scene: Scene<'a>,
     before: &'a Exponentials,
     ends: (Point, Point),
+    halvings: u8,
 }
 
 impl Task for Halves<'_> {
@@ -390,6 +397,7 @@ impl Task for Halves<'_> {
             scene,
             before,
             ends: (a, b),
+            halvings,
         } = self;
         let Scene {
             basis,
@@ -399,7 +407,7 @@ impl Task for Halves<'_> {
         phase.exponentials::<A>(basis, 0.5 * (a.s + b.s), &mut track.e);
         let middle = track.state.point::<A>(basis, panel, phase, &track.e);
         for ends in [(a, middle), (middle, b)] {
-            track.between::<A>(scene, before, ends, false);
+            track.between::<A>(scene, before, ends, halvings);
         }
     }
 }

@@ -26,6 +26,8 @@ pub(super) struct Form {
     /// P re, im, Q re, im by row and block of lanes k.
     cells: Vec<[V; 4]>,
     level: Vec<Level>,
+    /// Only pairs with k ≤ j, those with k < j twice.
+    symmetric: bool,
 }
 
 /// A pair of lanes whose exponents cancel.
@@ -40,16 +42,19 @@ struct Level {
 
 impl Form {
     /// The form over `rows` with `weight(j, k, conjugate)`, the weight of lane k
-    /// being conjugate in the last case.
+    /// being conjugate in the last case; `symmetric`: over all rows, and the same
+    /// with j and k exchanged.
     pub(super) fn new(
         (lanes, blocks): (&[Lane], usize),
-        rows: Vec<usize>,
+        (rows, symmetric): (Vec<usize>, bool),
         weight: impl Fn(usize, usize, bool) -> C,
     ) -> Self {
         let mut cells = vec![[V::ZERO; 4]; rows.len() * blocks];
         let mut level = Vec::new();
         for (row, &j) in rows.iter().enumerate() {
-            for (k, other) in lanes.iter().enumerate() {
+            let others = if symmetric { j + 1 } else { lanes.len() };
+            for (k, other) in lanes[..others].iter().enumerate() {
+                let share = if symmetric && k < j { 1.0 } else { 0.5 };
                 for conjugate in [false, true] {
                     let own = lanes[j].lambda;
                     let exponent = own
@@ -58,7 +63,7 @@ impl Form {
                         } else {
                             other.lambda
                         };
-                    let weight = weight(j, k, conjugate) * 0.5;
+                    let weight = weight(j, k, conjugate) * share;
                     if weight.norm_sqr() == 0.0 {
                         continue;
                     }
@@ -80,7 +85,12 @@ impl Form {
                 }
             }
         }
-        Self { rows, cells, level }
+        Self {
+            rows,
+            cells,
+            level,
+            symmetric,
+        }
     }
 
     /// The integral from the start of the phase to the instant of `e`.
@@ -94,7 +104,7 @@ impl Form {
             let (er, ei) = (e.re[jb].0[ji], e.im[jb].0[ji]);
             let (ar, ai) = (br * er - bi * ei, br * ei + bi * er);
             let [ar, ai, br, bi] = [V::splat(ar), V::splat(ai), V::splat(br), V::splat(bi)];
-            for b in 0..blocks {
+            for b in 0..if self.symmetric { jb + 1 } else { blocks } {
                 let (cr, ci) = (phase.re[b], phase.im[b]);
                 let wr = cr.fma::<A>(e.re[b], -(ci * e.im[b]));
                 let wi = cr.fma::<A>(e.im[b], ci * e.re[b]);

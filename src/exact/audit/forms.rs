@@ -152,7 +152,7 @@ impl Forms {
         let lanes = (&basis.lanes[..], basis.blocks);
         let lane = |&k: &usize| (k, basis.lanes[k].lambda.im);
         let harmonic: Vec<(usize, f64)> = basis.harmonic.iter().map(lane).collect();
-        let drive = Form::new(lanes, basis.harmonic.clone(), |j, k, conjugate| {
+        let drive = Form::new(lanes, (basis.harmonic.clone(), false), |j, k, conjugate| {
             let own = -basis.lanes[j].lambda;
             own * turned(moment[k], conjugate)
         });
@@ -255,7 +255,8 @@ fn quadratic(basis: &Basis, dampers: &[Damper]) -> Form {
     } else {
         (0..basis.lanes.len()).collect()
     };
-    Form::new((&basis.lanes, basis.blocks), rows, |j, k, conjugate| {
+    let lanes = (&basis.lanes[..], basis.blocks);
+    Form::new(lanes, (rows, true), |j, k, conjugate| {
         let pairs = dampers.iter().zip(&speeds[j]).zip(&speeds[k]);
         pairs
             .map(|((d, a), b)| a * turned(*b, conjugate) * d.rate)
