@@ -94,6 +94,8 @@ pub(super) struct Workspace<'a> {
     pub(super) v_end: Vec<f64>,
     /// Number of leading derivatives known to vanish, by functional.
     pub(super) zeros: Vec<usize>,
+    /// Room for those that stay.
+    kept: Vec<(usize, usize)>,
     pub(super) sampler: Sampler,
     pub(super) tracks: Vec<Track>,
     pub(super) ledger: Option<Ledger>,
@@ -222,6 +224,7 @@ impl<'a> Workspace<'a> {
             q_end: problem.displacement.clone(),
             v_end: problem.speed.clone(),
             zeros,
+            kept: Vec::with_capacity(2 * n),
             sampler: Sampler::new(problem, request, blocks),
             tracks: tracks(problem, request, blocks),
             ledger: request.audit.then(Ledger::new),
@@ -317,12 +320,39 @@ impl<'a> Workspace<'a> {
         self.at = self.phase.time(s);
         std::mem::swap(&mut self.q, &mut self.q_end);
         std::mem::swap(&mut self.v, &mut self.v_end);
-        self.zeros.fill(0);
+        self.keep_zeros::<A>(regime, event);
         Ok(Passed {
             regime,
             length: s,
             event,
         })
+    }
+
+    /// Remembers which signals, besides the one that fired, started on zero and
+    /// are still there within rounding: where several pairs switch at one instant
+    /// each is judged by its derivatives until it has left.
+    #[inline(always)]
+    fn keep_zeros<A: Arith>(&mut self, regime: usize, event: Option<usize>) {
+        if self.watches.len() < 2 {
+            self.zeros.fill(0);
+            return;
+        }
+        let basis = &self.regimes[regime].basis;
+        for number in 0..self.watches.len() {
+            let f = self.watches[number].functional;
+            let signal = &self.signals[f];
+            let still = signal.leaving && event != Some(number) && {
+                let (jet, _) = self.search.jet::<A>(basis, &self.phase, signal);
+                let clock = f64::EPSILON * self.search.e.s * jet[1].abs();
+                jet[0].abs() <= 2.0 * (signal.noise + clock)
+            };
+            let zeros = if self.search.e.s == 0.0 { signal.zeros } else { 1 };
+            self.kept.push((f, if still { zeros } else { 0 }));
+        }
+        self.zeros.fill(0);
+        for (f, zeros) in self.kept.drain(..) {
+            self.zeros[f] = zeros;
+        }
     }
 
     /// Takes the switch that ended a phase, if one did.

@@ -11,13 +11,21 @@ use crate::exact::phase::POLY;
 pub(super) fn moments(z: C, out: &mut [C]) {
     let last = out.len() - 1;
     let power = z.exp();
-    if z.norm() > last as f64 && z.norm() > 0.5 {
+    let size = z.norm();
+    // Upwards from 0 to here, downwards from the last to above.
+    let turn = if size > 0.5 {
+        let turn = last.min(size as usize);
         out[0] = (power - 1.0) / z;
-        for m in 1..=last {
+        for m in 1..=turn {
             out[m] = (power - out[m - 1] * m as f64) / z;
         }
-        return;
-    }
+        if turn == last {
+            return;
+        }
+        turn + 1
+    } else {
+        0
+    };
     let mut term = C::from(1.0 / (last + 1) as f64);
     let mut sum = term;
     for k in 2..400 {
@@ -28,7 +36,7 @@ pub(super) fn moments(z: C, out: &mut [C]) {
         }
     }
     out[last] = power * sum;
-    for m in (1..=last).rev() {
+    for m in (turn + 1..=last).rev() {
         out[m - 1] = (power - z * out[m]) / m as f64;
     }
 }

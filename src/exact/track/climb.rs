@@ -200,11 +200,7 @@ impl Track {
         } = scene;
         let (f, rest) = self.state.jet::<A>(basis, panel, phase, before, 0);
         let off = |x: f64| rest * (x * x) * (x * x) * (1.0 / 24.0);
-        let fine = |x: f64, slope: f64| {
-            let value = off(x);
-            value * value < allowed * slope.abs() && 0.2 * value * x.abs() < allowed
-        };
-        if !fine(near, f[1] + near * f[2]) {
+        if !harmless((near, off(near)), f[1] + near * f[2], allowed) {
             return None;
         }
         let value = |x: f64| f[0] + x * (f[1] + x * (f[2] * 0.5 + x * f[3] * (1.0 / 6.0)));
@@ -214,7 +210,7 @@ impl Track {
             x -= value(x) / slope(x);
         }
         let settled = value(x).abs() <= off(x).max(f64::EPSILON * f[0].abs());
-        if !(x > 0.0 && x < most && settled && fine(x, slope(x))) {
+        if !(x > 0.0 && x < most && settled && harmless((x, off(x)), slope(x), allowed)) {
             return None;
         }
         let start = self.state.primitive::<A>(basis, panel, phase, before);
@@ -277,8 +273,12 @@ impl Track {
             if !(crosses && target > piece.a.s && target < piece.b.s) {
                 return plain;
             }
-            let lost = rest * (x * x * x).abs() * x.abs().max(1e-3 * piece.length());
-            if lost <= 24.0 * noise || x.abs() <= 1e-15 * target {
+            // Of Taylor's polynomial, and of the reversed series.
+            let bend = 0.5 * f[2] * x / f[1];
+            let off = rest * (x * x) * (x * x) * (1.0 / 24.0)
+                + 14.0 * (f[1] * x).abs() * (bend * bend) * (bend * bend);
+            let allowed = noise * piece.length();
+            if harmless((x, off), f[1], allowed) || x.abs() <= 1e-15 * target {
                 let primitive =
                     self.state
                         .primitive::<A>(scene.basis, scene.panel, scene.phase, &self.e);
@@ -294,4 +294,12 @@ impl Track {
         }
         first.unwrap_or_default()
     }
+}
+
+/// True when an error `off` of δ at a root a length x away moves ∫|δ| by less
+/// than `allowed`: by half its square over the slope, and by what the integral
+/// up to there is off.
+#[inline(always)]
+fn harmless((x, off): (f64, f64), slope: f64, allowed: f64) -> bool {
+    off * off < allowed * slope.abs() && 0.2 * off * x.abs() < allowed
 }
