@@ -91,7 +91,10 @@ fn own(case: &Case) -> Result<Own, String> {
     }
     let balance = exact_peer::run(&tree, &full)?.audit.map(|a| a.error());
     if !balance.is_some_and(|error| error <= EXACT) {
-        return Err(format!("case {}: the energy audit is off: {balance:?}", case.name));
+        return Err(format!(
+            "case {}: the energy audit is off: {balance:?}",
+            case.name
+        ));
     }
     let budget = Duration::from_millis(400);
     let time = |request: &Request| Timing::measure(budget, || tree.run(request));

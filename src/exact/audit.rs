@@ -39,7 +39,7 @@ pub struct TreeAudit {
     pub change: f64,
     /// What the balance is measured against: the greatest of the work put in by
     /// the law, that put in by loads (sums over the phases in which it is
-    /// positive), the greatest kinetic energy at the start of a phase, and a
+    /// positive), the greatest kinetic energy at the ends of phases, and a
     /// millionth of the greatest elastic energy there.
     pub scale: f64,
 }
@@ -123,17 +123,29 @@ impl Ledger {
         }
     }
 
-    /// The start of a phase in the states `key`.
+    /// The start of a phase in the states `key`, with the displacements `q`;
+    /// `first` gives the state at the start of the run.
     #[inline(always)]
-    pub(super) fn begin(&mut self, problem: &TreeProblem, key: &[PairState], at: &Instant<'_>) {
-        let energy = energy(problem, at);
+    pub(super) fn begin<'a>(
+        &mut self,
+        problem: &TreeProblem,
+        key: &[PairState],
+        q: &[f64],
+        first: impl FnOnce() -> Instant<'a>,
+    ) {
         if self.start.is_none() {
-            self.start = Some((energy, potential(problem, at)));
+            let at = first();
+            self.start = Some((energy(problem, &at), potential(problem, &at)));
+            self.see(problem, &at);
         }
-        for (most, now) in self.greatest.iter_mut().zip(energy) {
+        self.held = held(problem, key, q);
+    }
+
+    #[inline(always)]
+    fn see(&mut self, problem: &TreeProblem, at: &Instant<'_>) {
+        for (most, now) in self.greatest.iter_mut().zip(energy(problem, at)) {
             *most = now.max(*most);
         }
-        self.held = held(problem, key, at);
     }
 
     /// The end of a phase, at the instant of `e`.
@@ -152,8 +164,9 @@ impl Ledger {
         let work = forms.work::<A>(problem, &regime.basis, phase, e, &mut self.room);
         self.drives += work.drives;
         self.loads += work.loads;
-        self.dissipated += work.dissipated + self.held - held(problem, &regime.key, at);
+        self.dissipated += work.dissipated + self.held - held(problem, &regime.key, at.q);
         self.law = at.law;
+        self.see(problem, at);
         self.put_in[0] += work.drives.max(0.0);
         self.put_in[1] += work.loads.max(0.0);
     }
@@ -166,8 +179,7 @@ impl Ledger {
         let (energy, potential) = self.start.unwrap_or(end);
         let fell = potential - end.1;
         let total = |e: [f64; 2]| e[0] + e[1];
-        let kinetic = self.greatest[0].max(end.0[0]);
-        let elastic = self.greatest[1].max(end.0[1]);
+        let [kinetic, elastic] = self.greatest;
         let loads = self.put_in[1].max(self.put_in[1] + fell);
         TreeAudit {
             drives: self.drives,
@@ -214,11 +226,11 @@ fn energy(problem: &TreeProblem, at: &Instant<'_>) -> [f64; 2] {
 }
 
 /// Energy stored in the open pairs.
-fn held(problem: &TreeProblem, key: &[PairState], at: &Instant<'_>) -> f64 {
+fn held(problem: &TreeProblem, key: &[PairState], q: &[f64]) -> f64 {
     let mut sum = 0.0;
     for (i, mass) in problem.masses.iter().enumerate() {
         if !key[i].engaged() && mass.pair.flanks().1 > 0 {
-            sum += stored(mass, deformation(problem, i, at.q));
+            sum += stored(mass, deformation(problem, i, q));
         }
     }
     sum

@@ -10,8 +10,8 @@
 //! and this quintic is not negative if its six Bernstein coefficients are not.
 
 use super::basis::Basis;
-use super::lanes::{Arith, V, WIDTH};
 use super::functional::ORDERS;
+use super::lanes::{Arith, V, WIDTH};
 use super::signal::{Signal, Terms};
 
 /// g and its derivatives.
@@ -178,7 +178,10 @@ fn least_coefficient<A: Arith>(a: Jet, r: f64, h: V) -> V {
     let f = V::splat;
     let h2 = h * h;
     let (p0, p1, p2) = (f(a[0]), h * f(a[1]), h2 * f(a[2] * 0.5));
-    let (p3, p4) = (h2 * h * f(a[3] * (1.0 / 6.0)), h2 * h2 * f(a[4] * (1.0 / 24.0)));
+    let (p3, p4) = (
+        h2 * h * f(a[3] * (1.0 / 6.0)),
+        h2 * h2 * f(a[4] * (1.0 / 24.0)),
+    );
     let p5 = (h2 * h2) * (h * f(r * (1.0 / 120.0)));
     let b1 = p1.fma::<A>(f(0.2), p0);
     let b2 = p2.fma::<A>(f(0.1), p1.fma::<A>(f(0.4), p0));
@@ -222,7 +225,10 @@ fn predict<A: Arith>(a: Jet, u: f64) -> f64 {
     let square = u * u;
     let (low, high) = (A::fma(u, a[1], a[0]), A::fma(u, c3, c2));
     let value = A::fma(square, A::fma(square, c4, high), low);
-    let (low, high) = (A::fma(u, a[2], a[1]), A::fma(u, a[4] * (1.0 / 6.0), a[3] * 0.5));
+    let (low, high) = (
+        A::fma(u, a[2], a[1]),
+        A::fma(u, a[4] * (1.0 / 6.0), a[3] * 0.5),
+    );
     let slope = A::fma(square, high, low);
     let bend = A::fma(square, a[4] * 0.5, A::fma(u, a[3], a[2]));
     u - value * slope / A::fma(slope, slope, -0.5 * value * bend)

@@ -45,7 +45,8 @@ impl Phase {
             force = force.max((square(b) * basis.fourth[b]).greatest());
         }
         let own = square(last);
-        own.greatest() <= NOTHING * place && (own * basis.fourth[last]).greatest() <= NOTHING * force
+        own.greatest() <= NOTHING * place
+            && (own * basis.fourth[last]).greatest() <= NOTHING * force
     }
 
     /// Takes all lanes in again.

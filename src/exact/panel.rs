@@ -100,7 +100,10 @@ impl Panel {
             })
         };
         Self {
-            terms: masses.into_iter().map(|mass| (mass, factors(mass))).collect(),
+            terms: masses
+                .into_iter()
+                .map(|mass| (mass, factors(mass)))
+                .collect(),
             law: [0, 1, 2].map(|order| V([0, 1, 2, 3].map(|f| functionals[f].law[order]))),
             constant: V([0, 1, 2, 3].map(|f| functionals[f].constant)),
             functionals,

@@ -4,10 +4,10 @@
 use super::audit::Forms;
 use super::basis::Basis;
 use super::functional::{Functional, Weights};
+use super::lanes::Plain;
 use super::panel::Panel;
 use super::polynomial::Steady;
 use super::problem::{PairState, Refusal, TreeObject, TreeProblem};
-use super::lanes::Plain;
 use super::run::Workspace;
 use super::sample::Strides;
 
@@ -157,8 +157,8 @@ impl Workspace<'_> {
             )
         };
         let still = steady.is_some();
-        let forms = (self.ledger.is_some())
-            .then(|| Forms::new(self.problem, &self.key, &basis, still));
+        let forms =
+            (self.ledger.is_some()).then(|| Forms::new(self.problem, &self.key, &basis, still));
         let strides = self.sampler.interval();
         let strides = strides.map(|interval| Strides::new::<Plain>(&basis, interval));
         self.regimes.push(Regime {

@@ -24,14 +24,17 @@ struct Tracks<'a> {
 
 impl Witness for Tracks<'_> {
     #[inline(always)]
+    fn looks(&self) -> bool {
+        !self.tracks.is_empty()
+    }
+
+    #[inline(always)]
     fn see<A: Arith>(&mut self, before: &Exponentials, now: &Exponentials) {
-        if !self.tracks.is_empty() {
-            A::apart(See {
-                tracks: self,
-                before,
-                now,
-            });
-        }
+        A::apart(See {
+            tracks: self,
+            before,
+            now,
+        });
     }
 }
 
@@ -125,7 +128,11 @@ pub(super) struct Passed {
 fn room(request: &Request, n: usize) -> usize {
     const MOST: usize = 1 << 20;
     let columns = if request.all_masses { 2 * n } else { 1 };
-    request.samples.saturating_add(8).saturating_mul(columns).min(MOST)
+    request
+        .samples
+        .saturating_add(8)
+        .saturating_mul(columns)
+        .min(MOST)
 }
 
 #[cold]
@@ -346,7 +353,11 @@ impl<'a> Workspace<'a> {
                 let clock = f64::EPSILON * self.search.e.s * jet[1].abs();
                 jet[0].abs() <= 2.0 * (signal.noise + clock)
             };
-            let zeros = if self.search.e.s == 0.0 { signal.zeros } else { 1 };
+            let zeros = if self.search.e.s == 0.0 {
+                signal.zeros
+            } else {
+                1
+            };
             self.kept.push((f, if still { zeros } else { 0 }));
         }
         self.zeros.fill(0);
@@ -376,12 +387,12 @@ impl<'a> Workspace<'a> {
     fn begin_ledger(&mut self, regime: usize) {
         let entry = &self.regimes[regime];
         if let (Some(ledger), Some(forms)) = (&mut self.ledger, &entry.forms) {
-            let at = Instant {
+            let first = || Instant {
                 q: &self.q_end,
                 v: &self.v_end,
                 law: law_at(&self.phase, &forms.harmonic, &self.search.e),
             };
-            ledger.begin(self.problem, &entry.key, &at);
+            ledger.begin(self.problem, &entry.key, &self.q_end, first);
         }
     }
 

@@ -30,6 +30,9 @@ pub(crate) enum Step {
 /// Is told of every step. (A trait and not a closure: closures cannot be forced
 /// inline, and out of line they lose the processor's instructions.)
 pub(crate) trait Witness {
+    /// False when it need not be told.
+    fn looks(&self) -> bool;
+
     /// Nothing has switched between the two instants.
     fn see<A: Arith>(&mut self, before: &Exponentials, now: &Exponentials);
 }
@@ -132,18 +135,25 @@ impl Search {
             length = length.min(free);
         }
         self.steps += 1;
-        self.before.copy(&self.e, phase.active);
+        let looks = witness.looks();
+        if looks {
+            self.before.copy(&self.e, phase.active);
+        }
         if let Some((number, bracket)) = root
             && (second >= bracket.high || second >= left)
         {
             let signal = &signals[watched[number]];
             let step = self.polish::<A>(basis, phase, signal, bracket, left, number);
-            witness.see::<A>(&self.before, &self.e);
+            if looks {
+                witness.see::<A>(&self.before, &self.e);
+            }
             return step;
         }
         let target = if length >= left { horizon } else { s + length };
         self.evaluate::<A>(basis, phase, target);
-        witness.see::<A>(&self.before, &self.e);
+        if looks {
+            witness.see::<A>(&self.before, &self.e);
+        }
         if length >= left {
             Step::Reached
         } else {

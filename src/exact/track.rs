@@ -97,7 +97,12 @@ pub(crate) struct Track {
 }
 
 impl Track {
-    pub(crate) fn new((blocks, harmonics): (usize, usize), flights: usize, delta: f64, cap: f64) -> Self {
+    pub(crate) fn new(
+        (blocks, harmonics): (usize, usize),
+        flights: usize,
+        delta: f64,
+        cap: f64,
+    ) -> Self {
         Self {
             figures: TreeFigures {
                 delta_max: delta,

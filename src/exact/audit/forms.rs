@@ -142,7 +142,9 @@ impl Forms {
         let moment = |lane: &Lane| {
             let one = |d: &Driven| {
                 let mass = &problem.masses[d.mass];
-                let base = mass.parent.map_or(C::default(), |p| lane.shape[p] * mass.lever);
+                let base = mass
+                    .parent
+                    .map_or(C::default(), |p| lane.shape[p] * mass.lever);
                 let factor = lane.lambda * mass.damping + mass.stiffness;
                 factor * (lane.shape[d.mass] - base) * d.ratio
             };
@@ -193,7 +195,9 @@ impl Forms {
             let mut constant = 0.0;
             for d in &self.driven {
                 let mass = &problem.masses[d.mass];
-                let base = mass.parent.map_or(0.0, |p| mass.lever * phase.poly[p * POLY]);
+                let base = mass
+                    .parent
+                    .map_or(0.0, |p| mass.lever * phase.poly[p * POLY]);
                 let x = phase.poly[d.mass * POLY] - base + d.relaxed;
                 constant += d.ratio * mass.stiffness * x;
             }
@@ -224,7 +228,9 @@ impl Forms {
         for d in &self.driven {
             let mass = &problem.masses[d.mass];
             let x = |k: usize| {
-                let base = mass.parent.map_or(0.0, |p| mass.lever * phase.poly[p * POLY + k]);
+                let base = mass
+                    .parent
+                    .map_or(0.0, |p| mass.lever * phase.poly[p * POLY + k]);
                 phase.poly[d.mass * POLY + k] - base
             };
             for k in 0..=phase.degree {
@@ -357,7 +363,10 @@ impl Moving<'_> {
     ) {
         let (forms, phase, h) = (self.forms, self.phase, self.h);
         let lane = &self.basis.lanes[k];
-        let z = C::new(phase.re[k / WIDTH].0[k % WIDTH], phase.im[k / WIDTH].0[k % WIDTH]);
+        let z = C::new(
+            phase.re[k / WIDTH].0[k % WIDTH],
+            phase.im[k / WIDTH].0[k % WIDTH],
+        );
         if z.norm_sqr() == 0.0 {
             return;
         }
