@@ -39,7 +39,6 @@
 //!   independent eigenvectors are refused, and so is an undamped mode driven
 //!   within 10⁻⁸ of its own frequency; near it, digits are lost as the distance
 //!   from resonance. See [`Refusal`].
-//! - Modes that have died away leave the search, but for runs with figures.
 //! - At most 256 combinations of engaged pairs are kept; at one more all are
 //!   forgotten and made again when met.
 //! - Position functions that vary with the state, dry friction and anything
@@ -86,6 +85,7 @@
 //! products and sums of two numbers after Dekker.
 
 mod asked;
+mod audit;
 mod basis;
 mod bound;
 mod cluster;
@@ -119,6 +119,7 @@ mod track;
 mod watch;
 
 pub use asked::Asked;
+pub use audit::TreeAudit;
 pub use cursor::{Cursor, MOST_ORDERS};
 pub use from_model::{Part, Parts, Rest};
 pub use law::{LAW_DEGREE, Law, PolynomialSpan, Sine, SpanSource};

@@ -1,6 +1,7 @@
 //! What is asked of a run, and what it leaves behind.
 
 use super::asked::Asked;
+use super::audit::TreeAudit;
 use super::problem::PairState;
 use super::track::TreeFigures;
 
@@ -25,6 +26,8 @@ pub struct Request {
     pub figures: bool,
     /// Which of them, if any.
     pub asked: Asked,
+    /// Energy audit, wanted or not.
+    pub audit: bool,
 }
 
 impl Request {
@@ -39,6 +42,7 @@ impl Request {
             all_steps: u64::MAX,
             figures: false,
             asked: Asked::ALL,
+            audit: false,
         }
     }
 }
@@ -93,6 +97,8 @@ pub struct ExactRun {
     pub speed: Vec<f64>,
     /// Figures of every object, when asked for.
     pub figures: Vec<TreeFigures>,
+    /// Energy audit, when asked for.
+    pub audit: Option<TreeAudit>,
     /// Phases, search steps, evaluations.
     pub phases: u64,
     /// Steps of the search.

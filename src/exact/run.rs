@@ -1,7 +1,8 @@
 //! The run: phases and switches in turn.
 
+use super::audit::{Instant, Ledger, law_at};
 use super::functional::Functional;
-use super::lanes::{Arith, Fused, Plain};
+use super::lanes::{Arith, Fused, Plain, Task};
 use super::phase::{Exponentials, Phase};
 use super::problem::{PairState, Refusal, TreeObject, TreePair, TreeProblem};
 use super::regime::Regime;
@@ -23,10 +24,41 @@ struct Tracks<'a> {
 
 impl Witness for Tracks<'_> {
     #[inline(always)]
+    fn looks(&self) -> bool {
+        !self.tracks.is_empty()
+    }
+
+    #[inline(always)]
     fn see<A: Arith>(&mut self, before: &Exponentials, now: &Exponentials) {
-        for (o, track) in self.tracks.iter_mut().enumerate() {
-            let scene = scene(self.regime, self.phase, o, self.variants);
-            track.step::<A>(scene, before, now);
+        A::apart(See {
+            tracks: self,
+            before,
+            now,
+        });
+    }
+}
+
+/// A step of the search taken into the figures.
+struct See<'a, 'b> {
+    tracks: &'a mut Tracks<'b>,
+    before: &'a Exponentials,
+    now: &'a Exponentials,
+}
+
+impl Task for See<'_, '_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<A: Arith>(self) {
+        let Tracks {
+            tracks,
+            variants,
+            regime,
+            phase,
+        } = self.tracks;
+        for (o, track) in tracks.iter_mut().enumerate() {
+            let scene = scene(regime, phase, o, variants);
+            track.step::<A>(scene, self.before, self.now);
         }
     }
 }
@@ -65,8 +97,11 @@ pub(super) struct Workspace<'a> {
     pub(super) v_end: Vec<f64>,
     /// Number of leading derivatives known to vanish, by functional.
     pub(super) zeros: Vec<usize>,
+    /// Room for those that stay.
+    kept: Vec<(usize, usize)>,
     pub(super) sampler: Sampler,
     pub(super) tracks: Vec<Track>,
+    pub(super) ledger: Option<Ledger>,
     /// Panel in use and whether the object's link transmits force.
     pub(super) variants: Vec<(usize, bool)>,
     pub(super) out: ExactRun,
@@ -102,6 +137,17 @@ pub(super) struct Passed {
     pub(super) event: Option<usize>,
 }
 
+/// Room for the samples; what is asked for beyond it is taken as it comes.
+fn room(request: &Request, n: usize) -> usize {
+    const MOST: usize = 1 << 20;
+    let columns = if request.all_masses { 2 * n } else { 1 };
+    request
+        .samples
+        .saturating_add(8)
+        .saturating_mul(columns)
+        .min(MOST)
+}
+
 #[cold]
 fn not_finite() -> Refusal {
     Refusal::new("", "the motion is no longer a finite number")
@@ -109,10 +155,11 @@ fn not_finite() -> Refusal {
 
 /// One track an object, when figures are asked for.
 fn tracks(problem: &TreeProblem, request: &Request, blocks: usize) -> Vec<Track> {
+    let harmonics = problem.law.frequencies().len();
     if !request.figures {
         return Vec::new();
     }
-    let flights = problem.masses.len() * problem.law.frequencies().len();
+    let flights = problem.masses.len() * harmonics;
     let make = |object: &TreeObject| {
         let base = object
             .driver
@@ -122,7 +169,7 @@ fn tracks(problem: &TreeProblem, request: &Request, blocks: usize) -> Vec<Track>
             _ => f64::INFINITY,
         };
         Track::new(
-            blocks,
+            (blocks, harmonics),
             flights,
             problem.displacement[object.last] - base,
             cap,
@@ -199,18 +246,21 @@ impl<'a> Workspace<'a> {
             watched: Vec::with_capacity(2 * n),
             signals: vec![Signal::new(blocks, n * harmonics); functionals.len()],
             phase: Phase::new(problem, blocks),
-            search: Search::new(blocks),
+            search: Search::new(blocks, harmonics),
             q: problem.displacement.clone(),
             v: problem.speed.clone(),
             q_end: problem.displacement.clone(),
             v_end: problem.speed.clone(),
             zeros,
+            kept: Vec::with_capacity(2 * n),
             sampler: Sampler::new(problem, request, blocks),
             tracks: tracks(problem, request, blocks),
+            ledger: request.audit.then(Ledger::new),
             variants: vec![(0, true); problem.objects.len()],
             out: ExactRun {
                 start: states.clone(),
                 switches: Vec::with_capacity(256),
+                samples: Vec::with_capacity(room(request, n)),
                 columns: if request.all_masses { 2 * n } else { 1 },
                 ..ExactRun::default()
             },
@@ -256,6 +306,9 @@ impl<'a> Workspace<'a> {
             track.figures.sigma = track.area / length;
             self.out.figures.push(track.figures);
         }
+        if let Some(ledger) = &self.ledger {
+            self.out.audit = Some(ledger.close(self.problem, &self.q, &self.v));
+        }
         self.out.time = self.at.0;
         self.out.complete = self.reached(request.end);
         self.out.displacement = self.q;
@@ -290,6 +343,7 @@ impl<'a> Workspace<'a> {
         let horizon = self.phase.local(end).min(self.phase.reach);
         self.search.restart(&self.phase);
         self.begin_tracks::<A>(regime);
+        self.begin_ledger(regime);
         let event = self.pass::<A>(regime, horizon)?;
         let entry = &self.regimes[regime];
         self.phase.revive(&entry.basis);
@@ -303,18 +357,51 @@ impl<'a> Workspace<'a> {
         if !self.q_end.iter().chain(&self.v_end).all(|x| x.is_finite()) {
             return Err(not_finite());
         }
+        let (strides, samples) = (entry.strides.as_ref(), &mut self.out.samples);
         self.sampler
-            .phase::<A>(&entry.basis, &self.phase, s, &mut self.out.samples);
+            .phase::<A>(&entry.basis, strides, &self.phase, s, samples);
         self.end_tracks::<A>(regime);
+        self.end_ledger::<A>(regime);
         self.at = self.phase.time(s);
         std::mem::swap(&mut self.q, &mut self.q_end);
         std::mem::swap(&mut self.v, &mut self.v_end);
-        self.zeros.fill(0);
+        self.keep_zeros::<A>(regime, event);
         Ok(Passed {
             regime,
             length: s,
             event,
         })
+    }
+
+    /// Remembers which signals, besides the one that fired, started on zero and
+    /// are still there within rounding: where several pairs switch at one instant
+    /// each is judged by its derivatives until it has left.
+    #[inline(always)]
+    fn keep_zeros<A: Arith>(&mut self, regime: usize, event: Option<usize>) {
+        if self.watches.len() < 2 {
+            self.zeros.fill(0);
+            return;
+        }
+        let basis = &self.regimes[regime].basis;
+        for number in 0..self.watches.len() {
+            let f = self.watches[number].functional;
+            let signal = &self.signals[f];
+            let still = signal.leaving && event != Some(number) && {
+                let (jet, _) = self.search.jet::<A>(basis, &self.phase, signal);
+                let clock = f64::EPSILON * self.search.e.s * jet[1].abs();
+                jet[0].abs() <= 2.0 * (signal.noise + clock)
+            };
+            let zeros = if self.search.e.s == 0.0 {
+                signal.zeros
+            } else {
+                1
+            };
+            self.kept.push((f, if still { zeros } else { 0 }));
+        }
+        self.zeros.fill(0);
+        for (f, zeros) in self.kept.drain(..) {
+            self.zeros[f] = zeros;
+        }
     }
 
     /// Takes the switch that ended a phase, if one did.
@@ -332,6 +419,33 @@ impl<'a> Workspace<'a> {
             self.switch(number, self.at.0);
         }
         Ok(())
+    }
+
+    #[inline(always)]
+    fn begin_ledger(&mut self, regime: usize) {
+        let entry = &self.regimes[regime];
+        if let (Some(ledger), Some(forms)) = (&mut self.ledger, &entry.forms) {
+            let first = || Instant {
+                q: &self.q_end,
+                v: &self.v_end,
+                law: law_at(&self.phase, &forms.harmonic, &self.search.e),
+            };
+            ledger.begin(self.problem, &entry.key, &self.q_end, first);
+        }
+    }
+
+    #[inline(always)]
+    fn end_ledger<A: Arith>(&mut self, regime: usize) {
+        let entry = &self.regimes[regime];
+        if let (Some(ledger), Some(forms)) = (&mut self.ledger, &entry.forms) {
+            let (phase, e) = (&self.phase, &self.search.e);
+            let at = Instant {
+                q: &self.q_end,
+                v: &self.v_end,
+                law: law_at(phase, &forms.harmonic, e),
+            };
+            ledger.end::<A>(self.problem, entry, phase, e, &at);
+        }
     }
 
     #[cold]
@@ -424,11 +538,8 @@ impl<'a> Workspace<'a> {
                     return Ok(Some(number));
                 }
                 Step::Free => {
-                    // Figures look back over the phase, for which all lanes count.
-                    if self.tracks.is_empty() {
-                        let basis = &self.regimes[regime].basis;
-                        self.phase.fade(basis, &mut self.search.e);
-                    }
+                    let basis = &self.regimes[regime].basis;
+                    self.phase.fade(basis, &mut self.search.e);
                     if self.comes_clear::<A>(regime, None) {
                         self.watch();
                         self.take_signals::<A>(regime);
