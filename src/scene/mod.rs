@@ -9,8 +9,8 @@ mod overrides;
 mod root;
 mod run;
 mod schema;
-mod variation;
 mod steady;
+mod variation;
 
 pub use catalogue::{BuiltIn, Catalogue, Layered};
 pub use document::{Document, Places, Reading};

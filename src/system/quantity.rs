@@ -51,6 +51,8 @@ impl Quantity for Dual {
 }
 
 impl<const K: usize> Quantity for Duals<K> {
+    const DERIVATIVES: usize = 3;
+
     #[inline(always)]
     fn lift(self, jet: impl Fn(f64) -> Jet) -> [Self; 3] {
         jet(self.value).lift(self)

@@ -3,6 +3,7 @@
 use crate::analysis::exact::Quick;
 use crate::analysis::run::run;
 use crate::analysis::{Control, RunSettings};
+use crate::exact::Asked;
 use crate::fault::Fault;
 use crate::integrate::Stop;
 use crate::record::drive_cycle;
@@ -53,7 +54,13 @@ pub fn steady_contact(
     };
     if settings.method.is_none()
         && let Ok(quick) = Quick::new(system)
-        && let Ok(found) = quick.run(settings.duration, 1, true, settings.max_switches)
+        && let Ok(found) = quick.run(
+            settings.duration,
+            1,
+            Some(&|_| Asked::DEVIATION),
+            &control.limits(&settings),
+        )
+        && found.stop == Stop::Complete
     {
         let own = found.objects.iter().find(|one| one.object == object);
         let figures = own.and_then(|one| one.figures.as_ref());
