@@ -7,6 +7,7 @@ pub mod cycle;
 mod document;
 pub mod exact;
 pub mod expectations;
+pub mod forces;
 mod kinematic;
 pub mod kinematics;
 pub mod law;

@@ -1,10 +1,12 @@
 //! The command line's arguments.
 
 mod cam;
+mod forces;
 mod kinematics;
 mod methods;
 
 pub(crate) use cam::{CamArgs, CamForm};
+pub(crate) use forces::{ConventionName, Direction, ForcesArgs};
 pub(crate) use kinematics::KinematicsArgs;
 pub(crate) use methods::MethodsArgs;
 
@@ -50,6 +52,8 @@ pub(crate) enum Command {
     /// Find the steady motion of a machine, size its flywheel; of an elastic scene the periodic
     /// motion and its stability
     Steady(SteadyArgs),
+    /// Kinetostatics of a linkage: reactions, driving force, friction, transmission ratio, self-locking
+    Forces(ForcesArgs),
 }
 
 /// What every command on a scene takes.

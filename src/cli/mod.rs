@@ -7,6 +7,7 @@ mod check;
 mod compare;
 mod console;
 mod failure;
+mod forces;
 mod input;
 mod interrupt;
 mod journal;
@@ -41,6 +42,7 @@ pub(crate) fn main() -> ExitCode {
         Command::Methods(args) => (methods::command(args), Some(&args.scene)),
         Command::Kinematics(args) => (kinematics::command(args), Some(&args.scene)),
         Command::Steady(args) => (steady::command(args), None),
+        Command::Forces(args) => (forces::command(args), Some(&args.scene)),
     };
     match result {
         Ok(status) => ExitCode::from(status.code()),

@@ -125,7 +125,7 @@ fn constant_force(point: PointOf, force: [f64; 2], follows: bool, workspace: &Wo
 
 /// Value and slope of a table at `q`: linear between the points, constant
 /// outside, or closed over the period. At a point the slope is that after it.
-fn interpolate(points: &[(f64, f64)], period: Option<f64>, q: f64) -> [f64; 2] {
+pub(super) fn interpolate(points: &[(f64, f64)], period: Option<f64>, q: f64) -> [f64; 2] {
     let (Some(&first), Some(&last)) = (points.first(), points.last()) else {
         return [0.0; 2];
     };

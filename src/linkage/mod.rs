@@ -28,6 +28,7 @@ mod dyad;
 mod examine;
 mod forces;
 mod guesses;
+pub mod kinetostatics;
 mod newton;
 mod plan;
 mod range;

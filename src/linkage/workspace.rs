@@ -3,7 +3,7 @@
 use super::course::nearest_turn;
 use super::plan::{elements, slides};
 use super::series::Series;
-use super::spec::{OutputKind, PointOf};
+use super::spec::{OutputKind, PairSpec, PointOf};
 use super::state::State;
 use super::vector::Vector;
 use super::{Core, Linkage};
@@ -165,6 +165,12 @@ impl Workspace {
     pub(super) fn frame(&self, link: Option<usize>) -> (Vector<4>, Vector<4>) {
         let frame = self.state.frame::<4>(link);
         (frame.at, frame.direction)
+    }
+
+    /// A pair as it was given.
+    #[inline]
+    pub(super) fn pair_spec(&self, pair: usize) -> &PairSpec {
+        &self.core.spec.pairs[pair]
     }
 
     #[cfg(test)]

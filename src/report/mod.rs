@@ -15,6 +15,7 @@ pub mod csv;
 pub mod diagram;
 #[cfg(test)]
 mod fixture;
+pub mod forces;
 pub mod html;
 pub mod kinematics;
 pub mod law;

@@ -52,19 +52,19 @@ pub struct Question {
 /// A question that can be answered.
 #[derive(Clone, Debug)]
 pub struct Asked<'a> {
-    pub(super) object: String,
-    pub(super) linkage: &'a Linkage,
-    pub(super) input: Coordinate,
+    pub(in crate::analysis) object: String,
+    pub(in crate::analysis) linkage: &'a Linkage,
+    pub(in crate::analysis) input: Coordinate,
     /// Whether each output turns or slides.
     pub(super) outputs: Vec<Coordinate>,
     pub(super) course: Option<Course<'a>>,
-    pub(super) over: Over,
-    pub(super) positions: usize,
+    pub(in crate::analysis) over: Over,
+    pub(in crate::analysis) positions: usize,
     pub(super) also: Option<f64>,
     /// Speed and acceleration over a turn or range.
-    pub(super) rate: [f64; 2],
+    pub(in crate::analysis) rate: [f64; 2],
     /// True when the speed is that of nothing: 1.
-    pub(super) unit_rate: bool,
+    pub(in crate::analysis) unit_rate: bool,
 }
 
 /// The linkage with this id, or the only one.
@@ -202,7 +202,7 @@ impl<'a> Asked<'a> {
     }
 
     /// Where a turn begins.
-    pub(super) fn first_input(&self) -> f64 {
+    pub(in crate::analysis) fn first_input(&self) -> f64 {
         match &self.course {
             Some(course) => course.at(0.0).value,
             None => self.linkage.range().start,
@@ -210,7 +210,7 @@ impl<'a> Asked<'a> {
     }
 
     /// The input's motion at a place of the axis.
-    pub(super) fn input_at(&self, place: f64) -> Jet {
+    pub(in crate::analysis) fn input_at(&self, place: f64) -> Jet {
         match (self.over, &self.course) {
             (Over::Time { .. }, Some(course)) => course.at(place),
             _ => Jet {

@@ -88,7 +88,7 @@ fn show(
     Ok(())
 }
 
-fn quantity(name: &str, text: &str, wanted: Wanted) -> Result<f64, Failure> {
+pub(super) fn quantity(name: &str, text: &str, wanted: Wanted) -> Result<f64, Failure> {
     Ok(read_argument(name, text, |slot| {
         slot.quantity(wanted, Bounds::ANY)
     })?)
@@ -149,7 +149,7 @@ fn place(
 }
 
 /// `FROM:TO`, each with its unit or the last unit for both.
-fn range_of(text: &str, own: Measures) -> Result<Over, Failure> {
+pub(super) fn range_of(text: &str, own: Measures) -> Result<Over, Failure> {
     let Some((from, to)) = text.split_once(':') else {
         let message = format!("--range {text}: give FROM:TO, as 0:180 deg");
         return Err(Failure::Other(message));

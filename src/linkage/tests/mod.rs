@@ -4,6 +4,7 @@ mod branches;
 mod change_points;
 mod examples;
 mod forces;
+mod kinetostatics;
 mod known;
 mod random;
 mod refusals;

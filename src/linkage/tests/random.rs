@@ -86,7 +86,7 @@ impl Drawing {
 }
 
 /// Slides of outer, inner, outer pair.
-const FORMS: [[bool; 3]; 7] = [
+pub(super) const FORMS: [[bool; 3]; 7] = [
     [false, false, false],
     [false, false, true],
     [true, false, false],
@@ -97,7 +97,7 @@ const FORMS: [[bool; 3]; 7] = [
 ];
 
 /// A linkage of `dyads` dyads, driven on the ground or between two moving links.
-fn linkage(seed: u64, dyads: usize, forms: &[[bool; 3]]) -> Builder {
+pub(super) fn linkage(seed: u64, dyads: usize, forms: &[[bool; 3]]) -> Builder {
     let mut dice = Dice(seed);
     let driven_assembly = dice.next() < 0.3;
     let first = if driven_assembly { 2 } else { 1 };
