@@ -1,5 +1,8 @@
 //! The steady motion of scenes: what independent ways agree on, what is refused.
 
+// The log of a run says how near the bounds are.
+#![allow(clippy::print_stdout)]
+
 use dam::analysis::RunSettings;
 use dam::analysis::steady::{Answer, PeriodicAnswer, RigidAnswer, Stability, steady_motion};
 use dam::exact::{Parts, Request};
@@ -175,6 +178,17 @@ fn energy_theorem_cycle_map_and_simulation_agree() {
             "{name}"
         );
     }
+}
+
+#[test]
+fn a_flywheel_for_a_machine_on_its_motor_keeps_what_it_promises() {
+    let answer = rigid("steady/press_motor", |spec| spec.fluctuation = Some(0.1));
+    let wheel = answer.flywheel.unwrap();
+    approx::assert_relative_eq!(wheel.fluctuation_with, 0.1, max_relative = 1e-9);
+    approx::assert_relative_eq!(answer.figures.fluctuation, 0.1, max_relative = 1e-9);
+    assert!(wheel.inertia > 5.0 && wheel.approximations[2].error.unwrap().abs() < 0.05);
+    let run = answer.agreement.simulation.unwrap();
+    assert!(run.speed.abs() < 1e-8, "{run:?}");
 }
 
 #[test]

@@ -66,8 +66,8 @@ pub enum Refusal {
     Fluctuation {
         /// δ asked for.
         wanted: f64,
-        /// δ without a flywheel.
-        without: f64,
+        /// δ without a flywheel; `None` where the machine would stop.
+        without: Option<f64>,
         /// Why.
         why: String,
     },
@@ -145,10 +145,16 @@ impl Refusal {
                 wanted,
                 without,
                 why,
-            } => format!(
-                "no flywheel gives the coefficient of fluctuation {wanted} (without one it is \
-                 {without:.6}): {why}"
-            ),
+            } => {
+                let without = match without {
+                    Some(found) => format!("it is {found:.6}"),
+                    None => "the machine would stop".to_owned(),
+                };
+                format!(
+                    "no flywheel gives the coefficient of fluctuation {wanted} (without one \
+                     {without}): {why}"
+                )
+            }
         }
     }
 
