@@ -46,6 +46,9 @@ pub struct Extreme {
 /// Turns in a cycle at most.
 pub const MOST_TURNS: f64 = 100.0;
 
+/// A least J of less than this share of the greatest is none.
+const NOTHING: f64 = 1e-13;
+
 /// Relative differences that are none between extremes.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
@@ -110,7 +113,7 @@ impl Profile {
         profile.least_inertia = profile.extreme(-1.0, inertia);
         profile.greatest_inertia = profile.extreme(1.0, inertia);
         let Extreme { value, at } = profile.least_inertia;
-        if !(value > 0.0) {
+        if !(value > NOTHING * profile.greatest_inertia.value) {
             return Err(Refusal::Inertia {
                 position: at,
                 inertia: value,

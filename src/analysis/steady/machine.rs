@@ -254,7 +254,18 @@ impl Machine {
             self.at(0, 0.0, 0.0).inertia,
             self.at(last, self.cycle, 0.0).inertia,
         ];
-        if (start - end).abs() <= SAME * start.abs().max(end.abs()) {
+        let ends = std::iter::once(0.0).chain(self.breaks.iter().copied());
+        let size = ends
+            .enumerate()
+            .map(|(piece, from)| {
+                let to = self.breaks.get(piece).copied().unwrap_or(self.cycle);
+                let places = (0..=32).map(|i| from + (to - from) * f64::from(i) / 32.0);
+                places
+                    .map(|place| self.at(piece, place, 0.0).inertia)
+                    .fold(0.0, f64::max)
+            })
+            .fold(0.0, f64::max);
+        if (start - end).abs() <= SAME * size {
             return Ok(());
         }
         let message = format!(
