@@ -12,9 +12,11 @@
 //! rotor keeps its absolute angle.
 
 use crate::breaks::Breaks;
+use crate::linkage::Linkage;
 use crate::motion::DriveMotion;
 use crate::position::Position;
 use serde::Serialize;
+use std::sync::Arc;
 
 /// Index of a node in [`Model::nodes`].
 pub type NodeIndex = usize;
@@ -28,6 +30,8 @@ pub struct Model {
     pub links: Vec<Link>,
     /// Loads on nodes.
     pub loads: Vec<Load>,
+    /// Linkages.
+    pub linkages: Vec<LinkageBody>,
     /// Piecewise axes: which piece of a law, table or window is in force is a
     /// discrete state that changes at located events.
     pub tracks: Vec<Track>,
@@ -245,6 +249,22 @@ pub struct LinearPiece {
     pub slope: f64,
 }
 
+/// A rigid planar linkage on a node whose displacement is its input coordinate
+/// q. The node carries the linkage's inertia J(q) and its forces
+/// −½·J′·q̇² − V′ + Q − D·q̇, and nothing of its own; its outputs are rigid nodes
+/// without inertia that follow it.
+#[derive(Clone, Debug)]
+pub struct LinkageBody {
+    /// Its input: a rigid node.
+    pub node: NodeIndex,
+    /// The linkage.
+    pub linkage: Arc<Linkage>,
+    /// The nodes of its outputs, in their order.
+    pub outputs: Vec<NodeIndex>,
+    /// The object concerned, index into [`Model::objects`].
+    pub object: usize,
+}
+
 /// An axis with break points; its current segment is discrete state.
 #[derive(Clone, Debug)]
 pub struct Track {
@@ -268,12 +288,27 @@ pub enum TrackSource {
     Node(NodeIndex),
 }
 
-/// What became of one of the scene's objects.
+/// The owner of a figure and the figure's name, from an address such as
+/// `rocker.pair.gap` or `press.ram.peak_speed`: the longest id that `known`
+/// knows; the first part when it knows none.
+pub fn owner_of(address: &str, known: impl Fn(&str) -> bool) -> (&str, &str) {
+    let mut ends = address.match_indices('.').map(|(at, _)| at);
+    let Some(first) = ends.next() else {
+        return (address, "");
+    };
+    let end = match ends.next() {
+        Some(second) if known(&address[..second]) => second,
+        _ => first,
+    };
+    (&address[..end], &address[end + 1..])
+}
+
+/// What became of one of the scene's objects, or of an output of one.
 #[derive(Clone, Debug)]
 pub struct ObjectPart {
-    /// Id in the scene.
+    /// Id in the scene; of an output `object.output`.
     pub id: String,
-    /// Kind in the scene.
+    /// Kind in the scene; [`OUTPUT`] of an output.
     pub kind: &'static str,
     /// Turning or sliding.
     pub coordinate: Coordinate,
@@ -286,6 +321,9 @@ pub struct ObjectPart {
     /// The pair of a rigid object (an elastic object's is in its link 1).
     pub rigid_pair: Option<Pair>,
 }
+
+/// The kind of an object part that is an output of another one.
+pub const OUTPUT: &str = "output";
 
 /// State at t = 0.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -256,7 +256,7 @@ impl Sink for Nobody {
 fn the_steps_of_the_own_methods_allocate_nothing() {
     let system = System::new(quiet_model()).unwrap();
     let start = system.initial_state().unwrap();
-    for method in [Method::Taylor, Method::Rodas5p] {
+    for method in [Method::Taylor, Method::Rodas5p, Method::Radau] {
         let count = |duration: f64| {
             let settings = Settings {
                 method,

@@ -16,10 +16,13 @@ const ENGAGED: PairState = PairState::Engaged(0);
 fn run(problem: &TreeProblem, end: f64) -> ExactRun {
     let request = Request {
         all_masses: true,
+        audit: true,
         ..Request::new(end, 50)
     };
     let run = ExactTree::new(problem.clone()).run(&request).expect("runs");
     assert!(run.complete);
+    let audit = run.audit.expect("audit");
+    assert!(audit.error() < 1e-10, "{audit:?}");
     run
 }
 

@@ -1,12 +1,15 @@
 //! Questions asked of a system: one file a question.
 
 pub mod axis;
+pub mod cam;
 pub mod compare;
 pub mod cycle;
 mod document;
 pub mod exact;
 pub mod expectations;
+pub mod forces;
 mod kinematic;
+pub mod kinematics;
 pub mod law;
 pub mod map;
 mod method;

@@ -2,13 +2,16 @@
 //! the library.
 
 mod args;
+mod cam;
 mod check;
 mod compare;
 mod console;
 mod failure;
+mod forces;
 mod input;
 mod interrupt;
 mod journal;
+mod kinematics;
 mod law;
 mod map;
 mod methods;
@@ -34,9 +37,12 @@ pub(crate) fn main() -> ExitCode {
         Command::Show(args) => (show::command(args), Some(&args.scene)),
         Command::Compare(args) => (compare::command(args), Some(&args.scene)),
         Command::Law(args) => (law::command(args), None),
+        Command::Cam(args) => (cam::command(args), Some(&args.scene)),
         Command::Map(args) => (map::command(args), Some(&args.scene)),
         Command::Methods(args) => (methods::command(args), Some(&args.scene)),
+        Command::Kinematics(args) => (kinematics::command(args), Some(&args.scene)),
         Command::Steady(args) => (steady::command(args), None),
+        Command::Forces(args) => (forces::command(args), Some(&args.scene)),
     };
     match result {
         Ok(status) => ExitCode::from(status.code()),

@@ -4,8 +4,9 @@ use super::args::{Form, ShowArgs, View};
 use super::console;
 use super::failure::{Failure, Status};
 use super::input::Input;
+use dam::analysis::exact::{Mixed, mixed};
 use dam::exact::{Parts, Refusal};
-use dam::model::Model;
+use dam::model::{Coordinate, LinkageBody, Model};
 use dam::report::diagram::Diagram;
 use dam::report::show::equations::{equations, latex, text};
 use dam::report::show::graph;
@@ -89,10 +90,23 @@ fn exact_in_words(system: &System) -> String {
         let (object, reason) = (&refusal.object, &refusal.reason);
         out.push_str(&format!("  does not apply: {object}: {reason}\n"));
     }
+    if let Some(mixed) = mixed(system) {
+        let ids = integrated(&mixed).join(", ");
+        out.push_str(&format!("  beside it, `auto` integrates {ids}\n"));
+    }
     if parts.trees.is_empty() && parts.refusals.is_empty() {
         out.push_str("  nothing is elastic: the motion follows from the drives\n");
     }
     out
+}
+
+/// The objects that a mixed run integrates: what is driven, and motors.
+fn integrated(mixed: &Mixed) -> Vec<String> {
+    let own = &mixed.rest.system;
+    let parts = own.model().objects.iter().enumerate();
+    let moves = |object: usize| own.last_coordinate(object).is_some();
+    let ids = parts.filter(|(object, part)| part.driver.is_some() || moves(*object));
+    ids.map(|(_, part)| part.id.clone()).collect()
 }
 
 fn exact_document(system: &System) -> serde_json::Value {
@@ -102,6 +116,7 @@ fn exact_document(system: &System) -> serde_json::Value {
     json!({
         "applies": parts.is_whole(),
         "objects": objects.map(|&object| &system.model().objects[object].id).collect::<Vec<_>>(),
+        "beside": mixed(system).map(|mixed| integrated(&mixed)).unwrap_or_default(),
         "refusals": parts.refusals.iter().map(refusal).collect::<Vec<_>>(),
     })
 }
@@ -139,8 +154,28 @@ fn document(scene: &str, system: &System) -> serde_json::Value {
         "dam": 1,
         "scene": scene,
         "objects": objects,
+        "linkages": model.linkages.iter().map(|body| linkage(model, body)).collect::<Vec<_>>(),
         "natural_frequencies": { "unit": "rad/s", "engaged": found.engaged, "open": found.open },
         "exact": exact_document(system),
         "equations": { "text": text(&equations(model)), "latex": latex(&equations(model)) },
+    })
+}
+
+/// Structure and range of a linkage.
+fn linkage(model: &Model, body: &LinkageBody) -> serde_json::Value {
+    let (structure, range) = (body.linkage.structure(), body.linkage.range());
+    let part = &model.objects[body.object];
+    let turning = part.coordinate == Coordinate::Turning;
+    let groups = (0..structure.groups.len()).map(|group| structure.describe(group));
+    let end = |at: f64| at.is_finite().then_some(at);
+    json!({
+        "id": part.id,
+        "mobility": structure.mobility,
+        "explanation": structure.explanation,
+        "groups": groups.collect::<Vec<_>>(),
+        "reach": range.ends().map(end),
+        "period": range.period.as_ref().map(|period| period.length),
+        "change_points": range.changes.iter().map(|change| change.at).collect::<Vec<_>>(),
+        "range": range.describe(structure, turning),
     })
 }

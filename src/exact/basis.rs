@@ -20,6 +20,9 @@ use super::problem::{PairState, TreeProblem};
 
 const ZERO: C = C::new(0.0, 0.0);
 
+/// A lane is followed over steps of up to this many radians of it.
+const FOLLOW: f64 = 3.2;
+
 /// A mode nearer than this share of Ω to iΩ is refused: its answer, which grows
 /// as t·e^{iΩt}, would come out as a difference of two terms of 1/|iΩ − λ| that
 /// keeps fewer than eight digits.
@@ -77,14 +80,23 @@ pub(crate) struct Basis {
     pub(crate) re: Vec<V>,
     pub(crate) im: Vec<V>,
     pub(crate) modulus: Vec<f64>,
-    /// |λ|⁴.
+    /// The same side by side.
+    pub(crate) moduli: Vec<V>,
+    /// Length over which the lane can be followed, and every one before it (s).
+    pub(crate) follow: Vec<f64>,
+    /// The same for the flights of floating parts (s).
+    pub(crate) follow_flights: f64,
+    /// |λ|⁴, |λ|⁵.
     pub(crate) fourth: Vec<V>,
+    pub(crate) fifth: Vec<V>,
     /// 1 where a vector holds a lane, 0 beyond the last.
     pub(crate) present: Vec<V>,
     /// Square of the lane's greatest motion of any mass for amplitude 1.
     pub(crate) extent: Vec<V>,
     /// Longest phase (s) for which sine and cosine are accurate.
     pub(crate) longest: f64,
+    /// Vectors that never fade: at least one, and all with a harmonic.
+    pub(crate) kept: usize,
     /// Lane of each harmonic.
     pub(crate) harmonic: Vec<usize>,
     /// Shapes by mass: re, im, then λ·shape re, im; index mass·blocks + block.
@@ -167,8 +179,18 @@ impl Basis {
             pack(&|l, i| l.row_v[i].re, n),
             pack(&|l, i| l.row_v[i].im, n),
         ];
-        let modulus = lanes.iter().map(|l| l.lambda.norm()).collect();
+        let modulus: Vec<f64> = lanes.iter().map(|l| l.lambda.norm()).collect();
+        let moduli = pack(&|l, _| l.lambda.norm(), 1);
+        let follow = modulus.iter().map(|m| FOLLOW / m).collect();
+        let harmonics = lanes.iter().filter(|l| l.kind != LaneKind::Mode);
+        let swing = harmonics.fold(0.0f64, |m, l| m.max(l.lambda.im));
+        let follow_flights = if rigid.is_empty() {
+            f64::INFINITY
+        } else {
+            FOLLOW / swing
+        };
         let fourth = pack(&|l, _| l.lambda.norm().powi(4), 1);
+        let fifth = pack(&|l, _| l.lambda.norm().powi(5), 1);
         let present = pack(&|_, _| 1.0, 1);
         let extent = pack(
             &|l, _| l.shape.iter().fold(0.0, |m, x| x.norm_sqr().max(m)),
@@ -185,13 +207,19 @@ impl Basis {
                 harmonic[j] = k;
             }
         }
+        let kept = harmonic.iter().fold(1, |m, k| m.max(k / WIDTH + 1));
         Self {
             masses: n,
             blocks,
+            kept,
             re,
             im,
             modulus,
+            moduli,
+            follow,
+            follow_flights,
             fourth,
+            fifth,
             present,
             extent,
             longest,

@@ -39,7 +39,6 @@
 //!   independent eigenvectors are refused, and so is an undamped mode driven
 //!   within 10⁻⁸ of its own frequency; near it, digits are lost as the distance
 //!   from resonance. See [`Refusal`].
-//! - Modes that have died away leave the search, but for runs with figures.
 //! - At most 256 combinations of engaged pairs are kept; at one more all are
 //!   forgotten and made again when met.
 //! - Position functions that vary with the state, dry friction and anything
@@ -85,6 +84,8 @@
 //! and Bernstein coefficients as bounds of a polynomial on an interval;
 //! products and sums of two numbers after Dekker.
 
+mod asked;
+mod audit;
 mod basis;
 mod bound;
 mod cluster;
@@ -117,14 +118,16 @@ mod tests;
 mod track;
 mod watch;
 
+pub use asked::Asked;
+pub use audit::TreeAudit;
 pub use cursor::{Cursor, MOST_ORDERS};
-pub use from_model::{Part, Parts};
+pub use from_model::{Part, Parts, Rest};
 pub use law::{LAW_DEGREE, Law, PolynomialSpan, Sine, SpanSource};
 pub use problem::{
     Flank, ForcePiece, ForceSource, PairState, Refusal, TimeLoad, TreeMass, TreeObject, TreePair,
     TreeProblem,
 };
-pub use request::{ExactRun, ExactSwitch, Request};
+pub use request::{ExactRun, ExactSwitch, Halt, Request};
 pub use track::TreeFigures;
 
 /// Most combinations of engaged pairs that [`ExactTree::check`] tries.
@@ -202,6 +205,25 @@ impl ExactTree {
     /// # Errors
     /// The modes of a regime cannot be separated, or numbers stop being finite.
     pub fn run(&self, request: &Request) -> Result<ExactRun, Refusal> {
-        run::run(&self.problem, &self.functionals, &self.first, request)
+        self.run_while(request, &run::always)
+    }
+
+    /// Runs it for as long as `goes_on` says so; asked every thousand steps of
+    /// the search.
+    ///
+    /// # Errors
+    /// The same.
+    pub fn run_while(
+        &self,
+        request: &Request,
+        goes_on: &dyn Fn() -> bool,
+    ) -> Result<ExactRun, Refusal> {
+        run::run(
+            &self.problem,
+            &self.functionals,
+            &self.first,
+            request,
+            goes_on,
+        )
     }
 }

@@ -9,14 +9,19 @@
 use super::basis::Basis;
 use super::functional::Functional;
 use super::hermite::{Loss, Point};
-use super::lanes::{Arith, V, WIDTH, reduced};
+use super::lanes::{Arith, V, WIDTH};
 use super::pencil::C;
-use super::phase::{Exponentials, POLY, Phase, scalar_sin_cos};
+use super::phase::{Exponentials, POLY, Phase, Swing};
 
 /// The four functionals of an object in a basis.
 #[derive(Clone, Debug)]
 pub(crate) struct Panel {
     functionals: [Functional; WIDTH],
+    /// Masses in the functionals with the factors of q, q̇, q̈.
+    terms: Vec<(usize, [V; 3])>,
+    /// Factors of the law and its first two derivatives.
+    law: [V; 3],
+    constant: V,
     /// Weights: lane-major, then order 0 … 3, then re, im.
     weights: Vec<V>,
     /// |weight|, and |weight|·|λ|⁴, by lane.
@@ -31,6 +36,7 @@ pub(crate) struct Panel {
 /// A flight seen by the four functionals.
 #[derive(Clone, Copy, Debug)]
 struct Arc {
+    harmonic: usize,
     omega: f64,
     /// α, β: re, im each.
     c: [V; 4],
@@ -79,7 +85,27 @@ impl Panel {
                 [V(f.map(|x| x[0])), V(f.map(|x| x[1])), V(folds)]
             })
             .collect();
+        let mut masses: Vec<usize> = Vec::new();
+        for functional in &functionals {
+            masses.extend(functional.terms.iter().map(|term| term.0));
+        }
+        masses.sort_unstable();
+        masses.dedup();
+        let factors = |mass: usize| {
+            [0, 1, 2].map(|order| {
+                V([0, 1, 2, 3].map(|f| {
+                    let own = functionals[f].terms.iter().filter(|term| term.0 == mass);
+                    own.map(|term| term.1[order]).sum()
+                }))
+            })
+        };
         Self {
+            terms: masses
+                .into_iter()
+                .map(|mass| (mass, factors(mass)))
+                .collect(),
+            law: [0, 1, 2].map(|order| V([0, 1, 2, 3].map(|f| functionals[f].law[order]))),
+            constant: V([0, 1, 2, 3].map(|f| functionals[f].constant)),
             functionals,
             weights,
             sizes,
@@ -120,7 +146,7 @@ impl PanelPhase {
             let (re, im) = (phase.re[b], phase.im[b]);
             self.size[b] = re.fma::<A>(re, im * im).map(f64::sqrt);
         }
-        self.take_polynomials(panel, phase);
+        self.take_polynomials::<A>(panel, phase);
         self.slow4 = if self.degree > 3 {
             self.fourth(phase.reach)
         } else {
@@ -145,6 +171,7 @@ impl PanelPhase {
             let size = (re * re + im * im).map(f64::sqrt);
             self.slow4 = self.slow4 + size * V::splat(square * square);
             self.arcs.push(Arc {
+                harmonic: flight.harmonic,
                 omega: flight.omega,
                 c,
             });
@@ -152,9 +179,20 @@ impl PanelPhase {
     }
 
     #[inline(always)]
-    fn take_polynomials(&mut self, panel: &Panel, phase: &Phase) {
-        let mut work = [0.0; POLY];
+    fn take_polynomials<A: Arith>(&mut self, panel: &Panel, phase: &Phase) {
         self.degree = phase.degree.max(phase.forcing.degree);
+        if self.degree <= 2 {
+            self.poly[..3].copy_from_slice(&[panel.constant, V::ZERO, V::ZERO]);
+            for &(i, factors) in &panel.terms {
+                self.accumulate::<A>(&phase.poly[i * POLY..i * POLY + 3], factors);
+            }
+            let mut law = [0.0; 3];
+            let count = phase.forcing.degree + 1;
+            law[..count].copy_from_slice(&phase.forcing.law[..count]);
+            self.accumulate::<A>(&law, panel.law);
+            return;
+        }
+        let mut work = [0.0; POLY];
         self.poly[..=self.degree].fill(V::ZERO);
         for (f, functional) in panel.functionals.iter().enumerate() {
             let degree = functional.polynomial(phase, &mut work);
@@ -162,6 +200,16 @@ impl PanelPhase {
                 lanes.0[f] = *value;
             }
         }
+    }
+
+    /// Adds a·p + b·ṗ + c·p̈ for a polynomial of degree 2.
+    #[inline(always)]
+    fn accumulate<A: Arith>(&mut self, p: &[f64], [a, b, c]: [V; 3]) {
+        let [p0, p1, p2] = [V::splat(p[0]), V::splat(p[1]), V::splat(p[2])];
+        let twice = p2 + p2;
+        self.poly[0] = a.fma::<A>(p0, b.fma::<A>(p1, c.fma::<A>(twice, self.poly[0])));
+        self.poly[1] = a.fma::<A>(p1, b.fma::<A>(twice, self.poly[1]));
+        self.poly[2] = a.fma::<A>(p2, self.poly[2]);
     }
 
     #[inline(never)]
@@ -183,7 +231,7 @@ impl PanelPhase {
         phase: &Phase,
         e: &Exponentials,
     ) -> Point {
-        let [mut value, mut slope] = self.slow_two::<A>(e.s);
+        let [mut value, mut slope] = self.slow_two::<A>(e);
         let lanes = basis.lanes.len().min(phase.active * WIDTH);
         for b in 0..phase.active {
             let (zr, zi) = (phase.re[b], phase.im[b]);
@@ -220,14 +268,18 @@ impl PanelPhase {
         let square = h * h;
         let mut middle = self.slow4 * V::splat(square * square * (1.0 / 144.0));
         let mut flat = V::ZERO;
-        for k in 0..follow {
-            let x = basis.modulus[k] * h;
-            let size = self.size[k / WIDTH].0[k % WIDTH] * e.size[k / WIDTH].0[k % WIDTH];
-            let (fourth, level) = (x * x * x * x * (1.0 / 144.0), 2.0 + 0.25 * x);
-            if fourth < level {
-                middle = panel.sizes[k][0].fma::<A>(V::splat(size * fourth), middle);
-            } else {
-                flat = panel.sizes[k][0].fma::<A>(V::splat(size * level), flat);
+        for b in 0..follow.div_ceil(WIDTH) {
+            let size = self.size[b] * e.size[b];
+            let level = basis.moduli[b].fma::<A>(V::splat(0.25 * h), V::splat(2.0));
+            let fourth = basis.fourth[b] * V::splat(square * square * (1.0 / 144.0));
+            let (bent, level_part) = (size * fourth, size * level);
+            for i in 0..WIDTH.min(follow - b * WIDTH) {
+                let own = panel.sizes[b * WIDTH + i][0];
+                if fourth.0[i] < level.0[i] {
+                    middle = own.fma::<A>(V::splat(bent.0[i]), middle);
+                } else {
+                    flat = own.fma::<A>(V::splat(level_part.0[i]), flat);
+                }
             }
         }
         Loss { middle, flat }
@@ -251,7 +303,7 @@ impl PanelPhase {
         e: &Exponentials,
         f: usize,
     ) -> ([f64; 4], f64) {
-        let mut a = self.slow::<A>(e.s).map(|v| v.0[f]);
+        let mut a = self.slow::<A>(e).map(|v| v.0[f]);
         let mut r = self.slow4.0[f];
         for k in 0..basis.lanes.len().min(phase.active * WIDTH) {
             let (b, i) = (k / WIDTH, k % WIDTH);
@@ -286,18 +338,28 @@ impl PanelPhase {
 
     /// Value and slope of polynomial and arcs.
     #[inline(always)]
-    fn slow_two<A: Arith>(&self, s: f64) -> [V; 2] {
-        let time = V::splat(s);
+    fn slow_two<A: Arith>(&self, e: &Exponentials) -> [V; 2] {
+        let time = V::splat(e.s);
         let (mut value, mut slope) = (self.poly[self.degree], V::ZERO);
-        for k in (0..self.degree).rev() {
-            slope = slope.fma::<A>(time, value);
-            value = value.fma::<A>(time, self.poly[k]);
+        if self.degree <= 2 {
+            let [a, b, c] = [self.poly[0], self.poly[1], self.poly[2]];
+            value = c.fma::<A>(time, b).fma::<A>(time, a);
+            slope = (c + c).fma::<A>(time, b);
+        } else {
+            for k in (0..self.degree).rev() {
+                slope = slope.fma::<A>(time, value);
+                value = value.fma::<A>(time, self.poly[k]);
+            }
         }
         for arc in &self.arcs {
             let f = V::splat;
             let w = arc.omega;
-            let (sin, cos) = scalar_sin_cos::<A>(w * s);
-            let (c, l) = reduced::<A>(w * s, sin, cos);
+            let Swing {
+                sin,
+                cos,
+                less_one: c,
+                less_x: l,
+            } = e.swings[arc.harmonic];
             let [ar, ai, br, bi] = arc.c;
             value = value + (ar * f(c) - ai * f(l)) + (br * f(c) - bi * f(sin));
             slope = slope - f(w) * (ar * f(sin) + ai * f(c) + br * f(sin) + bi * f(cos));
@@ -306,8 +368,8 @@ impl PanelPhase {
     }
 
     #[inline(always)]
-    fn slow<A: Arith>(&self, s: f64) -> [V; 4] {
-        let time = V::splat(s);
+    fn slow<A: Arith>(&self, e: &Exponentials) -> [V; 4] {
+        let time = V::splat(e.s);
         let mut d = [self.poly[self.degree], V::ZERO, V::ZERO, V::ZERO];
         for k in (0..self.degree).rev() {
             d[3] = d[3].fma::<A>(time, d[2]);
@@ -320,8 +382,12 @@ impl PanelPhase {
         for arc in &self.arcs {
             let f = V::splat;
             let w = arc.omega;
-            let (sin, cos) = scalar_sin_cos::<A>(w * s);
-            let (c, l) = reduced::<A>(w * s, sin, cos);
+            let Swing {
+                sin,
+                cos,
+                less_one: c,
+                less_x: l,
+            } = e.swings[arc.harmonic];
             let [ar, ai, br, bi] = arc.c;
             let (sr, si) = (ar + br, ai + bi);
             d[0] = d[0] + (ar * f(c) - ai * f(l)) + (br * f(c) - bi * f(sin));
@@ -362,8 +428,11 @@ impl PanelPhase {
         sum += poly * e.s;
         for arc in &self.arcs {
             let x = arc.omega * e.s;
-            let (sin, cos) = scalar_sin_cos::<A>(x);
-            let (c, l) = reduced::<A>(x, sin, cos);
+            let Swing {
+                less_one: c,
+                less_x: l,
+                ..
+            } = e.swings[arc.harmonic];
             let [ar, ai, br, bi] = arc.c.map(|v| v.0[0]);
             // ∫E_k ds = E_{k+1}/(iΩ).
             let third = c + 0.5 * x * x;

@@ -9,9 +9,12 @@
 
 mod climb;
 
+use climb::{Climb, Turns};
+
+use super::asked::Asked;
 use super::basis::Basis;
-use super::hermite::{End, Piece, Point, enclose};
-use super::lanes::{Arith, V, WIDTH};
+use super::hermite::{Bounds, End, Piece, Point, enclose};
+use super::lanes::{Arith, Task, V, WIDTH};
 use super::panel::{Panel, PanelPhase};
 use super::phase::{Exponentials, Phase};
 
@@ -39,6 +42,9 @@ const CUTS: usize = 64;
 
 /// Lanes are followed over up to this many radians of theirs.
 const FOLLOW: f64 = 4.5;
+
+/// Most times that a part is halved before its summits are climbed.
+const HALVINGS: u8 = 2;
 
 /// What the figures are taken from.
 #[derive(Clone, Copy)]
@@ -74,6 +80,7 @@ pub(crate) struct Track {
     pub(crate) area: f64,
     state: PanelPhase,
     engaged: bool,
+    asked: Asked,
     /// Cap on the clearance (half the gap).
     cap: f64,
     high: V,
@@ -92,7 +99,13 @@ pub(crate) struct Track {
 }
 
 impl Track {
-    pub(crate) fn new(blocks: usize, flights: usize, delta: f64, cap: f64) -> Self {
+    pub(crate) fn new(
+        (blocks, harmonics): (usize, usize),
+        flights: usize,
+        delta: f64,
+        cap: f64,
+        asked: Asked,
+    ) -> Self {
         Self {
             figures: TreeFigures {
                 delta_max: delta,
@@ -102,6 +115,7 @@ impl Track {
             area: 0.0,
             state: PanelPhase::new(blocks, flights),
             engaged: true,
+            asked,
             cap,
             high: V::ZERO,
             low: V::ZERO,
@@ -109,9 +123,9 @@ impl Track {
             turned: 0.0,
             roots: Vec::with_capacity(CUTS),
             pieces: Vec::with_capacity(2 * CUTS + 2),
-            e: Exponentials::new(blocks),
-            from: Exponentials::new(blocks),
-            to: Exponentials::new(blocks),
+            e: Exponentials::new(blocks, harmonics),
+            from: Exponentials::new(blocks, harmonics),
+            to: Exponentials::new(blocks, harmonics),
         }
     }
 
@@ -137,8 +151,16 @@ impl Track {
         if !engaged && f.max_lift >= self.cap {
             self.high.0[3] = f64::INFINITY;
         }
+        // What is not asked for can never pass.
+        for (k, asked) in self.asked.functionals(engaged).into_iter().enumerate() {
+            if !asked {
+                (self.high.0[k], self.low.0[k]) = (f64::INFINITY, f64::NEG_INFINITY);
+            }
+        }
         self.last = self.state.point::<A>(basis, panel, phase, e);
-        self.turned = self.state.primitive::<A>(basis, panel, phase, e);
+        if self.asked.mean {
+            self.turned = self.state.primitive::<A>(basis, panel, phase, e);
+        }
     }
 
     /// Takes the step from `before` to `now` into the figures.
@@ -155,7 +177,12 @@ impl Track {
                 .point::<A>(scene.basis, scene.panel, scene.phase, now);
             self.span::<A>(scene, before, end);
         } else {
-            self.walk::<A>(scene, before, now);
+            A::apart(Walk {
+                track: self,
+                scene,
+                before,
+                now,
+            });
         }
     }
 
@@ -194,7 +221,9 @@ impl Track {
             }
             self.last = end;
             std::mem::swap(&mut from, &mut to);
-            length = (4.0 * h).min(now.s - from.s);
+            // Where every lane had to be followed the next part is as short.
+            let growth = if follow == scene.lanes() { 1.4 } else { 4.0 };
+            length = (growth * h).min(now.s - from.s);
         }
         self.from = from;
         self.to = to;
@@ -242,15 +271,29 @@ impl Track {
         let bounds = enclose::<A>(&a, &b, &loss);
         let worst = (bounds.high - self.high).max(self.low - bounds.low);
         let margin = self.margin();
-        (0..4).all(|k| worst.0[k] <= margin.0[k]) && !mixed(bounds.low.0[0], bounds.high.0[0])
+        (0..4).all(|k| worst.0[k] <= margin.0[k]) && !self.may_turn(&bounds)
     }
 
     /// Takes the part from the last point to `b`, which begins at `before`.
     #[inline(always)]
     fn span<A: Arith>(&mut self, scene: Scene, before: &Exponentials, b: Point) {
-        let (basis, panel) = (scene.basis, scene.panel);
         let a = self.last;
         self.last = b;
+        self.between::<A>(scene, before, (a, b), HALVINGS);
+    }
+
+    /// Takes the part between two points. It may be cut in half so many times
+    /// first, which settles most of what a bound over the whole leaves open,
+    /// for all figures at once.
+    #[inline(always)]
+    fn between<A: Arith>(
+        &mut self,
+        scene: Scene,
+        before: &Exponentials,
+        (a, b): (Point, Point),
+        halvings: u8,
+    ) {
+        let (basis, panel) = (scene.basis, scene.panel);
         let h = b.s - a.s;
         let loss = self
             .state
@@ -258,24 +301,51 @@ impl Track {
         let bounds = enclose::<A>(&a, &b, &loss);
         let over = bounds.high - self.high;
         let under = self.low - bounds.low;
-        let worst = over.max(under);
         // Differences below rounding are not worth a climb.
         let margin = self.margin();
-        if (0..4).any(|k| worst.0[k] > margin.0[k]) {
+        let beyond = over.max(under) - margin;
+        if beyond.greatest() > 0.0 {
+            if halvings > 0 {
+                A::apart(Halves {
+                    track: self,
+                    scene,
+                    before,
+                    ends: (a, b),
+                    halvings: halvings - 1,
+                });
+                return;
+            }
             let noise = self.state.noise(basis, panel, b.s);
             for k in 0..4 {
                 let margin = margin.0[k].max(noise.0[k]);
-                if over.0[k] > margin {
-                    self.climb::<A>(scene, before, (&a, &b), (k, 1.0), margin);
-                }
-                if under.0[k] > margin {
-                    self.climb::<A>(scene, before, (&a, &b), (k, -1.0), margin);
+                for (beyond, sign) in [(over.0[k], 1.0), (under.0[k], -1.0)] {
+                    if beyond > margin {
+                        A::apart(Climb {
+                            track: self,
+                            scene,
+                            before,
+                            ends: (&a, &b),
+                            figure: (k, sign),
+                            margin,
+                        });
+                    }
                 }
             }
         }
-        if mixed(bounds.low.0[0], bounds.high.0[0]) {
-            self.turns::<A>(scene, before, (&a, &b));
+        if self.may_turn(&bounds) {
+            A::apart(Turns {
+                track: self,
+                scene,
+                before,
+                ends: (&a, &b),
+            });
         }
+    }
+
+    /// True when δ may change its sign, and that matters.
+    #[inline(always)]
+    fn may_turn(&self, bounds: &Bounds) -> bool {
+        self.asked.mean && mixed(bounds.low.0[0], bounds.high.0[0])
     }
 
     #[inline(always)]
@@ -287,6 +357,9 @@ impl Track {
     /// Ends the phase at the instant of `e`.
     #[inline(always)]
     pub(crate) fn end<A: Arith>(&mut self, scene: Scene, e: &Exponentials) {
+        if !self.asked.mean {
+            return;
+        }
         let last = self
             .state
             .primitive::<A>(scene.basis, scene.panel, scene.phase, e);
@@ -310,6 +383,57 @@ impl Track {
         }
         if (k > 0 && (k < 3 || self.engaged)) || sign < 0.0 {
             self.low.0[k] = -best;
+        }
+    }
+}
+
+/// [`Track::walk`], out of line.
+struct Walk<'a> {
+    track: &'a mut Track,
+    scene: Scene<'a>,
+    before: &'a Exponentials,
+    now: &'a Exponentials,
+}
+
+impl Task for Walk<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<A: Arith>(self) {
+        self.track.walk::<A>(self.scene, self.before, self.now);
+    }
+}
+
+/// A part of a step taken in two halves.
+struct Halves<'a> {
+    track: &'a mut Track,
+    scene: Scene<'a>,
+    before: &'a Exponentials,
+    ends: (Point, Point),
+    halvings: u8,
+}
+
+impl Task for Halves<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<A: Arith>(self) {
+        let Self {
+            track,
+            scene,
+            before,
+            ends: (a, b),
+            halvings,
+        } = self;
+        let Scene {
+            basis,
+            panel,
+            phase,
+        } = scene;
+        phase.exponentials::<A>(basis, 0.5 * (a.s + b.s), &mut track.e);
+        let middle = track.state.point::<A>(basis, panel, phase, &track.e);
+        for ends in [(a, middle), (middle, b)] {
+            track.between::<A>(scene, before, ends, halvings);
         }
     }
 }

@@ -1,5 +1,6 @@
 //! What is watched in the present states of the pairs, and what a switch does to them.
 
+use super::functional::value;
 use super::lanes::Arith;
 use super::problem::PairState;
 use super::request::ExactSwitch;
@@ -80,16 +81,13 @@ impl Workspace<'_> {
             }
             let clear = watch.functional - 1;
             let entry = &self.regimes[regime];
-            let signal = &mut self.signals[clear];
-            signal.take::<A>(
-                &entry.basis,
-                &self.phase,
+            let (x, noise) = value::<A>(
                 &self.functionals[clear],
                 &entry.weights[clear],
-                1.0,
+                &self.phase,
+                &self.search.e,
             );
-            let x = signal.value::<A>(&entry.basis, self.phase.active, &self.search.e);
-            if x > signal.noise {
+            if x > noise {
                 self.states[watch.mass] = PairState::Free;
                 changed = true;
             }

@@ -47,7 +47,7 @@ struct Behaviour {
 /// one by one.
 const FULL: f64 = 6.0;
 
-const BEHAVIOURS: [Behaviour; 4] = [
+const BEHAVIOURS: [Behaviour; 5] = [
     Behaviour {
         method: Method::Taylor,
         step: 1.75,
@@ -78,6 +78,14 @@ const BEHAVIOURS: [Behaviour; 4] = [
         order: 5.0,
         stable: f64::INFINITY,
         cost: [6.0, 2.3],
+        digit: 0.0,
+    },
+    Behaviour {
+        method: Method::Radau,
+        step: 0.67,
+        order: 8.0,
+        stable: f64::INFINITY,
+        cost: [12.0, 4.6],
         digit: 0.0,
     },
 ];

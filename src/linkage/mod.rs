@@ -1,7 +1,290 @@
 //! Planar linkages of rigid links and lower pairs with one degree of freedom.
 //!
-//! A linkage is given in plain numbers ([`spec::LinkageSpec`]). Its structure
-//! is found (mobility, Assur groups), its positions solved group by group, its
-//! motion given by transfer functions of the input coordinate.
+//! A linkage is given in plain numbers ([`spec::LinkageSpec`]). [`Linkage::new`]
+//! finds its structure (mobility, Assur groups), puts it together at the start,
+//! and walks along the input coordinate to find how far it can go ([`Range`]).
+//! [`Linkage::solve`] then gives, at any input within reach, the position of
+//! every link with its transfer functions: the derivatives by the input
+//! coordinate. What follows from them is linear algebra: velocity is x′q̇,
+//! acceleration x′q̈ + x″q̇².
+//!
+//! Dyads are solved in closed form on directions, evaluated on power series of
+//! the input, so that one formula gives the position and all its derivatives to
+//! rounding; larger groups by Newton's method, their derivatives from the same
+//! matrix. Which assembly a dyad is in is a sign, and stays with it: it changes
+//! only at change points, where all its links are in line, and these are found
+//! beforehand.
+//!
+//! SI units; angles in radians, counterclockwise.
 
+mod assemble;
+mod change;
+mod check;
+mod compile;
+mod course;
+mod decompose;
+mod dense;
+mod dyad;
+mod examine;
+mod forces;
+mod guesses;
+pub mod kinetostatics;
+mod newton;
+mod plan;
+mod range;
+mod reduced;
+pub(crate) mod series;
+mod solve;
 pub mod spec;
+mod state;
+mod structure;
+#[cfg(test)]
+mod tests;
+pub(crate) mod vector;
+mod walk;
+mod workspace;
+
+pub use forces::Part as ForcePart;
+pub use range::{Cause, ChangePoint, End, OutOfReach, Period, Range, Reach};
+pub use reduced::Reduced;
+pub use structure::{Group, GroupKind, Structure};
+pub use workspace::{Pose, Workspace};
+
+use crate::fault::Fault;
+use course::Course;
+use plan::Plan;
+use range::Cause::DeadPosition;
+use solve::{Guess, Stuck};
+use spec::LinkageSpec;
+use state::State;
+use std::f64::consts::TAU;
+use std::sync::Arc;
+use walk::{Walker, Way};
+
+/// A planar linkage, ready to be solved. Cheap to clone, immutable.
+#[derive(Clone, Debug)]
+pub struct Linkage {
+    core: Arc<Core>,
+}
+
+/// Everything that is known of a linkage.
+#[derive(Debug)]
+struct Core {
+    spec: LinkageSpec,
+    plan: Plan,
+    course: Course,
+    structure: Structure,
+    range: Range,
+}
+
+impl Linkage {
+    /// Finds structure, assembly and range of a linkage.
+    ///
+    /// # Errors
+    /// Everything wrong with its numbers; then what is wrong with its structure
+    /// (not one degree of freedom, parts held more than once or not at all);
+    /// then the first group that cannot be assembled at the start. Paths are
+    /// relative to the linkage: `links.rod.mass`, `pairs.A`, `driver`.
+    pub fn new(spec: LinkageSpec) -> Result<Self, Vec<Fault>> {
+        Self::with(spec, true)
+    }
+
+    /// [`Self::new`], its dyads in closed form or by iteration.
+    fn with(spec: LinkageSpec, closed_forms: bool) -> Result<Self, Vec<Fault>> {
+        check::check(&spec)?;
+        let (plan, mut groups) = compile::compile(&spec, closed_forms)?;
+        let mut state = State::new(&plan);
+        let branches = assemble::assemble(&spec, &plan, &groups, &mut state)?;
+        for (group, branch) in groups[1..].iter_mut().zip(&branches) {
+            let two_ways = matches!(group.kind, GroupKind::Rrr | GroupKind::Rrp | GroupKind::Rpr);
+            group.branch = two_ways.then_some(branch.sign);
+        }
+        let mut course = assemble::course(&spec, branches);
+        let ends = explore(&spec, &plan, &mut course, &mut state)?;
+        let range = ranged(&course, ends);
+        let structure = Structure::new(&spec, groups);
+        let core = Core {
+            spec,
+            plan,
+            course,
+            structure,
+            range,
+        };
+        Ok(Self {
+            core: Arc::new(core),
+        })
+    }
+
+    /// The numbers it was made of.
+    pub fn spec(&self) -> &LinkageSpec {
+        &self.core.spec
+    }
+
+    /// Mobility and groups.
+    pub fn structure(&self) -> &Structure {
+        &self.core.structure
+    }
+
+    /// How far the input can go.
+    pub fn range(&self) -> &Range {
+        &self.core.range
+    }
+
+    /// All memory that solving needs.
+    pub fn workspace(&self) -> Workspace {
+        Workspace::new(Arc::clone(&self.core))
+    }
+
+    /// Finds the position of every link at the input `q` (rad or m) and its
+    /// transfer functions up to `order` (0 to 3; more is taken as 3). Allocates
+    /// nothing.
+    ///
+    /// # Errors
+    /// The input lies outside the reach; the workspace is then as it was or
+    /// holds a position that means nothing.
+    pub fn solve(&self, q: f64, order: usize, workspace: &mut Workspace) -> Result<(), OutOfReach> {
+        match order {
+            0 => self.place::<1>(q, workspace),
+            1 => self.place::<2>(q, workspace),
+            2 => self.place::<3>(q, workspace),
+            _ => self.place::<4>(q, workspace),
+        }
+    }
+
+    fn place<const N: usize>(&self, q: f64, workspace: &mut Workspace) -> Result<(), OutOfReach> {
+        let Core { plan, course, .. } = &*self.core;
+        if !(course.ends[0] < q && q < course.ends[1] && q.is_finite()) {
+            return Err(self.out_of_reach(q));
+        }
+        let (reduced, turns) = course.reduce(q);
+        workspace.at(q, reduced, turns, N - 1);
+        let guess = Guess::Table(&course.table);
+        let groups = plan.steps.len();
+        solve::solve::<N>(
+            plan,
+            course,
+            guess,
+            &mut workspace.state,
+            (q, reduced),
+            groups,
+        )
+        .map_err(|Stuck(_)| self.out_of_reach(q))
+    }
+
+    /// What there is to say of an input outside the reach.
+    fn out_of_reach(&self, q: f64) -> OutOfReach {
+        let reach = self.core.range.ends();
+        let end = match &self.core.range.reach {
+            Reach::Interval { lower, upper } => {
+                if (q - lower.at).abs() < (q - upper.at).abs() {
+                    *lower
+                } else {
+                    *upper
+                }
+            }
+            Reach::Everywhere => End {
+                at: q,
+                cause: Cause::Unexplored,
+            },
+        };
+        OutOfReach {
+            input: q,
+            end,
+            reach,
+        }
+    }
+}
+
+/// Walks both ways from the start.
+fn explore(
+    spec: &LinkageSpec,
+    plan: &Plan,
+    course: &mut Course,
+    state: &mut State,
+) -> Result<[Way; 2], Vec<Fault>> {
+    let start = spec.start;
+    // The first position of a larger group is known to rounding already: it is
+    // solved again, with derivatives, from itself.
+    let here = solve::Anchor::new(start, state);
+    let at = (start, start);
+    let groups = plan.steps.len();
+    if let Err(Stuck(group)) =
+        solve::solve::<4>(plan, course, Guess::Near(&here), state, at, groups)
+    {
+        let links = plan.steps[group].bodies();
+        let names = assemble::names(spec, links);
+        return Err(vec![Fault::new(
+            "links",
+            format!(
+                "{names} are in a dead position at the start {}",
+                assemble::short(start)
+            ),
+            "give approximate positions for another input",
+        )]);
+    }
+    course.table.push(start, state);
+    course.below.push(start, state);
+    if groups == 0 && plan.driver.sliding.is_some() && spec.travel.is_none() {
+        // A sliding link alone goes wherever it is sent.
+        course.finish(&plan.driver);
+        return Ok([Way::Everywhere; 2]);
+    }
+    let limits = spec
+        .travel
+        .map_or([None, None], |[from, to]| [Some(from), Some(to)]);
+    let up = Walker::new(plan, course, state, true).walk(limits[1]);
+    if let Way::Repeats(turns) = up {
+        course.period = Some(TAU * turns as f64);
+        course.finish(&plan.driver);
+        return Ok([up; 2]);
+    }
+    let down = Walker::new(plan, course, state, false).walk(limits[0]);
+    for (end, way) in [down, up].into_iter().enumerate() {
+        if let Way::Ends(at, cause) = way {
+            // The ends of the travel belong to it, dead positions do not.
+            course.ends[end] = match (cause, end) {
+                (DeadPosition { .. }, _) => at,
+                (_, 0) => at.next_down(),
+                _ => at.next_up(),
+            };
+        }
+    }
+    course.finish(&plan.driver);
+    Ok([down, up])
+}
+
+fn ranged(course: &Course, ways: [Way; 2]) -> Range {
+    let end = |way: Way| match way {
+        Way::Ends(at, DeadPosition { group }) => End {
+            at,
+            cause: DeadPosition { group: group + 1 },
+        },
+        Way::Ends(at, cause) => End { at, cause },
+        Way::Repeats(_) | Way::Everywhere => End {
+            at: f64::INFINITY,
+            cause: Cause::Unexplored,
+        },
+    };
+    let (reach, period) = match ways[1] {
+        Way::Repeats(turns) => (Reach::Everywhere, Some(Period::of_turns(turns))),
+        Way::Everywhere => (Reach::Everywhere, None),
+        Way::Ends(..) => {
+            let [lower, upper] = ways.map(end);
+            (Reach::Interval { lower, upper }, None)
+        }
+    };
+    let mut changes: Vec<ChangePoint> = Vec::new();
+    for (group, branch) in course.branches.iter().enumerate() {
+        changes.extend(branch.changes.iter().map(|change| ChangePoint {
+            at: change.at,
+            group: group + 1,
+        }));
+    }
+    changes.sort_by(|one, other| one.at.total_cmp(&other.at));
+    Range {
+        start: course.start,
+        reach,
+        period,
+        changes,
+    }
+}

@@ -20,6 +20,9 @@ pub struct LinkageSpec {
     /// Input coordinate at which the approximate positions of
     /// [`Self::assembly`] hold (rad or m).
     pub start: f64,
+    /// Limits of the input coordinate (rad or m), such as the stroke of a
+    /// cylinder; `None`: as far as the links allow.
+    pub travel: Option<[f64; 2]>,
     /// Acceleration of free fall as a vector (m/s²); `[0, 0]`: no gravity.
     pub gravity: [f64; 2],
     /// Springs, dampers and forces.
@@ -111,7 +114,7 @@ pub struct AssemblySpec {
 /// The choice between the ways to put a group together.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum AssemblyChoice {
-    /// +1 or −1: sign of the cross product of a dyad, see `Group`.
+    /// +1 or −1: the branch of a dyad as [`Group`](super::Group) says it.
     Branch(f64),
     /// The frame of the link is near this angle at the start (rad).
     Angle(f64),

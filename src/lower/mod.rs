@@ -5,6 +5,7 @@
 
 mod chain;
 mod drive;
+mod linkage;
 mod load;
 mod order;
 mod pieces;
@@ -16,7 +17,9 @@ pub use chain::ChainParameters;
 
 use crate::breaks::Breaks;
 use crate::fault::{Fault, Faults};
-use crate::model::{ExplicitStart, Model, NodeIndex, ObjectPart, Start, Track, TrackSource};
+use crate::model::{
+    ExplicitStart, Model, NodeIndex, OUTPUT, ObjectPart, Start, Track, TrackSource,
+};
 use crate::object::Description;
 use crate::scene::{Scene, StartSpec};
 use std::collections::BTreeMap;
@@ -40,10 +43,36 @@ pub fn lower(scene: &Scene) -> Result<Model, Vec<Fault>> {
         match scene.objects[id].object.description() {
             Description::Drive(spec) => lowering.drive(id, spec),
             Description::Chain(spec) => lowering.chain(id, spec),
+            Description::Linkage(spec) => lowering.linkage(id, spec),
         }
     }
     lowering.start();
     lowering.finish()
+}
+
+/// The objects of a scene and their outputs, without nodes and drivers.
+fn parts(scene: &Scene) -> Vec<ObjectPart> {
+    let part = |id: String, kind, coordinate| ObjectPart {
+        id,
+        kind,
+        coordinate,
+        nodes: Vec::new(),
+        driver: None,
+        links: Vec::new(),
+        rigid_pair: None,
+    };
+    let mut parts = Vec::new();
+    for (id, entry) in &scene.objects {
+        let object = &entry.object;
+        parts.push(part(id.clone(), object.kind(), object.coordinate()));
+        if let Description::Linkage(spec) = object.description() {
+            for output in &spec.linkage.outputs {
+                let coordinate = spec.output_coordinate(&output.kind);
+                parts.push(part(format!("{id}.{}", output.name), OUTPUT, coordinate));
+            }
+        }
+    }
+    parts
 }
 
 /// A model under construction.
@@ -51,38 +80,37 @@ struct Lowering<'a> {
     scene: &'a Scene,
     model: Model,
     faults: Faults,
-    /// Places of the objects in the order of their ids.
-    indices: BTreeMap<&'a str, usize>,
-    /// Nodes of the last masses of the objects lowered so far.
-    outputs: BTreeMap<&'a str, NodeIndex>,
+    /// Places of the objects and of their outputs in the order of their ids.
+    indices: BTreeMap<String, usize>,
+    /// Nodes of the last masses of the objects lowered so far, and of their
+    /// outputs.
+    outputs: BTreeMap<String, NodeIndex>,
     /// The objects' motions as long as every mass follows its law, as far as
     /// they are known beforehand.
-    courses: BTreeMap<&'a str, reach::Course<'a>>,
+    courses: BTreeMap<String, reach::Course>,
 }
 
 impl<'a> Lowering<'a> {
     fn new(scene: &'a Scene) -> Self {
-        let mut model = Model::default();
-        let mut indices = BTreeMap::new();
-        for (index, (id, entry)) in scene.objects.iter().enumerate() {
-            indices.insert(id.as_str(), index);
-            model.objects.push(ObjectPart {
-                id: id.clone(),
-                kind: entry.object.kind(),
-                coordinate: entry.object.coordinate(),
-                nodes: Vec::new(),
-                driver: None,
-                links: Vec::new(),
-                rigid_pair: None,
-            });
-        }
-        for (id, entry) in &scene.objects {
-            let driver = entry.input.as_deref().and_then(|input| indices.get(input));
-            model.objects[indices[id.as_str()]].driver = driver.copied();
+        let mut parts = parts(scene);
+        parts.sort_by(|one, other| one.id.cmp(&other.id));
+        let indices: BTreeMap<String, usize> = (parts.iter().enumerate())
+            .map(|(index, part)| (part.id.clone(), index))
+            .collect();
+        for part in &mut parts {
+            let input = match scene.objects.get(&part.id) {
+                Some(entry) => entry.input.as_deref(),
+                // An output is driven by its own object.
+                None => part.id.split_once('.').map(|(id, _)| id),
+            };
+            part.driver = input.and_then(|input| indices.get(input)).copied();
         }
         Self {
             scene,
-            model,
+            model: Model {
+                objects: parts,
+                ..Model::default()
+            },
             faults: Faults::default(),
             indices,
             outputs: BTreeMap::new(),

@@ -17,7 +17,7 @@ pub(super) fn drivers_first(scene: &Scene) -> Result<Vec<&str>, Vec<Fault>> {
     let mut ready: BTreeSet<&str> = BTreeSet::new();
     let mut followers: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
     for (id, entry) in &scene.objects {
-        match entry.input.as_deref() {
+        match entry.driver() {
             None => {
                 ready.insert(id);
             }
@@ -44,11 +44,11 @@ fn check_inputs(scene: &Scene) -> Result<(), Vec<Fault>> {
     let mut faults = Faults::default();
     for (id, entry) in &scene.objects {
         let path = format!("{id}.input");
-        match (entry.object.description(), entry.input.as_deref()) {
+        match (entry.object.description(), entry.driver()) {
             (Description::Drive(_), Some(_)) => {
                 faults.add(path, "a drive has no input", "leave `input` out");
             }
-            (Description::Chain(_), None) => {
+            (Description::Chain(_) | Description::Linkage(_), None) => {
                 faults.add(path, "it is driven by nothing", "name its driver");
             }
             (_, Some(input)) if !scene.objects.contains_key(input) => {

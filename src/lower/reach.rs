@@ -13,20 +13,20 @@ const MOST_INSTANTS: f64 = 200_000.0;
 
 /// Where an object is as long as every mass follows its law.
 #[derive(Clone, Debug)]
-pub(super) struct Course<'a> {
+pub(super) struct Course {
     /// Displacement at t = 0.
     start: f64,
-    origin: Origin<'a>,
+    origin: Origin,
 }
 
 #[derive(Clone, Debug)]
-enum Origin<'a> {
+enum Origin {
     /// A drive whose motion is known.
     Prescribed(DriveMotion),
     /// A motor: known at t = 0 only.
     Motor,
     /// A law over the displacement of another object.
-    Follows(&'a str, Step),
+    Follows(String, Step),
 }
 
 /// One law on the way from the drive.
@@ -44,7 +44,7 @@ impl Step {
     }
 }
 
-impl Course<'_> {
+impl Course {
     /// A drive's prescribed motion.
     pub(super) fn prescribed(motion: &DriveMotion) -> Self {
         Self {
@@ -116,13 +116,12 @@ impl<'a> Lowering<'a> {
     /// is known (a warning), and during the run (a stopping track).
     pub(super) fn follow(
         &mut self,
-        id: &'a str,
-        input: &'a str,
+        id: &str,
+        input: &str,
         position: &Position,
         lever: f64,
     ) -> Option<()> {
-        let on_law = self.courses.get(input)?.start;
-        let phi = self.explicit_output(input).unwrap_or(on_law);
+        let phi = self.start_of(input)?;
         let coordinate = self.model.objects[self.indices[input]].coordinate;
         match position.reach_from(phi) {
             Ok(None) => {}
@@ -142,22 +141,39 @@ impl<'a> Lowering<'a> {
                 return None;
             }
         }
+        self.note_course(id, input, position, lever)
+    }
+
+    /// Displacement at t = 0 of an object, or of an output of one.
+    pub(super) fn start_of(&self, input: &str) -> Option<f64> {
+        let on_law = self.courses.get(input)?.start;
+        Some(self.explicit_output(input).unwrap_or(on_law))
+    }
+
+    /// Notes where an object will be on its law.
+    pub(super) fn note_course(
+        &mut self,
+        id: &str,
+        input: &str,
+        position: &Position,
+        lever: f64,
+    ) -> Option<()> {
         let step = Step {
             position: position.clone(),
             breaks: position.breaks(),
             lever,
         };
         let course = Course {
-            start: step.displacement(phi),
-            origin: Origin::Follows(input, step),
+            start: step.displacement(self.start_of(input)?),
+            origin: Origin::Follows(input.to_owned(), step),
         };
-        self.courses.insert(id, course);
+        self.courses.insert(id.to_owned(), course);
         Some(())
     }
 
     /// The prescribed motion that an object follows, with the laws from there
     /// to it in order; `None` behind a motor.
-    fn way(&self, mut id: &'a str) -> Option<(&DriveMotion, Vec<&Step>)> {
+    fn way<'s>(&'s self, mut id: &'s str) -> Option<(&'s DriveMotion, Vec<&'s Step>)> {
         let mut steps = Vec::new();
         loop {
             match &self.courses.get(id)?.origin {
@@ -174,7 +190,8 @@ impl<'a> Lowering<'a> {
         }
     }
 
-    fn limit(&mut self, id: &str, input: &'a str, reach: (f64, f64)) {
+    /// Ends the run where the driver leaves `reach`, and warns of it.
+    pub(super) fn limit(&mut self, id: &str, input: &str, reach: (f64, f64)) {
         let object = self.indices[id];
         let coordinate = self.model.objects[self.indices[input]].coordinate;
         let duration = self.scene.run.duration;
@@ -210,14 +227,14 @@ impl<'a> Lowering<'a> {
     }
 }
 
-fn place(displacement: f64, coordinate: Coordinate) -> String {
+pub(super) fn place(displacement: f64, coordinate: Coordinate) -> String {
     match coordinate {
         Coordinate::Turning => format!("{:.6} deg", displacement.to_degrees()),
         Coordinate::Sliding => format!("{displacement:.9} m"),
     }
 }
 
-fn range((from, to): (f64, f64), coordinate: Coordinate) -> String {
+pub(super) fn range((from, to): (f64, f64), coordinate: Coordinate) -> String {
     match coordinate {
         Coordinate::Turning => {
             let (from, to) = (from.to_degrees(), to.to_degrees());

@@ -28,6 +28,15 @@ pub enum DriveMotion {
         /// φ at t = 0 (rad).
         angle: f64,
     },
+    /// φ = angle + speed·t + acceleration·t²/2.
+    Accelerated {
+        /// Acceleration (rad/s²), any sign.
+        acceleration: f64,
+        /// Speed at t = 0 (rad/s).
+        speed: f64,
+        /// φ at t = 0 (rad).
+        angle: f64,
+    },
     /// ω(τ) = speed·(3τ² − 2τ³), τ = t/time, from rest; constant after `time`.
     /// Speed and acceleration are continuous, the jerk jumps at `time`.
     RunUp {
@@ -66,6 +75,21 @@ impl DriveMotion {
                 faults.finite("angle", angle);
                 faults.check()?;
                 Ok(Self::Constant { speed, angle })
+            }
+            DriveMotionSpec::Accelerated {
+                acceleration,
+                speed,
+                angle,
+            } => {
+                faults.finite("acceleration", acceleration);
+                faults.finite("start_speed", speed);
+                faults.finite("angle", angle);
+                faults.check()?;
+                Ok(Self::Accelerated {
+                    acceleration,
+                    speed,
+                    angle,
+                })
             }
             DriveMotionSpec::RunUp {
                 speed,
@@ -125,6 +149,16 @@ impl DriveMotion {
     fn longer_jet(&self, segment: i64, time: f64) -> Jet {
         match self {
             Self::Constant { speed, angle } => uniform(*angle, *speed, time),
+            Self::Accelerated {
+                acceleration,
+                speed,
+                angle,
+            } => Jet {
+                value: angle + (speed + 0.5 * acceleration * time) * time,
+                first: speed + acceleration * time,
+                second: *acceleration,
+                third: 0.0,
+            },
             Self::RunUp {
                 speed,
                 time: duration,
@@ -158,7 +192,7 @@ impl DriveMotion {
     /// the points of a table; of a plan that repeats, those of its first cycle.
     pub fn joints(&self) -> Vec<f64> {
         match self {
-            Self::Constant { .. } => Vec::new(),
+            Self::Constant { .. } | Self::Accelerated { .. } => Vec::new(),
             Self::RunUp { time, .. } => vec![*time],
             Self::Plan(cycle) => cycle.breaks().points.clone(),
             Self::LawRunUp(run_up) => run_up.breaks(),
@@ -169,7 +203,7 @@ impl DriveMotion {
     /// Times at which the formula changes.
     pub fn breaks(&self) -> Breaks {
         let points = match self {
-            Self::Constant { .. } => Vec::new(),
+            Self::Constant { .. } | Self::Accelerated { .. } => Vec::new(),
             Self::RunUp { time, .. } => vec![*time],
             Self::Plan(cycle) => return cycle.breaks().clone(),
             Self::LawRunUp(run_up) => run_up.breaks(),
@@ -223,6 +257,11 @@ mod tests {
             DriveMotionSpec::Constant {
                 speed: -7.0,
                 angle: 0.3,
+            },
+            DriveMotionSpec::Accelerated {
+                acceleration: -3.0,
+                speed: 2.0,
+                angle: 0.5,
             },
             DriveMotionSpec::RunUp {
                 speed: 30.0,

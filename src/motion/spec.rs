@@ -1,4 +1,5 @@
-//! The motion of a drive as a scene states it: plain numbers in SI units.
+//! The motion of a drive as a scene states it: plain numbers in SI units (of a
+//! drive that slides read m for rad).
 
 use super::cycle::CycleSpec;
 use super::law::RunLawSpec;
@@ -9,6 +10,16 @@ pub enum DriveMotionSpec {
     /// `{ "speed": ω, "angle" = 0 }`: φ = angle + ω·t.
     Constant {
         /// ω (rad/s).
+        speed: f64,
+        /// φ(0) (rad).
+        angle: f64,
+    },
+    /// `{ "acceleration": ε, "start_speed" = 0, "angle" = 0 }`:
+    /// φ = angle + ω₀·t + ε·t²/2.
+    Accelerated {
+        /// ε (rad/s²).
+        acceleration: f64,
+        /// ω₀ (rad/s).
         speed: f64,
         /// φ(0) (rad).
         angle: f64,

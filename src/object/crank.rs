@@ -4,7 +4,7 @@ use super::chain::{self, Rules};
 use super::geometry::Beam;
 use super::position;
 use super::spec::{ChainSpec, InertiaSplit};
-use super::{Description, Kind, Object};
+use super::{Description, Kind, Object, no_outputs};
 use crate::model::{Closure, Coordinate};
 
 /// A crank: a lever that turns about a fixed axis, as far as its position
@@ -35,6 +35,7 @@ pub(super) const KIND: Kind = Kind {
     name: "crank",
     doc: "A crank: a lever that turns about a fixed axis.",
     driven: true,
+    outputs: no_outputs,
     coordinate: |_| Some(Coordinate::Turning),
     read: |fields, context| {
         let chain = chain::read(fields, context, &RULES)?;

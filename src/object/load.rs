@@ -21,15 +21,15 @@ pub(super) enum On {
         /// Number of masses; `None`: not known.
         masses: Option<usize>,
     },
-    /// The rotor of a motor.
-    Rotor,
+    /// The rotor of a motor, or the slide of a linear one.
+    Rotor(Measures),
 }
 
 impl On {
     fn own(self) -> Measures {
         match self {
             Self::Chain { own, .. } => own,
-            Self::Rotor => Measures(Some(Coordinate::Turning)),
+            Self::Rotor(own) => own,
         }
     }
 }
@@ -39,7 +39,7 @@ pub(super) fn read_all(fields: &mut Fields<'_>, on: On) -> Option<Vec<LoadSpec>>
     let doc = "Loads by name. Positive forces act in the direction of positive displacement.";
     let loads = fields.or("loads", doc, json!({}), |slot| {
         slot.names(|name, slot| match on {
-            On::Rotor => slot.defined("rotor_load", |slot| read(slot, name, on)),
+            On::Rotor(_) => slot.defined("rotor_load", |slot| read(slot, name, on)),
             On::Chain { own, .. } => {
                 let definition = match own.0 {
                     Some(Coordinate::Turning) => "turning_load",
@@ -56,7 +56,7 @@ pub(super) fn read_all(fields: &mut Fields<'_>, on: On) -> Option<Vec<LoadSpec>>
 fn read(slot: Slot<'_>, name: &str, on: On) -> Option<LoadSpec> {
     slot.record(|fields| {
         let mass = match on {
-            On::Rotor => Some(MassChoice::Last),
+            On::Rotor(_) => Some(MassChoice::Last),
             On::Chain { masses, .. } => chosen_mass(fields, masses),
         };
         let law = law(fields, on);

@@ -5,11 +5,13 @@
 mod body;
 mod cam;
 mod cam_follower;
+mod cam_geometry;
 mod chain;
 mod crank;
 mod drive;
 mod geometry;
 pub mod law;
+mod linkage;
 mod load;
 mod measures;
 mod motor;
@@ -21,14 +23,16 @@ mod shaft;
 mod slider;
 pub mod spec;
 
+use crate::cam::CamGeometry;
 use crate::model::Coordinate;
 use crate::read::{Fields, Node};
-use spec::{ChainSpec, DriveSpec};
+use spec::{ChainSpec, DriveSpec, DrivenLinkage};
 use std::fmt;
 
 pub use cam_follower::CamFollower;
 pub use crank::Crank;
 pub use drive::Drive;
+pub use linkage::Linkage;
 pub use measures::Measures;
 pub use rocker::Rocker;
 pub use shaft::Shaft;
@@ -44,15 +48,22 @@ pub trait Object: fmt::Debug + Send + Sync {
 
     /// What it lowers to.
     fn description(&self) -> Description<'_>;
+
+    /// The disc cam that realises its position function, if the scene tells of one.
+    fn cam(&self) -> Option<&CamGeometry> {
+        None
+    }
 }
 
-/// The two things an object can be underneath.
+/// The things an object can be underneath.
 #[derive(Clone, Copy, Debug)]
 pub enum Description<'a> {
     /// A source of motion, without input.
     Drive(&'a DriveSpec),
     /// A chain of masses (or a rigid object) behind a driving pair.
     Chain(&'a ChainSpec),
+    /// A planar linkage of rigid links, with outputs of its own.
+    Linkage(&'a DrivenLinkage),
 }
 
 /// A kind of object: how it is read from a scene.
@@ -64,10 +75,18 @@ pub struct Kind {
     pub doc: &'static str,
     /// Whether it has an `input`.
     pub driven: bool,
+    /// Its outputs besides its own displacement, as far as the text tells: their
+    /// names, and whether they turn or slide.
+    pub outputs: fn(&Node) -> Vec<(String, Option<Coordinate>)>,
     /// Whether it turns or slides, as far as the text tells.
     pub coordinate: fn(&Node) -> Option<Coordinate>,
     /// Reads its properties, those common to all kinds excepted.
     pub read: fn(&mut Fields<'_>, &Context) -> Option<Box<dyn Object>>,
+}
+
+/// Most kinds have no outputs but their own displacement.
+fn no_outputs(_: &Node) -> Vec<(String, Option<Coordinate>)> {
+    Vec::new()
 }
 
 /// What an object's reading knows of its surroundings.
@@ -85,4 +104,5 @@ pub const KINDS: &[Kind] = &[
     rocker::KIND,
     slider::KIND,
     cam_follower::KIND,
+    linkage::KIND,
 ];

@@ -1,6 +1,7 @@
 //! Plans of motion in scenes.
 
 use super::law::composed;
+use super::measures::Measures;
 use super::position::Ends;
 use crate::fault::Fault;
 use crate::model::Coordinate;
@@ -36,12 +37,12 @@ pub(super) fn of_position(slot: Slot<'_>, ends: Ends) -> Option<CycleSpec> {
 }
 
 /// Reads the plan of a drive's motion over time.
-pub(super) fn of_drive(slot: Slot<'_>) -> Option<CycleSpec> {
+pub(super) fn of_drive(slot: Slot<'_>, own: Measures) -> Option<CycleSpec> {
     let axes = Axes {
         argument: q::TIME.into(),
-        displacement: q::ANGLE.into(),
-        speed: q::ANGULAR_SPEED.into(),
-        acceleration: q::ANGULAR_ACCELERATION.into(),
+        displacement: own.displacement(),
+        speed: own.speed(),
+        acceleration: own.acceleration(),
         period: None,
     };
     read(slot, axes, "Duration of the cycle; default: once through")

@@ -5,7 +5,7 @@ use super::load::points;
 use super::measures::Measures;
 use super::plan;
 use crate::model::Coordinate::{Sliding, Turning};
-use crate::position::PositionSpec;
+use crate::position::{PositionSpec, SlottedDriver, SlottedLinkSpec, SlottedOutput};
 use crate::read::{Bounds, Fields, Slot, Wanted};
 use crate::units::quantities as q;
 use serde_json::json;
@@ -21,6 +21,7 @@ pub(super) const ALL: &[&str] = &[
     "table",
     "slider_crank",
     "four_bar",
+    "slotted_link",
     "cam",
     "plan",
 ];
@@ -79,6 +80,13 @@ pub(super) fn read(slot: Slot<'_>, ends: Ends, allowed: &[&str]) -> Option<Posit
                 four_bar,
             );
         }
+        if shown("slotted_link") {
+            function.case(
+                "slotted_link",
+                "Slotted link: crank and slotted link on fixed pivots, a block on the crank's end in the slot; crank or block drives.",
+                |slot| slotted_link(slot, ends.output),
+            );
+        }
         if shown("cam") {
             function.case("cam", "Cam with rise, dwell, return and rest.", |slot| {
                 cam::read(slot, ends.output)
@@ -105,6 +113,14 @@ fn check(fields: &mut Fields<'_>, function: &PositionSpec, ends: Ends, allowed: 
         PositionSpec::Table { .. } => ("table", false, None),
         PositionSpec::SliderCrank { .. } => ("slider_crank", true, Some(Sliding)),
         PositionSpec::FourBar { .. } => ("four_bar", true, Some(Turning)),
+        PositionSpec::SlottedLink(spec) => (
+            "slotted_link",
+            spec.driver == SlottedDriver::Crank,
+            Some(match spec.output {
+                SlottedOutput::Link | SlottedOutput::Crank => Turning,
+                SlottedOutput::Block => Sliding,
+            }),
+        ),
         PositionSpec::Cam(_) => ("cam", true, None),
         PositionSpec::Plan(_) => ("plan", false, None),
     };
@@ -140,6 +156,15 @@ fn check(fields: &mut Fields<'_>, function: &PositionSpec, ends: Ends, allowed: 
     if turning_driver && ends.driver.0 == Some(Sliding) {
         let message = format!("`{name}` needs a driver that turns, but this one slides");
         fields.refuse(name, "contradiction", message);
+    }
+    let by_block =
+        matches!(function, PositionSpec::SlottedLink(spec) if spec.driver == SlottedDriver::Block);
+    if by_block && ends.driver.0 == Some(Turning) {
+        let message =
+            "the block of a `slotted_link` needs a driver that slides, but this one turns";
+        let fault = fields.refuse(name, "contradiction", message);
+        let hint = "set its `driver` to \"crank\", or drive it by a cylinder: a `drive` with \"coordinate\": \"sliding\"";
+        fault.hints.push(hint.to_owned());
     }
     fields.faults() == before
 }
@@ -319,5 +344,53 @@ fn four_bar(slot: Slot<'_>) -> Option<PositionSpec> {
             branch: branch?,
             phase: phase?,
         })
+    })
+}
+
+fn slotted_link(slot: Slot<'_>, output: Measures) -> Option<PositionSpec> {
+    slot.record(|fields| {
+        let crank = length(fields, "crank", "Length of the crank");
+        let frame = fields.need("frame", "Distance of the fixed pivots", |slot| {
+            slot.quantity(q::LENGTH, Bounds::NOT_NEGATIVE)
+        });
+        let doc = "What is driven: the crank by its angle, or the block by its distance from the pivot of the slotted link.";
+        let driver = fields.or("driver", doc, json!("crank"), |slot| {
+            slot.choice(&[
+                ("crank", SlottedDriver::Crank),
+                ("block", SlottedDriver::Block),
+            ])
+        });
+        let outputs = [
+            ("link", SlottedOutput::Link),
+            ("crank", SlottedOutput::Crank),
+            ("block", SlottedOutput::Block),
+        ];
+        let doc = "U: the angle of the slotted link or of the crank, or the distance of the block; default by the object: what turns follows the link, what slides the block.";
+        let chosen = fields.maybe("output", doc, |slot| slot.choice(&outputs));
+        let doc = "When the block drives: the crank turns counterclockwise (`+`) or clockwise (`-`) as the block moves away from the pivot of the slotted link.";
+        let branch = branch(fields, doc);
+        let input = match driver {
+            Some(SlottedDriver::Crank) => Measures(Some(Turning)),
+            Some(SlottedDriver::Block) => Measures(Some(Sliding)),
+            None => Measures(None),
+        };
+        let doc = "Added to the driver's displacement";
+        let phase = fields.or("phase", doc, json!(0.0), any(input.displacement()));
+        let usual = match output.0 {
+            Some(Sliding) => 2,
+            _ => 0,
+        };
+        let chosen = chosen?;
+        if chosen.is_none() {
+            fields.fill_in("output", json!(outputs[usual].0));
+        }
+        Some(PositionSpec::SlottedLink(SlottedLinkSpec {
+            crank: crank?,
+            frame: frame?,
+            driver: driver?,
+            output: chosen.unwrap_or(outputs[usual].1),
+            branch: branch?,
+            phase: phase?,
+        }))
     })
 }

@@ -3,7 +3,7 @@
 use super::chain::{self, Rules};
 use super::geometry::Beam;
 use super::spec::{ChainSpec, InertiaSplit};
-use super::{Description, Kind, Object};
+use super::{Description, Kind, Object, no_outputs};
 use crate::model::{Closure, Coordinate};
 
 /// A shaft, geared to its driver.
@@ -35,6 +35,7 @@ pub(super) const KIND: Kind = Kind {
     name: "shaft",
     doc: "A shaft: turns in a constant ratio to its driver, with torsional masses and backlash.",
     driven: true,
+    outputs: no_outputs,
     coordinate: |_| Some(Coordinate::Turning),
     read: |fields, context| {
         let chain = chain::read(fields, context, &RULES)?;

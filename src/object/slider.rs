@@ -4,7 +4,7 @@ use super::chain::{self, Rules};
 use super::geometry::Beam;
 use super::position;
 use super::spec::{ChainSpec, InertiaSplit};
-use super::{Description, Kind, Object};
+use super::{Description, Kind, Object, no_outputs};
 use crate::model::{Closure, Coordinate};
 
 /// A slide in a straight guide.
@@ -35,6 +35,7 @@ pub(super) const KIND: Kind = Kind {
     name: "slider",
     doc: "A slide in a straight guide.",
     driven: true,
+    outputs: no_outputs,
     coordinate: |_| Some(Coordinate::Sliding),
     read: |fields, context| {
         let chain = chain::read(fields, context, &RULES)?;

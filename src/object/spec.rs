@@ -4,6 +4,7 @@
 //! model. Angles in radians; for sliding objects read m for rad, kg for kg·m²,
 //! N for N·m.
 
+use crate::linkage::spec::LinkageSpec;
 use crate::model::{Closure, Coordinate, DampingLaw};
 pub use crate::motion::DriveMotionSpec;
 use crate::position::PositionSpec;
@@ -20,7 +21,7 @@ pub enum DriveSpec {
 /// A motor: rotor inertia and torque characteristic.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MotorSpec {
-    /// Rotor inertia (kg·m²), > 0.
+    /// Rotor inertia (kg·m²), ≥ 0.
     pub inertia: f64,
     /// Angle at t = 0 (rad).
     pub angle: f64,
@@ -56,6 +57,17 @@ pub enum TorqueSpec {
     },
     /// `{ "table": [[ω, T], …] }`: linear between the points, constant outside.
     Table(Vec<(f64, f64)>),
+}
+
+/// A planar linkage of rigid links, and how it is driven.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DrivenLinkage {
+    /// Whether the driven pair turns or slides.
+    pub coordinate: Coordinate,
+    /// Input coordinate over the driver's displacement, a constant ratio.
+    pub position: PositionSpec,
+    /// The linkage itself.
+    pub linkage: LinkageSpec,
 }
 
 /// Any driven object: masses, links, pair, loads.

@@ -1,9 +1,9 @@
 //! Four-bar linkage: a crank drives a rocker through a coupler.
 
 use super::reach::{ForbiddenArcs, OutOfReach, half_width};
-use super::series::Series;
 use crate::fault::{Fault, Faults};
 use crate::jet::Jet;
+use crate::linkage::series::Series;
 use std::f64::consts::PI;
 
 /// The rocker's angle ψ over the crank's angle θ = φ + phase, both measured
@@ -99,7 +99,7 @@ impl FourBar {
             ..
         } = *self;
         let theta = phi + self.phase;
-        let (half_sin, half_cos) = Series::sin_cos(0.5 * theta, 0.5);
+        let (half_sin, half_cos) = Series::<4>::sin_cos(0.5 * theta, 0.5);
         let (sin_square, cos_square) = (half_sin * half_sin, half_cos * half_cos);
         let sin = (half_sin * half_cos).scale(2.0);
         // Squares and differences of squares from sums of terms of one sign.
@@ -111,7 +111,7 @@ impl FourBar {
         // β, at the rocker's pivot, between rocker and crank's end:
         // tan β = 4·area/(c² + f² − b²).
         let beta = Series::atan2(
-            (unfolded * unstretched).sqrt(),
+            Series::closing_root(unfolded, unstretched, 1.0),
             reach.shift((a - d) * (a - d) + difference_of_squares(c, b)),
         );
         self.direction(theta, sin, sin_square, beta).jet()
@@ -119,7 +119,13 @@ impl FourBar {
 
     /// Direction from the rocker's pivot to the crank's end, unwrapped, less
     /// (open) or plus (crossed) β.
-    fn direction(&self, theta: f64, sin: Series, sin_square: Series, beta: Series) -> Series {
+    fn direction(
+        &self,
+        theta: f64,
+        sin: Series<4>,
+        sin_square: Series<4>,
+        beta: Series<4>,
+    ) -> Series<4> {
         let (a, d) = (self.crank, self.frame);
         let swing = beta.scale(-self.branch);
         if a < d {

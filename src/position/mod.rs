@@ -8,9 +8,10 @@
 
 mod cam;
 mod four_bar;
+mod linkage;
 mod reach;
-mod series;
 mod slider_crank;
+mod slotted_link;
 mod spec;
 mod table;
 #[cfg(test)]
@@ -19,9 +20,12 @@ mod tests;
 pub use crate::motion::{Cycle, CycleSpec, LawName, LawSpec};
 pub use cam::Cam;
 pub use four_bar::FourBar;
+pub use linkage::LinkageOutput;
+pub(crate) use linkage::reach as linkage_reach;
 pub use reach::OutOfReach;
 pub use slider_crank::SliderCrank;
-pub use spec::{CamSpec, PositionSpec};
+pub use slotted_link::SlottedLink;
+pub use spec::{CamSpec, PositionSpec, SlottedDriver, SlottedLinkSpec, SlottedOutput};
 pub use table::Table;
 
 use crate::breaks::Breaks;
@@ -76,10 +80,14 @@ pub enum Position {
     SliderCrank(SliderCrank),
     /// A four-bar linkage.
     FourBar(FourBar),
+    /// A slotted link.
+    SlottedLink(SlottedLink),
     /// A cam.
     Cam(Cam),
     /// A plan of motion: any number of rises, dwells and returns.
     Plan(Box<Cycle>),
+    /// An output of a linkage, over its input coordinate.
+    Linkage(LinkageOutput),
     /// Anything else.
     Custom(Arc<dyn PositionFunction>),
 }
@@ -138,6 +146,7 @@ impl Position {
                 branch,
                 phase,
             } => FourBar::new([crank, coupler, rocker, frame], branch, phase).map(Self::FourBar),
+            PositionSpec::SlottedLink(ref spec) => SlottedLink::new(spec).map(Self::SlottedLink),
             PositionSpec::Cam(ref cam) => Cam::new(cam).map(Self::Cam),
             PositionSpec::Plan(ref spec) => match Cycle::new(spec) {
                 Ok(cycle) => Ok(Self::Plan(Box::new(cycle))),
@@ -192,8 +201,10 @@ impl Position {
             Self::Table(table) => table.jet(segment, phi),
             Self::SliderCrank(linkage) => linkage.jet(phi),
             Self::FourBar(linkage) => linkage.jet(phi),
+            Self::SlottedLink(linkage) => linkage.jet(phi),
             Self::Cam(cam) => cam.jet(segment, phi),
             Self::Plan(cycle) => cycle.jet(segment, phi),
+            Self::Linkage(output) => output.jet(phi),
             Self::Custom(function) => function.jet(segment, phi),
         }
     }
@@ -238,6 +249,8 @@ impl Position {
         match self {
             Self::SliderCrank(linkage) => linkage.reach_from(phi),
             Self::FourBar(linkage) => linkage.reach_from(phi),
+            Self::Linkage(output) => output.reach_from(phi),
+            Self::SlottedLink(linkage) => linkage.reach_from(phi),
             Self::Custom(function) => match function.reach() {
                 Some(interval) if !(interval.0 < phi && phi < interval.1) => Err(OutOfReach {
                     intervals: vec![interval],

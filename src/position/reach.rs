@@ -7,7 +7,7 @@ use std::fmt;
 #[derive(Clone, Debug, PartialEq)]
 pub struct OutOfReach {
     /// The intervals of φ in which it can be assembled, those nearest to the
-    /// displacement asked for, ascending.
+    /// displacement asked for, ascending (rad, or m of a sliding driver).
     pub intervals: Vec<(f64, f64)>,
 }
 
@@ -15,8 +15,7 @@ impl fmt::Display for OutOfReach {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (index, (from, to)) in self.intervals.iter().enumerate() {
             let word = if index > 0 { " or " } else { "" };
-            let (from, to) = (from.to_degrees(), to.to_degrees());
-            write!(f, "{word}from {from:.6} to {to:.6} deg")?;
+            write!(f, "{word}from {from:.6} to {to:.6}")?;
         }
         Ok(())
     }
@@ -111,11 +110,7 @@ mod tests {
         }
         let outside = arcs.reach_from(0.1).unwrap_err();
         assert_eq!(outside.intervals.len(), 2);
-        assert!(
-            outside
-                .to_string()
-                .contains("from 28.647890 to 165.676055 deg")
-        );
+        assert!(outside.to_string().contains("from 0.500000 to 2.891593"));
         let free = ForbiddenArcs {
             centre: 1.0,
             half_widths: [None, None],

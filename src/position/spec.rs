@@ -70,11 +70,58 @@ pub enum PositionSpec {
         /// Added to the driver's displacement (rad).
         phase: f64,
     },
+    /// `{ "slotted_link": { "crank", "frame", "driver" = "crank", "output" =
+    /// "link", "branch" = "+", "phase" = 0 } }`: crank, block and slotted link
+    /// on two fixed pivots.
+    SlottedLink(SlottedLinkSpec),
     /// `{ "cam": { "rise", "dwell", "return", "rest", "lift", "law", "phase" } }`.
     Cam(CamSpec),
     /// `{ "plan": { "stations", "period", "advance" = 0, "phase" = 0 } }`: any
     /// number of rises, dwells and returns.
     Plan(CycleSpec),
+}
+
+/// A crank whose end carries a block that slides along a slotted link; crank and
+/// link turn about fixed pivots.
+///
+/// Both angles are measured from the line of the pivots, from that of the
+/// slotted link towards that of the crank: at 0 the block is farthest from the
+/// pivot of the slotted link.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SlottedLinkSpec {
+    /// Crank length l (m).
+    pub crank: f64,
+    /// Distance D of the fixed pivots (m); may be 0 when the crank drives.
+    pub frame: f64,
+    /// What is driven: the input φ is its coordinate, less the phase.
+    pub driver: SlottedDriver,
+    /// What U is.
+    pub output: SlottedOutput,
+    /// When the block drives, +1 or −1: the crank turns counterclockwise or
+    /// clockwise as the block moves away from the pivot of the slotted link.
+    pub branch: f64,
+    /// Added to the driver's displacement (rad; m when the block drives).
+    pub phase: f64,
+}
+
+/// The driven part of a slotted-link mechanism.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SlottedDriver {
+    /// The crank: its angle φ1 (rad).
+    Crank,
+    /// The block: its distance S from the pivot of the slotted link (m).
+    Block,
+}
+
+/// The output of a slotted-link mechanism.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SlottedOutput {
+    /// Angle φ2 of the slotted link (rad).
+    Link,
+    /// Angle φ1 of the crank (rad).
+    Crank,
+    /// Distance S of the block from the pivot of the slotted link (m).
+    Block,
 }
 
 /// A cam with one rise and one return per turn.

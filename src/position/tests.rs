@@ -1,6 +1,9 @@
 //! Every position function against finite differences.
 
-use super::{CamSpec, LawName, LawSpec, Position, PositionSpec};
+use super::{
+    CamSpec, LawName, LawSpec, Position, PositionSpec, SlottedDriver, SlottedLinkSpec,
+    SlottedOutput,
+};
 use crate::jet::Jet;
 use proptest::prelude::*;
 
@@ -66,16 +69,43 @@ fn specs() -> impl Strategy<Value = PositionSpec> {
                     phase,
                 }
             ),
-        (prop::array::uniform4(length), any::<bool>(), -3.0f64..3.0).prop_map(
-            |([crank, coupler, rocker, frame], minus, phase)| PositionSpec::FourBar {
-                crank,
-                coupler,
-                rocker,
-                frame,
-                branch: sign(minus),
-                phase,
-            }
-        ),
+        (
+            prop::array::uniform4(length.clone()),
+            any::<bool>(),
+            -3.0f64..3.0
+        )
+            .prop_map(|([crank, coupler, rocker, frame], minus, phase)| {
+                PositionSpec::FourBar {
+                    crank,
+                    coupler,
+                    rocker,
+                    frame,
+                    branch: sign(minus),
+                    phase,
+                }
+            }),
+        (
+            length.clone(),
+            0.0f64..1.0,
+            (0usize..4, any::<bool>()),
+            -3.0f64..3.0
+        )
+            .prop_map(|(crank, frame, (which, minus), phase)| {
+                let (driver, output) = [
+                    (SlottedDriver::Crank, SlottedOutput::Link),
+                    (SlottedDriver::Crank, SlottedOutput::Block),
+                    (SlottedDriver::Block, SlottedOutput::Link),
+                    (SlottedDriver::Block, SlottedOutput::Crank),
+                ][which];
+                PositionSpec::SlottedLink(SlottedLinkSpec {
+                    crank,
+                    frame,
+                    driver,
+                    output,
+                    branch: sign(minus),
+                    phase,
+                })
+            }),
         (
             prop::array::uniform3(0.5f64..2.0),
             -1.0f64..1.0,
@@ -164,6 +194,14 @@ proptest! {
         for spec in [
             PositionSpec::SliderCrank { crank: a, rod: b, offset: c, branch, phase: d },
             PositionSpec::FourBar { crank: a, coupler: b, rocker: c, frame: d, branch, phase: e },
+            PositionSpec::SlottedLink(SlottedLinkSpec {
+                crank: a,
+                frame: b,
+                driver: if c > 0.0 { SlottedDriver::Crank } else { SlottedDriver::Block },
+                output: SlottedOutput::Link,
+                branch,
+                phase: d,
+            }),
             PositionSpec::Table {
                 points: vec![(a, b), (c, d), (e, f)],
                 periodic: a > c,

@@ -22,6 +22,9 @@ pub struct Fields<'a> {
     required: Vec<&'static str>,
     pub(super) alternatives: Vec<Vec<&'static str>>,
     free: bool,
+    /// Number of faults when its named numbers came into scope, which they stay
+    /// in until it ends.
+    pub(super) faults_before_dimensions: Option<usize>,
 }
 
 #[derive(Debug)]
@@ -48,12 +51,18 @@ impl<'a> Fields<'a> {
             required: Vec::new(),
             alternatives: Vec::new(),
             free: false,
+            faults_before_dimensions: None,
         }
     }
 
     /// Address of the object.
     pub fn path(&self) -> &str {
         &self.path
+    }
+
+    /// The object itself; `None` when describing.
+    pub fn node(&self) -> Option<&'a Node> {
+        self.node
     }
 
     /// True when the schema is being written.
@@ -282,11 +291,12 @@ impl<'a> Fields<'a> {
     /// Reports unknown and missing properties. Returns whether there were
     /// none, and the canonical form or schema.
     pub(super) fn finish(mut self) -> (bool, Json) {
+        let used = self.end_dimensions();
         if self.describing() {
             return (false, self.schema());
         }
         let suggestions = self.report_unknown();
-        let mut complete = suggestions.is_empty();
+        let mut complete = suggestions.is_empty() && used;
         for missing in std::mem::take(&mut self.missing) {
             complete = false;
             // A misspelled name has already been reported.

@@ -12,6 +12,7 @@
 
 mod bounds;
 mod compound;
+mod dimensions;
 mod fields;
 mod number;
 mod one_of;

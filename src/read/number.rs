@@ -47,7 +47,7 @@ impl Wanted {
         [Some(self.first), self.second].into_iter().flatten()
     }
 
-    fn accept(&self, measure: Measure) -> Result<f64, Mismatch> {
+    pub(super) fn accept(&self, measure: Measure) -> Result<f64, Mismatch> {
         let first = self.first.accept(measure);
         match (first, self.second) {
             (Err(_), Some(second)) => second.accept(measure).or(first),
@@ -74,7 +74,8 @@ impl Wanted {
 }
 
 /// Texts that begin with a number.
-const NUMBER_PATTERN: &str = r"^\s*[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?\s*(\S.*)?$";
+pub(super) const NUMBER_PATTERN: &str =
+    r"^\s*[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?\s*(\S.*)?$";
 
 impl Slot<'_> {
     /// Reads a number in SI units, or a text with a unit.
@@ -84,9 +85,15 @@ impl Slot<'_> {
             let mut number = Map::new();
             number.insert("type".into(), json!("number"));
             bounds.describe(&mut number);
+            let mut forms = vec![
+                json!(number),
+                json!({ "type": "string", "pattern": NUMBER_PATTERN }),
+            ];
+            let named = self.reader.dimensions.pattern();
+            forms.extend(named.map(|pattern| json!({ "type": "string", "pattern": pattern })));
             *self.out = json!({
                 "description": format!("({})", wanted.words()),
-                "anyOf": [number, { "type": "string", "pattern": NUMBER_PATTERN }],
+                "anyOf": forms,
             });
             return None;
         }
@@ -163,6 +170,9 @@ impl Slot<'_> {
 
     /// A text with a unit, as a value in SI units.
     fn measure(&mut self, text: &str, wanted: &Wanted) -> Option<f64> {
+        if let Some(found) = self.reference(text, wanted) {
+            return found;
+        }
         match parse(text) {
             Err(error) => self.unit_fault(text, error, wanted),
             Ok(measure) => match wanted.accept(measure) {
@@ -173,7 +183,7 @@ impl Slot<'_> {
         None
     }
 
-    fn unit_fault(&mut self, text: &str, error: UnitError, wanted: &Wanted) {
+    pub(super) fn unit_fault(&mut self, text: &str, error: UnitError, wanted: &Wanted) {
         let name = last_name(&self.path);
         let accepts = format!("write a number in SI units, or a text: {}", wanted.words());
         let (code, message, hint, offset) = match error {
@@ -234,7 +244,13 @@ impl Slot<'_> {
         fault.hints.push(accepts);
     }
 
-    fn mismatch(&mut self, text: &str, measure: Measure, mismatch: Mismatch, wanted: &Wanted) {
+    pub(super) fn mismatch(
+        &mut self,
+        text: &str,
+        measure: Measure,
+        mismatch: Mismatch,
+        wanted: &Wanted,
+    ) {
         let name = last_name(&self.path);
         let value = measure.value;
         let (code, message, hint) = match mismatch {
@@ -308,7 +324,7 @@ fn near_unit(symbol: &str, units: &[String]) -> Option<String> {
     }
 }
 
-fn shorten(text: &str) -> String {
+pub(super) fn shorten(text: &str) -> String {
     match text.char_indices().nth(60) {
         None => text.to_owned(),
         Some((at, _)) => format!("{}…", &text[..at]),

@@ -1,5 +1,6 @@
 //! The place of one value, and what can be read there.
 
+use super::dimensions::Dimensions;
 use super::suggest::{did_you_mean, quoted_list};
 use super::tree::{Node, Value};
 use crate::diagnostics::{Diagnostic, Place};
@@ -12,6 +13,7 @@ pub struct Reader {
     pub diagnostics: Vec<Diagnostic>,
     pub(super) describing: bool,
     pub(super) definitions: Map<String, Json>,
+    pub(super) dimensions: Dimensions,
 }
 
 impl Reader {

@@ -1,6 +1,7 @@
 //! Figures by their address: `rocker.delta_max`, `rocker.pair.separations`, `run.switches`.
 
 use super::Figures;
+use crate::model::owner_of;
 use serde_json::Value;
 use std::collections::BTreeMap;
 
@@ -55,7 +56,7 @@ impl Figures {
     /// the figure's own magnitude for everything else. Counts and 0/1 answers
     /// have the scale 1. Zero when nothing is known.
     pub fn scale(&self, address: &str) -> f64 {
-        let (id, figure) = address.split_once('.').unwrap_or((address, ""));
+        let (id, figure) = owner_of(address, |id| self.objects.contains_key(id));
         let own = self.value(address).map_or(0.0, f64::abs);
         let Some(object) = self.objects.get(id) else {
             return match figure {

@@ -4,7 +4,7 @@
 //! search for extremes look at a step at a few places: they want pieces within
 //! which a motion bends once.
 
-use crate::polynomial::Step;
+use crate::polynomial::{Step, divide};
 
 /// Degree above which a continuous output is that of a power series.
 const LONG: usize = 9;
@@ -52,18 +52,6 @@ impl Pieces {
                 ..*step
             });
             from = to;
-        }
-    }
-}
-
-/// De Casteljau: coefficients of the part before a share of the interval into
-/// `left`, those of the part after it stay in `rest`.
-fn divide(left: &mut [f64], rest: &mut [f64], share: f64) {
-    let degree = rest.len() - 1;
-    for (level, left) in left.iter_mut().enumerate() {
-        *left = rest[0];
-        for k in 0..degree - level {
-            rest[k] += share * (rest[k + 1] - rest[k]);
         }
     }
 }

@@ -1,6 +1,6 @@
 //! The object graph as it is drawn: boxes, edges, and where they stand.
 
-use crate::model::{Closure, Coordinate, Model, NodeMotion, ObjectPart, Pair};
+use crate::model::{Closure, Coordinate, LinkageBody, Model, NodeMotion, ObjectPart, Pair};
 use crate::report::show::position;
 
 /// The object graph of a model, for pictures and texts.
@@ -145,13 +145,23 @@ pub fn pair<'a>(model: &'a Model, object: &'a ObjectPart) -> Option<&'a Pair> {
 fn detail(model: &Model, object: &ObjectPart) -> String {
     let motion = object.nodes.first().map(|&node| &model.nodes[node].motion);
     match motion {
-        Some(NodeMotion::Prescribed { motion, .. }) => position::motion_summary(motion),
+        Some(NodeMotion::Prescribed { motion, .. }) => {
+            position::motion_summary(motion, object.coordinate)
+        }
         Some(NodeMotion::Rotor { .. }) => "motor".into(),
-        Some(NodeMotion::Rigid { .. }) => "rigid".into(),
+        Some(NodeMotion::Rigid { .. }) => rigid(model, object),
         _ => match object.nodes.len() {
             1 => "1 mass".into(),
             count => format!("{count} masses"),
         },
+    }
+}
+
+fn rigid(model: &Model, object: &ObjectPart) -> String {
+    let is = |body: &&LinkageBody| object.nodes.first() == Some(&body.node);
+    match model.linkages.iter().find(is) {
+        Some(body) => format!("{} links", body.linkage.spec().links.len()),
+        None => "rigid".into(),
     }
 }
 

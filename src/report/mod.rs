@@ -1,6 +1,7 @@
 //! Pictures and texts of models and runs, as pure functions: data in, text out.
 //!
 //! * [`html`]: the page of a run; [`compare`]: the page of several runs over each other.
+//! * [`cam`]: disc cams: text, tables, drawings, DXF, the page on which they turn.
 //! * [`csv`]: the samples as a table.
 //! * [`law`]: laws of motion and synthesised strokes.
 //! * [`steady`]: the steady motion of a machine.
@@ -8,15 +9,19 @@
 //! * [`show`]: the three models of a scene as text: graph, masses and links, equations.
 //! * [`math`]: formulas, written as Unicode text or as LaTeX.
 
+pub mod cam;
 pub mod compare;
 pub mod csv;
 pub mod diagram;
 #[cfg(test)]
 mod fixture;
+pub mod forces;
 pub mod html;
+pub mod kinematics;
 pub mod law;
 pub mod map;
 pub mod math;
+pub mod mechanism;
 pub mod methods;
 pub mod quantity;
 pub mod show;

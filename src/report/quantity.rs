@@ -28,7 +28,7 @@ pub fn scale(magnitude: f64, unit: &str) -> Scale {
         factor: 1.0,
         unit: unit.to_owned(),
     };
-    if !magnitude.is_finite() || magnitude == 0.0 || unit.is_empty() || unit == "1" {
+    if !magnitude.is_finite() || magnitude == 0.0 || unit.is_empty() || unit.starts_with('1') {
         return plain;
     }
     // A hair of slack keeps 999.9999… from being called 1000 of the lower prefix.

@@ -162,6 +162,7 @@ fn copy_from_catalogue(
         let from = members.remove(at);
         match catalogue_members(&from, &object.name, catalogue, sources) {
             Ok(mut copied) => {
+                merge_dimensions(members, &mut copied);
                 copied.retain(|copy| members.iter().all(|own| own.name != copy.name));
                 members.append(&mut copied);
             }
@@ -171,6 +172,20 @@ fn copy_from_catalogue(
                 members.push(from);
             }
         }
+    }
+}
+
+/// Named numbers are replaced one by one, all other properties as a whole.
+fn merge_dimensions(own: &mut [Member], copied: &mut [Member]) {
+    let of = |members: &[Member]| members.iter().position(|m| m.name == "dimensions");
+    let (Some(mine), Some(theirs)) = (of(own), of(copied)) else {
+        return;
+    };
+    if let (Value::Object(mine), Value::Object(theirs)) =
+        (&mut own[mine].value.value, &mut copied[theirs].value.value)
+    {
+        theirs.retain(|copy| mine.iter().all(|own| own.name != copy.name));
+        mine.append(theirs);
     }
 }
 
@@ -261,6 +276,11 @@ fn write_sorted(value: &serde_json::Value, out: &mut String) {
 }
 
 impl Places {
+    /// The tree that was decoded.
+    pub(super) fn into_root(self) -> Node {
+        self.root
+    }
+
     /// Where the property at an address stands; the nearest part of the
     /// address that exists.
     pub fn locate(&self, path: &str) -> Place {

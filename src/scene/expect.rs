@@ -2,6 +2,7 @@
 
 use super::objects::Known;
 use super::{Expectation, Expected};
+use crate::model::owner_of;
 use crate::object::Measures;
 use crate::read::{Bounds, Fields, Slot, Wanted, closest, quoted_list};
 use crate::units::{Quantity, quantities as q};
@@ -214,7 +215,7 @@ fn absolute(fields: &mut Fields<'_>, within: Within, value: f64) -> Option<f64> 
 /// The address of a figure, with what it measures.
 fn figure(mut slot: Slot<'_>, known: &Known) -> Option<About> {
     let address = slot.look(|slot| slot.text())?;
-    let (owner, name) = address.split_once('.').unwrap_or((&address, ""));
+    let (owner, name) = owner_of(&address, |id| known.objects.contains_key(id));
     if owner == "run" {
         if RUN_FIGURES.contains(&name) {
             let wanted = if name == "time" { q::TIME } else { q::NUMBER };

@@ -10,11 +10,13 @@ mod root;
 mod run;
 mod schema;
 mod steady;
+mod variation;
 
 pub use catalogue::{BuiltIn, Catalogue, Layered};
 pub use document::{Document, Places, Reading};
 pub use overrides::Overrides;
 pub use schema::{schema, schema_text};
+pub use variation::Variation;
 
 use crate::graph::MechanismGraph;
 use crate::object::Object;
@@ -41,13 +43,8 @@ pub struct Scene {
 impl Scene {
     /// Who drives whom.
     pub fn graph(&self) -> MechanismGraph {
-        let pair = |(id, object): (&'_ String, &'_ SceneObject)| (id.clone(), object.input.clone());
-        let pairs: Vec<(String, Option<String>)> = self.objects.iter().map(pair).collect();
-        MechanismGraph::new(
-            pairs
-                .iter()
-                .map(|(id, input)| (id.as_str(), input.as_deref())),
-        )
+        let pairs = self.objects.iter();
+        MechanismGraph::new(pairs.map(|(id, object)| (id.as_str(), object.driver())))
     }
 
     /// Ids of all objects, every driver before what it drives, otherwise in
@@ -62,10 +59,23 @@ impl Scene {
 /// An object of a scene.
 #[derive(Debug)]
 pub struct SceneObject {
-    /// Id of the driving object; `None` for a drive.
+    /// Id of the driving object, or one of its outputs (`press.ram`); `None`
+    /// for a drive.
     pub input: Option<String>,
     /// The object itself.
     pub object: Box<dyn Object>,
+}
+
+impl SceneObject {
+    /// Id of the driving object; `None` for a drive.
+    pub fn driver(&self) -> Option<&str> {
+        self.input.as_deref().map(driver_of)
+    }
+}
+
+/// Id of the object that an input names, without its output.
+fn driver_of(input: &str) -> &str {
+    input.split_once('.').map_or(input, |(id, _)| id)
 }
 
 /// The `run` block.

@@ -1,7 +1,7 @@
 //! The objects of a scene, and who drives whom.
 
-use super::SceneObject;
 use super::address::RESERVED;
+use super::{SceneObject, driver_of};
 use crate::diagnostics::{Diagnostic, Related};
 use crate::graph::MechanismGraph;
 use crate::model::Coordinate;
@@ -14,11 +14,12 @@ use std::collections::BTreeMap;
 /// What the rest of the scene must know of the objects, also of faulty ones.
 #[derive(Debug, Default)]
 pub(super) struct Known {
+    /// By id; outputs of objects as `object.output`.
     pub(super) objects: BTreeMap<String, KnownObject>,
 }
 
 /// What is known of one object; `None`: not known.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct KnownObject {
     pub(super) coordinate: Option<Coordinate>,
     /// Number of coordinates that a start state has: its masses, 1 for a
@@ -34,12 +35,18 @@ pub(super) fn read(mut slot: Slot<'_>, known: &mut Known) -> Option<BTreeMap<Str
     }
     let node = slot.node()?;
     for member in node.members() {
-        let coordinate = kind_of(&member.value).and_then(|kind| (kind.coordinate)(&member.value));
+        let kind = kind_of(&member.value);
         let object = KnownObject {
-            coordinate,
+            coordinate: kind.and_then(|kind| (kind.coordinate)(&member.value)),
             masses: None,
         };
         known.objects.insert(member.name.clone(), object);
+        let outputs = kind.map(|kind| (kind.outputs)(&member.value));
+        for (output, coordinate) in outputs.unwrap_or_default() {
+            let id = format!("{}.{output}", member.name);
+            let masses = Some(0);
+            known.objects.insert(id, KnownObject { coordinate, masses });
+        }
     }
     let objects = slot.look(|slot| slot.map(|id, slot| object(slot, id, known)));
     let sound = check_graph(&mut slot, node);
@@ -56,7 +63,8 @@ fn kind(fields: &mut Fields<'_>) -> Option<Kind> {
     fields.need("kind", "What the object is.", |slot| slot.choice(&kinds))
 }
 
-fn object(mut slot: Slot<'_>, id: &str, known: &mut Known) -> Option<SceneObject> {
+/// Reads one object; notes in `known` how many masses it has.
+pub(super) fn object(mut slot: Slot<'_>, id: &str, known: &mut Known) -> Option<SceneObject> {
     let sound = check_id(&mut slot, id);
     let object = slot.record(|fields| {
         fields.remark("description", "Remarks for people.");
@@ -93,7 +101,7 @@ fn object(mut slot: Slot<'_>, id: &str, known: &mut Known) -> Option<SceneObject
 
 fn start_size(description: Description<'_>) -> usize {
     match description {
-        Description::Drive(DriveSpec::Prescribed(_)) => 0,
+        Description::Drive(DriveSpec::Prescribed(_)) | Description::Linkage(_) => 0,
         Description::Drive(DriveSpec::Motor(_)) => 1,
         Description::Chain(chain) => match &chain.body {
             BodySpec::Rigid { .. } => 0,
@@ -124,32 +132,30 @@ fn check_id(slot: &mut Slot<'_>, id: &str) -> bool {
     false
 }
 
-const INPUT: &str = "Id of the object that drives this one.";
+const INPUT: &str =
+    "Id of the object that drives this one, or one of its outputs: `press`, `press.ram`.";
 
 /// The id of the driver, which must exist.
 fn read_input(fields: &mut Fields<'_>, known: &Known) -> Option<String> {
     let input = fields.maybe("input", INPUT, |mut slot| {
         let input = slot.look(|slot| slot.text())?;
-        let (id, output) = match input.split_once('.') {
-            Some((id, output)) => (id, Some(output)),
-            None => (input.as_str(), None),
-        };
-        if !known.objects.contains_key(id) {
-            let ids = || known.objects.keys().map(String::as_str);
-            let guess = did_you_mean(id, ids());
-            let all = format!("the objects are {}", quoted_list(ids().take(20), "and"));
-            let fault = slot.refuse("unknown-object", format!("unknown object `{id}`"));
-            fault.hints.push(guess.unwrap_or(all));
-            return None;
+        if known.objects.contains_key(&input) {
+            return Some(input);
         }
-        if let Some(output) = output {
-            let fault = slot.refuse("unknown-object", format!("`{id}` has no output `{output}`"));
-            fault
-                .hints
-                .push(format!("it has one output: write \"{id}\""));
-            return None;
+        match input.split_once('.') {
+            Some((id, output)) if known.objects.contains_key(id) => {
+                unknown_output(&mut slot, id, output, known);
+            }
+            _ => {
+                let id = driver_of(&input);
+                let ids = || known.objects.keys().map(String::as_str);
+                let guess = did_you_mean(id, ids());
+                let all = format!("the objects are {}", quoted_list(ids().take(20), "and"));
+                let fault = slot.refuse("unknown-object", format!("unknown object `{id}`"));
+                fault.hints.push(guess.unwrap_or(all));
+            }
         }
-        Some(input)
+        None
     })?;
     if input.is_none() {
         let ids = known.objects.keys().map(String::as_str);
@@ -163,12 +169,28 @@ fn read_input(fields: &mut Fields<'_>, known: &Known) -> Option<String> {
     input
 }
 
+fn unknown_output(slot: &mut Slot<'_>, id: &str, output: &str, known: &Known) {
+    let outputs: Vec<&str> = (known.objects.keys())
+        .filter_map(|known| known.strip_prefix(id)?.strip_prefix('.'))
+        .collect();
+    let hint = match did_you_mean(output, outputs.iter().copied()) {
+        Some(guess) => guess,
+        None if outputs.is_empty() => format!("it has one output: write \"{id}\""),
+        None => format!("its outputs are {}", quoted_list(outputs, "and")),
+    };
+    let fault = slot.refuse("unknown-object", format!("`{id}` has no output `{output}`"));
+    fault.hints.push(hint);
+}
+
 /// Cycles, and whether there is a drive at all.
 fn check_graph(slot: &mut Slot<'_>, node: &Node) -> bool {
     let inputs = node.members().iter().map(|member| {
         let input = member.value.get("input").and_then(Node::text);
         let drive = kind_of(&member.value).is_some_and(|kind| !kind.driven);
-        (member.name.as_str(), input.filter(|_| !drive))
+        (
+            member.name.as_str(),
+            input.filter(|_| !drive).map(driver_of),
+        )
     });
     let graph = MechanismGraph::new(inputs);
     let cycles = graph.cycles();

@@ -184,6 +184,11 @@ impl Frozen {
                 let load = work.acceleration[node].scale(inertia);
                 work.force[node] -= load;
             }
+            for (index, linkage) in self.linkages.iter().enumerate() {
+                let reduced = self.linkage(index, work);
+                let load = reduced.inertia * work.acceleration[linkage.node] + reduced.bias;
+                work.force[linkage.node] -= load;
+            }
         }
         for step in self.steps.iter().rev() {
             match step {
@@ -252,15 +257,17 @@ impl Frozen {
                 work.force[self.loads[index].node] += force;
             }
         }
+        for (index, linkage) in self.linkages.iter().enumerate() {
+            let force = self.linkage(index, work).resting_force();
+            work.force[linkage.node] += force;
+        }
     }
 
     /// Accelerations of all nodes when every chain follows its law like a
     /// rigid body; a rotor's from all that hangs on it, rigidly reduced.
     fn law_accelerations<N: Quantity>(&self, time: N, modes: &[i64], work: &mut Work<N>) {
         self.apply_loads(time, modes, work);
-        for (mass, &inertia) in work.mass.iter_mut().zip(&self.inertia) {
-            *mass = N::from(inertia);
-        }
+        self.own_masses(work);
         for step in self.steps.iter().rev() {
             match step {
                 Step::Prescribed(_) | Step::Rotor(_) => {}

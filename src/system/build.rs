@@ -3,10 +3,12 @@
 use super::frozen::{
     Branch, Chain, Frozen, FrozenLaw, FrozenTrack, Prescribed, Rigid, Rotor, Step,
 };
+use super::linkages::{FrozenLinkage, OutputPlace};
 use super::loads::{Argument, FrozenLoad};
 use super::pairs::Contact;
 use crate::fault::Fault;
 use crate::model::{Law, LinkBase, LoadLaw, Model, NodeMotion, TrackSource};
+use std::sync::Arc;
 
 /// Lays a model out; the faults of all its parts together.
 pub(super) fn freeze(model: &Model) -> Result<Frozen, Vec<Fault>> {
@@ -18,6 +20,7 @@ pub(super) fn freeze(model: &Model) -> Result<Frozen, Vec<Fault>> {
     for node in 0..model.nodes.len() {
         builder.place(node);
     }
+    builder.place_linkages();
     builder.place_tracks();
     builder.place_loads();
     builder.mark_chains();
@@ -174,12 +177,32 @@ impl<'a> Builder<'a> {
             position: law.position.clone(),
             lever: law.lever,
             component,
+            output: None,
         });
         self.frozen.laws.len() - 1
     }
 
     fn component(&self, track: Option<usize>) -> Option<usize> {
         track.map(|track| self.frozen.track_component(track))
+    }
+
+    /// Linkages, and which laws are outputs of theirs.
+    fn place_linkages(&mut self) {
+        let frozen = &mut self.frozen;
+        for (linkage, body) in self.model.linkages.iter().enumerate() {
+            frozen.linkages.push(FrozenLinkage {
+                node: frozen.internal[body.node],
+                linkage: Arc::clone(&body.linkage),
+            });
+            for (output, &node) in body.outputs.iter().enumerate() {
+                let node = frozen.internal[node];
+                let rigid = frozen.rigids.iter().find(|rigid| rigid.node == node);
+                if let Some(rigid) = rigid {
+                    let place = OutputPlace { linkage, output };
+                    frozen.laws[rigid.law].output = Some(place);
+                }
+            }
+        }
     }
 
     fn place_tracks(&mut self) {

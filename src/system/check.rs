@@ -3,6 +3,7 @@
 use super::build::chains_of;
 use crate::fault::Fault;
 use crate::model::{Law, LinkBase, LoadLaw, Model, NodeMotion, TrackSource};
+use crate::position::Position;
 
 /// All faults of a model.
 pub(super) fn faults(model: &Model) -> Vec<Fault> {
@@ -105,19 +106,25 @@ fn check_nodes(model: &Model, faults: &mut Vec<Fault>) {
             node.motion,
             NodeMotion::Mass { .. } | NodeMotion::Rotor { .. }
         );
-        let enough = if free {
+        let rotor = matches!(node.motion, NodeMotion::Rotor { .. });
+        // A rotor may leave all inertia to what follows it rigidly.
+        let carried = rotor && node.inertia == 0.0 && carries_inertia(model, index);
+        let enough = if free && !carried {
             node.inertia > 0.0
         } else {
             node.inertia >= 0.0
         };
         // An inertia so small that 1/J overflows is no inertia either.
+        let free = free && !carried;
         let usable =
             enough && node.inertia.is_finite() && (!free || (1.0 / node.inertia).is_finite());
         if !usable {
             faults.push(Fault::new(
                 format!("{}.inertia", object_of(model, index)),
                 format!("an inertia of {} is not possible", node.inertia),
-                if free {
+                if rotor {
+                    "a finite inertia > 0, or 0 with inertia in what follows it rigidly at a constant ratio"
+                } else if free {
                     "a finite inertia > 0"
                 } else {
                     "a finite inertia ≥ 0"
@@ -141,6 +148,27 @@ fn check_nodes(model: &Model, faults: &mut Vec<Fault>) {
             ));
         }
     }
+}
+
+/// True when something with inertia follows a node rigidly at a constant ratio:
+/// at any other its inertia would vanish where U′ does.
+fn carries_inertia(model: &Model, node: usize) -> bool {
+    let follows = |&other: &usize| match &model.nodes[other].motion {
+        NodeMotion::Rigid { law } => {
+            law.driver == node && matches!(law.position, Position::Ratio { .. })
+        }
+        _ => false,
+    };
+    let heavy = |other: usize| {
+        let linkage = model.linkages.iter().find(|body| body.node == other);
+        let links = linkage.map_or(&[][..], |body| &body.linkage.spec().links);
+        let own = links
+            .iter()
+            .any(|link| link.mass > 0.0 || link.moment > 0.0);
+        own || model.nodes[other].inertia > 0.0 || carries_inertia(model, other)
+    };
+    // Drivers come before what they drive: this comes to an end.
+    (node + 1..model.nodes.len()).filter(follows).any(heavy)
 }
 
 fn check_links(model: &Model, faults: &mut Vec<Fault>) {

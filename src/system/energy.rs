@@ -7,7 +7,8 @@ use super::{Energy, Scratch, System};
 use crate::integrate::Modes;
 
 impl System {
-    /// Kinetic energy of all inertias, elastic energy of links and pairs.
+    /// Kinetic energy of all inertias; elastic energy of links and pairs with
+    /// the potential energy of the weights and springs of linkages.
     /// Springs that are loads are not counted: they are in the work of the
     /// loads. Allocates nothing.
     pub fn energy(&self, time: f64, y: &[f64], modes: &Modes, scratch: &mut Scratch) -> Energy {
@@ -38,6 +39,12 @@ impl Frozen {
                 let stretch = pair[1] - pair[0];
                 elastic += (stretch * stretch).scale(0.5 * stiffness);
             }
+        }
+        for (index, linkage) in self.linkages.iter().enumerate() {
+            let reduced = self.linkage(index, work);
+            let speed = work.speed[linkage.node];
+            kinetic += (reduced.inertia * speed * speed).scale(0.5);
+            elastic += reduced.potential;
         }
         [kinetic, elastic]
     }

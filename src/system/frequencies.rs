@@ -2,7 +2,8 @@
 //!
 //! Linearised about the position at t = 0, in absolute displacements of the
 //! free nodes: rigid objects move with their driver by U′, an elastic link
-//! stretches by φ₁ − U′·φ_driver. The stiffness that loaded laws add through U″
+//! stretches by φ₁ − U′·φ_driver; weights and springs of a linkage have the
+//! stiffness V″. The stiffness that loaded laws add through U″
 //! and damping are left out of the natural frequencies.
 
 use super::System;
@@ -124,8 +125,7 @@ impl System {
     /// scales: numbers of one size, and no less exact.
     fn engaged_jacobian(&self) -> DMatrix<f64> {
         let n = self.frozen.coordinates;
-        let modes = Modes(self.start_modes());
-        let y = self.frozen.law_state();
+        let (y, modes) = self.engaged_start();
         let mut scratch = self.scratch();
         let mut jacobian = DMatrix::zeros(2 * n, 2 * n);
         let (mut direction, mut column) = (vec![0.0; 2 * n], vec![0.0; 2 * n]);
@@ -138,6 +138,11 @@ impl System {
             }
         }
         jacobian
+    }
+
+    /// State on the law at t = 0, and modes with every pair engaged.
+    pub(super) fn engaged_start(&self) -> (Vec<f64>, Modes) {
+        (self.frozen.law_state(), Modes(self.start_modes()))
     }
 
     /// Modes at t = 0 with every pair engaged on its first flank.
@@ -154,7 +159,7 @@ impl System {
 }
 
 /// Eigenvalues of a real matrix; `None` when the iteration does not converge.
-fn eigenvalues(matrix: DMatrix<f64>) -> Option<Vec<[f64; 2]>> {
+pub(super) fn eigenvalues(matrix: DMatrix<f64>) -> Option<Vec<[f64; 2]>> {
     let schur = Schur::try_new(matrix, f64::EPSILON, 10_000)?;
     let values = schur.complex_eigenvalues();
     Some(values.iter().map(|value| [value.re, value.im]).collect())
@@ -216,6 +221,11 @@ impl Frozen {
             if let (LoadLaw::Spring { rate, .. }, Some((c, factor))) = (&load.law, moves[load.node])
             {
                 stiffness[(c, c)] += rate * factor * factor;
+            }
+        }
+        for (index, linkage) in self.linkages.iter().enumerate() {
+            if let Some((c, factor)) = moves[linkage.node] {
+                stiffness[(c, c)] += self.potential_stiffness(index, &work) * factor * factor;
             }
         }
         (mass, stiffness)

@@ -5,6 +5,7 @@
 //! order, so that a chain is one contiguous range of nodes, of coordinates and
 //! of links.
 
+use super::linkages::{FrozenLinkage, OutputPlace};
 use super::loads::FrozenLoad;
 use super::pairs::Contact;
 use crate::breaks::Breaks;
@@ -33,6 +34,8 @@ pub(super) struct Frozen {
     pub(super) chains: Vec<Chain>,
     /// Rigid nodes, drivers before driven.
     pub(super) rigids: Vec<Rigid>,
+    /// Linkages, drivers before driven.
+    pub(super) linkages: Vec<FrozenLinkage>,
     /// Constant inertia of each node (k, kg·m² or kg).
     pub(super) inertia: Vec<f64>,
     /// Sum of the constant loads on each node (k, N·m or N).
@@ -164,6 +167,8 @@ pub(super) struct FrozenLaw {
     pub(super) lever: f64,
     /// Component of the modes that selects the piece.
     pub(super) component: Option<usize>,
+    /// The output of a linkage that it is, which is then read off the linkage.
+    pub(super) output: Option<OutputPlace>,
 }
 
 impl FrozenLaw {

@@ -4,8 +4,8 @@
 //! `&mut` slices; nothing here allocates, hashes or walks a graph once built.
 //!
 //! `check` and `build` make the `frozen` layout of a model; `passes` and
-//! `links` are the equations of motion; `pairs`, `loads` and `switches` what
-//! enters them; `balance`, `placing`, `start` and `onset` the state at t = 0;
+//! `links` are the equations of motion; `pairs`, `loads`, `linkages` and
+//! `switches` what enters them; `balance`, `placing`, `start` and `onset` the state at t = 0;
 //! `observe`, `energy` and `reduce` what is read off; `scales` and `frequencies` what the
 //! methods are chosen and steered by.
 
@@ -16,7 +16,9 @@ mod dynamics;
 mod energy;
 mod frequencies;
 mod frozen;
+mod growth;
 mod kappa;
+mod linkages;
 mod links;
 mod loads;
 mod observe;
@@ -48,7 +50,7 @@ pub use reduce::Reduced;
 use crate::fault::Fault;
 use crate::integrate::Modes;
 use crate::model::Model;
-use crate::number::Dual;
+use crate::number::{Dual, Duals};
 use frozen::Frozen;
 use observe::{Body, ObjectPlace};
 use passes::Work;
@@ -75,8 +77,21 @@ pub struct Scratch {
     dual_work: Work<Dual>,
     dual_state: Vec<Dual>,
     dual_accelerations: Vec<Dual>,
+    /// Derivatives along many directions, once they have been asked for.
+    bundle: Option<Box<Bundle>>,
     /// Series of the motion, once they have been asked for.
     taylor: Option<Box<Taylor>>,
+}
+
+/// Directions that the equations are differentiated along at once.
+const DIRECTIONS: usize = 8;
+
+/// Working memory of an evaluation with its derivatives along [`DIRECTIONS`].
+#[derive(Clone, Debug)]
+struct Bundle {
+    work: Work<Duals<DIRECTIONS>>,
+    state: Vec<Duals<DIRECTIONS>>,
+    accelerations: Vec<Duals<DIRECTIONS>>,
 }
 
 /// What one object is doing at an instant.
@@ -116,7 +131,7 @@ pub struct Power {
     pub drives: f64,
     /// Work rate of all loads (motors and springs included).
     pub loads: f64,
-    /// Dissipation in links and pairs, ≥ 0.
+    /// Dissipation in links, pairs and the dampers of linkages, ≥ 0.
     pub dissipated: f64,
 }
 
@@ -125,7 +140,7 @@ pub struct Power {
 pub struct Energy {
     /// Kinetic energy of all inertias.
     pub kinetic: f64,
-    /// Elastic energy of links and pairs.
+    /// Elastic energy of links and pairs, potential energy of linkages.
     pub elastic: f64,
 }
 

@@ -69,14 +69,17 @@ const BILATERAL: Pair = Pair {
 /// The torque of a motor: its characteristic over speed, or the constant load
 /// that bears the torque's own address.
 fn motor(frozen: &Frozen, model: &Model, part: &ObjectPart, internal: usize) -> Body {
-    let torque = format!("{}.torque", part.id);
+    let own = |name: &str| {
+        let rest = name.strip_prefix(part.id.as_str());
+        rest.is_some_and(|rest| [".torque", ".motor.torque", ".motor.force"].contains(&rest))
+    };
     let loads = (0..frozen.loads.len())
         .filter(|&load| frozen.loads[load].node == internal && is_motor(&frozen.loads[load].law))
         .collect();
     let constant = model
         .loads
         .iter()
-        .filter(|load| load.node == part.nodes[0] && load.name == torque)
+        .filter(|load| load.node == part.nodes[0] && own(&load.name))
         .map(|load| match load.law {
             LoadLaw::Constant(torque) => torque,
             _ => 0.0,
@@ -188,14 +191,22 @@ impl System {
         let varying = (0..frozen.loads.len()).map(|load| {
             frozen.load(load, time, &modes.0, work) * work.speed[frozen.loads[load].node]
         });
+        let (mut applied, mut damped) = (0.0, 0.0);
+        for (index, linkage) in frozen.linkages.iter().enumerate() {
+            let (reduced, speed) = (frozen.linkage(index, work), work.speed[linkage.node]);
+            applied += reduced.applied * speed;
+            damped -= reduced.damping * speed;
+        }
+        let chains = frozen.chains.iter();
         Power {
             drives: frozen.steps.iter().map(drive).sum(),
-            loads: constant.map(|(force, speed)| force * speed).sum::<f64>() + varying.sum::<f64>(),
-            dissipated: frozen
-                .chains
-                .iter()
+            loads: constant.map(|(force, speed)| force * speed).sum::<f64>()
+                + varying.sum::<f64>()
+                + applied,
+            dissipated: chains
                 .map(|chain| frozen.dissipated(chain, y, modes))
-                .sum(),
+                .sum::<f64>()
+                + damped,
         }
     }
 }

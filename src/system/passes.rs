@@ -9,8 +9,10 @@
 //! Written once for every kind of number.
 
 use super::frozen::{Chain, Frozen, Step, segment};
+use super::linkages::Solved;
 use super::links::LinkForces;
 use super::quantity::Quantity;
+use std::cell::RefCell;
 
 /// A law at an instant.
 #[derive(Clone, Copy, Debug)]
@@ -43,6 +45,8 @@ pub(super) struct Work<N> {
     pub(super) laws: Vec<LawValues<N>>,
     /// F of link 1 (one for each chain).
     pub(super) reaction: Vec<N>,
+    /// The linkages, solved once for all that looks at them.
+    pub(super) linkages: Vec<RefCell<Solved>>,
 }
 
 impl<N: Quantity> Work<N> {
@@ -64,6 +68,7 @@ impl<N: Quantity> Work<N> {
             mass: vec![zero; nodes],
             laws: vec![law; frozen.laws.len()],
             reaction: vec![zero; frozen.chains.len()],
+            linkages: frozen.linkage_memory(),
         }
     }
 }
@@ -162,7 +167,10 @@ impl Frozen {
         let law = &self.laws[index];
         let displacement = work.displacement[law.driver];
         let speed = work.speed[law.driver];
-        let [value, first, second] = displacement.lift(|phi| law.jet(modes, phi));
+        let [value, first, second] = match law.output {
+            None => displacement.lift(|phi| law.jet(modes, phi)),
+            Some(place) => self.output(place, work),
+        };
         let values = LawValues {
             value,
             first,
@@ -183,6 +191,7 @@ impl Frozen {
             let force = self.load(index, time, modes, work);
             work.force[self.loads[index].node] += force;
         }
+        self.apply_linkages(work);
     }
 
     /// The force of one of the loads that are not constant.
@@ -238,9 +247,7 @@ impl Frozen {
         if self.rigids.is_empty() && extent == Extent::Needed {
             return;
         }
-        for (mass, &inertia) in work.mass.iter_mut().zip(&self.inertia) {
-            *mass = N::from(inertia);
-        }
+        self.own_masses(work);
         for rigid in self.rigids.iter().rev() {
             self.reduce_node(rigid.law, rigid.node, work);
         }

@@ -119,6 +119,12 @@ impl Frozen {
     }
 
     fn collect_rigids(&self, of: &mut Dependences) {
+        // J and the forces of a linkage change with its input coordinate.
+        for linkage in &self.linkages {
+            let place = of.place[linkage.node].clone();
+            of.force[linkage.node].extend(&place);
+            of.mass[linkage.node].extend(place);
+        }
         for rigid in self.rigids.iter().rev() {
             let driver = self.laws[rigid.law].driver;
             let slope = self.slope(rigid.law, &of.place);

@@ -6,10 +6,13 @@
 //! take from it what it needs.
 
 use crate::jet::Jet;
-use crate::number::{Dual, Number};
+use crate::number::{Dual, Duals, Number};
 
 /// A number on which the equations of motion can be evaluated.
 pub(super) trait Quantity: Number {
+    /// Highest derivative of a function that [`Self::lift`] looks at.
+    const DERIVATIVES: usize;
+
     /// U, U′ and U″ at `self`, for a function U given by its jets.
     fn lift(self, jet: impl Fn(f64) -> Jet) -> [Self; 3];
 
@@ -18,6 +21,8 @@ pub(super) trait Quantity: Number {
 }
 
 impl Quantity for f64 {
+    const DERIVATIVES: usize = 2;
+
     #[inline(always)]
     fn lift(self, jet: impl Fn(f64) -> Jet) -> [Self; 3] {
         let jet = jet(self);
@@ -31,6 +36,23 @@ impl Quantity for f64 {
 }
 
 impl Quantity for Dual {
+    const DERIVATIVES: usize = 3;
+
+    #[inline(always)]
+    fn lift(self, jet: impl Fn(f64) -> Jet) -> [Self; 3] {
+        jet(self.value).lift(self)
+    }
+
+    #[inline(always)]
+    fn apply(self, function: impl Fn(f64) -> (f64, f64)) -> Self {
+        let (value, derivative) = function(self.value);
+        self.compose(value, derivative)
+    }
+}
+
+impl<const K: usize> Quantity for Duals<K> {
+    const DERIVATIVES: usize = 3;
+
     #[inline(always)]
     fn lift(self, jet: impl Fn(f64) -> Jet) -> [Self; 3] {
         jet(self.value).lift(self)

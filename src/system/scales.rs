@@ -10,6 +10,7 @@
 
 use super::frozen::{Chain, Frozen, FrozenLaw, Step};
 use super::loads::FrozenLoad;
+use super::passes::{Extent, Work};
 use crate::model::LoadLaw;
 use std::f64::consts::PI;
 
@@ -38,8 +39,8 @@ struct Range {
 pub(super) fn scales(frozen: &Frozen) -> Vec<f64> {
     let n = frozen.coordinates;
     let mut scales = vec![1.0; 2 * n];
-    let (ranges, slopes) = sample(frozen);
-    let carried = carried_loads(frozen, &ranges, &slopes);
+    let sampled = sample(frozen);
+    let carried = carried_loads(frozen, &sampled);
     for step in &frozen.steps {
         match step {
             Step::Prescribed(_) | Step::Rigid(_) => {}
@@ -89,7 +90,12 @@ fn positive(value: f64, otherwise: f64) -> f64 {
 
 /// Force magnitudes that each node carries on to its driver: its loads, its
 /// inertia load and what its followers carry.
-fn carried_loads(frozen: &Frozen, ranges: &[Range], slopes: &[f64]) -> Vec<f64> {
+fn carried_loads(frozen: &Frozen, sampled: &Sampled) -> Vec<f64> {
+    let Sampled {
+        ranges,
+        slopes,
+        linkages,
+    } = sampled;
     let mut carried: Vec<f64> = frozen
         .constant_force
         .iter()
@@ -101,6 +107,9 @@ fn carried_loads(frozen: &Frozen, ranges: &[Range], slopes: &[f64]) -> Vec<f64> 
     }
     for (node, range) in ranges.iter().enumerate() {
         carried[node] += frozen.inertia[node] * range.acceleration;
+    }
+    for (linkage, force) in frozen.linkages.iter().zip(linkages) {
+        carried[linkage.node] += force;
     }
     for step in frozen.steps.iter().rev() {
         match step {
@@ -156,14 +165,43 @@ fn nominal_speed(frozen: &Frozen, node: usize, given: f64) -> f64 {
     if speed > 0.0 {
         return speed;
     }
-    (4.0 * PI * frozen.constant_force[node].abs() / frozen.inertia[node]).sqrt()
+    (4.0 * PI * frozen.constant_force[node].abs() / carried_inertia(frozen, node)).sqrt()
 }
 
-/// Greatest |φ|, |φ̇|, |φ̈| of every node on its law, and greatest |U′| of every
-/// law, over samples of the motion of its drive.
-fn sample(frozen: &Frozen) -> (Vec<Range>, Vec<f64>) {
+/// Inertia of a rotor with that of all that follows it rigidly at t = 0 when it
+/// drives a linkage; else its own.
+fn carried_inertia(frozen: &Frozen, node: usize) -> f64 {
+    let own = frozen.inertia[node];
+    if frozen.linkages.is_empty() {
+        return own;
+    }
+    let (mut modes, mut work) = (frozen.no_modes(), Work::new(frozen));
+    let state = frozen.law_state();
+    frozen.locate_tracks(&state, &mut modes);
+    frozen.motion(0.0, &state, &modes, Extent::Full, &mut work);
+    frozen.reduce_rigid(Extent::Full, &mut work);
+    if work.mass[node] > 0.0 {
+        work.mass[node]
+    } else {
+        own
+    }
+}
+
+/// Greatest values over samples of the motion of the drives.
+struct Sampled {
+    /// |φ|, |φ̇|, |φ̈| of every node on its law.
+    ranges: Vec<Range>,
+    /// |U′| of every law.
+    slopes: Vec<f64>,
+    /// Force magnitudes that each linkage takes at its input.
+    linkages: Vec<f64>,
+}
+
+fn sample(frozen: &Frozen) -> Sampled {
     let mut ranges = vec![Range::default(); frozen.inertia.len()];
     let mut slopes = vec![0.0; frozen.laws.len()];
+    let mut linkages = vec![0.0f64; frozen.linkages.len()];
+    let memory = frozen.linkage_memory();
     let mut motion = vec![[0.0; 3]; frozen.inertia.len()];
     for sample in 0..=SAMPLES {
         let share = sample as f64 / SAMPLES as f64;
@@ -189,6 +227,12 @@ fn sample(frozen: &Frozen) -> (Vec<Range>, Vec<f64>) {
                 }
             }
         }
+        for (index, solved) in memory.iter().enumerate() {
+            let force = solved
+                .borrow_mut()
+                .magnitude(motion[frozen.linkages[index].node]);
+            linkages[index] = linkages[index].max(force);
+        }
         for (range, at) in ranges.iter_mut().zip(&motion) {
             // NaN, outside the reach of a law, is passed over by `max`.
             range.displacement = range.displacement.max(at[0].abs());
@@ -196,7 +240,11 @@ fn sample(frozen: &Frozen) -> (Vec<Range>, Vec<f64>) {
             range.acceleration = range.acceleration.max(at[2].abs());
         }
     }
-    (ranges, slopes)
+    Sampled {
+        ranges,
+        slopes,
+        linkages,
+    }
 }
 
 /// A drive's motion: half of the samples up to its last break, half over

@@ -3,7 +3,8 @@
 use super::System;
 use super::frozen::Frozen;
 use crate::integrate::{Edge, Guard, Modes, PhysicalStop, Watch};
-use crate::model::Coordinate;
+use crate::linkage::{Cause, Reach};
+use crate::model::{Coordinate, NodeMotion};
 
 /// Span of a range that has one end only (rad or m).
 const ONE_SIDED_SPAN: f64 = 1.0;
@@ -135,14 +136,39 @@ impl System {
             _ => format!("{:.6}°", edge.place.to_degrees()),
         };
         let driver = driver.map_or("its driver", |driver| driver.id.as_str());
+        let cause = self.cause(track.object, edge.place);
+        let cause = cause.unwrap_or_else(|| "a dead position".to_owned());
         PhysicalStop {
             name: "dead_position",
             object: part.id.clone(),
             message: format!(
                 "{} cannot be assembled beyond {driver} at {place}, reached at t = {time:.9} s: \
-                 a dead position",
+                 {cause}",
                 part.id
             ),
         }
+    }
+
+    /// Why a linkage goes no further than where its driver has a displacement.
+    fn cause(&self, object: usize, driver: f64) -> Option<String> {
+        let mut linkages = self.model.linkages.iter();
+        let body = linkages.find(|body| body.object == object)?;
+        let NodeMotion::Rigid { law } = &self.model.nodes[body.node].motion else {
+            return None;
+        };
+        let q = law.lever * law.position.jet(0, driver).value;
+        let Reach::Interval { lower, upper } = body.linkage.range().reach else {
+            return None;
+        };
+        let near = (q - lower.at).abs() < (q - upper.at).abs();
+        let end = if near { lower } else { upper };
+        Some(match end.cause {
+            Cause::DeadPosition { group } => format!(
+                "a dead position of {}",
+                body.linkage.structure().describe(group)
+            ),
+            Cause::Travel => "the end of its travel".to_owned(),
+            Cause::Unexplored => "it was not looked further before the run".to_owned(),
+        })
     }
 }

@@ -1,8 +1,9 @@
 //! The figure that a map shows.
 
 use crate::analysis::document::blank;
+use crate::exact::Asked;
 use crate::fault::Fault;
-use crate::model::{Coordinate, Model};
+use crate::model::{Coordinate, Model, owner_of};
 use crate::record::{AddressError, Figures, ObjectFigures};
 
 /// The figure of a map when none is asked for: δ_max of the last elastic
@@ -45,6 +46,8 @@ pub(super) fn parameter_unit(path: &str, model: &Model) -> &'static str {
     let either = |turned, slid| if turning { turned } else { slid };
     match rest.rsplit('.').next().unwrap_or(rest) {
         "inertia" => either("kg m²", "kg"),
+        "mass" => "kg",
+        "moment" => "kg m²",
         "stiffness" | "rate" => either("N m/rad", "N/m"),
         "damping" => either("N m s/rad", "N s/m"),
         "constant" | "preload" | "friction" => either("N m", "N"),
@@ -78,6 +81,21 @@ pub(super) fn quick_read(figures: &ObjectFigures, name: &str) -> Option<f64> {
     })
 }
 
+/// What a run must find for a figure that [`quick_read`] knows, and for its
+/// scale; extremes of δ in any case.
+pub(super) fn quick_needs(name: &str) -> Asked {
+    let mut asked = Asked::DEVIATION;
+    match name {
+        "sigma" => asked.mean = true,
+        "peak_speed" | "final.speed" => asked.speed = true,
+        "peak_acceleration" => asked.acceleration = true,
+        "peak_reaction" | "pair.max_contact_force" => asked.force = true,
+        "pair.max_lift" => asked.lift = true,
+        _ => {}
+    }
+    asked
+}
+
 /// What a difference in a figure that [`quick_read`] knows is measured against:
 /// [`Figures::scale`] without a document. `time` is that of the run (s).
 pub(super) fn quick_scale(figures: &ObjectFigures, name: &str, time: f64) -> f64 {
@@ -94,15 +112,15 @@ pub(super) fn quick_scale(figures: &ObjectFigures, name: &str, time: f64) -> f64
 
 /// The value of a figure; `None` when it has none in this run.
 pub(super) fn read(figures: &Figures, figure: &str) -> Option<f64> {
-    let quick = figure
-        .split_once('.')
-        .and_then(|(id, name)| quick_read(figures.objects.get(id)?, name));
+    let (id, name) = owner_of(figure, |id| figures.objects.contains_key(id));
+    let quick = figures.objects.get(id);
+    let quick = quick.and_then(|object| quick_read(object, name));
     quick.or_else(|| figures.value(figure).ok())
 }
 
 /// SI unit of a figure; empty for counts and answers.
 pub(super) fn unit(figure: &str, model: &Model) -> &'static str {
-    let (id, name) = figure.split_once('.').unwrap_or((figure, ""));
+    let (id, name) = owner_of(figure, |id| model.objects.iter().any(|part| part.id == id));
     let part = model.objects.iter().find(|part| part.id == id);
     let turning = part.is_none_or(|part| part.coordinate == Coordinate::Turning);
     let either = |turned, slid| if turning { turned } else { slid };

@@ -30,8 +30,8 @@ pub struct RigidMotion {
     pub amplitude: Vec<Option<f64>>,
     /// Least force that a force-closed pair would have to carry (N m or N), over
     /// all of them: negative where the rigid mechanism lifts off. `None`
-    /// without such a pair, behind a motor, beyond a dead position, or when a
-    /// load hangs on the speed alone (motors).
+    /// without such a pair, behind a motor, with a linkage, beyond a dead
+    /// position, or when a load hangs on the speed alone (motors).
     pub margin: Option<f64>,
 }
 
@@ -75,7 +75,8 @@ pub fn rigid_motion(model: &Model, duration: f64) -> RigidMotion {
     let margin = margin.reduce(|a, b| if a <= b || a.is_nan() { a } else { b });
     RigidMotion {
         amplitude: objects.iter().enumerate().map(amplitude).collect(),
-        margin: margin.filter(|margin| margin.is_finite()),
+        // What a linkage hands on to its driver is not followed here.
+        margin: margin.filter(|margin| margin.is_finite() && model.linkages.is_empty()),
     }
 }
 

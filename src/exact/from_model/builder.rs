@@ -1,7 +1,7 @@
 //! Objects, drivers first, to trees.
 
 use super::course::{Course, straight};
-use super::{MassPlace, Part, Parts, law, load};
+use super::{Holder, MassPlace, Part, Parts, law, load};
 use crate::exact::{Law, Refusal, TimeLoad, TreeMass, TreeObject, TreePair, TreeProblem};
 use crate::model::{
     Closure, DampingLaw, Law as ModelLaw, LinkBase, Load, LoadLaw, Model, NodeMotion, ObjectPart,
@@ -91,6 +91,10 @@ impl<'m> Builder<'m> {
             } if plan.spec().period.is_some() => {
                 self.refuse(object, "its plan of motion over time repeats without end");
             }
+            NodeMotion::Prescribed {
+                motion: DriveMotion::Accelerated { .. },
+                ..
+            } => self.refuse(object, "it is accelerated without end"),
             NodeMotion::Prescribed { motion, .. } => {
                 self.roles[node] = Role::Prescribed(Course::new(motion), Vec::new());
             }
@@ -129,6 +133,12 @@ impl<'m> Builder<'m> {
         self.roles[node] = match &role {
             Role::Unfit => Role::Unfit,
             Role::Prescribed(course, laws) => follow(course, laws, law),
+            Role::Moved(_) if self.model.linkages.iter().any(|body| body.node == node) => {
+                let reason = "it is a linkage, whose reduced inertia changes as it moves, behind \
+                              an elastic object";
+                self.refuse_behind(object, &role, reason);
+                return;
+            }
             Role::Moved(moved) => {
                 let Some((ratio, offset)) = self.line(object, law, &role) else {
                     return;
@@ -338,6 +348,7 @@ impl<'m> Builder<'m> {
             _ => None,
         });
         let spans = spans.collect();
+        let holders = self.holders();
         let sound = self.trees.into_iter().zip(&self.spoiled);
         let course = |role: Role<'_>| match role {
             Role::Prescribed(course, _) => Some(course),
@@ -351,7 +362,19 @@ impl<'m> Builder<'m> {
             refusals: self.refusals,
             courses: self.roles.into_iter().map(course).collect(),
             spans,
+            holders,
         }
+    }
+
+    /// Who moves each object, trees numbered without the spoiled ones.
+    fn holders(&self) -> Vec<Holder> {
+        let number = |tree: usize| self.spoiled[..tree].iter().filter(|s| !**s).count();
+        let holder = |part: &ObjectPart| match &self.roles[part.nodes[0]] {
+            Role::Prescribed(..) => Holder::Drive,
+            Role::Moved(on) if !self.spoiled[on.tree] => Holder::Tree(number(on.tree)),
+            Role::Moved(_) | Role::Unfit => Holder::Other,
+        };
+        self.model.objects.iter().map(holder).collect()
     }
 }
 

@@ -208,10 +208,15 @@ impl Stage {
                     Err(None)
                 }
             }
+            Position::SlottedLink(linkage) => match linkage.advance() {
+                Some(advance) => Ok((TAU, advance)),
+                None => Err(None),
+            },
             Position::Plan(plan) if plan.spec().period.is_some() => {
                 let spec = plan.spec();
                 Ok((spec.period.unwrap_or(TAU), spec.advance))
             }
+            Position::Linkage(output) => output.period().ok_or(None),
             Position::Table(table) if table.is_periodic() => {
                 let (first, last) = table.ends();
                 Ok((last - first, 0.0))

@@ -2,7 +2,9 @@
 
 use super::table::Table;
 use super::{equations, load_word, units};
-use crate::model::{Closure, DampingLaw, LinkBase, Model, NodeMotion, ObjectPart, Pair};
+use crate::model::{
+    Closure, Coordinate, DampingLaw, LinkBase, Model, NodeMotion, OUTPUT, ObjectPart, Pair,
+};
 use crate::report::diagram::{drivers_first, pair};
 use crate::report::quantity::{significant, with_unit};
 use std::f64::consts::TAU;
@@ -21,6 +23,7 @@ pub fn text(model: &Model, frequencies: &Frequencies) -> String {
     let mut out = String::new();
     section(&mut out, "Masses", &masses(model));
     section(&mut out, "Links", &links(model));
+    out.push_str(&linkages(model));
     section(&mut out, "Driving pairs", &pairs(model));
     section(&mut out, "Loads", &loads(model));
     section(
@@ -52,10 +55,10 @@ fn masses(model: &Model) -> Table {
         vec!["object", "kind", "mass", "inertia J", "", "motion"],
         &[2, 3],
     );
-    for object in objects(model) {
+    for object in objects(model).filter(|object| object.kind != OUTPUT) {
         let driver = object.driver.map_or("", |driver| &model.objects[driver].id);
-        for (place, &node) in object.nodes.iter().enumerate() {
-            let node = &model.nodes[node];
+        for (place, &index) in object.nodes.iter().enumerate() {
+            let node = &model.nodes[index];
             let (mass, motion) = match &node.motion {
                 NodeMotion::Prescribed { .. } => ("–".to_owned(), "prescribed".to_owned()),
                 NodeMotion::Rotor { .. } => {
@@ -64,17 +67,49 @@ fn masses(model: &Model) -> Table {
                 NodeMotion::Mass { .. } => ((place + 1).to_string(), "free".to_owned()),
                 NodeMotion::Rigid { .. } => ("–".to_owned(), format!("rigid, follows {driver}")),
             };
+            let reduced = model.linkages.iter().any(|body| body.node == index);
+            let inertia = match reduced {
+                true => "J(φ)".to_owned(),
+                false => significant(node.inertia, 6),
+            };
             table.push(vec![
                 object.id.clone(),
                 object.kind.to_owned(),
                 mass,
-                significant(node.inertia, 6),
+                inertia,
                 units(object.coordinate).inertia.to_owned(),
                 motion,
             ]);
         }
     }
     table
+}
+
+/// Mobility, groups, branches and range of every linkage.
+fn linkages(model: &Model) -> String {
+    let mut out = String::new();
+    for body in &model.linkages {
+        let part = &model.objects[body.object];
+        let linkage = &body.linkage;
+        out.push_str(&format!("\nLinkage {}\n", part.id));
+        for line in linkage.structure().to_string().lines() {
+            out.push_str(&format!("  {line}\n"));
+        }
+        let turning = part.coordinate == Coordinate::Turning;
+        let range = linkage.range().describe(linkage.structure(), turning);
+        out.push_str(&format!("  input {range}\n"));
+        let outputs = model
+            .objects
+            .iter()
+            .filter(|one| one.driver == Some(body.object));
+        let outputs: Vec<String> = (outputs.filter(|one| one.kind == OUTPUT))
+            .map(|one| format!("{} ({})", one.id, units(one.coordinate).displacement))
+            .collect();
+        if !outputs.is_empty() {
+            out.push_str(&format!("  outputs {}\n", outputs.join(", ")));
+        }
+    }
+    out
 }
 
 fn links(model: &Model) -> Table {
@@ -115,7 +150,11 @@ fn pairs(model: &Model) -> Table {
         vec!["object", "closure", "gap", "opens", "contact law"],
         &[2],
     );
-    for object in objects(model).filter(|object| object.driver.is_some()) {
+    let linkage = |object: &ObjectPart| {
+        let mut bodies = model.linkages.iter();
+        object.kind == OUTPUT || bodies.any(|body| object.nodes.contains(&body.node))
+    };
+    for object in objects(model).filter(|one| one.driver.is_some() && !linkage(one)) {
         let bilateral = Pair {
             closure: Closure::Bilateral,
             gap: 0.0,

@@ -3,9 +3,12 @@
 use crate::model::{Coordinate, Law};
 use crate::motion::DriveMotion;
 use crate::motion::cycle::{Cycle, Motion};
-use crate::position::{Cam, FourBar, Position, SliderCrank, Table};
+use crate::position::{
+    Cam, FourBar, Position, SliderCrank, SlottedDriver, SlottedLinkSpec, SlottedOutput, Table,
+};
 use crate::report::math::{Expr, Index, Relation, symbol};
 use crate::report::quantity::{significant, with_unit};
+use crate::report::show::units;
 
 /// U at the displacement `phi`, the lever included, as a formula; functions
 /// without a closed formula are described in words.
@@ -42,6 +45,11 @@ pub fn summary(law: &Law, coordinate: Coordinate) -> String {
             ];
             format!("four-bar {} mm{lever}", lengths.map(millimetres).join("/"))
         }
+        Position::SlottedLink(linkage) => {
+            let spec = linkage.spec();
+            let lengths = [spec.crank, spec.frame].map(millimetres);
+            format!("slotted link {} mm{lever}", lengths.join("/"))
+        }
         Position::Cam(cam) => {
             let unit = match coordinate {
                 Coordinate::Turning => "rad",
@@ -55,6 +63,7 @@ pub fn summary(law: &Law, coordinate: Coordinate) -> String {
         Position::Plan(plan) => format!("plan of {} stations{lever}", plan.spec().stations.len()),
         Position::Table(table) if table.is_periodic() => format!("periodic table{lever}"),
         Position::Table(_) => format!("table{lever}"),
+        Position::Linkage(output) => format!("output {} of the linkage{lever}", output.name()),
         Position::Custom(_) => format!("own function{lever}"),
         Position::Ratio { .. } | Position::Sine { .. } | Position::Polynomial(_) => {
             let phi = symbol("φ", Index::None).expr();
@@ -84,9 +93,14 @@ fn bare_formula(position: &Position, phi: Expr) -> Expr {
         Position::Polynomial(coefficients) => polynomial(coefficients, &phi),
         Position::SliderCrank(linkage) => slider_crank(linkage, phi),
         Position::FourBar(linkage) => Expr::Words(four_bar(linkage)),
+        Position::SlottedLink(linkage) => Expr::Words(slotted_link(linkage.spec())),
         Position::Cam(cam) => Expr::Words(cam_words(cam)),
         Position::Plan(plan) => Expr::Words(plan_words(plan)),
         Position::Table(table) => Expr::Words(table_words(table)),
+        Position::Linkage(output) => Expr::Words(format!(
+            "output {} of the linkage, over its input coordinate",
+            output.name()
+        )),
         Position::Custom(_) => Expr::Words("own function of the driver's displacement".into()),
     }
 }
@@ -142,6 +156,32 @@ fn four_bar(linkage: &FourBar) -> String {
             "crossed"
         },
         added(linkage.phase)
+    )
+}
+
+fn slotted_link(spec: &SlottedLinkSpec) -> String {
+    let metres = |length: f64| significant(length, 6);
+    let output = match spec.output {
+        SlottedOutput::Link => "angle of the slotted link",
+        SlottedOutput::Crank => "angle of the crank",
+        SlottedOutput::Block => "distance of the block",
+    };
+    let driver = match spec.driver {
+        SlottedDriver::Crank => format!("crank at φ{}", added(spec.phase)),
+        SlottedDriver::Block => format!(
+            "block at φ + {} m, {}",
+            metres(spec.phase),
+            if spec.branch >= 0.0 {
+                "branch +"
+            } else {
+                "branch -"
+            }
+        ),
+    };
+    format!(
+        "{output} of a slotted-link mechanism: crank {} m, frame {} m, {driver}",
+        metres(spec.crank),
+        metres(spec.frame)
     )
 }
 
@@ -220,11 +260,24 @@ fn added(phase: f64) -> String {
 }
 
 /// φ(t) of a prescribed drive as a formula.
-pub fn motion_formula(motion: &DriveMotion) -> Expr {
+pub fn motion_formula(motion: &DriveMotion, coordinate: Coordinate) -> Expr {
     let time = || symbol("t", Index::None);
+    let turns = coordinate == Coordinate::Turning;
+    let amount = |value: f64| match turns {
+        true => Expr::Angle(value),
+        false => Expr::Number(value),
+    };
     match motion {
         DriveMotion::Constant { speed, angle } => {
-            Expr::sum(vec![Expr::Angle(*speed).times(time()), Expr::Angle(*angle)])
+            Expr::sum(vec![amount(*speed).times(time()), amount(*angle)])
+        }
+        DriveMotion::Accelerated {
+            acceleration,
+            speed,
+            angle,
+        } => {
+            let square = amount(0.5 * acceleration).times(time().expr().squared());
+            Expr::sum(vec![square, amount(*speed).times(time()), amount(*angle)])
         }
         DriveMotion::RunUp {
             speed,
@@ -235,8 +288,8 @@ pub fn motion_formula(motion: &DriveMotion) -> Expr {
             let tau = || time().expr().over(Expr::Number(*duration));
             let power = |exponent| Expr::Power(Box::new(tau()), exponent);
             let shape = power(3).minus(power(4).over(Expr::Number(2.0)));
-            let start = |moved: Expr| Expr::sum(vec![moved, Expr::Angle(*angle)]);
-            let early = Expr::Angle(speed * duration).times(shape);
+            let start = |moved: Expr| Expr::sum(vec![moved, amount(*angle)]);
+            let early = amount(speed * duration).times(shape);
             let late = time().expr().minus(Expr::Number(duration / 2.0));
             Expr::Cases(vec![
                 (
@@ -246,16 +299,16 @@ pub fn motion_formula(motion: &DriveMotion) -> Expr {
                         .compare(Relation::Less, Expr::Number(*duration)),
                 ),
                 (
-                    start(Expr::Angle(*speed).times(late)),
+                    start(amount(*speed).times(late)),
                     Expr::Words("after that".into()),
                 ),
             ])
         }
         DriveMotion::Plan(plan) => Expr::Words(plan_words(plan)),
         DriveMotion::LawRunUp(run_up) => Expr::Words(format!(
-            "run-up from {} rad to {} rad/s in {} s by the law: {}",
-            significant(run_up.angle, 6),
-            significant(run_up.speed, 6),
+            "run-up from {} to {} in {} s by the law: {}",
+            with_unit(run_up.angle, units(coordinate).displacement, 6),
+            with_unit(run_up.speed, units(coordinate).speed, 6),
             significant(run_up.time, 6),
             run_up.spec.words()
         )),
@@ -271,20 +324,23 @@ pub fn motion_formula(motion: &DriveMotion) -> Expr {
 }
 
 /// A prescribed motion in a few words, for the box of the drive.
-pub fn motion_summary(motion: &DriveMotion) -> String {
+pub fn motion_summary(motion: &DriveMotion, coordinate: Coordinate) -> String {
+    let speed_words = |speed: f64| match coordinate {
+        Coordinate::Turning => format!("{} rad/s", Expr::Angle(speed).unicode()),
+        Coordinate::Sliding => with_unit(speed, "m/s", 4),
+    };
     match motion {
-        DriveMotion::Constant { speed, .. } => {
-            format!("{} rad/s", Expr::Angle(*speed).unicode())
+        DriveMotion::Constant { speed, .. } => speed_words(*speed),
+        DriveMotion::Accelerated { acceleration, .. } => {
+            format!("{}²", speed_words(*acceleration))
         }
-        DriveMotion::RunUp { speed, time, .. } => format!(
-            "to {} rad/s in {}",
-            Expr::Angle(*speed).unicode(),
-            with_unit(*time, "s", 4)
-        ),
+        DriveMotion::RunUp { speed, time, .. } => {
+            format!("to {} in {}", speed_words(*speed), with_unit(*time, "s", 4))
+        }
         DriveMotion::Plan(plan) => format!("plan of {} stations", plan.spec().stations.len()),
         DriveMotion::LawRunUp(run_up) => format!(
-            "to {} rad/s in {}",
-            Expr::Angle(run_up.speed).unicode(),
+            "to {} in {}",
+            speed_words(run_up.speed),
             with_unit(run_up.time, "s", 4)
         ),
         DriveMotion::Table(_) => "table over time".into(),
@@ -350,7 +406,7 @@ mod tests {
             time: 2.0,
             angle: 0.5,
         };
-        let Expr::Cases(cases) = motion_formula(&motion) else {
+        let Expr::Cases(cases) = motion_formula(&motion, Coordinate::Turning) else {
             panic!("no cases");
         };
         let jet = |t: f64| motion.jet(i64::from(t >= 2.0), t).value;

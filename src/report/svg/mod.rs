@@ -12,7 +12,7 @@ fn fits(width: f64, font_size: f64) -> usize {
 }
 
 /// A coordinate for an SVG attribute: two decimals, no negative zero.
-fn coordinate(value: f64) -> String {
+pub(in crate::report) fn coordinate(value: f64) -> String {
     let text = format!("{value:.2}");
     let text = text.trim_end_matches('0').trim_end_matches('.');
     if text == "-0" {

@@ -9,7 +9,7 @@
 //! the way of their driver, see [`law`].
 //!
 //! The speed table of a motor has kinks that no series knows of: systems with
-//! one have no expansion here.
+//! one have no expansion here, and neither have those with a linkage.
 
 mod law;
 mod loads;
@@ -112,7 +112,7 @@ impl Frozen {
     /// True when motions can be expanded.
     pub(super) fn expands(&self) -> bool {
         let known = |law: &LoadLaw| !matches!(law, LoadLaw::SpeedTable(_));
-        self.loads.iter().all(|load| known(&load.law))
+        self.linkages.is_empty() && self.loads.iter().all(|load| known(&load.law))
     }
 
     /// Series to the power `degree` over the time `length`: coefficients of all

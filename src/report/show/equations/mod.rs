@@ -7,6 +7,7 @@
 
 mod chain;
 mod latex;
+mod linkage;
 mod loads;
 mod sources;
 mod text;
@@ -15,7 +16,7 @@ pub use latex::latex;
 pub use loads::summary as load_summary;
 pub use text::text;
 
-use crate::model::{Model, NodeMotion};
+use crate::model::{LinkageBody, Model, NodeIndex, NodeMotion, OUTPUT};
 use crate::report::diagram::drivers_first;
 use crate::report::math::{Expr, Index, Symbol, symbol};
 
@@ -111,7 +112,9 @@ impl Section {
 
 /// Writes out the equations of a model.
 pub fn equations(model: &Model) -> Equations {
-    let sections = drivers_first(model).into_iter().map(|object| {
+    let objects = drivers_first(model).into_iter();
+    let shown = objects.filter(|&object| !only_looked_at(model, object));
+    let sections = shown.map(|object| {
         let first = model.objects[object].nodes.first();
         match first.map(|&node| &model.nodes[node].motion) {
             Some(NodeMotion::Mass { .. }) => chain::section(model, object),
@@ -128,6 +131,13 @@ pub fn equations(model: &Model) -> Equations {
     }
 }
 
+/// True for an output of a linkage on which nothing hangs.
+fn only_looked_at(model: &Model, object: usize) -> bool {
+    let part = &model.objects[object];
+    let drives = |other: &crate::model::ObjectPart| other.driver == Some(object);
+    part.kind == OUTPUT && !model.objects.iter().any(drives)
+}
+
 /// The letter with an object's id: φ_shaft.
 fn of_object(letter: &'static str, model: &Model, object: usize) -> Symbol {
     symbol(letter, Index::Word(model.objects[object].id.clone()))
@@ -136,6 +146,11 @@ fn of_object(letter: &'static str, model: &Model, object: usize) -> Symbol {
 /// The letter with the number of a mass.
 fn of_mass(letter: &'static str, mass: usize) -> Symbol {
     symbol(letter, Index::Mass(mass))
+}
+
+/// The linkage whose input is a node.
+fn linkage_of(model: &Model, node: NodeIndex) -> Option<&LinkageBody> {
+    model.linkages.iter().find(|body| body.node == node)
 }
 
 /// What the followers of a node add to its equation, moved to the node by the
@@ -204,7 +219,20 @@ fn descend(model: &Model, driver: usize, above: Option<&Transfer>, out: &mut Ref
                 .push(inertia.clone().times(first.clone().squared()));
             out.bias.push(inertia.times(first).times(second));
         }
-        if model.loads.iter().any(|load| load.node == node) {
+        let linkage = linkage_of(model, node);
+        if linkage.is_some() {
+            let inertia = of_object("J", model, follower);
+            let (first, second) = (transfer.first.clone(), transfer.second.clone());
+            let half_slope = Expr::Number(0.5).times(inertia.clone().prime());
+            out.inertia
+                .push(inertia.clone().expr().times(first.clone().squared()));
+            out.bias
+                .push(inertia.expr().times(first.clone()).times(second));
+            out.bias
+                .push(half_slope.times(Expr::Power(Box::new(first), 3)));
+        }
+        let forces = linkage.is_some_and(|body| linkage::Parts::of(body).any());
+        if forces || model.loads.iter().any(|load| load.node == node) {
             let load = of_object("W", model, follower).expr();
             out.force.push(load.times(transfer.first.clone()));
         }

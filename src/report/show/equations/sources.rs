@@ -1,7 +1,10 @@
 //! Equations of drives and of rigid objects.
 
-use super::{Section, inertia_side, loads, of_object, output_name, reflected};
-use crate::model::{Closure, Law, Model, NodeMotion, ObjectPart};
+use super::{
+    Section, inertia_side, linkage, linkage_of, loads, of_object, only_looked_at, output_name,
+    reflected,
+};
+use crate::model::{Closure, Law, Model, NodeMotion, OUTPUT, ObjectPart};
 use crate::motion::DriveMotion;
 use crate::report::math::{Expr, Index, Relation, symbol};
 use crate::report::show::{position, units};
@@ -15,7 +18,11 @@ pub(super) fn prescribed(model: &Model, object: usize, motion: &DriveMotion) -> 
         ..Section::default()
     };
     let phi = of_object("φ", model, object);
-    section.line(phi.clone(), position::motion_formula(motion), "");
+    section.line(
+        phi.clone(),
+        position::motion_formula(motion, part.coordinate),
+        "",
+    );
     let reflected = reflected(model, object);
     let own = own_inertia(model, part);
     let mut terms = Vec::new();
@@ -90,7 +97,10 @@ pub(super) fn rigid(model: &Model, object: usize, law: &Law) -> Section {
         pull.push(of_object("W", model, object).expr());
     }
     pull.extend(direct_pulls(model, object));
-    if model.nodes[part.nodes[0]].inertia > 0.0 {
+    let body = linkage_of(model, part.nodes[0]);
+    if let Some(body) = body {
+        pull.extend(linkage::forces(model, object, body, &mut section));
+    } else if model.nodes[part.nodes[0]].inertia > 0.0 {
         let inertia = of_object("J", model, object).expr();
         pull.push(inertia.times(phi.rate().rate()).negative());
     }
@@ -100,7 +110,11 @@ pub(super) fn rigid(model: &Model, object: usize, law: &Law) -> Section {
         "force of the constraint; the driver receives F·U′",
     );
     lift_off(part, of_object("F", model, object).expr(), &mut section);
-    inertia_entry_of(model, object, &mut section);
+    match body {
+        Some(body) => linkage::entry(model, object, body, &mut section),
+        None if part.kind == OUTPUT => {}
+        None => inertia_entry_of(model, object, &mut section),
+    }
     loads::write(model, object, &mut section);
     section
 }
@@ -109,6 +123,7 @@ pub(super) fn rigid(model: &Model, object: usize, law: &Law) -> Section {
 fn direct_pulls(model: &Model, object: usize) -> Vec<Expr> {
     (0..model.objects.len())
         .filter(|&other| model.objects[other].driver == Some(object))
+        .filter(|&other| !only_looked_at(model, other))
         .map(|other| {
             let prime = of_object("U", model, other).prime();
             of_object("F", model, other).expr().times(prime)

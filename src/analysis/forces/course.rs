@@ -1,0 +1,265 @@
+//! The motion for which forces are asked.
+
+use crate::linkage::kinetostatics::{InputMotion, Positions};
+
+/// Gives the positions of a linkage at an input coordinate.
+pub trait PositionSource {
+    /// What it gives.
+    type At: Positions;
+    /// Positions and transfer functions at `coordinate`.
+    ///
+    /// # Errors
+    ///
+    /// The linkage cannot be assembled there: why.
+    fn at(&mut self, coordinate: f64) -> Result<&Self::At, String>;
+}
+
+/// What is asked of one position.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Instant {
+    /// Motion of the input.
+    pub motion: InputMotion,
+    /// Forces of what hangs on the outputs, along each (N·m or N); none where
+    /// the list is shorter.
+    pub loads: Vec<f64>,
+}
+
+/// The positions of the input in question.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Course {
+    /// Equal steps of the input coordinate, all with the same speed and acceleration.
+    Even {
+        /// First input coordinate (rad or m).
+        from: f64,
+        /// Last; of a closed course one step after the last position.
+        to: f64,
+        /// Number of positions.
+        count: usize,
+        /// Speed of the input.
+        speed: f64,
+        /// Acceleration of the input.
+        acceleration: f64,
+        /// The course ends where it begins: a full turn.
+        closed: bool,
+    },
+    /// A motion over time, at instants that come one after another.
+    Instants {
+        /// Times (s).
+        times: Vec<f64>,
+        /// What is asked at these times.
+        instants: Vec<Instant>,
+        /// The motion repeats, and the last instant is the first of the next cycle.
+        closed: bool,
+    },
+}
+
+impl Course {
+    /// Number of positions.
+    pub fn len(&self) -> usize {
+        match self {
+            Self::Even { count, .. } => *count,
+            Self::Instants { instants, .. } => instants.len(),
+        }
+    }
+
+    /// True without positions.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// True if it ends where it begins.
+    pub fn is_closed(&self) -> bool {
+        match self {
+            Self::Even { closed, .. } | Self::Instants { closed, .. } => *closed,
+        }
+    }
+
+    /// What runs along the course: the input coordinate, or the time.
+    pub fn parameter(&self, index: usize) -> f64 {
+        match self {
+            Self::Even { from, .. } => from + self.step() * index as f64,
+            Self::Instants { times, .. } => times[index],
+        }
+    }
+
+    /// The time of a position; `None` where the course is none over time.
+    pub fn time(&self, index: usize) -> Option<f64> {
+        match self {
+            Self::Even { .. } => None,
+            Self::Instants { times, .. } => times.get(index).copied(),
+        }
+    }
+
+    /// What is asked at a position.
+    pub fn instant(&self, index: usize) -> Instant {
+        match self {
+            Self::Even { .. } => self.between(self.parameter(index)),
+            Self::Instants { instants, .. } => instants[index].clone(),
+        }
+    }
+
+    /// What is asked anywhere on the course: between instants the coordinate is
+    /// cubic, accelerations and loads are linear.
+    pub fn between(&self, parameter: f64) -> Instant {
+        match self {
+            Self::Even {
+                speed,
+                acceleration,
+                ..
+            } => Instant {
+                motion: InputMotion {
+                    coordinate: parameter,
+                    speed: *speed,
+                    acceleration: *acceleration,
+                },
+                loads: Vec::new(),
+            },
+            Self::Instants {
+                times, instants, ..
+            } => {
+                let above = times.partition_point(|time| *time <= parameter);
+                let index = above.clamp(1, times.len().max(2) - 1);
+                match (instants.get(index - 1), instants.get(index)) {
+                    (Some(a), Some(b)) => join([times[index - 1], times[index]], [a, b], parameter),
+                    (Some(only), _) => only.clone(),
+                    _ => Instant::default(),
+                }
+            }
+        }
+    }
+
+    /// Distance of two positions of an even course.
+    fn step(&self) -> f64 {
+        match self {
+            Self::Even {
+                from,
+                to,
+                count,
+                closed,
+                ..
+            } => {
+                let intervals = if *closed {
+                    *count
+                } else {
+                    count.saturating_sub(1)
+                };
+                (to - from) / intervals.max(1) as f64
+            }
+            Self::Instants { .. } => 0.0,
+        }
+    }
+
+    /// Length of a closed course in its parameter.
+    pub fn period(&self) -> Option<f64> {
+        match self {
+            Self::Even {
+                from, to, closed, ..
+            } => closed.then_some(to - from),
+            Self::Instants { times, closed, .. } => {
+                let ends = times.first().zip(times.last()).filter(|_| *closed);
+                ends.map(|(first, last)| last - first)
+            }
+        }
+    }
+
+    /// Share of each position in an integral over time, such that all shares
+    /// are the duration of the course (s): the trapezoidal rule.
+    pub fn durations(&self) -> Option<Vec<f64>> {
+        match self {
+            Self::Even { speed, closed, .. } => {
+                let each = self.step() / speed;
+                (each.is_finite() && each != 0.0).then(|| {
+                    let mut shares = vec![each.abs(); self.len()];
+                    if !closed && let [first, .., last] = shares.as_mut_slice() {
+                        *first *= 0.5;
+                        *last *= 0.5;
+                    }
+                    shares
+                })
+            }
+            Self::Instants { times, .. } => {
+                let mut shares = vec![0.0; times.len()];
+                for (index, pair) in times.windows(2).enumerate() {
+                    let half = 0.5 * (pair[1] - pair[0]);
+                    shares[index] += half;
+                    shares[index + 1] += half;
+                }
+                Some(shares)
+            }
+        }
+    }
+}
+
+/// Between two instants.
+fn join([t0, t1]: [f64; 2], [from, to]: [&Instant; 2], t: f64) -> Instant {
+    let h = t1 - t0;
+    if h.is_nan() || h <= 0.0 {
+        return from.clone();
+    }
+    let s = ((t - t0) / h).clamp(0.0, 1.0);
+    let (a, b) = (&from.motion, &to.motion);
+    let (d0, d1) = (a.speed * h, b.speed * h);
+    let rise = b.coordinate - a.coordinate;
+    let (c2, c3) = (3.0 * rise - 2.0 * d0 - d1, d0 + d1 - 2.0 * rise);
+    let loads = from.loads.iter().zip(&to.loads);
+    Instant {
+        motion: InputMotion {
+            coordinate: a.coordinate + s * (d0 + s * (c2 + s * c3)),
+            speed: (d0 + s * (2.0 * c2 + s * 3.0 * c3)) / h,
+            acceleration: a.acceleration + s * (b.acceleration - a.acceleration),
+        },
+        loads: loads.map(|(a, b)| a + s * (b - a)).collect(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Course, Instant};
+    use crate::linkage::kinetostatics::InputMotion;
+
+    #[test]
+    fn instants_are_joined_smoothly_and_durations_add_up() {
+        let motion = |t: f64| InputMotion {
+            coordinate: t * t * t - t,
+            speed: 3.0 * t * t - 1.0,
+            acceleration: 6.0 * t,
+        };
+        let times = vec![0.0, 0.5, 2.0];
+        let course = Course::Instants {
+            instants: times
+                .iter()
+                .map(|t| Instant {
+                    motion: motion(*t),
+                    loads: vec![1.0 + 2.0 * t],
+                })
+                .collect(),
+            times,
+            closed: false,
+        };
+        for t in [0.0, 0.2, 0.5, 1.3, 2.0] {
+            assert!((course.between(t).loads[0] - (1.0 + 2.0 * t)).abs() < 1e-14);
+            let (found, wanted) = (course.between(t).motion, motion(t));
+            assert!((found.coordinate - wanted.coordinate).abs() < 1e-14, "{t}");
+            assert!((found.speed - wanted.speed).abs() < 1e-13);
+            assert!((found.acceleration - wanted.acceleration).abs() < 1e-13);
+        }
+        let total: f64 = course.durations().unwrap().iter().sum();
+        assert!((total - 2.0).abs() < 1e-15);
+    }
+
+    #[test]
+    fn a_closed_course_does_not_repeat_its_first_position() {
+        let course = Course::Even {
+            from: 1.0,
+            to: 5.0,
+            count: 4,
+            speed: -2.0,
+            acceleration: 0.0,
+            closed: true,
+        };
+        let places: Vec<f64> = (0..course.len()).map(|k| course.parameter(k)).collect();
+        assert_eq!(places, [1.0, 2.0, 3.0, 4.0]);
+        assert_eq!(course.period(), Some(4.0));
+        assert_eq!(course.durations().unwrap(), [0.5; 4]);
+    }
+}

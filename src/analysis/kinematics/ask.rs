@@ -1,0 +1,246 @@
+//! What is asked of a linkage, and what is known of its input's motion.
+
+use super::course::Course;
+use super::study::span;
+use crate::jet::Jet;
+use crate::linkage::Linkage;
+use crate::model::{Coordinate, LinkageBody, Model};
+
+/// Most rows of a study.
+pub const MOST_POSITIONS: usize = 1_000_000;
+
+/// Over what a linkage is looked at.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Over {
+    /// One period of the input.
+    Turn,
+    /// A range of the input coordinate (rad or m).
+    Range {
+        /// From here.
+        from: f64,
+        /// To here.
+        to: f64,
+    },
+    /// Time from 0 on, under the motion of the scene's drive.
+    Time {
+        /// Until here (s).
+        to: f64,
+    },
+}
+
+/// A question as it is put.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Question {
+    /// The linkage's id; may be left out where there is one only.
+    pub object: Option<String>,
+    /// Over what; left out: a period where the input can turn fully and turns
+    /// uniformly, else time where the drive's motion is known, else the reach.
+    pub over: Option<Over>,
+    /// Number of intervals between rows.
+    pub positions: usize,
+    /// Speed of the input over a turn or range (rad/s or m/s); left out: that
+    /// of a uniform drive, else 1.
+    pub speed: Option<f64>,
+    /// Acceleration of the input over a turn or range.
+    pub acceleration: Option<f64>,
+    /// Duration of the scene's run (s), for [`Over::Time`] by default.
+    pub duration: f64,
+    /// A place on the axis that shall have a row of its own.
+    pub also: Option<f64>,
+}
+
+/// A question that can be answered.
+#[derive(Clone, Debug)]
+pub struct Asked<'a> {
+    pub(in crate::analysis) object: String,
+    pub(in crate::analysis) linkage: &'a Linkage,
+    pub(in crate::analysis) input: Coordinate,
+    /// Whether each output turns or slides.
+    pub(super) outputs: Vec<Coordinate>,
+    pub(super) course: Option<Course<'a>>,
+    pub(in crate::analysis) over: Over,
+    pub(in crate::analysis) positions: usize,
+    pub(super) also: Option<f64>,
+    /// Speed and acceleration over a turn or range.
+    pub(in crate::analysis) rate: [f64; 2],
+    /// True when the speed is that of nothing: 1.
+    pub(in crate::analysis) unit_rate: bool,
+}
+
+/// The linkage with this id, or the only one.
+///
+/// # Errors
+/// There is none, or more than one and no id; in words.
+pub fn linkage_of<'m>(model: &'m Model, id: Option<&str>) -> Result<&'m LinkageBody, String> {
+    let name = |body: &LinkageBody| model.objects[body.object].id.clone();
+    match (id, model.linkages.as_slice()) {
+        (_, []) => Err("the scene has no object of kind `linkage`".to_owned()),
+        (None, [only]) => Ok(only),
+        (None, several) => {
+            let names: Vec<String> = several.iter().map(name).collect();
+            Err(format!(
+                "the scene has several linkages: say which by --object ({})",
+                names.join(", ")
+            ))
+        }
+        (Some(id), bodies) => bodies.iter().find(|body| name(body) == id).ok_or_else(|| {
+            let names: Vec<String> = bodies.iter().map(name).collect();
+            format!(
+                "`{id}` is no linkage of the scene; one of {}",
+                names.join(", ")
+            )
+        }),
+    }
+}
+
+impl<'a> Asked<'a> {
+    /// Makes the question complete.
+    ///
+    /// # Errors
+    /// What cannot be answered, in words.
+    pub fn new(model: &'a Model, question: &Question) -> Result<Self, String> {
+        let body = linkage_of(model, question.object.as_deref())?;
+        let part = &model.objects[body.object];
+        let course = Course::of(model, body.node);
+        let uniform = course.as_ref().and_then(Course::constant_speed);
+        let over = match question.over {
+            Some(over) => over,
+            None => default_over(&body.linkage, course.is_some(), uniform, question.duration),
+        };
+        let of_output = |name: &str| {
+            let id = format!("{}.{name}", part.id);
+            model.objects.iter().find(|part| part.id == id)
+        };
+        let spec = body.linkage.spec();
+        let asked = Self {
+            object: part.id.clone(),
+            linkage: &body.linkage,
+            input: part.coordinate,
+            outputs: (spec.outputs.iter())
+                .map(|output| of_output(&output.name).map_or(Coordinate::Turning, |p| p.coordinate))
+                .collect(),
+            course,
+            over,
+            positions: question.positions,
+            also: question.also,
+            rate: [
+                question.speed.or(uniform).unwrap_or(1.0),
+                question.acceleration.unwrap_or(0.0),
+            ],
+            unit_rate: question.speed.is_none() && uniform.is_none(),
+        };
+        asked.check(question)?;
+        if asked.also.is_some_and(|also| !asked.within(also)) {
+            let [from, to] = span(&asked);
+            return Err(format!(
+                "the place {} lies outside what is looked at: {from} to {to}",
+                asked.also.unwrap_or(f64::NAN)
+            ));
+        }
+        Ok(asked)
+    }
+
+    fn check(&self, question: &Question) -> Result<(), String> {
+        if !(1..=MOST_POSITIONS).contains(&self.positions) {
+            return Err(format!(
+                "{} positions: give 1 to {MOST_POSITIONS}",
+                self.positions
+            ));
+        }
+        if !self.rate.iter().all(|value| value.is_finite()) {
+            return Err("speed and acceleration must be finite numbers".to_owned());
+        }
+        match self.over {
+            Over::Turn => match self.linkage.range().period {
+                Some(_) => Ok(()),
+                None => Err(format!(
+                    "`{}` does not repeat after a turn: {}; ask for a range or for time",
+                    self.object,
+                    self.range_in_words()
+                )),
+            },
+            Over::Range { from, to } if !(from.is_finite() && to.is_finite() && from != to) => {
+                Err("a range needs two different finite ends".to_owned())
+            }
+            Over::Range { from, .. } if self.outside(from) => Err(format!(
+                "the range begins outside the reach of `{}`: {}",
+                self.object,
+                self.range_in_words()
+            )),
+            Over::Time { to } if !(to.is_finite() && to > 0.0) => {
+                Err("the time must be a number above zero".to_owned())
+            }
+            Over::Time { .. } if question.speed.or(question.acceleration).is_some() => Err(
+                "over time the scene's drive gives speed and acceleration: leave them out, or ask \
+                 for a turn or a range"
+                    .to_owned(),
+            ),
+            Over::Time { .. } if self.course.is_none() => Err(format!(
+                "`{}` is driven by a motor: its motion over time follows from the forces (`dam \
+                 run`); ask for a turn or a range",
+                self.object
+            )),
+            _ => Ok(()),
+        }
+    }
+
+    fn within(&self, place: f64) -> bool {
+        let [from, to] = span(self);
+        from.min(to) <= place && place <= from.max(to)
+    }
+
+    fn outside(&self, at: f64) -> bool {
+        let [from, to] = self.linkage.range().ends();
+        !(from < at && at < to)
+    }
+
+    pub(super) fn range_in_words(&self) -> String {
+        let turning = self.input == Coordinate::Turning;
+        self.linkage
+            .range()
+            .describe(self.linkage.structure(), turning)
+    }
+
+    /// Where a turn begins.
+    pub(in crate::analysis) fn first_input(&self) -> f64 {
+        match &self.course {
+            Some(course) => course.at(0.0).value,
+            None => self.linkage.range().start,
+        }
+    }
+
+    /// The input's motion at a place of the axis.
+    pub(in crate::analysis) fn input_at(&self, place: f64) -> Jet {
+        match (self.over, &self.course) {
+            (Over::Time { .. }, Some(course)) => course.at(place),
+            _ => Jet {
+                value: place,
+                first: self.rate[0],
+                second: self.rate[1],
+                third: 0.0,
+            },
+        }
+    }
+}
+
+fn default_over(linkage: &Linkage, known: bool, uniform: Option<f64>, duration: f64) -> Over {
+    let turns = linkage.range().period.is_some();
+    if known && !(turns && uniform.is_some()) {
+        return Over::Time { to: duration };
+    }
+    whole_travel(linkage)
+}
+
+/// A period, or where there is none the whole reach but its very ends.
+pub fn whole_travel(linkage: &Linkage) -> Over {
+    let range = linkage.range();
+    if range.period.is_some() {
+        return Over::Turn;
+    }
+    let [from, to] = range.ends();
+    let room = 1e-6 * (to - from);
+    Over::Range {
+        from: from + room,
+        to: to - room,
+    }
+}

@@ -1,0 +1,233 @@
+//! The rows of a study, one after the other.
+
+use super::ask::{Asked, Over};
+use super::columns::{self, unit_of};
+use super::extremes::extremes;
+use super::summary;
+use super::{Axis, Column, Kinematics, Limit, Stopped};
+use crate::jet::Jet;
+use crate::linkage::{Cause, OutOfReach, Reach, Workspace};
+use crate::model::Coordinate;
+
+/// Positions, speeds and accelerations of a linkage over what was asked.
+pub fn kinematics<'a>(asked: &Asked<'a>) -> Kinematics<'a> {
+    let mut rows = Rows::new(asked);
+    let stopped = rows.fill();
+    let Rows {
+        places,
+        inputs,
+        columns,
+        frames,
+        ..
+    } = rows;
+    let closed = matches!(asked.over, Over::Turn) && stopped.is_none();
+    let extremes = extremes(asked, &places, &columns);
+    Kinematics {
+        object: asked.object.clone(),
+        linkage: asked.linkage,
+        input: asked.input,
+        motion: motion(asked),
+        times: times(asked, &places, &inputs),
+        extremes,
+        strokes: summary::strokes(asked),
+        transmission: summary::transmission(asked, &places),
+        limits: limits(asked),
+        closed,
+        axis: axis(asked, places),
+        columns,
+        frames,
+        stopped,
+    }
+}
+
+fn axis(asked: &Asked<'_>, values: Vec<f64>) -> Axis {
+    match asked.over {
+        Over::Time { .. } => Axis {
+            name: "time",
+            unit: "s",
+            values,
+        },
+        _ => Axis {
+            name: "input coordinate",
+            unit: unit_of(asked.input),
+            values,
+        },
+    }
+}
+
+/// How the input moves, in words.
+fn motion(asked: &Asked<'_>) -> String {
+    let unit = unit_of(asked.input);
+    let [speed, acceleration] = asked.rate;
+    match asked.over {
+        Over::Time { .. } => "by the scene's drive".to_owned(),
+        _ if asked.unit_rate && acceleration == 0.0 => format!(
+            "speed 1 {unit}/s at every position (no speed is given: speeds are first transfer \
+             functions)"
+        ),
+        _ if acceleration == 0.0 => format!("speed {speed} {unit}/s at every position"),
+        _ => format!(
+            "speed {speed} {unit}/s and acceleration {acceleration} {unit}/s² at every position"
+        ),
+    }
+}
+
+/// Time of each row: at constant speed over a turn or range.
+fn times(asked: &Asked<'_>, places: &[f64], inputs: &[Jet]) -> Vec<f64> {
+    match asked.over {
+        Over::Time { .. } => places.to_vec(),
+        _ => {
+            let speed = asked.rate[0].abs();
+            let speed = if speed > 0.0 { speed } else { 1.0 };
+            let from = inputs.first().map_or(0.0, |jet| jet.value);
+            let time = |jet: &Jet| (jet.value - from).abs() / speed;
+            inputs.iter().map(time).collect()
+        }
+    }
+}
+
+fn limits(asked: &Asked<'_>) -> Vec<Limit> {
+    match asked.linkage.range().reach {
+        Reach::Everywhere => Vec::new(),
+        Reach::Interval { lower, upper } => [lower, upper]
+            .map(|end| Limit {
+                at: end.at,
+                cause: cause(asked, end.cause),
+            })
+            .into(),
+    }
+}
+
+/// Why the input goes no further, in words.
+fn cause(asked: &Asked<'_>, cause: Cause) -> String {
+    match cause {
+        Cause::DeadPosition { group } => format!(
+            "dead position: {} in line",
+            asked.linkage.structure().describe(group)
+        ),
+        Cause::Travel => "end of the travel".to_owned(),
+        Cause::Unexplored => "not explored further".to_owned(),
+    }
+}
+
+/// Rows under construction.
+struct Rows<'q, 'a> {
+    asked: &'q Asked<'a>,
+    work: Workspace,
+    places: Vec<f64>,
+    inputs: Vec<Jet>,
+    columns: Vec<Column>,
+    frames: Vec<Vec<[f64; 4]>>,
+}
+
+impl<'q, 'a> Rows<'q, 'a> {
+    fn new(asked: &'q Asked<'a>) -> Self {
+        let column = |heading: columns::Heading| Column {
+            owner: heading.owner,
+            quantity: heading.quantity,
+            unit: heading.unit,
+            values: Vec::with_capacity(asked.positions + 1),
+        };
+        Self {
+            asked,
+            work: asked.linkage.workspace(),
+            places: Vec::new(),
+            inputs: Vec::new(),
+            columns: columns::headings(asked).into_iter().map(column).collect(),
+            frames: Vec::new(),
+        }
+    }
+
+    /// All rows up to the end, or up to where the linkage goes no further.
+    fn fill(&mut self) -> Option<Stopped> {
+        let [from, to] = span(self.asked);
+        let count = self.asked.positions;
+        let mut values = Vec::new();
+        let mut places: Vec<f64> = (0..=count)
+            .map(|index| from + (to - from) * index as f64 / count as f64)
+            .collect();
+        if let Some(also) = self.asked.also {
+            let sense = (to - from).signum();
+            let at = places.partition_point(|place| (place - also) * sense < 0.0);
+            if places.get(at) != Some(&also) {
+                places.insert(at, also);
+            }
+        }
+        for place in places {
+            if let Err(outside) = self.row(place, &mut values) {
+                let before = self.places.last().copied().unwrap_or(from);
+                return Some(self.stop(before, place, &outside));
+            }
+        }
+        None
+    }
+
+    fn row(&mut self, place: f64, values: &mut Vec<f64>) -> Result<(), OutOfReach> {
+        let q = self.asked.input_at(place);
+        self.asked.linkage.solve(q.value, 3, &mut self.work)?;
+        columns::values(self.asked, &self.work, q, values);
+        for (column, value) in self.columns.iter_mut().zip(values.iter()) {
+            column.values.push(*value);
+        }
+        let links = self.asked.linkage.spec().links.len();
+        let frame = (0..links).map(|link| {
+            let pose = self.work.pose(link);
+            [pose.x, pose.y, pose.cos, pose.sin]
+        });
+        self.frames.push(frame.collect());
+        self.places.push(place);
+        self.inputs.push(q);
+        Ok(())
+    }
+
+    /// Where the input reaches its end, between a place inside and one outside.
+    fn stop(&self, mut inside: f64, mut outside: f64, why: &OutOfReach) -> Stopped {
+        let end = why.end.at;
+        if !matches!(self.asked.over, Over::Time { .. }) {
+            return Stopped {
+                at: end,
+                input: end,
+                cause: cause(self.asked, why.end.cause),
+            };
+        }
+        let beyond = |place: f64| {
+            let q = self.asked.input_at(place).value;
+            !(why.reach[0] < q && q < why.reach[1])
+        };
+        for _ in 0..200 {
+            let middle = 0.5 * (inside + outside);
+            if middle <= inside.min(outside) || middle >= inside.max(outside) {
+                break;
+            }
+            if beyond(middle) {
+                outside = middle;
+            } else {
+                inside = middle;
+            }
+        }
+        Stopped {
+            at: outside,
+            input: end,
+            cause: cause(self.asked, why.end.cause),
+        }
+    }
+}
+
+/// First and last place on the axis.
+pub(super) fn span(asked: &Asked<'_>) -> [f64; 2] {
+    match asked.over {
+        Over::Time { to } => [0.0, to],
+        Over::Range { from, to } => [from, to],
+        Over::Turn => {
+            let from = asked.first_input();
+            let period = asked.linkage.range().period;
+            let length = period.map_or(std::f64::consts::TAU, |period| period.length);
+            let sense = if asked.input == Coordinate::Turning && asked.rate[0] < 0.0 {
+                -1.0
+            } else {
+                1.0
+            };
+            [from, from + sense * length]
+        }
+    }
+}

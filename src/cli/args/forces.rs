@@ -1,0 +1,82 @@
+//! Arguments of `dam forces`.
+
+use super::{OutArgs, SceneArgs};
+use clap::{Args, ValueEnum};
+use std::path::PathBuf;
+
+/// Arguments of `dam forces`.
+#[derive(Debug, Args)]
+pub(crate) struct ForcesArgs {
+    #[command(flatten)]
+    pub(crate) scene: SceneArgs,
+    /// The linkage, where the scene has several
+    #[arg(long, value_name = "ID")]
+    pub(crate) object: Option<String>,
+    /// Over one turn of the input, after which everything repeats
+    #[arg(long, group = "over")]
+    pub(crate) turn: bool,
+    /// Over a range of the input coordinate: 0:180 deg
+    #[arg(
+        long,
+        value_name = "FROM:TO",
+        allow_hyphen_values = true,
+        group = "over"
+    )]
+    pub(crate) range: Option<String>,
+    /// Over time, under the motion of the scene's drive; without a value over the scene's duration
+    #[arg(long, value_name = "TIME", num_args = 0..=1, default_missing_value = "", group = "over")]
+    pub(crate) time: Option<String>,
+    /// Over the motion in the record of a run of this scene: out/record.csv
+    #[arg(long, value_name = "FILE", group = "over", conflicts_with_all = ["speed", "acceleration", "compare_massless"])]
+    pub(crate) record: Option<PathBuf>,
+    /// Number of equal intervals
+    #[arg(long, default_value_t = 360, value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    pub(crate) positions: u32,
+    /// Speed of the input at every position of a turn or range: "300 rpm", "0.2 m/s"
+    #[arg(long, value_name = "SPEED", allow_hyphen_values = true)]
+    pub(crate) speed: Option<String>,
+    /// Acceleration of the input at every position of a turn or range
+    #[arg(long, value_name = "ACCELERATION", allow_hyphen_values = true)]
+    pub(crate) acceleration: Option<String>,
+    /// The output whose load the dynamic transmission ratio refers to, and by name the forces that
+    /// are this load: ram, or ram=cutting,drag; default the only output with a force on its link
+    #[arg(long, value_name = "OUTPUT[=FORCES]")]
+    pub(crate) load: Option<String>,
+    /// Sign of the dynamic transmission ratio
+    #[arg(long, value_enum, default_value_t = ConventionName::Paper)]
+    pub(crate) convention: ConventionName,
+    /// Leave all friction out
+    #[arg(long)]
+    pub(crate) frictionless: bool,
+    /// Direction of sliding where the input rests; without it friction at rest is not determined
+    #[arg(long, value_enum)]
+    pub(crate) direction: Option<Direction>,
+    /// Compare the transmission ratio without masses with the full one at these values of
+    /// m·ω²/P: 0.1,0.4,2.5,10
+    #[arg(long, value_name = "LIST", value_delimiter = ',')]
+    pub(crate) compare_massless: Vec<f64>,
+    /// Print all positions as CSV
+    #[arg(long, conflicts_with = "json")]
+    pub(crate) csv: bool,
+    #[command(flatten)]
+    pub(crate) out: OutArgs,
+}
+
+/// Signs of the dynamic transmission ratio.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum ConventionName {
+    /// Without masses and friction −|i|
+    Paper,
+    /// Without masses and friction +|i|
+    #[value(name = "load_positive")]
+    LoadPositive,
+}
+
+/// Directions of the input.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Direction {
+    /// Along the input coordinate
+    Forwards,
+    /// Against it
+    Backwards,
+}

@@ -1,0 +1,45 @@
+//! Arguments of `dam kinematics`.
+
+use super::{OutArgs, SceneArgs};
+use clap::Args;
+
+/// Arguments of `dam kinematics`.
+#[derive(Debug, Args)]
+pub(crate) struct KinematicsArgs {
+    #[command(flatten)]
+    pub(crate) scene: SceneArgs,
+    /// The linkage, where the scene has several
+    #[arg(long, value_name = "ID")]
+    pub(crate) object: Option<String>,
+    /// Over one turn of the input, after which everything repeats
+    #[arg(long, group = "over")]
+    pub(crate) turn: bool,
+    /// Over a range of the input coordinate: 0:180 deg
+    #[arg(
+        long,
+        value_name = "FROM:TO",
+        allow_hyphen_values = true,
+        group = "over"
+    )]
+    pub(crate) range: Option<String>,
+    /// Over time, under the motion of the scene's drive; without a value over the scene's duration
+    #[arg(long, value_name = "TIME", num_args = 0..=1, default_missing_value = "", group = "over")]
+    pub(crate) time: Option<String>,
+    /// Number of equal intervals
+    #[arg(long, default_value_t = 360, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+    pub(crate) positions: u32,
+    /// Speed of the input at every position of a turn or range: "300 rpm", "0.2 m/s"
+    #[arg(long, value_name = "SPEED", allow_hyphen_values = true)]
+    pub(crate) speed: Option<String>,
+    /// Acceleration of the input at every position of a turn or range
+    #[arg(long, value_name = "ACCELERATION", allow_hyphen_values = true)]
+    pub(crate) acceleration: Option<String>,
+    /// Print all positions as CSV
+    #[arg(long, conflicts_with = "json")]
+    pub(crate) csv: bool,
+    /// Print the drawing of the position nearest to this place ("30 deg") as SVG
+    #[arg(long, value_name = "PLACE", allow_hyphen_values = true, conflicts_with_all = ["json", "csv"])]
+    pub(crate) svg: Option<String>,
+    #[command(flatten)]
+    pub(crate) out: OutArgs,
+}

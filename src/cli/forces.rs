@@ -1,0 +1,318 @@
+//! `dam forces`: kinetostatics of a linkage.
+
+use super::args::{ConventionName, Direction, ForcesArgs};
+use super::console;
+use super::failure::{Failure, Status};
+use super::input::{Input, Ready};
+use super::kinematics::{quantity, range_of};
+use super::output::{OutputFolder, ResultFile};
+use dam::analysis::forces::{
+    Course, ForceSettings, ForceStudy, LinkagePositions, compare_massless, course_of,
+    course_of_record, only_loaded_output, study,
+};
+use dam::analysis::kinematics::{Asked, Over, Question, linkage_of, whole_travel};
+use dam::fault::Fault;
+use dam::linkage::Linkage;
+use dam::linkage::kinetostatics::{Convention, Kinetostatics, Options};
+use dam::model::{Coordinate, LinkageBody, Model};
+use dam::object::Measures;
+use dam::report::forces::{ForcesReport, document, drawing, forces_csv, page, text};
+use dam::units::quantities as q;
+use std::path::Path;
+
+const FILES: [&str; 4] = ["forces.csv", "forces.json", "mechanism.svg", "report.html"];
+
+/// Runs the command.
+pub(crate) fn command(args: &ForcesArgs) -> Result<Status, Failure> {
+    let input = Input::load(&args.scene)?;
+    let ready = input.prepare(&[])?;
+    let model = ready.system.model();
+    let body = linkage_of(model, args.object.as_deref())?;
+    let object = model.objects[body.object].id.as_str();
+    let told = |faults: Vec<Fault>| faults_of(&ready, object, faults);
+    let solver = Kinetostatics::new(body.linkage.spec()).map_err(told)?;
+    let settings = settings(args, &solver)?;
+    if let Some(value) = args
+        .compare_massless
+        .iter()
+        .find(|x| !(x.is_finite() && **x > 0.0))
+    {
+        let message = format!("--compare-massless: {value} is not a number above zero");
+        return Err(Failure::Other(message));
+    }
+    let (course, motion) = course(args, &ready, body)?;
+    let folder = match &args.out.out {
+        Some(path) => {
+            let scene = &ready.scene().name;
+            Some(OutputFolder::prepare(path, scene, &FILES, args.out.force)?)
+        }
+        None => None,
+    };
+    let mut source = LinkagePositions::new(&body.linkage);
+    let spec = body.linkage.spec();
+    let massless = match args.compare_massless.as_slice() {
+        [] => None,
+        list => Some(compare_massless(spec, &mut source, &course, &settings, list).map_err(told)?),
+    };
+    let found = study(spec, &mut source, course, settings).map_err(told)?;
+    let report = ForcesReport {
+        study: &found,
+        massless: massless.as_ref(),
+        object,
+        motion: &motion,
+        name: &ready.scene().name,
+        hash: &ready.scene().hash,
+        scene: input.text(),
+        version: env!("CARGO_PKG_VERSION"),
+    };
+    if let Some(folder) = &folder {
+        folder.write("forces", report.hash, &files(&report)?)?;
+    }
+    show(args, &report)?;
+    talk(args, &found, behind(model, object));
+    if let (Some(folder), false) = (&folder, args.scene.quiet) {
+        let report = folder.path("report.html");
+        console::talk(&format!("report: {}", report.display()));
+    }
+    Ok(
+        match found.rows.iter().all(|row| row.forces.is_ok()) && found.worst_balance() < 1e-8 {
+            true => Status::Answered,
+            false => Status::NotTrusted,
+        },
+    )
+}
+
+/// Faults with their place in the scene where they have one.
+fn faults_of(ready: &Ready, object: &str, faults: Vec<Fault>) -> Failure {
+    let placed = faults.into_iter().map(|mut fault| {
+        fault.path = match fault.path.as_str() {
+            "" => object.to_owned(),
+            path => format!("{object}.{path}"),
+        };
+        fault
+    });
+    ready
+        .reading
+        .places
+        .diagnose(&placed.collect::<Vec<_>>())
+        .into()
+}
+
+fn settings(args: &ForcesArgs, solver: &Kinetostatics) -> Result<ForceSettings, Failure> {
+    let (output, loads) = match &args.load {
+        None => (only_loaded_output(solver), None),
+        Some(text) => load(text, solver)?,
+    };
+    Ok(ForceSettings {
+        options: Options {
+            friction: !args.frictionless,
+            direction: args.direction.map(|direction| match direction {
+                Direction::Forwards => 1.0,
+                Direction::Backwards => -1.0,
+            }),
+            ..Options::default()
+        },
+        output,
+        loads,
+        convention: match args.convention {
+            ConventionName::Paper => Convention::Paper,
+            ConventionName::LoadPositive => Convention::LoadPositive,
+        },
+    })
+}
+
+/// `OUTPUT` or `OUTPUT=FORCE,FORCE`.
+fn load(text: &str, solver: &Kinetostatics) -> Result<(Option<usize>, Option<Vec<usize>>), String> {
+    let spec = solver.spec();
+    let (output, forces) = match text.split_once('=') {
+        Some((output, forces)) => (output, Some(forces)),
+        None => (text, None),
+    };
+    let outputs: Vec<&str> = spec
+        .outputs
+        .iter()
+        .map(|output| output.name.as_str())
+        .collect();
+    let index = position(output, &outputs, "output")?;
+    let names: Vec<&str> = spec
+        .forces
+        .iter()
+        .map(|force| force.name.as_str())
+        .collect();
+    let chosen = forces.map(|forces| {
+        let list = forces
+            .split(',')
+            .map(|name| position(name.trim(), &names, "force"));
+        list.collect::<Result<Vec<usize>, String>>()
+    });
+    Ok((Some(index), chosen.transpose()?))
+}
+
+fn position(name: &str, names: &[&str], what: &str) -> Result<usize, String> {
+    let found = names.iter().position(|known| *known == name);
+    found.ok_or_else(|| match names {
+        [] => format!("--load: the linkage has no {what}"),
+        _ => format!(
+            "--load: there is no {what} `{name}`; one of {}",
+            names.join(", ")
+        ),
+    })
+}
+
+/// The course asked for, and in words how the input moves.
+fn course(
+    args: &ForcesArgs,
+    ready: &Ready,
+    body: &LinkageBody,
+) -> Result<(Course, String), Failure> {
+    let model = ready.system.model();
+    let part = &model.objects[body.object];
+    if let Some(path) = &args.record {
+        let text = read(path)?;
+        let outputs = body.linkage.spec().outputs.iter();
+        let outputs: Vec<&str> = outputs.map(|output| output.name.as_str()).collect();
+        let course = course_of_record(&text, &part.id, &outputs)
+            .map_err(|reason| format!("`{}`: {reason}", path.display()))?;
+        return Ok((course, format!("motion of the record {}", path.display())));
+    }
+    let question = question(args, ready, &body.linkage, part.coordinate)?;
+    let asked = Asked::new(model, &question)?;
+    let course = course_of(&asked)?;
+    let unit = match part.coordinate {
+        Coordinate::Turning => "rad",
+        Coordinate::Sliding => "m",
+    };
+    let motion = match &course {
+        Course::Instants { .. } => "motion of the scene's drive".to_owned(),
+        Course::Even {
+            speed,
+            acceleration,
+            ..
+        } if *acceleration == 0.0 => format!("speed {speed} {unit}/s at every position"),
+        Course::Even {
+            speed,
+            acceleration,
+            ..
+        } => format!(
+            "speed {speed} {unit}/s and acceleration {acceleration} {unit}/s² at every position"
+        ),
+    };
+    Ok((course, motion))
+}
+
+fn question(
+    args: &ForcesArgs,
+    ready: &Ready,
+    linkage: &Linkage,
+    input: Coordinate,
+) -> Result<Question, Failure> {
+    let own = Measures(Some(input));
+    let speed = args.speed.as_deref();
+    let speed = speed
+        .map(|text| quantity("--speed", text, own.speed()))
+        .transpose()?;
+    let acceleration = args.acceleration.as_deref();
+    let acceleration = acceleration
+        .map(|text| quantity("--acceleration", text, own.acceleration()))
+        .transpose()?;
+    let over = match (&args.range, &args.time) {
+        (Some(range), _) => Some(range_of(range, own)?),
+        (None, Some(time)) => Some(Over::Time {
+            to: match time.as_str() {
+                "" => ready.settings.duration,
+                time => quantity("--time", time, q::TIME.into())?,
+            },
+        }),
+        (None, None) if args.turn => Some(Over::Turn),
+        // A speed, or a comparison over speeds, is meant for the whole travel.
+        (None, None) => {
+            let whole = speed.or(acceleration).is_some() || !args.compare_massless.is_empty();
+            whole.then(|| whole_travel(linkage))
+        }
+    };
+    Ok(Question {
+        object: args.object.clone(),
+        over,
+        positions: args.positions as usize,
+        speed,
+        acceleration,
+        duration: ready.settings.duration,
+        also: None,
+    })
+}
+
+/// Largest record that is read at all.
+const LARGEST: u64 = 1 << 30;
+
+fn read(path: &Path) -> Result<String, String> {
+    use std::io::Read;
+    let failed =
+        |error: std::io::Error| format!("cannot read the record `{}`: {error}", path.display());
+    let file = std::fs::File::open(path).map_err(failed)?;
+    let mut text = String::new();
+    file.take(LARGEST)
+        .read_to_string(&mut text)
+        .map_err(failed)?;
+    Ok(text)
+}
+
+fn show(args: &ForcesArgs, report: &ForcesReport<'_>) -> Result<(), Failure> {
+    if args.scene.json {
+        console::json(&document(report))?;
+    } else if args.csv {
+        console::data(&forces_csv(report.study).map_err(|error| error.to_string())?);
+    } else {
+        console::data(&text(report));
+    }
+    Ok(())
+}
+
+/// Objects that hang on the linkage's outputs.
+fn behind<'m>(model: &'m Model, object: &str) -> Vec<&'m str> {
+    let own = |id: &str| {
+        id == object
+            || id
+                .strip_prefix(object)
+                .is_some_and(|rest| rest.starts_with('.'))
+    };
+    let parts = model.objects.iter();
+    parts
+        .filter(|part| {
+            !own(&part.id)
+                && part
+                    .driver
+                    .is_some_and(|driver| own(&model.objects[driver].id))
+        })
+        .map(|part| part.id.as_str())
+        .collect()
+}
+
+fn talk(args: &ForcesArgs, found: &ForceStudy, behind: Vec<&str>) {
+    if args.scene.quiet {
+        return;
+    }
+    for warning in found.warnings() {
+        console::talk(&format!("warning: {warning}"));
+    }
+    if !behind.is_empty() && args.record.is_none() {
+        console::talk(&format!(
+            "warning: the forces of what the linkage drives ({}) are not among its loads; take them \
+             from a run with --record",
+            behind.join(", ")
+        ));
+    }
+    if found.settings.output.is_none() {
+        console::talk("no transmission ratio: name the loaded output with --load");
+    }
+}
+
+fn files(report: &ForcesReport<'_>) -> Result<Vec<ResultFile>, Failure> {
+    let table = forces_csv(report.study).map_err(|error| error.to_string())?;
+    let document = document(report);
+    Ok(vec![
+        ResultFile::new(FILES[0], table),
+        ResultFile::new(FILES[1], format!("{document:#}\n")),
+        ResultFile::new(FILES[2], drawing(report).svg(0)),
+        ResultFile::new(FILES[3], page(report)),
+    ])
+}

@@ -1,0 +1,189 @@
+//! `dam kinematics`: positions, transfer functions, speeds and accelerations of
+//! a linkage.
+
+use super::args::KinematicsArgs;
+use super::console;
+use super::failure::{Failure, Status};
+use super::input::{Input, Ready};
+use super::output::{OutputFolder, ResultFile};
+use dam::analysis::kinematics::{
+    Asked, Kinematics, Over, Question, kinematics, linkage_of, whole_travel,
+};
+use dam::linkage::Linkage;
+use dam::model::Coordinate;
+use dam::object::Measures;
+use dam::object::law::read_argument;
+use dam::read::{Bounds, Wanted};
+use dam::report::kinematics::{
+    KinematicsReport, document, drawing, kinematics_csv, page, picture, text,
+};
+use dam::units::quantities as q;
+
+const FILES: [&str; 4] = [
+    "kinematics.csv",
+    "kinematics.json",
+    "mechanism.svg",
+    "report.html",
+];
+
+/// Runs the command.
+pub(crate) fn command(args: &KinematicsArgs) -> Result<Status, Failure> {
+    let input = Input::load(&args.scene)?;
+    let ready = input.prepare(&[])?;
+    let model = ready.system.model();
+    let body = linkage_of(model, args.object.as_deref())?;
+    let coordinate = model.objects[body.object].coordinate;
+    let mut question = question(args, &ready, coordinate)?;
+    if let Some(at) = &args.svg {
+        place(&mut question, at, &body.linkage, coordinate)?;
+    }
+    let asked = Asked::new(model, &question)?;
+    let folder = match &args.out.out {
+        Some(path) => {
+            let scene = &ready.scene().name;
+            Some(OutputFolder::prepare(path, scene, &FILES, args.out.force)?)
+        }
+        None => None,
+    };
+    let found = kinematics(&asked);
+    if let Some(folder) = &folder {
+        let files = files(&input, &ready, &found)?;
+        folder.write("kinematics", &ready.scene().hash, &files)?;
+    }
+    show(args, &ready, &found, question.also)?;
+    if let (Some(folder), false) = (&folder, args.scene.quiet) {
+        let report = folder.path("report.html");
+        console::talk(&format!("report: {}", report.display()));
+    }
+    Ok(match found.stopped {
+        None => Status::Answered,
+        Some(_) => Status::NotTrusted,
+    })
+}
+
+fn show(
+    args: &KinematicsArgs,
+    ready: &Ready,
+    found: &Kinematics<'_>,
+    also: Option<f64>,
+) -> Result<(), Failure> {
+    let scene = ready.scene();
+    if let Some(at) = also {
+        let row = found.axis.values.iter().position(|&place| place == at);
+        match row {
+            Some(row) => console::data(&picture(found, row)),
+            None => {
+                return Err("the linkage cannot be assembled at that place"
+                    .to_owned()
+                    .into());
+            }
+        }
+    } else if args.scene.json {
+        console::json(&document(&scene.name, &scene.hash, found))?;
+    } else if args.csv {
+        console::data(&kinematics_csv(found).map_err(|error| error.to_string())?);
+    } else {
+        console::data(&text(&scene.name, found));
+    }
+    Ok(())
+}
+
+pub(super) fn quantity(name: &str, text: &str, wanted: Wanted) -> Result<f64, Failure> {
+    Ok(read_argument(name, text, |slot| {
+        slot.quantity(wanted, Bounds::ANY)
+    })?)
+}
+
+fn question(args: &KinematicsArgs, ready: &Ready, input: Coordinate) -> Result<Question, Failure> {
+    let own = Measures(Some(input));
+    let over = match (&args.range, &args.time) {
+        (Some(range), _) => Some(range_of(range, own)?),
+        (None, Some(time)) => Some(Over::Time {
+            to: match time.as_str() {
+                "" => ready.settings.duration,
+                time => quantity("--time", time, q::TIME.into())?,
+            },
+        }),
+        (None, None) => args.turn.then_some(Over::Turn),
+    };
+    let read = |name: &str, text: &Option<String>, wanted: Wanted| {
+        let text = text.as_deref();
+        text.map(|text| quantity(name, text, wanted)).transpose()
+    };
+    Ok(Question {
+        object: args.object.clone(),
+        over,
+        positions: args.positions as usize,
+        speed: read("--speed", &args.speed, own.speed())?,
+        acceleration: read("--acceleration", &args.acceleration, own.acceleration())?,
+        duration: ready.settings.duration,
+        also: None,
+    })
+}
+
+/// The place of the picture: a time or an input coordinate. Where it is not
+/// said over what the linkage is looked at, the place's unit tells.
+fn place(
+    question: &mut Question,
+    text: &str,
+    linkage: &Linkage,
+    input: Coordinate,
+) -> Result<(), Failure> {
+    let own = Measures(Some(input)).displacement();
+    let time = |text: &str| quantity("--svg", text, q::TIME.into());
+    let over_time = match question.over {
+        Some(over) => matches!(over, Over::Time { .. }),
+        None => read_argument("--svg", text, |slot| slot.quantity(own, Bounds::ANY)).is_err(),
+    };
+    question.also = Some(match over_time {
+        true => time(text)?,
+        false => quantity("--svg", text, own)?,
+    });
+    question.over = question.over.or(Some(match over_time {
+        true => Over::Time {
+            to: question.duration,
+        },
+        false => whole_travel(linkage),
+    }));
+    Ok(())
+}
+
+/// `FROM:TO`, each with its unit or the last unit for both.
+pub(super) fn range_of(text: &str, own: Measures) -> Result<Over, Failure> {
+    let Some((from, to)) = text.split_once(':') else {
+        let message = format!("--range {text}: give FROM:TO, as 0:180 deg");
+        return Err(Failure::Other(message));
+    };
+    let bare = |text: &str| text.trim().parse::<f64>().is_ok();
+    let unit = to.trim().trim_start_matches(|c: char| !c.is_alphabetic());
+    let from = if bare(from) && !bare(to) {
+        format!("{} {unit}", from.trim())
+    } else {
+        from.trim().to_owned()
+    };
+    Ok(Over::Range {
+        from: quantity("--range", &from, own.displacement())?,
+        to: quantity("--range", to.trim(), own.displacement())?,
+    })
+}
+
+fn files(input: &Input, ready: &Ready, found: &Kinematics<'_>) -> Result<Vec<ResultFile>, Failure> {
+    let scene = ready.scene();
+    let report = page(&KinematicsReport {
+        found,
+        name: &scene.name,
+        hash: &scene.hash,
+        scene: input.text(),
+        version: env!("CARGO_PKG_VERSION"),
+    });
+    let document = document(&scene.name, &scene.hash, found);
+    Ok(vec![
+        ResultFile::new(
+            FILES[0],
+            kinematics_csv(found).map_err(|error| error.to_string())?,
+        ),
+        ResultFile::new(FILES[1], format!("{document:#}\n")),
+        ResultFile::new(FILES[2], drawing(found).svg(0)),
+        ResultFile::new(FILES[3], report),
+    ])
+}

@@ -1,0 +1,353 @@
+//! From the plain numbers of a linkage to its structure and the plan of its
+//! solution, or to what is wrong with its structure.
+
+use super::decompose::{Decomposition, Edge, decompose};
+use super::dyad::{Dyad, Form};
+use super::newton::{Joint, NewtonGroup, Side};
+use super::plan::{Body, Driver, Element, Part, Plan, Step, elements, size, slides};
+use super::spec::LinkageSpec;
+use super::structure::{Group, GroupKind, explanation, mobility};
+use crate::fault::{Fault, Faults};
+
+/// The bodies that the driver does not place, and the body of every link.
+struct Bodies {
+    list: Vec<Body>,
+    of_link: Vec<Option<usize>>,
+}
+
+/// Structure and plan of a linkage whose numbers are right; dyads by iteration
+/// like larger groups when `closed_forms` is false.
+pub(super) fn compile(
+    spec: &LinkageSpec,
+    closed_forms: bool,
+) -> Result<(Plan, Vec<Group>), Vec<Fault>> {
+    let mut faults = Faults::default();
+    let driver = Driver::new(&spec.pairs[spec.driver]);
+    let bodies = bodies(spec, &driver);
+    let of = |element: &Element| element.link.and_then(|link| bodies.of_link[link]);
+    let others: Vec<usize> = (0..spec.pairs.len())
+        .filter(|&p| p != spec.driver)
+        .collect();
+    let edges: Vec<Edge> = others
+        .iter()
+        .map(|&pair| elements(&spec.pairs[pair]).each_ref().map(of))
+        .collect();
+    sliding_loops(spec, &mut faults);
+    let found = decompose(bodies.list.len(), &edges);
+    let groups = match found {
+        Decomposition::Groups(groups) => groups,
+        Decomposition::Unfit { held, free } => {
+            misfit(spec, &bodies, &others, &held, &free, &mut faults);
+            Vec::new()
+        }
+    };
+    faults.check()?;
+    let mut steps = Vec::new();
+    let mut listed = vec![driver_group(spec)];
+    for group in &groups {
+        let pairs: Vec<usize> = others
+            .iter()
+            .zip(&edges)
+            .filter(|(_, edge)| edge.iter().flatten().any(|body| group.contains(body)))
+            .filter(|(_, edge)| is_last(edge, group, &groups))
+            .map(|(&pair, _)| pair)
+            .collect();
+        let (step, kind) = match (group.as_slice(), pairs.as_slice()) {
+            ([one, other], [_, _, _]) if closed_forms => {
+                dyad(spec, &bodies, [*one, *other], &pairs, &mut faults)
+            }
+            _ => larger_group(spec, &bodies, group, &pairs),
+        };
+        let mut links: Vec<usize> = group
+            .iter()
+            .flat_map(|&body| bodies.list[body].links())
+            .collect();
+        links.sort_unstable();
+        steps.extend(step);
+        listed.push(Group {
+            kind,
+            links,
+            pairs,
+            branch: None,
+        });
+    }
+    faults.check()?;
+    let plan = Plan {
+        driver,
+        steps,
+        links: spec.links.len(),
+        size: size(spec),
+    };
+    Ok((plan, listed))
+}
+
+fn driver_group(spec: &LinkageSpec) -> Group {
+    let pair = &spec.pairs[spec.driver];
+    Group {
+        kind: GroupKind::Driver,
+        links: pair.on.link.into_iter().chain(pair.link.link).collect(),
+        pairs: vec![spec.driver],
+        branch: None,
+    }
+}
+
+/// A pair belongs to the group that comes last of those it touches.
+fn is_last(edge: &Edge, group: &[usize], groups: &[Vec<usize>]) -> bool {
+    let place = |body: usize| groups.iter().position(|group| group.contains(&body));
+    let here = group.first().and_then(|&body| place(body));
+    edge.iter().flatten().all(|&body| place(body) <= here)
+}
+
+fn bodies(spec: &LinkageSpec, driver: &Driver) -> Bodies {
+    let assembly = driver.assembly();
+    let on_ground = |link: usize| {
+        assembly.is_none() && (driver.on.link == Some(link) || driver.link.link == Some(link))
+    };
+    let mut list = Vec::new();
+    let mut of_link = vec![None; spec.links.len()];
+    for link in 0..spec.links.len() {
+        match assembly {
+            _ if on_ground(link) => {}
+            Some(body) if body.has(link) => {
+                let index = list.iter().position(|known| *known == body);
+                of_link[link] = Some(index.unwrap_or(list.len()));
+                if index.is_none() {
+                    list.push(body);
+                }
+            }
+            _ => {
+                of_link[link] = Some(list.len());
+                list.push(Body {
+                    base: link,
+                    driven: None,
+                });
+            }
+        }
+    }
+    Bodies { list, of_link }
+}
+
+/// Sliding pairs (and the driver) that form a loop tie the same angle twice.
+fn sliding_loops(spec: &LinkageSpec, faults: &mut Faults) {
+    let ground = spec.links.len();
+    let mut tied: Vec<usize> = (0..=ground).collect();
+    for (index, pair) in spec.pairs.iter().enumerate() {
+        if !slides(pair) && index != spec.driver {
+            continue;
+        }
+        let [a, b] = [pair.on.link, pair.link.link].map(|link| tied[link.unwrap_or(ground)]);
+        if a == b {
+            faults.add(
+                format!("pairs.{}", pair.name),
+                "it closes a loop of sliding pairs, in which the angles are fixed twice",
+                "make one pair of the loop a pin: a loop needs at least two pins",
+            );
+        }
+        for class in &mut tied {
+            if *class == a {
+                *class = b;
+            }
+        }
+    }
+}
+
+/// Says what holds a part more than once and what is free.
+fn misfit(
+    spec: &LinkageSpec,
+    bodies: &Bodies,
+    others: &[usize],
+    held: &[(Vec<usize>, Vec<usize>)],
+    free: &[usize],
+    faults: &mut Faults,
+) {
+    let links = |list: &[usize]| -> String {
+        let bodies = list.iter().map(|&body| &bodies.list[body]);
+        let mut links: Vec<usize> = bodies.flat_map(Body::links).collect();
+        links.sort_unstable();
+        let names: Vec<String> = links
+            .iter()
+            .map(|&link| format!("`{}`", spec.links[link].name))
+            .collect();
+        names.join(", ")
+    };
+    let count = mobility(spec);
+    if count != 1 {
+        let hint = if count > 1 {
+            "join the loose links with further pairs, or leave them out"
+        } else {
+            "leave out pairs or add links until one degree of freedom is left"
+        };
+        let message = format!("not one degree of freedom: {}", explanation(spec));
+        faults.add("pairs", message, hint);
+    }
+    for (list, pairs) in held {
+        let names: Vec<&str> = pairs
+            .iter()
+            .map(|&pair| spec.pairs[others[pair]].name.as_str())
+            .collect();
+        let last = names.last().copied().unwrap_or_default();
+        let what = match list.as_slice() {
+            [] => "the ground and the driven link are joined twice".to_owned(),
+            list => format!("{} held more than once", is_or_are(&links(list))),
+        };
+        faults.add(
+            format!("pairs.{last}"),
+            format!(
+                "statically indeterminate: {what}, by the pairs {}",
+                names.join(", ")
+            ),
+            "leave out one of these pairs, or put a link in between",
+        );
+    }
+    if let Some(&first) = free.first() {
+        let name = &spec.links[bodies.list[first].base].name;
+        let message = format!(
+            "{} free to move while the driver stands still",
+            is_or_are(&links(free))
+        );
+        let hint = "join them with further pairs, or leave them out";
+        faults.add(format!("links.{name}"), message, hint);
+    }
+}
+
+fn is_or_are(names: &str) -> String {
+    let word = if names.contains(',') { "are" } else { "is" };
+    format!("{names} {word}")
+}
+
+/// A group that is solved by iteration.
+fn larger_group(
+    spec: &LinkageSpec,
+    bodies: &Bodies,
+    group: &[usize],
+    pairs: &[usize],
+) -> (Option<Step>, GroupKind) {
+    let own = |element: &Element| -> Side {
+        let body = element.link.and_then(|link| bodies.of_link[link]);
+        match body.and_then(|body| group.iter().position(|&other| other == body)) {
+            Some(index) => Side::Own {
+                body: index,
+                part: Part::new(element, &bodies.list[group[index]]),
+            },
+            None => Side::Known(*element),
+        }
+    };
+    let joints = pairs.iter().map(|&pair| Joint {
+        sides: elements(&spec.pairs[pair]).each_ref().map(own),
+        slides: slides(&spec.pairs[pair]),
+    });
+    let newton = NewtonGroup {
+        bodies: group.iter().map(|&body| bodies.list[body]).collect(),
+        joints: joints.collect(),
+    };
+    let links = newton.bodies.iter().flat_map(Body::links).count();
+    (Some(Step::Newton(newton)), GroupKind::Newton { links })
+}
+
+fn dyad(
+    spec: &LinkageSpec,
+    bodies: &Bodies,
+    group: [usize; 2],
+    pairs: &[usize],
+    faults: &mut Faults,
+) -> (Option<Step>, GroupKind) {
+    let of = |element: &Element| element.link.and_then(|link| bodies.of_link[link]);
+    let sides = |pair: usize| elements(&spec.pairs[pair]);
+    let touches = |pair: usize, body: usize| sides(pair).iter().any(|e| of(e) == Some(body));
+    let is_inner = |pair: usize| group.iter().all(|&body| touches(pair, body));
+    let outer = |body: usize| {
+        pairs
+            .iter()
+            .copied()
+            .find(|&p| touches(p, body) && !is_inner(p))
+    };
+    let inner = pairs.iter().copied().find(|&p| is_inner(p));
+    let (Some(inner), [Some(one), Some(other)]) = (inner, group.map(outer)) else {
+        faults.add(
+            "pairs",
+            "two links are joined in a way that holds nothing",
+            "",
+        );
+        return (None, GroupKind::Rrr);
+    };
+    let slide = |pair: usize| slides(&spec.pairs[pair]);
+    let (form, kind, swapped) = match (slide(one), slide(inner), slide(other)) {
+        (false, false, false) => (Form::Rrr, GroupKind::Rrr, false),
+        (false, true, false) => (Form::Rpr, GroupKind::Rpr, false),
+        (true, false, true) => (Form::Prp, GroupKind::Prp, false),
+        (false, false, true) => (Form::Rrp, GroupKind::Rrp, false),
+        (true, false, false) => (Form::Rrp, GroupKind::Rrp, true),
+        (false, true, true) => (Form::Rpp, GroupKind::Rpp, false),
+        // Three guides are a loop of sliding pairs, refused before.
+        (true, true, _) => (Form::Rpp, GroupKind::Rpp, true),
+    };
+    let (group, outer) = if swapped {
+        ([group[1], group[0]], [other, one])
+    } else {
+        (group, [one, other])
+    };
+    let element = |pair: usize, body: Option<usize>| {
+        let [i, j] = sides(pair);
+        if of(&i) == body { i } else { j }
+    };
+    let part = |pair: usize, body: usize| Part::new(&element(pair, Some(body)), &bodies.list[body]);
+    let known = |k: usize| {
+        let [i, j] = sides(outer[k]);
+        if of(&i) == Some(group[k]) { j } else { i }
+    };
+    let guide_on_first = of(&sides(inner)[0]) == Some(group[0]);
+    let dyad = Dyad {
+        form,
+        bodies: group.map(|body| bodies.list[body]),
+        known: [known(0), known(1)],
+        outer: [part(outer[0], group[0]), part(outer[1], group[1])],
+        inner: [part(inner, group[0]), part(inner, group[1])],
+        // With the guide on the first link its pin is the one behind.
+        sense: if form == Form::Rpr && !guide_on_first {
+            -1.0
+        } else {
+            1.0
+        },
+    };
+    coinciding(spec, &dyad, inner, outer, faults);
+    (Some(Step::Dyad(dyad)), kind)
+}
+
+/// Pins of one link that lie in the same place do not fix its direction.
+fn coinciding(
+    spec: &LinkageSpec,
+    dyad: &Dyad,
+    inner: usize,
+    outer: [usize; 2],
+    faults: &mut Faults,
+) {
+    let size = size(spec);
+    let arms: &[usize] = match dyad.form {
+        Form::Rrr => &[0, 1],
+        Form::Rrp => &[0],
+        _ => &[],
+    };
+    for &k in arms {
+        let (from, to) = (dyad.outer[k], dyad.inner[k]);
+        let apart = (to.point[0] - from.point[0]).hypot(to.point[1] - from.point[1]);
+        if from.driven == to.driven && apart <= 1e-9 * size {
+            let body = dyad.bodies[k];
+            let link = if from.driven { body.driven } else { None }.unwrap_or(body.base);
+            let [one, other] = [outer[k], inner].map(|pair| &spec.pairs[pair].name);
+            faults.add(
+                format!("links.{}", spec.links[link].name),
+                format!("its pins {one} and {other} lie in the same place, it is free to turn"),
+                "move one of the points, or join the other two links directly",
+            );
+        }
+    }
+    if dyad.form == Form::Rpp {
+        let [u, v] = [dyad.outer[1].along, dyad.inner[1].along];
+        if dyad.outer[1].driven == dyad.inner[1].driven && (u[0] * v[1] - u[1] * v[0]).abs() < 1e-9
+        {
+            let name = &spec.links[dyad.bodies[1].base].name;
+            let message = format!("its two guides are parallel, `{name}` is free to slide");
+            faults.add(format!("links.{name}"), message, "turn one of the guides");
+        }
+    }
+}

@@ -1,0 +1,213 @@
+//! Looking at one step of a walk: does anything happen on it?
+
+use super::change::Change;
+use super::course::{hermite, nearest_turn};
+use super::dyad::Margin;
+use super::plan::Step;
+use super::solve::{Stuck, around};
+use super::state::Motion;
+use super::walk::{LEFT, Verdict, Walker};
+
+/// Most that a link may turn in a step (rad).
+const MOST_TURNING: f64 = 0.5;
+
+impl Walker<'_> {
+    /// What to do about a step from the present place to `to`.
+    pub(super) fn examine(&mut self, to: f64) -> Verdict {
+        let groups = self.plan.steps.len();
+        let (from, gap) = (self.place.at, to - self.place.at);
+        let middle = from + 0.5 * gap;
+        let tiny = gap.abs() <= LEFT * self.unit;
+        let halved = self.try_at::<2>(middle, groups);
+        let at_middle = self.probe.margins.clone();
+        let reached = self.try_at::<2>(to, groups);
+        let at_end = self.probe.margins.clone();
+        let followed = reached.is_err() || tiny || self.followed(to);
+        let known = [
+            halved.map_or_else(|Stuck(group)| group, |()| groups),
+            reached.map_or_else(|Stuck(group)| group + 1, |()| groups),
+        ];
+        for group in 0..known[0].min(known[1]) {
+            if self.is_dyad(group) {
+                let margins = [self.place.margins[group], at_middle[group], at_end[group]];
+                let verdict = self.examine_dyad(group, to, margins);
+                if verdict != Verdict::Accept {
+                    return verdict;
+                }
+            }
+        }
+        // Beyond a change point not known yet later groups may fail, and links
+        // seem to have jumped: these are looked at last.
+        match halved.and(reached) {
+            Err(Stuck(group)) if tiny && self.is_dyad(group) => self.dead(group, to),
+            Err(Stuck(group)) if tiny => self.end_of(group),
+            Ok(()) if followed => Verdict::Accept,
+            _ => Verdict::Shorten(middle),
+        }
+    }
+
+    /// No link has turned or gone too far, and none has jumped.
+    fn followed(&self, to: f64) -> bool {
+        let links = &self.probe.links;
+        let turned = |(link, motion): (usize, &Motion)| {
+            let from = self.place.angles[link];
+            (nearest_turn(motion.angle(), from) - from).abs() <= MOST_TURNING
+        };
+        let same_side = |group: usize| {
+            self.is_dyad(group)
+                || self.probe.margins[group].value * self.place.margins[group].value > 0.0
+        };
+        let iterated = |step: &Step| matches!(step, Step::Newton(_));
+        let near = self
+            .plan
+            .steps
+            .iter()
+            .filter(|step| iterated(step))
+            .all(|step| {
+                step.bodies().iter().all(|body| {
+                    let [x, y, angle] = self.anchor.near(body.base, to);
+                    let motion = &links[body.base];
+                    let off = (motion.at[0][0] - x).hypot(motion.at[1][0] - y) / self.plan.size;
+                    let turned = nearest_turn(motion.angle(), angle) - angle;
+                    off.max(turned.abs()) <= 0.01
+                })
+            });
+        near && links.iter().enumerate().all(turned) && (0..self.plan.steps.len()).all(same_side)
+    }
+
+    fn examine_dyad(&mut self, group: usize, to: f64, margins: [Margin; 3]) -> Verdict {
+        let (from, gap) = (self.place.at, to - self.place.at);
+        let [a, m, b] = margins;
+        let size = a.value.abs().max(b.value.abs()).max(m.value.abs());
+        let cubic = hermite(0.5, gap, [a.value, a.slope, b.value, b.slope]);
+        let smooth = (cubic - m.value).abs() <= 0.02 * size + tolerance(&m);
+        if !smooth && gap.abs() > 1e-5 * self.unit {
+            return Verdict::Shorten(from + 0.5 * gap);
+        }
+        let inside = |change: &Change| (from < change.at) == (change.at < to);
+        if self.course.branches[group].changes.iter().any(inside) {
+            return Verdict::Accept;
+        }
+        if a.slope * self.way < 0.0 && b.slope * self.way > 0.0 {
+            return self.examine_minimum(group, to);
+        }
+        if b.value > tolerance(&b) {
+            return Verdict::Accept;
+        }
+        if b.value < -tolerance(&b) {
+            return self.dead(group, to);
+        }
+        // Just on a dead position or a change point: nothing can be said here.
+        if gap.abs() <= LEFT * self.unit {
+            return Verdict::End(self.just_beyond(group, to, &b), group);
+        }
+        Verdict::Shorten(from + 0.73 * gap)
+    }
+
+    /// The dead position next to `to`, where the discriminant is zero but for
+    /// rounding.
+    fn just_beyond(&mut self, group: usize, to: f64, margin: &Margin) -> f64 {
+        let left = -margin.value / margin.slope;
+        if left.abs() <= 1e-6 * self.unit {
+            let beyond = to + 2.0 * left;
+            if self
+                .margin(beyond, group)
+                .is_some_and(|margin| margin.value < 0.0)
+            {
+                return self.bisect(group, beyond, |margin| margin.value > 0.0);
+            }
+        }
+        to
+    }
+
+    /// A minimum of the discriminant lies within the step.
+    fn examine_minimum(&mut self, group: usize, to: f64) -> Verdict {
+        let way = self.way;
+        let lowest = self.bisect(group, to, |margin| margin.slope * way < 0.0);
+        let Some(margin) = self.margin(lowest, group) else {
+            return Verdict::Shorten(self.place.at + 0.5 * (to - self.place.at));
+        };
+        let tolerance = tolerance(&margin);
+        if margin.value > tolerance {
+            return Verdict::Accept;
+        }
+        if margin.value < -tolerance {
+            return self.dead(group, lowest);
+        }
+        match self.change(group, lowest) {
+            Some(change) => {
+                self.course.branches[group].changes.push(change);
+                Verdict::Again
+            }
+            None => self.approach(lowest, group),
+        }
+    }
+
+    /// The discriminant goes through zero before `to`.
+    fn dead(&mut self, group: usize, to: f64) -> Verdict {
+        let end = self.bisect(group, to, |margin| margin.value > 0.0);
+        self.approach(end, group)
+    }
+
+    /// Goes a part of the way to an end, which is reached when little is left.
+    fn approach(&self, end: f64, group: usize) -> Verdict {
+        let left = end - self.place.at;
+        if left.abs() <= LEFT * self.unit {
+            Verdict::End(end, group)
+        } else {
+            Verdict::Shorten(self.place.at + 0.75 * left)
+        }
+    }
+
+    /// The input between here and `to` at which `before` ceases to hold.
+    fn bisect(&mut self, group: usize, to: f64, before: impl Fn(&Margin) -> bool) -> f64 {
+        let (mut near, mut far) = (self.place.at, to);
+        for _ in 0..200 {
+            let middle = near + 0.5 * (far - near);
+            if middle == near || middle == far {
+                break;
+            }
+            match self.margin(middle, group) {
+                Some(margin) if before(&margin) => near = middle,
+                _ => far = middle,
+            }
+        }
+        near
+    }
+
+    /// The change point of a dyad at an input, when it can be passed smoothly.
+    fn change(&mut self, group: usize, at: f64) -> Option<Change> {
+        let (sign, _) = self.course.branch(group, self.place.at);
+        let Step::Dyad(dyad) = &self.plan.steps[group] else {
+            return None;
+        };
+        let (way, size) = (self.way, self.plan.size);
+        Change::fit(at, way, 0.6 * self.unit, |input, side| {
+            self.try_at::<1>(input, group).ok()?;
+            let around = around::<1>(dyad, &self.probe);
+            let found = dyad.directions(&around, sign * side, size);
+            let [one, other] = found.of.map(|direction| direction.value());
+            Some([one[0], one[1], other[0], other[1]])
+        })
+    }
+
+    /// Where a group cannot be followed further by ever shorter steps.
+    fn end_of(&self, group: usize) -> Verdict {
+        let here = self.place.margins[group].value;
+        let mut end = self.place.at;
+        if let Some(before) = &self.before {
+            // The square of the determinant goes to zero in proportion.
+            let square = (here * here, before.margins[group].value.powi(2));
+            let left = square.0 / (square.1 - square.0) * (self.place.at - before.at);
+            if left.is_finite() && left * self.way >= 0.0 && left.abs() <= 1e-6 * self.unit {
+                end += left;
+            }
+        }
+        Verdict::End(end, group)
+    }
+}
+
+/// A discriminant of this size is zero.
+pub(super) fn tolerance(margin: &Margin) -> f64 {
+    1e-12 + 200.0 * margin.noise
+}

@@ -1,0 +1,286 @@
+//! Dense systems of equations in memory that is kept: one factorisation, many
+//! right sides.
+//!
+//! The matrices of kinetostatics are small (3 rows a link) and mostly zeros;
+//! zeros are passed over. Rows are exchanged for the greatest pivot.
+
+/// A square matrix and, after [`Factors::factorise`], its factors P·A = L·U.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Factors {
+    size: usize,
+    /// Row after row.
+    values: Vec<f64>,
+    /// Row exchanged with row k in step k.
+    exchanged: Vec<usize>,
+    /// Greatest sum of the magnitudes of a column of A.
+    norm: f64,
+    /// Least pivot over greatest.
+    pivots: f64,
+}
+
+impl Factors {
+    /// Room for matrices of up to `size` rows.
+    pub(super) fn with_room(size: usize) -> Self {
+        Self {
+            size,
+            values: vec![0.0; size * size],
+            exchanged: vec![0; size],
+            norm: 0.0,
+            pivots: 0.0,
+        }
+    }
+
+    /// Makes it the zero matrix of `size` rows.
+    pub(super) fn clear(&mut self, size: usize) {
+        self.size = size;
+        self.values.clear();
+        self.values.resize(size * size, 0.0);
+        self.exchanged.clear();
+        self.exchanged.resize(size, 0);
+    }
+
+    /// Adds to an entry.
+    #[inline]
+    pub(super) fn add(&mut self, row: usize, column: usize, value: f64) {
+        self.values[row * self.size + column] += value;
+    }
+
+    /// Factorises the matrix in place; false if it is singular or not finite.
+    pub(super) fn factorise(&mut self) -> bool {
+        self.norm = self.greatest_column();
+        let n = self.size;
+        let (mut least, mut greatest) = (f64::INFINITY, 0.0f64);
+        for k in 0..n {
+            let pivot_row = (k..n).fold(k, |best, row| {
+                let better = self.values[row * n + k].abs() > self.values[best * n + k].abs();
+                if better { row } else { best }
+            });
+            self.exchanged[k] = pivot_row;
+            let pivot = self.values[pivot_row * n + k];
+            if !(pivot.is_finite() && pivot != 0.0) {
+                self.pivots = 0.0;
+                return false;
+            }
+            least = least.min(pivot.abs());
+            greatest = greatest.max(pivot.abs());
+            self.eliminate(k, pivot_row);
+        }
+        self.pivots = least / greatest;
+        self.values.iter().all(|value| value.is_finite())
+    }
+
+    /// Step k of the elimination.
+    #[inline]
+    fn eliminate(&mut self, k: usize, pivot_row: usize) {
+        let n = self.size;
+        if pivot_row != k {
+            let (upper, lower) = self.values.split_at_mut(pivot_row * n);
+            upper[k * n..(k + 1) * n].swap_with_slice(&mut lower[..n]);
+        }
+        let (upper, lower) = self.values.split_at_mut((k + 1) * n);
+        let top = &upper[k * n..];
+        let inverse = 1.0 / top[k];
+        for row in lower.chunks_exact_mut(n) {
+            if row[k] != 0.0 {
+                let factor = row[k] * inverse;
+                row[k] = factor;
+                for (value, above) in row[k + 1..].iter_mut().zip(&top[k + 1..]) {
+                    *value -= factor * above;
+                }
+            }
+        }
+    }
+
+    /// Greatest sum of the magnitudes of a column.
+    fn greatest_column(&self) -> f64 {
+        (0..self.size).fold(0.0, |most: f64, column| {
+            let sum = self.values[column..]
+                .iter()
+                .step_by(self.size)
+                .map(|value| value.abs())
+                .sum();
+            most.max(sum)
+        })
+    }
+
+    /// Least pivot over greatest: a quick hint at how near to singular the
+    /// matrix is; [`Self::condition`] is the measure.
+    pub(super) fn pivots(&self) -> f64 {
+        self.pivots
+    }
+
+    /// Solves A·X = R for `width` right sides lying row after row in `right`.
+    pub(super) fn solve(&self, right: &mut [f64], width: usize) {
+        let n = self.size;
+        for k in 0..n {
+            let other = self.exchanged[k];
+            if other != k {
+                let (upper, lower) = right.split_at_mut(other * width);
+                upper[k * width..(k + 1) * width].swap_with_slice(&mut lower[..width]);
+            }
+        }
+        for i in 1..n {
+            let (known, rest) = right.split_at_mut(i * width);
+            for k in 0..i {
+                let factor = self.values[i * n + k];
+                subtract(&mut rest[..width], factor, &known[k * width..]);
+            }
+        }
+        for i in (0..n).rev() {
+            let (upper, known) = right.split_at_mut((i + 1) * width);
+            let row = &mut upper[i * width..];
+            for k in i + 1..n {
+                let factor = self.values[i * n + k];
+                subtract(row, factor, &known[(k - i - 1) * width..]);
+            }
+            let inverse = 1.0 / self.values[i * n + i];
+            row.iter_mut().for_each(|value| *value *= inverse);
+        }
+    }
+
+    /// Solves Aᵀ·x = r in place.
+    pub(super) fn solve_transposed(&self, x: &mut [f64]) {
+        let n = self.size;
+        for k in 0..n {
+            x[k] /= self.values[k * n + k];
+            let known = x[k];
+            for j in k + 1..n {
+                x[j] -= self.values[k * n + j] * known;
+            }
+        }
+        for k in (1..n).rev() {
+            let known = x[k];
+            for j in 0..k {
+                x[j] -= self.values[k * n + j] * known;
+            }
+        }
+        for k in (0..n).rev() {
+            x.swap(k, self.exchanged[k]);
+        }
+    }
+
+    /// Condition number ‖A‖·‖A⁻¹‖ in the norm of the greatest column, the
+    /// second factor as Hager estimates it (W. W. Hager, "Condition estimates",
+    /// SIAM J. Sci. Stat. Comput. 5 (1984)): never above the true number, and
+    /// seldom below a third of it. `x` and `y` are memory.
+    pub(super) fn condition(&self, x: &mut Vec<f64>, y: &mut Vec<f64>) -> f64 {
+        let n = self.size;
+        x.clear();
+        x.resize(n, 1.0 / n as f64);
+        let mut estimate = 0.0f64;
+        for _ in 0..5 {
+            self.solve(x, 1);
+            estimate = estimate.max(x.iter().map(|value| value.abs()).sum());
+            y.clear();
+            y.extend(x.iter().map(|value| value.signum()));
+            self.solve_transposed(y);
+            let greatest = (0..n).fold(
+                0,
+                |best, i| {
+                    if y[i].abs() > y[best].abs() { i } else { best }
+                },
+            );
+            x.iter_mut().for_each(|value| *value = 0.0);
+            x[greatest] = 1.0;
+        }
+        estimate * self.norm
+    }
+}
+
+/// row −= factor·above, where the factor is not zero.
+#[inline(always)]
+fn subtract(row: &mut [f64], factor: f64, above: &[f64]) {
+    if factor != 0.0 {
+        for (value, above) in row.iter_mut().zip(above) {
+            *value -= factor * above;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Factors;
+
+    /// A matrix of small integers with zeros in it, the same in every run.
+    fn matrix(size: usize, seed: u64) -> (Factors, Vec<f64>) {
+        let mut factors = Factors::default();
+        factors.clear(size);
+        let mut state = seed;
+        let mut values = vec![0.0; size * size];
+        for row in 0..size {
+            for column in 0..size {
+                state = state
+                    .wrapping_mul(6_364_136_223_846_793_005)
+                    .wrapping_add(99);
+                let value = ((state >> 33) % 11) as f64 - 5.0;
+                let value = if (state >> 50) % 2 == 0 { 0.0 } else { value };
+                let value = value + if (row + 1) % size == column { 7.0 } else { 0.0 };
+                factors.add(row, column, value);
+                values[row * size + column] = value;
+            }
+        }
+        (factors, values)
+    }
+
+    #[test]
+    fn systems_and_transposed_systems_are_solved() {
+        for size in [1, 2, 5, 9, 21] {
+            let (mut factors, a) = matrix(size, size as u64);
+            assert!(factors.factorise());
+            let wanted: Vec<f64> = (0..2 * size).map(|k| (k as f64).sin()).collect();
+            let mut right = vec![0.0; 2 * size];
+            let mut transposed = vec![0.0; size];
+            for row in 0..size {
+                for column in 0..size {
+                    let value = a[row * size + column];
+                    for which in 0..2 {
+                        right[2 * row + which] += value * wanted[2 * column + which];
+                    }
+                    transposed[column] += value * wanted[row];
+                }
+            }
+            factors.solve(&mut right, 2);
+            factors.solve_transposed(&mut transposed);
+            for k in 0..2 * size {
+                assert!((right[k] - wanted[k]).abs() < 1e-11, "{size} {k}");
+            }
+            for k in 0..size {
+                assert!((transposed[k] - wanted[k]).abs() < 1e-11, "{size} {k}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_condition_number_is_estimated() {
+        let size = 9;
+        let (mut factors, a) = matrix(size, 4);
+        let column_sum = |values: &dyn Fn(usize, usize) -> f64| {
+            let sums = (0..size).map(|c| (0..size).map(|r| values(r, c).abs()).sum::<f64>());
+            sums.fold(0.0, f64::max)
+        };
+        let norm = column_sum(&|r, c| a[r * size + c]);
+        assert!(factors.factorise());
+        let mut inverse = vec![0.0; size * size];
+        (0..size).for_each(|k| inverse[k * size + k] = 1.0);
+        factors.solve(&mut inverse, size);
+        let exact = norm * column_sum(&|r, c| inverse[r * size + c]);
+        let found = factors.condition(&mut Vec::new(), &mut Vec::new());
+        assert!(
+            found <= exact * (1.0 + 1e-12) && found > 0.3 * exact,
+            "{found} {exact}"
+        );
+    }
+
+    #[test]
+    fn singular_matrices_are_recognised() {
+        let mut factors = Factors::default();
+        factors.clear(2);
+        for (row, column, value) in [(0, 0, 1.0), (0, 1, 2.0), (1, 0, 2.0), (1, 1, 4.0)] {
+            factors.add(row, column, value);
+        }
+        assert!(!factors.factorise());
+        factors.clear(1);
+        factors.add(0, 0, f64::NAN);
+        assert!(!factors.factorise());
+    }
+}

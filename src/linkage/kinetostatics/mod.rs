@@ -1,0 +1,253 @@
+//! Kinetostatics: reactions, driving force and friction of a linkage whose
+//! motion is given.
+//!
+//! Free-body equations of all links, W·F = B − P − T, with two unknowns a pair
+//! and the driver's force; W depends on the position alone and is factorised
+//! once. Coulomb's friction in pins and in both corners of blocks; sliding
+//! directions just after the position, in the direction of motion. The same
+//! equations with the driver's force given and the acceleration unknown
+//! ([`Kinetostatics::accelerate`]) are the motion under joint friction.
+//!
+//! Conventions: a pair joins link i (`on`) to link j (`link`); its reactions act
+//! on j from i. The driver's force is a couple on j (opposite on i) or a force
+//! on j along the guide, positive along the input coordinate.
+//!
+//! Source: K. Maczyński, S. Suwaj, "The influence of constructional and
+//! kinematic parameters of the mechanism upon its dynamic transmission ratio"
+//! (1987), the equations derived anew: printed signs are wrong in places.
+
+mod accelerate;
+mod equations;
+mod external;
+mod factor;
+mod friction;
+mod iteration;
+mod outputs;
+mod place;
+mod positions;
+mod ratio;
+mod result;
+mod search;
+mod sensitivity;
+mod solve;
+mod workspace;
+
+pub use accelerate::{Acceleration, Outcome};
+pub use iteration::{Convergence, Method};
+pub use positions::{LinkPosition, PointPosition, Positions};
+pub use ratio::{Convention, Transmission};
+pub use result::{Balance, Reaction, SlidingFriction};
+pub use sensitivity::Sensitivities;
+pub use solve::{BAD_CONDITION, ForceFailure, InputMotion, Options, Solved};
+pub use workspace::ForceWorkspace;
+
+use super::spec::{LinkageSpec, PairKind, PairSpec};
+use crate::fault::{Fault, Faults};
+use friction::Law;
+
+/// Which unknown stands in the last column of W.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Unknown {
+    /// The driver's force; the motion is given.
+    Drive,
+    /// The acceleration of the input; the driver's force is given.
+    Acceleration,
+}
+
+/// A linkage made ready for kinetostatics: immutable; what changes from
+/// position to position is in a [`ForceWorkspace`].
+#[derive(Clone, Debug)]
+pub struct Kinetostatics {
+    spec: LinkageSpec,
+    /// Length scale ℓ: the greatest distance of two points of a link in use (m).
+    length: f64,
+    /// Length that a unit of each pair's coordinate stands for (ℓ or 1).
+    units: Vec<f64>,
+    /// Cosine and sine of each guide's direction in its link.
+    directions: Vec<[f64; 2]>,
+    /// Places of each block's corners along its guide (m).
+    corners: Vec<[f64; 2]>,
+    /// Factors of friction of each pair that has any, without sign.
+    friction_factors: Vec<Option<Law>>,
+    /// Size of the inertia in the column of the acceleration (kg or kg·m).
+    inertia_scale: f64,
+}
+
+impl Kinetostatics {
+    /// Checks the linkage's numbers and makes it ready.
+    ///
+    /// # Errors
+    ///
+    /// Negative or non-finite masses, moments of inertia, coefficients of
+    /// friction, diameters or heights; a block without length; a number of
+    /// pairs other than (3n − 1)/2.
+    pub fn new(spec: &LinkageSpec) -> Result<Self, Vec<Fault>> {
+        check(spec)?;
+        let length = length_scale(spec);
+        let inertia = spec.links.iter().fold(0.0f64, |most, link| {
+            most.max(link.mass * length).max(link.moment / length)
+        });
+        let pairs = &spec.pairs;
+        Ok(Self {
+            length,
+            units: pairs.iter().map(|pair| unit(pair, length)).collect(),
+            directions: pairs.iter().map(direction).collect(),
+            corners: pairs.iter().map(|pair| corners(pair, length)).collect(),
+            friction_factors: pairs.iter().map(|pair| friction(pair, length)).collect(),
+            inertia_scale: if inertia > 0.0 { inertia } else { 1.0 },
+            spec: spec.clone(),
+        })
+    }
+
+    /// Memory for this linkage.
+    pub fn workspace(&self) -> ForceWorkspace {
+        let spec = &self.spec;
+        ForceWorkspace::with_room([
+            spec.links.len(),
+            spec.pairs.len(),
+            spec.forces.len(),
+            spec.outputs.len(),
+        ])
+    }
+
+    /// The linkage in plain numbers.
+    pub fn spec(&self) -> &LinkageSpec {
+        &self.spec
+    }
+
+    /// The length scale ℓ (m): moments are compared with forces over it.
+    pub fn length_scale(&self) -> f64 {
+        self.length
+    }
+
+    /// True if any pair has friction.
+    pub fn has_friction(&self) -> bool {
+        self.friction_factors.iter().any(Option::is_some)
+    }
+
+    /// Number of equations.
+    fn size(&self) -> usize {
+        3 * self.spec.links.len()
+    }
+
+    /// Force or moment of a unit of the driver's unknown.
+    fn drive_unit(&self) -> f64 {
+        match self.spec.pairs[self.spec.driver].kind {
+            PairKind::Revolute { .. } => self.length,
+            PairKind::Sliding { .. } => 1.0,
+        }
+    }
+}
+
+/// Length that a unit of a pair's coordinate stands for.
+fn unit(pair: &PairSpec, length: f64) -> f64 {
+    match pair.kind {
+        PairKind::Revolute { .. } => length,
+        PairKind::Sliding { .. } => 1.0,
+    }
+}
+
+/// Cosine and sine of a guide's direction in its link.
+fn direction(pair: &PairSpec) -> [f64; 2] {
+    match pair.kind {
+        PairKind::Revolute { .. } => [1.0, 0.0],
+        PairKind::Sliding { direction, .. } => [direction.cos(), direction.sin()],
+    }
+}
+
+/// A block's corners; of one without friction they may be left open, and any
+/// two serve to carry force and couple.
+fn corners(pair: &PairSpec, length: f64) -> [f64; 2] {
+    match pair.kind {
+        PairKind::Sliding {
+            corners: [a, b], ..
+        } if a > b => [a, b],
+        _ => [0.5 * length, -0.5 * length],
+    }
+}
+
+/// Factors of a pair's friction, `None` without any.
+fn friction(pair: &PairSpec, length: f64) -> Option<Law> {
+    let mu = pair.friction;
+    match pair.kind {
+        PairKind::Revolute { diameter } => {
+            let factor = mu * diameter / 2.0 / length;
+            (factor > 0.0).then_some(Law::Pin(factor))
+        }
+        PairKind::Sliding { half_height, .. } => {
+            (mu > 0.0).then_some(Law::Guide([mu, mu * half_height / length]))
+        }
+    }
+}
+
+/// The greatest distance of two points of a link that pairs use; 1 if all coincide.
+fn length_scale(spec: &LinkageSpec) -> f64 {
+    let ends = spec.pairs.iter().flat_map(|pair| [pair.on, pair.link]);
+    let points: Vec<_> = ends.collect();
+    let mut most = 0.0f64;
+    for a in &points {
+        for b in points.iter().filter(|b| b.link == a.link) {
+            most = most.max((a.at[0] - b.at[0]).hypot(a.at[1] - b.at[1]));
+        }
+    }
+    if most > 0.0 && most.is_finite() {
+        most
+    } else {
+        1.0
+    }
+}
+
+/// All faults of the numbers that kinetostatics needs.
+fn check(spec: &LinkageSpec) -> Result<(), Vec<Fault>> {
+    let mut faults = Faults::default();
+    for link in &spec.links {
+        let path = format!("links.{}", link.name);
+        faults.not_negative(&format!("{path}.mass"), link.mass);
+        faults.not_negative(&format!("{path}.moment"), link.moment);
+        for coordinate in link.centre {
+            faults.finite(&format!("{path}.centre"), coordinate);
+        }
+    }
+    for pair in &spec.pairs {
+        let path = format!("pairs.{}", pair.name);
+        faults.not_negative(&format!("{path}.friction"), pair.friction);
+        match pair.kind {
+            PairKind::Revolute { diameter } => {
+                faults.not_negative(&format!("{path}.diameter"), diameter);
+            }
+            PairKind::Sliding {
+                corners,
+                half_height,
+                ..
+            } => {
+                faults.not_negative(&format!("{path}.sliding.half_height"), half_height);
+                let finite = corners.iter().all(|b| b.is_finite());
+                let none = corners[0] == corners[1] && pair.friction == 0.0;
+                if !(finite && (none || corners[0] > corners[1])) {
+                    let [forward, back] = corners;
+                    faults.add(
+                        format!("{path}.sliding.corners"),
+                        format!("corners at {forward} m and {back} m carry no moment"),
+                        "the first corner lies ahead of the second along the guide",
+                    );
+                }
+            }
+        }
+    }
+    let (links, pairs) = (spec.links.len(), spec.pairs.len());
+    if 2 * pairs + 1 != 3 * links {
+        let message = format!(
+            "{pairs} pairs between {links} moving links give {} equations for {} unknowns",
+            3 * links,
+            2 * pairs + 1
+        );
+        faults.add(
+            "pairs",
+            message,
+            "one degree of freedom and statically determinate reactions need 3n = 2·pairs + 1",
+        );
+    } else if spec.driver >= pairs {
+        faults.add("driver", "there is no such pair", "");
+    }
+    faults.check()
+}

@@ -1,0 +1,283 @@
+//! One position: from the motion to reactions and driving force.
+
+use super::external::Input;
+use super::iteration::{Convergence, Method};
+use super::positions::Positions;
+use super::workspace::ForceWorkspace;
+use super::{Kinetostatics, Unknown};
+use std::fmt;
+
+/// Condition number from which a position is reported as badly conditioned.
+pub const BAD_CONDITION: f64 = 1e12;
+/// Condition number from which W counts as singular.
+const SINGULAR: f64 = 1e15;
+/// Ratio of pivots below which the condition number is looked at.
+const SMALL_PIVOT: f64 = 1e-7;
+
+/// Motion of the input at a position.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct InputMotion {
+    /// Coordinate (rad or m).
+    pub coordinate: f64,
+    /// Speed (rad/s or m/s).
+    pub speed: f64,
+    /// Acceleration (rad/s² or m/s²).
+    pub acceleration: f64,
+}
+
+/// How to solve.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Options {
+    /// False: all friction is left out.
+    pub friction: bool,
+    /// Direction of motion (its sign) where the speed is zero; `None`: friction
+    /// at zero speed is a failure.
+    pub direction: Option<f64>,
+    /// Greatest change of an unknown in the last iteration, relative to the
+    /// greatest unknown.
+    pub tolerance: f64,
+    /// Iterations at most.
+    pub iterations: usize,
+    /// Look for further solutions where uniqueness is not proved.
+    pub search: bool,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self {
+            friction: true,
+            direction: None,
+            tolerance: 1e-12,
+            iterations: 200,
+            search: true,
+        }
+    }
+}
+
+/// What is known of a solution besides its numbers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Solved {
+    /// Course of the iteration.
+    pub convergence: Convergence,
+    /// True: proved to be the only solution.
+    pub unique: bool,
+    /// Number of solutions found, this one included.
+    pub solutions: usize,
+    /// Condition number of W where its pivots look bad, else `None`.
+    pub condition: Option<f64>,
+}
+
+/// Why there are no forces at a position.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ForceFailure {
+    /// W is singular: a dead position of the whole mechanism.
+    DeadPosition {
+        /// Condition number of W (moments over the length scale).
+        condition: f64,
+    },
+    /// The input rests and no direction was given.
+    NoDirection,
+    /// No reactions with their friction: self-locking, or not convergent.
+    SelfLocking {
+        /// Last relative change of the iteration.
+        change: f64,
+        /// Iterations of all methods tried.
+        iterations: usize,
+    },
+    /// A position, force or inertia is not a finite number.
+    NotFinite,
+    /// Nothing has inertia, so that there is no equation of motion.
+    NoInertia,
+}
+
+impl fmt::Display for ForceFailure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::DeadPosition { condition } => write!(
+                f,
+                "dead position: the driver cannot balance the links (condition number {condition:.1e})"
+            ),
+            Self::NoDirection => write!(
+                f,
+                "the input rests: kinetic friction needs a direction of motion, or friction left out"
+            ),
+            Self::SelfLocking { change, iterations } => write!(
+                f,
+                "self-locking or not convergent: no reactions agree with their friction (last change {change:.1e} after {iterations} iterations)"
+            ),
+            Self::NotFinite => write!(f, "a position, force or inertia is not a finite number"),
+            Self::NoInertia => write!(f, "nothing has inertia: the acceleration is undefined"),
+        }
+    }
+}
+
+impl std::error::Error for ForceFailure {}
+
+impl Kinetostatics {
+    /// Reactions, driving force and friction at a position; they are then in
+    /// `w` ([`ForceWorkspace::drive`], [`Kinetostatics::reaction`], …).
+    ///
+    /// Allocates nothing where friction is moderate (uniqueness proved).
+    ///
+    /// # Errors
+    ///
+    /// See [`ForceFailure`].
+    pub fn solve<P: Positions>(
+        &self,
+        positions: &P,
+        motion: InputMotion,
+        options: &Options,
+        w: &mut ForceWorkspace,
+    ) -> Result<Solved, ForceFailure> {
+        let direction = self.direction(motion.speed, options)?;
+        self.prepare(positions, motion, direction, options.friction, w);
+        let condition = self.invert(Unknown::Drive, w)?;
+        let (a, v2) = (motion.acceleration, motion.speed * motion.speed);
+        let inertia = |row: usize, w: &ForceWorkspace| {
+            self.inertia_row(row, w) * a + self.bias_row(row, w) * v2
+        };
+        self.solve_columns(|row, w| inertia(row, w) - w.applied[row], w);
+        let mut solved = self.settle(options, w)?;
+        solved.condition = condition;
+        w.acceleration = motion.acceleration;
+        w.drive = w.unknowns[self.size() - 1] * self.drive_unit();
+        let unit = self.drive_unit();
+        w.others.iter_mut().for_each(|other| *other *= unit);
+        Ok(solved)
+    }
+
+    /// Sign of the motion.
+    pub(super) fn direction(&self, speed: f64, options: &Options) -> Result<f64, ForceFailure> {
+        if !speed.is_finite() {
+            return Err(ForceFailure::NotFinite);
+        }
+        match options.direction {
+            _ if speed != 0.0 => Ok(speed.signum()),
+            Some(direction) if direction != 0.0 => Ok(direction.signum()),
+            _ if options.friction && self.has_friction() => Err(ForceFailure::NoDirection),
+            _ => Ok(1.0),
+        }
+    }
+
+    /// Positions, forces and terms of friction.
+    pub(super) fn prepare<P: Positions>(
+        &self,
+        positions: &P,
+        motion: InputMotion,
+        direction: f64,
+        friction: bool,
+        w: &mut ForceWorkspace,
+    ) {
+        w.speed = motion.speed;
+        self.place(positions, direction, w);
+        let input = Input {
+            coordinate: motion.coordinate,
+            speed: motion.speed,
+        };
+        self.apply_forces(input, w);
+        self.friction_terms(friction, w);
+    }
+
+    /// Factorises W; its condition number where pivots are small.
+    pub(super) fn invert(
+        &self,
+        unknown: Unknown,
+        w: &mut ForceWorkspace,
+    ) -> Result<Option<f64>, ForceFailure> {
+        let singular = ForceFailure::DeadPosition {
+            condition: f64::INFINITY,
+        };
+        if !self.factorise(unknown, w) {
+            let finite = w
+                .centres
+                .iter()
+                .all(|c| (c.place[0] + c.place[1]).is_finite());
+            return Err(if finite {
+                singular
+            } else {
+                ForceFailure::NotFinite
+            });
+        }
+        if w.factors.pivots() > SMALL_PIVOT {
+            return Ok(None);
+        }
+        let condition = self.condition(w);
+        if condition < SINGULAR {
+            Ok(Some(condition))
+        } else {
+            Err(ForceFailure::DeadPosition { condition })
+        }
+    }
+
+    /// Condition number of W at the last position (moments over the length
+    /// scale), as Hager's method estimates it.
+    pub fn condition(&self, w: &mut ForceWorkspace) -> f64 {
+        let [x, y] = &mut w.scratch;
+        w.factors.condition(x, y)
+    }
+
+    /// Friction and reactions; whether they are the only ones.
+    pub(super) fn settle(
+        &self,
+        options: &Options,
+        w: &mut ForceWorkspace,
+    ) -> Result<Solved, ForceFailure> {
+        w.others.clear();
+        let (mut convergence, found) = w.settle(options.tolerance, options.iterations);
+        let finite = w.right.iter().all(|value| value.is_finite());
+        if !finite {
+            return Err(ForceFailure::NotFinite);
+        }
+        let unique = convergence.method == Method::None || (found && w.is_contraction());
+        let mut solutions = usize::from(found);
+        if !unique && (options.search || !found) {
+            solutions = self.search_others(found, &mut convergence, w);
+        }
+        if solutions == 0 {
+            return Err(ForceFailure::SelfLocking {
+                change: convergence.change,
+                iterations: convergence.iterations,
+            });
+        }
+        Ok(Solved {
+            convergence,
+            unique,
+            solutions,
+            condition: None,
+        })
+    }
+
+    /// All solutions; the one found first stays, or the one with the least
+    /// friction is taken. Returns their number.
+    fn search_others(
+        &self,
+        found: bool,
+        convergence: &mut Convergence,
+        w: &mut ForceWorkspace,
+    ) -> usize {
+        let mut kept = found.then(|| w.friction.clone());
+        let mut course = *convergence;
+        let all = w.search(&mut course);
+        convergence.iterations = course.iterations;
+        if kept.is_none() && !all.is_empty() {
+            convergence.method = Method::Search;
+            kept = all.first().cloned();
+        }
+        let Some(kept) = kept else { return 0 };
+        let mut count = 1;
+        for other in &all {
+            w.friction.copy_from_slice(other);
+            w.react();
+            let near = 1e-6 * w.scale();
+            let same = other.iter().zip(&kept).all(|(a, b)| (a - b).abs() <= near);
+            if !same {
+                count += 1;
+                let drive = w.unknowns.last().copied().unwrap_or(f64::NAN);
+                w.others.push(drive);
+            }
+        }
+        w.friction.copy_from_slice(&kept);
+        w.react();
+        count
+    }
+}

@@ -1,0 +1,287 @@
+//! Larger Assur groups: all equations of the group by Newton's method, and
+//! their transfer functions by the same matrix.
+//!
+//! Two equations a pair, three unknowns a body (its origin over a typical
+//! length, its angle). The power series of the unknowns follow one order after
+//! the other from one factorisation: with the coefficients up to k − 1 known
+//! and the k-th set to zero, the k-th coefficient of the equations is what the
+//! matrix must balance.
+
+use super::dense::{factorise, solve};
+use super::dyad::Margin;
+use super::plan::{Body, Element, Frame, Part};
+use super::series::Series;
+use super::state::State;
+use super::vector::Vector;
+
+/// Most iterations from a guess of the table; two or three are usual.
+const MOST_ITERATIONS: usize = 40;
+
+/// One side of a pair of the group.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Side {
+    /// On something already placed.
+    Known(Element),
+    /// On a body of the group.
+    Own {
+        /// Index of the body in the group.
+        body: usize,
+        /// The element in the frame of the body.
+        part: Part,
+    },
+}
+
+/// One pair of the group.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Joint {
+    /// Links i and j.
+    pub(super) sides: [Side; 2],
+    /// True for a sliding pair.
+    pub(super) slides: bool,
+}
+
+/// A group that no closed form is kept for.
+#[derive(Clone, Debug)]
+pub(super) struct NewtonGroup {
+    /// Its bodies.
+    pub(super) bodies: Vec<Body>,
+    /// Its pairs, as many as 3/2 of its bodies.
+    pub(super) joints: Vec<Joint>,
+}
+
+/// The iteration did not come to an end.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct NotConverged;
+
+/// Memory for groups of a given size.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Scratch {
+    /// x, y (m), θ of each body as series.
+    pub(super) unknowns: Vec<[f64; 4]>,
+    pub(super) matrix: Vec<f64>,
+    pub(super) pivots: Vec<usize>,
+    pub(super) equations: Vec<[f64; 4]>,
+    pub(super) right: Vec<f64>,
+}
+
+impl Scratch {
+    /// Memory for a group of `bodies`.
+    pub(super) fn new(bodies: usize) -> Self {
+        let n = 3 * bodies;
+        Self {
+            unknowns: vec![[0.0; 4]; n],
+            matrix: vec![0.0; n * n],
+            pivots: vec![0; n],
+            equations: vec![[0.0; 4]; n],
+            right: vec![0.0; n],
+        }
+    }
+}
+
+/// A point and a direction of a pair's side, seen from the ground.
+pub(super) struct Seen<const N: usize> {
+    pub(super) point: Vector<N>,
+    /// From the origin of the body to the point; of no meaning when known.
+    pub(super) arm: Vector<N>,
+    pub(super) along: Vector<N>,
+    pub(super) body: Option<usize>,
+}
+
+impl NewtonGroup {
+    /// Places the bodies, from the guess in `scratch.unknowns` (constant terms).
+    ///
+    /// # Errors
+    /// The iteration does not converge: not assemblable, or too bad a guess.
+    pub(super) fn place<const N: usize>(
+        &self,
+        state: &State,
+        scratch: &mut Scratch,
+        size: f64,
+    ) -> Result<Margin, NotConverged> {
+        let n = 3 * self.bodies.len();
+        let determinant = self.iterate(state, scratch, size)?;
+        for k in 1..N {
+            for unknown in &mut scratch.unknowns[..n] {
+                unknown[k] = 0.0;
+            }
+            self.equations::<N>(state, scratch, size);
+            for row in 0..n {
+                scratch.right[row] = -scratch.equations[row][k];
+            }
+            solve(
+                &scratch.matrix[..n * n],
+                &scratch.pivots[..n],
+                &mut scratch.right[..n],
+            );
+            for (row, unknown) in scratch.unknowns[..n].iter_mut().enumerate() {
+                let unit = if row % 3 == 2 { 1.0 } else { size };
+                unknown[k] = scratch.right[row] * unit;
+            }
+        }
+        Ok(Margin {
+            value: determinant,
+            slope: 0.0,
+            noise: f64::EPSILON,
+        })
+    }
+
+    /// The values of the unknowns; returns the determinant of the matrix.
+    fn iterate(
+        &self,
+        state: &State,
+        scratch: &mut Scratch,
+        size: f64,
+    ) -> Result<f64, NotConverged> {
+        let n = 3 * self.bodies.len();
+        let mut before = f64::INFINITY;
+        for _ in 0..MOST_ITERATIONS {
+            let determinant = self.correction(state, scratch, size);
+            let change = scratch.right[..n]
+                .iter()
+                .fold(0.0f64, |most, x| most.max(x.abs()));
+            if determinant == 0.0 || !change.is_finite() {
+                return Err(NotConverged);
+            }
+            // Steps of more than half a radian or half the size mean nothing.
+            let shortened = (0.5 / change).min(1.0);
+            for row in 0..n {
+                let unit = if row % 3 == 2 { 1.0 } else { size };
+                scratch.unknowns[row][0] += shortened * scratch.right[row] * unit;
+            }
+            if change < 1e-15 || (change < 1e-9 && change >= 0.5 * before) {
+                // The factors belong to a position that differs by rounding.
+                return Ok(determinant);
+            }
+            before = change;
+        }
+        Err(NotConverged)
+    }
+
+    /// Factorises the matrix at the present values and leaves the Newton
+    /// correction in `scratch.right`; returns the determinant.
+    pub(super) fn correction(&self, state: &State, scratch: &mut Scratch, size: f64) -> f64 {
+        let n = 3 * self.bodies.len();
+        self.equations::<1>(state, scratch, size);
+        self.matrix(state, scratch, size);
+        for row in 0..n {
+            scratch.right[row] = -scratch.equations[row][0];
+        }
+        let determinant = factorise(&mut scratch.matrix[..n * n], &mut scratch.pivots[..n]);
+        if determinant != 0.0 {
+            solve(
+                &scratch.matrix[..n * n],
+                &scratch.pivots[..n],
+                &mut scratch.right[..n],
+            );
+        }
+        determinant
+    }
+
+    /// Greatest closing error at the present values, over the size.
+    pub(super) fn closing_error(&self, state: &State, scratch: &mut Scratch, size: f64) -> f64 {
+        self.equations::<1>(state, scratch, size);
+        let n = 3 * self.bodies.len();
+        scratch.equations[..n]
+            .iter()
+            .fold(0.0, |most, row| most.max(row[0].abs()))
+    }
+
+    /// The frame of a body as the unknowns say.
+    #[inline]
+    pub(super) fn frame<const N: usize>(scratch: &Scratch, body: usize) -> Frame<N> {
+        let at = |k: usize| Series::load(&scratch.unknowns[3 * body + k]);
+        Frame {
+            at: Vector::new(at(0), at(1)),
+            direction: Vector::of_angle(at(2)),
+        }
+    }
+
+    pub(super) fn seen<const N: usize>(
+        &self,
+        side: &Side,
+        state: &State,
+        scratch: &Scratch,
+    ) -> Seen<N> {
+        match side {
+            Side::Known(element) => {
+                let frame = state.frame(element.link);
+                Seen {
+                    point: frame.place(element.point),
+                    arm: Vector::constant([0.0, 0.0]),
+                    along: frame.direction.turn_constant(element.along),
+                    body: None,
+                }
+            }
+            Side::Own { body, part } => {
+                let frame = Self::frame::<N>(scratch, *body);
+                let relative = state.relative_frame();
+                let arm = part.place(&relative).seen(frame.direction);
+                Seen {
+                    point: frame.at + arm,
+                    arm,
+                    along: part.guide(&relative).seen(frame.direction),
+                    body: Some(*body),
+                }
+            }
+        }
+    }
+
+    /// The closing errors as series, lengths over the size.
+    pub(super) fn equations<const N: usize>(
+        &self,
+        state: &State,
+        scratch: &mut Scratch,
+        size: f64,
+    ) {
+        for (index, joint) in self.joints.iter().enumerate() {
+            let [i, j] = joint
+                .sides
+                .map(|side| self.seen::<N>(&side, state, scratch));
+            let gap = (j.point - i.point).scale(size.recip());
+            let rows = if joint.slides {
+                [i.along.cross(j.along), i.along.cross(gap)]
+            } else {
+                [gap.x, gap.y]
+            };
+            for (k, row) in rows.into_iter().enumerate() {
+                row.store(&mut scratch.equations[2 * index + k]);
+            }
+        }
+    }
+
+    /// The derivatives of the closing errors by the unknowns.
+    pub(super) fn matrix(&self, state: &State, scratch: &mut Scratch, size: f64) {
+        let n = 3 * self.bodies.len();
+        scratch.matrix[..n * n].fill(0.0);
+        for (index, joint) in self.joints.iter().enumerate() {
+            let [i, j] = joint
+                .sides
+                .map(|side| self.seen::<1>(&side, state, scratch));
+            let top = 2 * index * n;
+            let along = i.along.value();
+            let gap = (j.point - i.point).scale(size.recip());
+            for (sign, seen) in [(-1.0, &i), (1.0, &j)] {
+                let Some(body) = seen.body else { continue };
+                let at = top + 3 * body;
+                let turned = seen.arm.left().scale(sign / size).value();
+                if joint.slides {
+                    let tilt = if sign < 0.0 {
+                        i.along.left().cross(gap).value()
+                    } else {
+                        0.0
+                    };
+                    scratch.matrix[at + 2] += sign * i.along.dot(j.along).value();
+                    scratch.matrix[at + n] -= sign * along[1];
+                    scratch.matrix[at + n + 1] += sign * along[0];
+                    scratch.matrix[at + n + 2] +=
+                        along[0] * turned[1] - along[1] * turned[0] + tilt;
+                } else {
+                    scratch.matrix[at] += sign;
+                    scratch.matrix[at + 2] += turned[0];
+                    scratch.matrix[at + n + 1] += sign;
+                    scratch.matrix[at + n + 2] += turned[1];
+                }
+            }
+        }
+    }
+}

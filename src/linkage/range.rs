@@ -1,0 +1,161 @@
+//! How far the input of a linkage can go.
+
+use super::structure::Structure;
+use std::f64::consts::TAU;
+use std::fmt;
+
+/// How far the input can go from the start, without taking the linkage apart.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Range {
+    /// The input at which the approximate positions hold (rad or m).
+    pub start: f64,
+    /// Everywhere, or an interval around the start.
+    pub reach: Reach,
+    /// After which the whole configuration repeats; where it does, the reach is
+    /// everywhere.
+    pub period: Option<Period>,
+    /// Change points, passed on the branch of continuous velocity; ascending,
+    /// within one period from the start where there is one.
+    pub changes: Vec<ChangePoint>,
+}
+
+/// The input displacements that can be reached.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Reach {
+    /// All.
+    Everywhere,
+    /// Those between two ends; dead positions are left out, the ends of the
+    /// travel belong to it.
+    Interval {
+        /// The lower end.
+        lower: End,
+        /// The upper end.
+        upper: End,
+    },
+}
+
+/// One end of the reach.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct End {
+    /// The input there (rad or m).
+    pub at: f64,
+    /// Why it goes no further.
+    pub cause: Cause,
+}
+
+/// Why the input goes no further.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Cause {
+    /// A group is in a dead position: velocities grow without bound.
+    DeadPosition {
+        /// Index into [`Structure::groups`].
+        group: usize,
+    },
+    /// The travel given for the driver ends.
+    Travel,
+    /// It was not looked further: 64 turns, or 100 times the size of the linkage.
+    Unexplored,
+}
+
+/// A displacement of the input after which everything repeats.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Period {
+    /// The displacement (rad).
+    pub length: f64,
+    /// The same in turns of the driver: 1, or more where the configuration
+    /// repeats only then.
+    pub turns: usize,
+}
+
+/// A position in which all links of a dyad are in line and its two assemblies meet.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ChangePoint {
+    /// The input there (rad or m).
+    pub at: f64,
+    /// Index into [`Structure::groups`].
+    pub group: usize,
+}
+
+/// The linkage cannot be assembled at an input displacement.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OutOfReach {
+    /// The input asked for (rad or m).
+    pub input: f64,
+    /// The end of the reach that lies before it.
+    pub end: End,
+    /// Both ends of the reach (rad or m).
+    pub reach: [f64; 2],
+}
+
+impl fmt::Display for OutOfReach {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (input, [from, to]) = (self.input, self.reach);
+        let cause = match self.end.cause {
+            Cause::DeadPosition { .. } => "a dead position",
+            Cause::Travel => "the end of the travel",
+            Cause::Unexplored => "the end of what was explored",
+        };
+        write!(
+            f,
+            "{input} lies outside {from} to {to}: {cause} at {}",
+            self.end.at
+        )
+    }
+}
+
+impl std::error::Error for OutOfReach {}
+
+impl Range {
+    /// Ends of the reach, infinite where it goes everywhere.
+    pub fn ends(&self) -> [f64; 2] {
+        match self.reach {
+            Reach::Everywhere => [f64::NEG_INFINITY, f64::INFINITY],
+            Reach::Interval { lower, upper } => [lower.at, upper.at],
+        }
+    }
+
+    /// The range in words, `turning` telling degrees from metres.
+    pub fn describe(&self, structure: &Structure, turning: bool) -> String {
+        let number = |at: f64| match turning {
+            true => format!("{:.6} deg", at.to_degrees()),
+            false => format!("{at:.9} m"),
+        };
+        let mut text = match (&self.reach, self.period) {
+            (Reach::Everywhere, Some(Period { turns: 1, .. })) => "turns fully".to_owned(),
+            (Reach::Everywhere, Some(Period { length, turns })) => {
+                format!("turns fully, repeats after {turns} turns ({length:.6} rad)")
+            }
+            (Reach::Everywhere, None) => "goes everywhere".to_owned(),
+            (Reach::Interval { lower, upper }, _) => {
+                let why = |end: &End| match end.cause {
+                    Cause::DeadPosition { group } => {
+                        format!("dead position of {}", structure.describe(group))
+                    }
+                    Cause::Travel => "end of the travel".to_owned(),
+                    Cause::Unexplored => "not explored further".to_owned(),
+                };
+                format!(
+                    "from {} ({}) to {} ({})",
+                    number(lower.at),
+                    why(lower),
+                    number(upper.at),
+                    why(upper)
+                )
+            }
+        };
+        for change in &self.changes {
+            let group = structure.describe(change.group);
+            text += &format!("; passes a change point at {} ({group})", number(change.at));
+        }
+        text
+    }
+}
+
+impl Period {
+    pub(super) fn of_turns(turns: usize) -> Self {
+        Self {
+            length: TAU * turns as f64,
+            turns,
+        }
+    }
+}

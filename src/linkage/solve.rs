@@ -1,0 +1,156 @@
+//! Solving a linkage at one input, group by group.
+
+use super::course::{Course, Table};
+use super::dyad::{Around, Dyad};
+use super::newton::NewtonGroup;
+use super::plan::{Frame, Plan, Step, inverse};
+use super::state::State;
+
+/// Positions to start an iteration from.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Guess<'a> {
+    /// The table of the course.
+    Table(&'a Table),
+    /// A position nearby, as power series.
+    Near(&'a Anchor),
+}
+
+/// A position as power series.
+#[derive(Clone, Debug)]
+pub(super) struct Anchor {
+    /// Its input.
+    pub(super) at: f64,
+    /// x, y, θ of every link.
+    pub(super) series: Vec<[[f64; 4]; 3]>,
+}
+
+impl Anchor {
+    /// The present position.
+    pub(super) fn new(at: f64, state: &State) -> Self {
+        let series = |motion: &super::state::Motion| {
+            let [first, second, third] = motion.turning();
+            let angle = [motion.angle(), first, second / 2.0, third / 6.0];
+            [motion.at[0], motion.at[1], angle]
+        };
+        Self {
+            at,
+            series: state.links.iter().map(series).collect(),
+        }
+    }
+
+    /// x, y, θ of a link at an input.
+    pub(super) fn near(&self, link: usize, input: f64) -> [f64; 3] {
+        let t = input - self.at;
+        self.series[link].map(|[a, b, c, d]| a + t * (b + t * (c + t * d)))
+    }
+}
+
+/// The group, counted after the driver, that cannot be assembled.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Stuck(pub(super) usize);
+
+/// Places the links of the driver and of the first `groups` groups after it.
+///
+/// `input` is the input itself, `reduced` the same within the first period.
+pub(super) fn solve<const N: usize>(
+    plan: &Plan,
+    course: &Course,
+    guess: Guess<'_>,
+    state: &mut State,
+    (input, reduced): (f64, f64),
+    groups: usize,
+) -> Result<(), Stuck> {
+    drive::<N>(plan, state, input);
+    for (index, step) in plan.steps[..groups].iter().enumerate() {
+        match step {
+            Step::Dyad(dyad) => place::<N>(plan, course, dyad, state, reduced, index)?,
+            Step::Newton(group) => iterate::<N>(plan, group, guess, state, reduced, index)?,
+        }
+    }
+    Ok(())
+}
+
+/// Places the driven link, or the two links of the driver against each other.
+#[inline]
+pub(super) fn drive<const N: usize>(plan: &Plan, state: &mut State, input: f64) {
+    let driver = &plan.driver;
+    let relative = driver.relative::<N>(input);
+    match (driver.on.link, driver.link.link) {
+        (None, Some(driven)) => state.links[driven].set(&relative),
+        (Some(driven), None) => state.links[driven].set(&inverse(&relative)),
+        _ => state.relative.set(&relative),
+    }
+}
+
+/// What is known around a dyad.
+#[inline(always)]
+pub(super) fn around<const N: usize>(dyad: &Dyad, state: &State) -> Around<N> {
+    Around {
+        known: [
+            state.frame(dyad.known[0].link),
+            state.frame(dyad.known[1].link),
+        ],
+        relative: state.relative_frame(),
+    }
+}
+
+#[inline]
+fn place<const N: usize>(
+    plan: &Plan,
+    course: &Course,
+    dyad: &Dyad,
+    state: &mut State,
+    reduced: f64,
+    index: usize,
+) -> Result<(), Stuck> {
+    let around = around::<N>(dyad, state);
+    let (sign, near) = course.branch(index, reduced);
+    let mut found = dyad.directions(&around, sign, plan.size);
+    state.margins[index] = found.margin;
+    match near {
+        Some((change, distance)) => found.of = change.directions(distance),
+        None if found.margin.value > 0.0 => {}
+        None => return Err(Stuck(index)),
+    }
+    let frames: [Frame<N>; 2] = dyad.place(&around, found.of);
+    state.put(&dyad.bodies[0], &frames[0]);
+    state.put(&dyad.bodies[1], &frames[1]);
+    Ok(())
+}
+
+fn iterate<const N: usize>(
+    plan: &Plan,
+    group: &NewtonGroup,
+    guess: Guess<'_>,
+    state: &mut State,
+    reduced: f64,
+    index: usize,
+) -> Result<(), Stuck> {
+    let mut scratch = std::mem::take(&mut state.scratch);
+    let place = match guess {
+        Guess::Table(table) => table.locate(reduced),
+        Guess::Near(_) => 0,
+    };
+    for (body, unknowns) in group
+        .bodies
+        .iter()
+        .zip(scratch.unknowns.chunks_exact_mut(3))
+    {
+        let values = match guess {
+            Guess::Table(table) => table.near(place, body.base, reduced),
+            Guess::Near(anchor) => anchor.near(body.base, reduced),
+        };
+        for (unknown, value) in unknowns.iter_mut().zip(values) {
+            unknown[0] = value;
+        }
+    }
+    let found = group.place::<N>(state, &mut scratch, plan.size);
+    if let Ok(margin) = found {
+        state.margins[index] = margin;
+        for (index, body) in group.bodies.iter().enumerate() {
+            state.put(body, &NewtonGroup::frame::<N>(&scratch, index));
+        }
+    }
+    state.scratch = scratch;
+    found.map(|_| ()).map_err(|_| Stuck(index))
+}

@@ -1,0 +1,110 @@
+//! All memory that solving needs.
+
+use super::dyad::Margin;
+use super::newton::Scratch;
+use super::plan::{Frame, Plan, Step};
+use super::vector::Vector;
+
+/// The frame of a link as power series.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Motion {
+    /// Origin (m).
+    pub(super) at: [[f64; 4]; 2],
+    /// (cos θ, sin θ).
+    pub(super) direction: [[f64; 4]; 2],
+}
+
+impl Motion {
+    /// At rest in the frame of the ground.
+    pub(super) const GROUND: Self = Self {
+        at: [[0.0; 4]; 2],
+        direction: [[1.0, 0.0, 0.0, 0.0], [0.0; 4]],
+    };
+
+    #[inline(always)]
+    pub(super) fn frame<const N: usize>(&self) -> Frame<N> {
+        Frame {
+            at: Vector::load(&self.at),
+            direction: Vector::load(&self.direction),
+        }
+    }
+
+    #[inline(always)]
+    pub(super) fn set<const N: usize>(&mut self, frame: &Frame<N>) {
+        frame.at.store(&mut self.at);
+        frame.direction.store(&mut self.direction);
+    }
+
+    /// Derivatives 1 to 3 of the angle; those above the order solved are those
+    /// of whatever was solved before.
+    #[inline(always)]
+    pub(super) fn turning(&self) -> [f64; 3] {
+        let [c, s] = &self.direction;
+        let cross = |k: usize, factor: f64| factor * (c[0] * s[k] - s[0] * c[k]);
+        let first = cross(1, 1.0);
+        // u‴ = (iθ‴ − 3θ′θ″ − iθ′³)u.
+        [first, cross(2, 2.0), cross(3, 6.0) + first * first * first]
+    }
+
+    /// The angle in (−π, π].
+    pub(super) fn angle(&self) -> f64 {
+        self.direction[1][0].atan2(self.direction[0][0])
+    }
+}
+
+/// Where everything is at one input.
+#[derive(Clone, Debug)]
+pub(super) struct State {
+    /// The links.
+    pub(super) links: Vec<Motion>,
+    /// The driven link in the frame of the other link of the driver.
+    pub(super) relative: Motion,
+    /// How far each group is from a dead position.
+    pub(super) margins: Vec<Margin>,
+    /// For the groups solved by iteration.
+    pub(super) scratch: Scratch,
+}
+
+impl State {
+    pub(super) fn new(plan: &Plan) -> Self {
+        let most = plan.steps.iter().map(|step| match step {
+            Step::Dyad(_) => 0,
+            Step::Newton(group) => group.bodies.len(),
+        });
+        Self {
+            links: vec![Motion::GROUND; plan.links],
+            relative: Motion::GROUND,
+            margins: vec![Margin::default(); plan.steps.len()],
+            scratch: Scratch::new(most.max().unwrap_or(0)),
+        }
+    }
+
+    /// The frame of a link or of the ground.
+    #[inline(always)]
+    pub(super) fn frame<const N: usize>(&self, link: Option<usize>) -> Frame<N> {
+        match link {
+            Some(link) => self.links[link].frame(),
+            None => Frame::ground(),
+        }
+    }
+
+    /// The frame of the driven link in that of the other.
+    #[inline(always)]
+    pub(super) fn relative_frame<const N: usize>(&self) -> Frame<N> {
+        self.relative.frame()
+    }
+
+    /// Puts a body, with the driven link if it has one, into its place.
+    #[inline(always)]
+    pub(super) fn put<const N: usize>(&mut self, body: &super::plan::Body, frame: &Frame<N>) {
+        self.links[body.base].set(frame);
+        if let Some(driven) = body.driven {
+            let relative = self.relative_frame::<N>();
+            let placed = Frame {
+                at: frame.at + frame.direction.turn(relative.at),
+                direction: frame.direction.turn(relative.direction),
+            };
+            self.links[driven].set(&placed);
+        }
+    }
+}

@@ -1,0 +1,152 @@
+//! The structure of a linkage: mobility and Assur groups in order of solution.
+
+use super::spec::LinkageSpec;
+use std::fmt;
+
+/// The kind of a group of links.
+///
+/// R: a pin, P: a sliding pair; outer, inner, outer pair of a dyad.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum GroupKind {
+    /// The driver: its pair, and the one or two links it moves.
+    Driver,
+    /// Two links, three pins.
+    Rrr,
+    /// Two links; a pin to the rest, a pin between them, a guide to the rest.
+    Rrp,
+    /// Two links; pins to the rest, a guide between them.
+    Rpr,
+    /// Two links; guides to the rest, a pin between them.
+    Prp,
+    /// Two links; a pin to the rest, a guide between them, a guide to the rest.
+    Rpp,
+    /// A larger group, solved by Newton's method.
+    Newton {
+        /// Number of links that have to be found together.
+        links: usize,
+    },
+}
+
+impl fmt::Display for GroupKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Driver => f.write_str("driver"),
+            Self::Rrr => f.write_str("dyad RRR"),
+            Self::Rrp => f.write_str("dyad RRP"),
+            Self::Rpr => f.write_str("dyad RPR"),
+            Self::Prp => f.write_str("dyad PRP"),
+            Self::Rpp => f.write_str("dyad RPP"),
+            Self::Newton { links } => write!(f, "group of {links} links"),
+        }
+    }
+}
+
+/// One group, found once everything before it has its place.
+///
+/// **Branch.** The *first* link of a dyad is the one that stands first in the
+/// list of links (of RRP and RPP: the one with the outer pin). The branch is
+///
+/// * RRR: + when the inner pin lies to the left of the line from the outer pin
+///   of the first link to that of the second,
+/// * RRP: + when the inner pin lies ahead of the outer pin in the direction of
+///   the guide,
+/// * RPR: + when the outer pin of the block's link lies ahead of the outer pin
+///   of the guide's link in the direction of the guide.
+///
+/// The other dyads have one assembly only.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Group {
+    /// Its kind.
+    pub kind: GroupKind,
+    /// Its links, indices into [`LinkageSpec::links`]. Two links that the driver
+    /// moves against each other stand in the driver's group and, as one body,
+    /// in the group that places them.
+    pub links: Vec<usize>,
+    /// Its pairs, indices into [`LinkageSpec::pairs`].
+    pub pairs: Vec<usize>,
+    /// +1 or −1 at the start, for dyads with two assemblies.
+    pub branch: Option<f64>,
+}
+
+/// What a linkage consists of.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Structure {
+    /// Degrees of freedom: 1.
+    pub mobility: i64,
+    /// How they are counted, in words.
+    pub explanation: String,
+    /// The groups in the order of solution, the driver first.
+    pub groups: Vec<Group>,
+    /// Names of links and pairs, for display.
+    names: [Vec<String>; 2],
+}
+
+impl Structure {
+    pub(super) fn new(spec: &LinkageSpec, groups: Vec<Group>) -> Self {
+        Self {
+            mobility: mobility(spec),
+            explanation: explanation(spec),
+            groups,
+            names: [
+                spec.links.iter().map(|link| link.name.clone()).collect(),
+                spec.pairs.iter().map(|pair| pair.name.clone()).collect(),
+            ],
+        }
+    }
+
+    /// A group in words: `dyad RRR: coupler, rocker (pairs B, C, D), branch +`.
+    pub fn describe(&self, group: usize) -> String {
+        let group = &self.groups[group];
+        let names = |which: usize, indices: &[usize]| {
+            let names: Vec<&str> = indices
+                .iter()
+                .map(|&index| self.names[which][index].as_str())
+                .collect();
+            names.join(", ")
+        };
+        let word = if group.pairs.len() == 1 {
+            "pair"
+        } else {
+            "pairs"
+        };
+        let branch = match group.branch {
+            Some(branch) if branch < 0.0 => ", branch -",
+            Some(_) => ", branch +",
+            None => "",
+        };
+        format!(
+            "{}: {} ({word} {}){branch}",
+            group.kind,
+            names(0, &group.links),
+            names(1, &group.pairs)
+        )
+    }
+}
+
+impl fmt::Display for Structure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(f, "{}", self.explanation)?;
+        for group in 0..self.groups.len() {
+            writeln!(f, "{}. {}", group + 1, self.describe(group))?;
+        }
+        Ok(())
+    }
+}
+
+/// 3n − 2p.
+pub(super) fn mobility(spec: &LinkageSpec) -> i64 {
+    3 * spec.links.len() as i64 - 2 * spec.pairs.len() as i64
+}
+
+/// The count in words: `3 links, 4 pairs: 3·3 − 2·4 = 1 degree of freedom`.
+pub(super) fn explanation(spec: &LinkageSpec) -> String {
+    let (n, p, f) = (spec.links.len(), spec.pairs.len(), mobility(spec));
+    let many =
+        |count: usize, word: &str| format!("{count} {word}{}", if count == 1 { "" } else { "s" });
+    let word = if f == 1 { "degree" } else { "degrees" };
+    format!(
+        "{}, {}: 3·{n} − 2·{p} = {f} {word} of freedom",
+        many(n, "moving link"),
+        many(p, "pair")
+    )
+}

@@ -1,0 +1,11 @@
+//! Tests of linkages.
+
+mod branches;
+mod change_points;
+mod examples;
+mod forces;
+mod kinetostatics;
+mod known;
+mod random;
+mod refusals;
+mod support;

@@ -1,0 +1,231 @@
+//! Plane vectors whose coordinates are power series of the input coordinate.
+//!
+//! A vector (x, y) is also the number x + iy: multiplying by the unit vector
+//! (cos θ, sin θ) turns by θ, so that no angle and no trigonometric function is
+//! needed to place a link.
+
+use super::series::Series;
+use std::ops::{Add, Neg, Sub};
+
+/// A plane vector.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Vector<const N: usize> {
+    /// To the right.
+    pub(crate) x: Series<N>,
+    /// Up.
+    pub(crate) y: Series<N>,
+}
+
+impl<const N: usize> Vector<N> {
+    #[inline(always)]
+    pub(crate) fn new(x: Series<N>, y: Series<N>) -> Self {
+        Self { x, y }
+    }
+
+    /// A constant.
+    #[inline(always)]
+    pub(crate) fn constant([x, y]: [f64; 2]) -> Self {
+        Self::new(Series::constant(x), Series::constant(y))
+    }
+
+    /// The unit vector at the angle `rate`·x = `angle`.
+    #[inline(always)]
+    pub(crate) fn unit(angle: f64, rate: f64) -> Self {
+        let (sin, cos) = Series::sin_cos(angle, rate);
+        Self::new(cos, sin)
+    }
+
+    /// The unit vector at an angle.
+    #[inline(always)]
+    pub(crate) fn of_angle(angle: Series<N>) -> Self {
+        let (sin, cos) = angle.value().sin_cos();
+        let (mut c, mut s) = (Series::constant(cos), Series::constant(sin));
+        for k in 1..N {
+            let (mut dc, mut ds) = (0.0, 0.0);
+            for i in 1..=k {
+                dc -= i as f64 * angle.0[i] * s.0[k - i];
+                ds += i as f64 * angle.0[i] * c.0[k - i];
+            }
+            (c.0[k], s.0[k]) = (dc / k as f64, ds / k as f64);
+        }
+        Self::new(c, s)
+    }
+
+    #[inline(always)]
+    pub(crate) fn load(stored: &[[f64; 4]; 2]) -> Self {
+        Self::new(Series::load(&stored[0]), Series::load(&stored[1]))
+    }
+
+    #[inline(always)]
+    pub(crate) fn store(self, stored: &mut [[f64; 4]; 2]) {
+        self.x.store(&mut stored[0]);
+        self.y.store(&mut stored[1]);
+    }
+
+    #[inline(always)]
+    pub(crate) fn dot(self, other: Self) -> Series<N> {
+        self.x * other.x + self.y * other.y
+    }
+
+    /// x·y′ − y·x′: positive where `other` lies to the left.
+    #[inline(always)]
+    pub(crate) fn cross(self, other: Self) -> Series<N> {
+        self.x * other.y - self.y * other.x
+    }
+
+    /// |v|².
+    #[inline(always)]
+    pub(crate) fn square(self) -> Series<N> {
+        self.x.square() + self.y.square()
+    }
+
+    /// Turned by a quarter turn to the left.
+    #[inline(always)]
+    pub(crate) fn left(self) -> Self {
+        Self::new(-self.y, self.x)
+    }
+
+    #[inline(always)]
+    pub(crate) fn scale(self, factor: f64) -> Self {
+        Self::new(self.x.scale(factor), self.y.scale(factor))
+    }
+
+    #[inline(always)]
+    pub(crate) fn times(self, factor: Series<N>) -> Self {
+        Self::new(self.x * factor, self.y * factor)
+    }
+
+    /// The product as complex numbers: `other` turned and stretched by `self`.
+    #[inline(always)]
+    pub(crate) fn turn(self, other: Self) -> Self {
+        Self::new(
+            self.x * other.x - self.y * other.y,
+            self.x * other.y + self.y * other.x,
+        )
+    }
+
+    /// [`Self::turn`] of a constant vector.
+    #[inline(always)]
+    pub(crate) fn turn_constant(self, [x, y]: [f64; 2]) -> Self {
+        Self::new(
+            self.x.scale(x) - self.y.scale(y),
+            self.x.scale(y) + self.y.scale(x),
+        )
+    }
+
+    /// Mirror image in the x axis: the inverse of a unit vector.
+    #[inline(always)]
+    pub(crate) fn mirrored(self) -> Self {
+        Self::new(self.x, -self.y)
+    }
+
+    /// The values.
+    #[inline(always)]
+    pub(crate) fn value(&self) -> [f64; 2] {
+        [self.x.value(), self.y.value()]
+    }
+}
+
+impl<const N: usize> Add for Vector<N> {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        Self::new(self.x + other.x, self.y + other.y)
+    }
+}
+
+impl<const N: usize> Sub for Vector<N> {
+    type Output = Self;
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        Self::new(self.x - other.x, self.y - other.y)
+    }
+}
+
+impl<const N: usize> Neg for Vector<N> {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self::new(-self.x, -self.y)
+    }
+}
+
+/// A vector in the frame of a link: constant, or a function of the input where
+/// the link is a driven assembly that changes its shape.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Local<const N: usize> {
+    /// A vector of a rigid link.
+    Fixed([f64; 2]),
+    /// A vector of a driven assembly.
+    Moving(Vector<N>),
+}
+
+impl<const N: usize> Local<N> {
+    #[inline(always)]
+    pub(crate) fn vector(self) -> Vector<N> {
+        match self {
+            Self::Fixed(at) => Vector::constant(at),
+            Self::Moving(vector) => vector,
+        }
+    }
+
+    /// From `other` to `self`.
+    #[inline(always)]
+    pub(crate) fn minus(self, other: Self) -> Self {
+        match (self, other) {
+            (Self::Fixed(to), Self::Fixed(from)) => Self::Fixed([to[0] - from[0], to[1] - from[1]]),
+            _ => Self::Moving(self.vector() - other.vector()),
+        }
+    }
+
+    /// Its length.
+    #[inline(always)]
+    pub(crate) fn length(self) -> Series<N> {
+        match self {
+            Self::Fixed([x, y]) => Series::constant(x.hypot(y)),
+            Self::Moving(vector) => vector.square().sqrt(),
+        }
+    }
+
+    /// A constant length to measure by: its own, or a typical one where it changes.
+    #[inline(always)]
+    pub(crate) fn unit(self, typical: f64) -> f64 {
+        match self {
+            Self::Fixed([x, y]) => x.hypot(y),
+            Self::Moving(_) => typical,
+        }
+    }
+
+    /// The vector as seen from the ground, `direction` being that of the frame.
+    #[inline(always)]
+    pub(crate) fn seen(self, direction: Vector<N>) -> Vector<N> {
+        match self {
+            Self::Fixed(at) => direction.turn_constant(at),
+            Self::Moving(vector) => direction.turn(vector),
+        }
+    }
+
+    /// The direction of the frame in which this vector is seen as `world`,
+    /// which has the same length.
+    #[inline(always)]
+    pub(crate) fn frame(self, world: Vector<N>) -> Vector<N> {
+        match self {
+            Self::Fixed([x, y]) => {
+                let square = x * x + y * y;
+                world.turn_constant([x / square, -y / square])
+            }
+            Self::Moving(vector) => world
+                .turn(vector.mirrored())
+                .times(vector.square().reciprocal()),
+        }
+    }
+
+    /// Its component across the unit vector `along` of the same frame, to the left.
+    #[inline(always)]
+    pub(crate) fn across(self, along: Self) -> Series<N> {
+        match (self, along) {
+            (Self::Fixed([x, y]), Self::Fixed([u, v])) => Series::constant(u * y - v * x),
+            _ => along.vector().cross(self.vector()),
+        }
+    }
+}

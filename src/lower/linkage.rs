@@ -1,0 +1,124 @@
+//! Linkages: an input node that carries the whole, and a node for each output.
+
+use super::Lowering;
+use super::reach::{place, range};
+use crate::linkage::Linkage;
+use crate::model::{Closure, DampingLaw, Law, LinkageBody, Node, NodeMotion, Pair};
+use crate::object::spec::DrivenLinkage;
+use crate::position::{LinkageOutput, Position, linkage_reach};
+use std::sync::Arc;
+
+impl Lowering<'_> {
+    /// Lowers a linkage: its structure is found here, and everything that is
+    /// wrong with it.
+    pub(super) fn linkage(&mut self, id: &str, spec: &DrivenLinkage) {
+        let position = Position::new(&spec.position);
+        let linkage = Linkage::new(spec.linkage.clone());
+        let (position, linkage) = match (position, linkage) {
+            (Ok(position), Ok(linkage)) => (position, Arc::new(linkage)),
+            (position, linkage) => {
+                if let Err(faults) = position {
+                    self.faults.absorb(&format!("{id}.position"), faults);
+                }
+                if let Err(faults) = linkage {
+                    self.faults.absorb(id, faults);
+                }
+                return;
+            }
+        };
+        // Nothing to say about an object whose driver has faults itself.
+        let Some(input) = self.scene.objects[id].input.as_deref() else {
+            return;
+        };
+        let Some(&driver) = self.outputs.get(input) else {
+            return;
+        };
+        if self.note_course(id, input, &position, 1.0).is_none() {
+            return;
+        }
+        let law = Law {
+            driver,
+            position: position.clone(),
+            lever: 1.0,
+            track: None,
+        };
+        self.within_reach(id, input, &position, &linkage);
+        let node = self.add_rigid(id, law);
+        let outputs = (0..spec.linkage.outputs.len())
+            .filter_map(|output| self.linkage_output(id, node, &linkage, output))
+            .collect();
+        let object = self.indices[id];
+        self.model.linkages.push(LinkageBody {
+            node,
+            linkage,
+            outputs,
+            object,
+        });
+    }
+
+    fn linkage_output(
+        &mut self,
+        id: &str,
+        driver: usize,
+        linkage: &Arc<Linkage>,
+        output: usize,
+    ) -> Option<usize> {
+        let position = Position::Linkage(LinkageOutput::new(linkage, output));
+        let name = format!("{id}.{}", linkage.spec().outputs[output].name);
+        self.note_course(&name, id, &position, 1.0)?;
+        let law = Law {
+            driver,
+            position,
+            lever: 1.0,
+            track: None,
+        };
+        Some(self.add_rigid(&name, law))
+    }
+
+    fn add_rigid(&mut self, id: &str, law: Law) -> usize {
+        self.model.objects[self.indices[id]].rigid_pair = Some(Pair {
+            closure: Closure::Bilateral,
+            gap: 0.0,
+            opens: 1.0,
+            law: DampingLaw::KelvinVoigt,
+        });
+        let motion = NodeMotion::Rigid { law };
+        self.add_output(
+            id,
+            Node {
+                inertia: 0.0,
+                motion,
+            },
+        )
+    }
+
+    /// Checks that a linkage can be assembled at the start, and ends the run at
+    /// its dead positions.
+    fn within_reach(&mut self, id: &str, input: &str, position: &Position, linkage: &Linkage) {
+        let (Some(start), Some(phi)) = (self.start_of(id), self.start_of(input)) else {
+            return;
+        };
+        let Some(reach) = linkage_reach(linkage) else {
+            return;
+        };
+        let own = self.model.objects[self.indices[id]].coordinate;
+        if !(reach.0 < start && start < reach.1) {
+            let message = format!(
+                "it cannot be assembled at the start, with `{input}` at {}: its input coordinate \
+                 would be {}",
+                place(phi, self.model.objects[self.indices[input]].coordinate),
+                place(start, own)
+            );
+            let hint = format!(
+                "that must lie {}; start `{input}` elsewhere, or give another `assembly`",
+                range(reach, own)
+            );
+            self.faults.add(format!("{id}.start"), message, &hint);
+            return;
+        }
+        let jet = position.jet(0, 0.0);
+        let ends = [reach.0, reach.1].map(|q| (q - jet.value) / jet.first);
+        let of_driver = (ends[0].min(ends[1]), ends[0].max(ends[1]));
+        self.limit(id, input, of_driver);
+    }
+}

@@ -1,0 +1,210 @@
+//! Kinematic pairs, and how the groups between them are put together.
+
+use super::names::Names;
+use crate::linkage::spec::{AssemblyChoice, AssemblySpec, PairKind, PairSpec, PointOf};
+use crate::model::Coordinate;
+use crate::read::{Bounds, Fields, Slot};
+use crate::units::quantities as q;
+use serde_json::json;
+
+/// Corners of a block of which nothing is said (m).
+const CORNERS: (f64, f64) = (0.01, -0.01);
+
+/// Whether a pair turns or slides.
+pub(super) fn coordinate(kind: &PairKind) -> Coordinate {
+    match kind {
+        PairKind::Revolute { .. } => Coordinate::Turning,
+        PairKind::Sliding { .. } => Coordinate::Sliding,
+    }
+}
+
+/// Reads `pairs`, in the order of their names.
+pub(super) fn read(fields: &mut Fields<'_>, names: &Names) -> Option<Vec<PairSpec>> {
+    let pairs = fields.need("pairs", "The kinematic pairs by name.", |slot| {
+        slot.names(|name, slot| slot.defined("linkage_pair", |slot| pair(slot, name, names)))
+    });
+    Some(pairs?.into_values().collect())
+}
+
+fn pair(slot: Slot<'_>, name: &str, names: &Names) -> Option<PairSpec> {
+    slot.record(|fields| {
+        let doc = "Coefficient of Coulomb friction μ; it counts in forces only.";
+        let friction = fields.or("friction", doc, json!(0.0), |slot| {
+            slot.number(Bounds::NOT_NEGATIVE)
+        });
+        let mut kind = fields.one_of("how it moves");
+        kind.case(
+            "revolute",
+            "A pin: its points on both links. Its coordinate is the angle of the second link less that of the first.",
+            |slot| {
+                let (on, link) = slot.pair(|slot| names.point(slot), |slot| names.point(slot))?;
+                Some((on, link, PairKind::Revolute { diameter: 0.0 }))
+            },
+        );
+        kind.case("sliding", "A block that slides along a guide.", |slot| {
+            sliding(slot, names)
+        });
+        let kind = kind.finish();
+        let sliding = fields.member("sliding");
+        let given_corners = sliding.is_some_and(|pair| pair.value.get("corners").is_some());
+        let doc = "Diameter of the pin, for friction; default 0";
+        let diameter = fields.maybe("diameter", doc, |slot| {
+            slot.quantity(q::LENGTH, Bounds::NOT_NEGATIVE)
+        });
+        let (friction, (on, link, mut kind), diameter) = (friction?, kind?, diameter?);
+        match (&mut kind, diameter) {
+            (PairKind::Revolute { diameter }, given) => *diameter = given.unwrap_or(0.0),
+            (PairKind::Sliding { .. }, None) => {
+                if friction > 0.0 && !given_corners {
+                    let message = "a block with friction needs the places of its two corners";
+                    let fault = fields.refuse("friction", "missing-property", message);
+                    let hint = "add \"corners\": [\"20 mm\", \"-20 mm\"] to `sliding`";
+                    fault.hints.push(hint.to_owned());
+                    return None;
+                }
+            }
+            (PairKind::Sliding { .. }, Some(_)) => {
+                let message = "a sliding pair has no pin and no `diameter`";
+                fields.refuse("diameter", "contradiction", message);
+                return None;
+            }
+        }
+        if on.link == link.link {
+            let message = format!("`{name}` joins a link to itself");
+            fields.refuse("", "contradiction", message);
+            return None;
+        }
+        Some(PairSpec {
+            name: name.to_owned(),
+            on,
+            link,
+            kind,
+            friction,
+        })
+    })
+}
+
+fn sliding(slot: Slot<'_>, names: &Names) -> Option<(PointOf, PointOf, PairKind)> {
+    slot.record(|fields| {
+        let angle = |slot: Slot<'_>| slot.quantity(q::ANGLE, Bounds::ANY);
+        let doc = "A point of the guide's axis, on the link that guides.";
+        let guide = fields.need("guide", doc, |slot| names.point(slot));
+        let doc = "The block's point on the axis, on the link that slides.";
+        let block = fields.need("block", doc, |slot| names.point(slot));
+        let doc = "Direction of the guide in the frame of its link; default 0";
+        let direction = fields.maybe("direction", doc, angle);
+        let doc = "In place of `direction`: another point of the guide's axis, towards which it is directed.";
+        let through = fields.maybe("through", doc, |slot| names.point(slot));
+        let doc = "Angle of the block's frame less the direction of the guide";
+        let turned = fields.or("angle", doc, json!(0.0), angle);
+        let doc = "Places of the block's two corners along the guide from its point, the forward one first, for reactions and friction; default 10 mm ahead and behind";
+        let length = |slot: Slot<'_>| slot.quantity(q::LENGTH, Bounds::ANY);
+        let corners = fields.maybe("corners", doc, |slot| slot.pair(length, length));
+        let doc = "Half the height of the block";
+        let half = fields.or("half_height", doc, json!(0.0), |slot| {
+            slot.quantity(q::LENGTH, Bounds::NOT_NEGATIVE)
+        });
+        let clash = fields.clash("direction", "through", "both give the direction of the guide");
+        let (guide, block, through, corners) = (guide?, block?, through?, corners?);
+        let direction = match (direction?, through) {
+            (given, None) => given.unwrap_or(0.0),
+            (_, Some(through)) => towards(fields, guide, through)?,
+        };
+        fields.fill_in("direction", json!(direction));
+        if let Some((forward, back)) = corners
+            && !(forward > back)
+        {
+            let message = format!("the first corner ({forward} m) must lie before the second ({back} m)");
+            fields.refuse("corners", "out-of-range", message);
+            return None;
+        }
+        fields.fill_in("corners", json!(corners.unwrap_or(CORNERS)));
+        let (forward, back) = corners.unwrap_or(CORNERS);
+        (!clash).then_some(())?;
+        let kind = PairKind::Sliding {
+            direction,
+            angle: turned?,
+            corners: [forward, back],
+            half_height: half?,
+        };
+        Some((guide, block, kind))
+    })
+}
+
+/// Direction from one point of a guide to another one.
+fn towards(fields: &mut Fields<'_>, from: PointOf, to: PointOf) -> Option<f64> {
+    if from.link != to.link {
+        let message = "`through` must be a point of the same link as `guide`";
+        fields.refuse("through", "contradiction", message);
+        return None;
+    }
+    let [x, y] = [to.at[0] - from.at[0], to.at[1] - from.at[1]];
+    if x == 0.0 && y == 0.0 {
+        fields.refuse(
+            "through",
+            "contradiction",
+            "`through` is the point `guide` itself",
+        );
+        return None;
+    }
+    Some(y.atan2(x))
+}
+
+/// Reads `assembly`.
+pub(super) fn assembly(fields: &mut Fields<'_>, names: &Names) -> Option<Vec<AssemblySpec>> {
+    let doc =
+        "How a group of links is put together, by one of its links: default by its branch `+`.";
+    let choices = fields.or("assembly", doc, json!({}), |slot| {
+        slot.map(|name, mut slot| {
+            let link = names.link_named(&mut slot, name);
+            let choice = slot.defined("linkage_assembly", |slot| choice(slot, name, names));
+            Some(AssemblySpec {
+                link: link?,
+                choice: choice?,
+            })
+        })
+    });
+    Some(choices?.into_values().collect())
+}
+
+fn choice(slot: Slot<'_>, link: &str, names: &Names) -> Option<AssemblyChoice> {
+    slot.record(|fields| {
+        let mut choice = fields.one_of("how it is put together");
+        choice.case(
+            "branch",
+            "Side on which a group of two links lies.",
+            |slot| {
+                slot.choice(&[("+", 1.0), ("-", -1.0)])
+                    .map(AssemblyChoice::Branch)
+            },
+        );
+        choice.case("angle", "Its angle at the start is near this one", |slot| {
+            slot.quantity(q::ANGLE, Bounds::ANY)
+                .map(AssemblyChoice::Angle)
+        });
+        choice.case(
+            "near",
+            "Its point is near this place at the start.",
+            |slot| {
+                super::links::place(slot).map(|place| AssemblyChoice::Near {
+                    point: [0.0; 2],
+                    place,
+                })
+            },
+        );
+        let choice = choice.finish();
+        let doc = "The point of `near`; default the origin of the link's frame.";
+        let point = fields.maybe("point", doc, |slot| names.own_point(slot, link));
+        match (choice?, point?) {
+            (AssemblyChoice::Near { place, .. }, Some(point)) => {
+                Some(AssemblyChoice::Near { point, place })
+            }
+            (choice, None) => Some(choice),
+            (_, Some(_)) => {
+                let message = "`point` stands beside `near` only";
+                fields.refuse("point", "contradiction", message);
+                None
+            }
+        }
+    })
+}

@@ -1,0 +1,227 @@
+//! Named numbers: an object that gives `dimensions` can refer to them by name
+//! wherever it takes a number: `"rod"`, `"-rod"`, `"rod/2"`, `"rod*0.4"`.
+
+use super::fields::Fields;
+use super::number::{NUMBER_PATTERN, Wanted, shorten};
+use super::slot::Slot;
+use super::suggest::{did_you_mean, quoted_list};
+use super::tree::Value;
+use crate::diagnostics::Place;
+use crate::units::{Measure, parse};
+use serde_json::json;
+
+/// Texts that refer to a named number.
+const REFERENCE_PATTERN: &str =
+    r"^\s*-?\s*[A-Za-z_][A-Za-z0-9_-]*\s*([*/]\s*[0-9]+\.?[0-9]*([eE][-+]?[0-9]+)?)?\s*$";
+
+/// The named numbers of the object that is being read.
+#[derive(Debug, Default)]
+pub(super) struct Dimensions {
+    /// True while the schema of an object with named numbers is written.
+    described: bool,
+    entries: Vec<Entry>,
+}
+
+#[derive(Debug)]
+struct Entry {
+    name: String,
+    place: Place,
+    /// A faulty one stands for any number, so that its fault is said once.
+    value: Option<Given>,
+    used: bool,
+}
+
+/// A number with its unit, or without one: then it is in SI units of whatever
+/// is wanted where it is referred to.
+#[derive(Clone, Copy, Debug)]
+enum Given {
+    Plain(f64),
+    Measured(Measure),
+}
+
+impl Dimensions {
+    /// What a number's text looks like besides a number with a unit.
+    pub(super) fn pattern(&self) -> Option<&'static str> {
+        self.described.then_some(REFERENCE_PATTERN)
+    }
+}
+
+impl Fields<'_> {
+    /// Reads `dimensions`, named numbers that the properties asked for from
+    /// here on may refer to; a name to which nothing refers is an error.
+    pub fn dimensions(&mut self, doc: &str) {
+        self.reader.dimensions = Dimensions::default();
+        self.faults_before_dimensions = Some(self.faults());
+        let mut entries = Vec::new();
+        self.maybe("dimensions", doc, |slot| {
+            slot.names(|name, mut slot| {
+                let place = slot.name_place();
+                let value = slot.look(dimension);
+                entries.push(Entry {
+                    name: name.to_owned(),
+                    place,
+                    value,
+                    used: false,
+                });
+                value
+            })
+        });
+        self.reader.dimensions = Dimensions {
+            described: self.describing(),
+            entries,
+        };
+    }
+
+    /// Ends the scope of the named numbers; false when some were not used.
+    pub(super) fn end_dimensions(&mut self) -> bool {
+        let Some(before) = self.faults_before_dimensions else {
+            return true;
+        };
+        let entries = std::mem::take(&mut self.reader.dimensions).entries;
+        if self.faults() > before {
+            // What refers to a name may not have been read at all.
+            return false;
+        }
+        let known: Vec<&str> = (entries.iter())
+            .filter(|entry| entry.used)
+            .map(|entry| entry.name.as_str())
+            .collect();
+        let path = self.path().to_owned();
+        for entry in entries.iter().filter(|entry| !entry.used) {
+            let name = &entry.name;
+            let fault = self.refuse(
+                "dimensions",
+                "unknown-dimension",
+                format!("nothing refers to the dimension `{name}`"),
+            );
+            fault.place = Some(entry.place.clone());
+            fault.path = format!("{path}.dimensions.{name}");
+            fault
+                .hints
+                .push(match did_you_mean(name, known.iter().copied()) {
+                    Some(guess) => guess,
+                    None if known.is_empty() => {
+                        format!("write \"{name}\" in place of a number, or remove it")
+                    }
+                    None => format!(
+                        "those that are referred to are {}",
+                        quoted_list(known.iter().copied(), "and")
+                    ),
+                });
+        }
+        self.faults() == before
+    }
+}
+
+/// Reads one named number.
+fn dimension(mut slot: Slot<'_>) -> Option<Given> {
+    if slot.describing() {
+        slot.describe(json!({
+            "description": "A number in SI units, or a text with a unit.",
+            "anyOf": [{ "type": "number" }, { "type": "string", "pattern": NUMBER_PATTERN }],
+        }));
+        return None;
+    }
+    match &slot.node()?.value {
+        Value::Number(value) if value.is_finite() => {
+            let value = *value;
+            *slot.out = json!(value);
+            Some(Given::Plain(value))
+        }
+        Value::Text(text) => match parse(text) {
+            Ok(measure) => {
+                *slot.out = json!(measure.value);
+                Some(match measure.bare {
+                    true => Given::Plain(measure.value),
+                    false => Given::Measured(measure),
+                })
+            }
+            Err(error) => {
+                slot.unit_fault(text, error, &Wanted::anything());
+                None
+            }
+        },
+        _ => {
+            slot.wrong_type("a number");
+            None
+        }
+    }
+}
+
+/// `-name*factor` taken apart: sign, name, factor.
+fn take_apart(text: &str) -> Option<(&str, f64)> {
+    let text = text.trim();
+    let (sign, rest) = match text.strip_prefix('-') {
+        Some(rest) => (-1.0, rest.trim_start()),
+        None => (1.0, text),
+    };
+    let (name, factor) = match rest.split_once(['*', '/']) {
+        None => (rest, 1.0),
+        Some((name, number)) => {
+            let number: f64 = number.trim().parse().ok().filter(|n: &f64| n.is_finite())?;
+            let divided = rest.as_bytes().get(name.len()) == Some(&b'/');
+            (name.trim_end(), if divided { 1.0 / number } else { number })
+        }
+    };
+    (super::is_name(name) && factor.is_finite()).then_some((name, sign * factor))
+}
+
+impl Slot<'_> {
+    /// What a text that refers to a named number stands for; `None`: it is a
+    /// number of its own. The inner `None`: it is faulty, which has been said.
+    pub(super) fn reference(&mut self, text: &str, wanted: &Wanted) -> Option<Option<f64>> {
+        let dimensions = &mut self.reader.dimensions;
+        let bare = text.trim_start().trim_start_matches('-').trim_start();
+        let named = bare.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_');
+        if dimensions.entries.is_empty() || !named {
+            return None;
+        }
+        let Some((name, factor)) = take_apart(text) else {
+            let message = format!("`{}` is no dimension", shorten(text));
+            let hint = "write a name, -name, name/2 or name*0.4, or a number with a unit";
+            self.refuse("unknown-dimension", message)
+                .hints
+                .push(hint.to_owned());
+            return Some(None);
+        };
+        let found = dimensions.entries.iter_mut().find(|e| e.name == name);
+        let Some(entry) = found else {
+            let names: Vec<String> = dimensions.entries.iter().map(|e| e.name.clone()).collect();
+            let names = || names.iter().map(String::as_str);
+            let hint = did_you_mean(name, names())
+                .unwrap_or_else(|| format!("the dimensions are {}", quoted_list(names(), "and")));
+            self.refuse("unknown-dimension", format!("unknown dimension `{name}`"))
+                .hints
+                .push(hint);
+            return Some(None);
+        };
+        entry.used = true;
+        Some(match entry.value {
+            None => None,
+            Some(Given::Plain(value)) => Some(factor * value),
+            Some(Given::Measured(measure)) => match wanted.accept(measure) {
+                Ok(value) => Some(factor * value),
+                Err(mismatch) => {
+                    self.mismatch(text, measure, mismatch, wanted);
+                    None
+                }
+            },
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::take_apart;
+
+    #[test]
+    fn references_have_a_sign_a_name_and_a_factor() {
+        assert_eq!(take_apart("rod"), Some(("rod", 1.0)));
+        assert_eq!(take_apart(" - rod "), Some(("rod", -1.0)));
+        assert_eq!(take_apart("rod/2"), Some(("rod", 0.5)));
+        assert_eq!(take_apart("-rod * 0.4"), Some(("rod", -0.4)));
+        for wrong in ["rod crank", "rod/0", "rod*x", "rod + 1", "rod*1/2", ""] {
+            assert_eq!(take_apart(wrong), None, "{wrong}");
+        }
+    }
+}

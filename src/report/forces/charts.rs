@@ -1,0 +1,245 @@
+//! Curves over the course, χ against i, massless against full.
+
+use super::ForcesReport;
+use crate::analysis::forces::{Column, MasslessComparison, columns};
+use crate::report::svg::chart::{Axis, Chart, Curve};
+use std::f64::consts::PI;
+
+/// A group of charts under a heading.
+pub(super) struct Group {
+    pub(super) title: &'static str,
+    pub(super) charts: Vec<Chart>,
+}
+
+/// All curves over the course.
+pub(super) fn groups(report: &ForcesReport<'_>) -> Vec<Group> {
+    let study = report.study;
+    let all = columns(&study.linkage, study.settings.output);
+    let chart = |title: &str, names: &[(String, &str)]| over_course(report, &all, title, names);
+    let one = |title: &str, name: &str| chart(title, &[(name.to_owned(), "")]);
+    let mut drive = vec![one("Driving force", "drive")];
+    drive.push(chart(
+        "Power",
+        &[
+            ("power.drive".to_owned(), "driver"),
+            ("power.forces".to_owned(), "forces"),
+            ("power.weights".to_owned(), "weights"),
+            ("power.inertia".to_owned(), "into motion"),
+            ("power.loss".to_owned(), "friction"),
+        ],
+    ));
+    drive.push(one("Efficiency", "efficiency"));
+    if study.settings.output.is_some() {
+        drive.push(one("Dynamic transmission ratio χ", "chi"));
+    }
+    let pairs = study.linkage.pairs.iter().map(|pair| {
+        let part = |what: &str| format!("{}.{what}", pair.name);
+        chart(
+            &format!("Reaction in {}", pair.name),
+            &[
+                (part("force"), "size"),
+                (part("x"), "x"),
+                (part("y"), "y"),
+                (part("n1"), "corner 1"),
+                (part("n2"), "corner 2"),
+            ],
+        )
+    });
+    let frame = ["shaking", "frame"].map(|name| {
+        let part = |what: &str| format!("{name}.{what}");
+        let title = match name {
+            "shaking" => "Shaking force of the links' inertia",
+            _ => "Force of all pairs on the frame",
+        };
+        chart(
+            title,
+            &[(part("force"), "size"), (part("x"), "x"), (part("y"), "y")],
+        )
+    });
+    let names = study.linkage.pairs.iter();
+    let by_friction: Vec<(String, &str)> = names
+        .map(|pair| {
+            (
+                format!("drive_by.{}.friction", pair.name),
+                pair.name.as_str(),
+            )
+        })
+        .collect();
+    let names = study.linkage.links.iter();
+    let by_mass: Vec<(String, &str)> = names
+        .map(|link| (format!("drive_by.{}.mass", link.name), link.name.as_str()))
+        .collect();
+    let changes = [
+        chart(
+            "Change of the driving force by coefficients of friction",
+            &by_friction,
+        ),
+        chart("Change of the driving force by masses", &by_mass),
+    ];
+    vec![
+        Group {
+            title: "Driving force, power, efficiency",
+            charts: drive,
+        },
+        Group {
+            title: "Reactions",
+            charts: pairs.collect(),
+        },
+        Group {
+            title: "The frame",
+            charts: frame.into(),
+        },
+        Group {
+            title: "Sensitivity",
+            charts: changes.into(),
+        },
+    ]
+}
+
+/// Quantities over the course in one chart; those without any value left out.
+fn over_course(
+    report: &ForcesReport<'_>,
+    all: &[Column],
+    title: &str,
+    names: &[(String, &str)],
+) -> Chart {
+    let study = report.study;
+    let mut unit = String::new();
+    let mut curves = Vec::new();
+    for (name, label) in names {
+        let Some(column) = all.iter().find(|column| column.name == *name) else {
+            continue;
+        };
+        let points: Vec<(f64, f64)> = study
+            .rows
+            .iter()
+            .enumerate()
+            .map(|(index, row)| {
+                let at = report.axis_value(study.course.parameter(index));
+                (at, column.value(row).unwrap_or(f64::NAN))
+            })
+            .collect();
+        unit.clone_from(&column.unit);
+        curves.push(Curve {
+            label: (*label).to_owned(),
+            points,
+        });
+    }
+    Chart {
+        title: title.to_owned(),
+        unit,
+        curves,
+        shaded: shaded(report),
+        horizontal: Axis {
+            symbol: if report.over_time() { "t" } else { "q" }.to_owned(),
+            unit: report.axis_unit().to_owned(),
+        },
+    }
+}
+
+/// The zones; one that goes on from the beginning of a closed course in two.
+fn shaded(report: &ForcesReport<'_>) -> Vec<[f64; 2]> {
+    let course = &report.study.course;
+    let mut list = Vec::new();
+    for zone in &report.study.zones {
+        match (course.period(), course.len()) {
+            (Some(period), 1..) if zone.to > course.parameter(0) + period => {
+                let (first, last) = (course.parameter(0), course.parameter(0) + period);
+                list.push([zone.from.min(last), last]);
+                list.push([first, zone.to - period]);
+            }
+            _ => list.push([zone.from, zone.to]),
+        }
+    }
+    let ends = list.into_iter();
+    ends.map(|ends| ends.map(|at| report.axis_value(at)))
+        .collect()
+}
+
+/// χ against i; without masses and friction the line of slope ∓1.
+pub fn ratio_chart(report: &ForcesReport<'_>) -> Option<Chart> {
+    let study = report.study;
+    study.settings.output?;
+    let point = |forces: &crate::analysis::forces::Forces| {
+        let found = forces.transmission?;
+        Some((found.ratio, forces.chi?, found))
+    };
+    let found: Vec<_> = study
+        .solved()
+        .filter_map(|(_, forces)| point(forces))
+        .collect();
+    if found.is_empty() {
+        return None;
+    }
+    let mut points: Vec<(f64, f64)> = found.iter().map(|(i, chi, _)| (*i, *chi)).collect();
+    if let (true, Some(first)) = (study.course.is_closed(), points.first().copied()) {
+        points.push(first);
+    }
+    let sign = match study.settings.convention.name() {
+        "paper" => -1.0,
+        _ => 1.0,
+    };
+    let mut ideal: Vec<(f64, f64)> = points.iter().map(|(i, _)| (*i, sign * i.abs())).collect();
+    ideal.push((0.0, 0.0));
+    ideal.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let unit = |name: &str| {
+        let all = columns(&study.linkage, study.settings.output);
+        let column = all.into_iter().find(|column| column.name == name);
+        column.map_or(String::new(), |column| column.unit)
+    };
+    Some(Chart {
+        title: format!(
+            "χ against i, convention `{}`",
+            study.settings.convention.name()
+        ),
+        unit: unit("chi"),
+        curves: vec![
+            Curve {
+                label: "with friction and masses".to_owned(),
+                points,
+            },
+            Curve {
+                label: "without".to_owned(),
+                points: ideal,
+            },
+        ],
+        horizontal: Axis {
+            symbol: "i".to_owned(),
+            unit: unit("ratio"),
+        },
+        ..Chart::default()
+    })
+}
+
+/// χ over the input coordinate without masses and for each m·ω²/P.
+pub fn massless_chart(found: &MasslessComparison, unit: &str, turning: bool) -> Chart {
+    let factor = if turning { 180.0 / PI } else { 1.0 };
+    let points = |chi: &[Option<f64>]| -> Vec<(f64, f64)> {
+        let pairs = found.coordinates.iter().zip(chi);
+        pairs
+            .map(|(q, chi)| (q * factor, chi.unwrap_or(f64::NAN)))
+            .collect()
+    };
+    let without = Curve {
+        label: "massless".to_owned(),
+        points: points(&found.massless),
+    };
+    let with = found.points.iter().map(|point| Curve {
+        label: format!(
+            "m·ω²/P = {}: {} %",
+            crate::report::quantity::significant(point.parameter, 4),
+            crate::report::quantity::significant(100.0 * point.deviation, 2)
+        ),
+        points: points(&point.chi),
+    });
+    Chart {
+        title: "χ without masses and with them".to_owned(),
+        unit: unit.to_owned(),
+        curves: std::iter::once(without).chain(with).collect(),
+        horizontal: Axis {
+            symbol: "q".to_owned(),
+            unit: if turning { "deg" } else { "m" }.to_owned(),
+        },
+        ..Chart::default()
+    }
+}

@@ -1,0 +1,37 @@
+//! All positions as a table.
+
+use crate::analysis::forces::{ForceStudy, columns};
+use crate::report::csv::{number, write};
+
+/// A row a position, everything in SI units, angles in radians; empty where a
+/// quantity has no value. The last column says why a position has no forces.
+///
+/// # Errors
+/// Never in practice: writing into memory.
+pub fn forces_csv(study: &ForceStudy) -> Result<String, csv::Error> {
+    let columns = columns(&study.linkage, study.settings.output);
+    let timed = study.rows.iter().any(|row| row.time.is_some());
+    let named = columns.iter().map(|column| match column.unit.as_str() {
+        "" => column.name.clone(),
+        unit => format!("{} [{unit}]", column.name),
+    });
+    let coordinate = format!("coordinate [{}]", study.coordinate_unit());
+    let header = timed
+        .then(|| "time [s]".to_owned())
+        .into_iter()
+        .chain([coordinate])
+        .chain(named)
+        .chain(["trouble".to_owned()]);
+    let rows = study.rows.iter().map(|row| {
+        let cell = |value: Option<f64>| value.map(number).unwrap_or_default();
+        let time = timed.then(|| cell(row.time));
+        let values = columns.iter().map(|column| cell(column.value(row)));
+        let trouble = row.forces.as_ref().err().map(ToString::to_string);
+        time.into_iter()
+            .chain([number(row.motion.coordinate)])
+            .chain(values)
+            .chain([trouble.unwrap_or_default()])
+            .collect::<Vec<String>>()
+    });
+    write(header, rows)
+}

@@ -1,0 +1,149 @@
+//! A study as one JSON document.
+
+use super::ForcesReport;
+use crate::analysis::forces::{
+    Counterweight, CycleForces, Extreme, ForceStudy, MasslessComparison, NEGLIGIBLE, columns,
+};
+use serde_json::{Map, Value, json};
+
+/// Everything that a study found, in SI units: figures, zones, checks, and all
+/// columns.
+pub fn document(report: &ForcesReport<'_>) -> Value {
+    let (study, massless) = (report.study, report.massless);
+    let linkage = &study.linkage;
+    let output = study
+        .settings
+        .output
+        .map(|index| &linkage.outputs[index].name);
+    let mut object = Map::new();
+    object.insert("dam".into(), json!(1));
+    object.insert("scene".into(), json!(report.name));
+    object.insert("hash".into(), json!(report.hash));
+    object.insert("object".into(), json!(report.object));
+    object.insert("motion".into(), json!(report.motion));
+    object.insert("convention".into(), json!(study.settings.convention.name()));
+    object.insert("output".into(), json!(output));
+    object.insert("positions".into(), json!(study.rows.len()));
+    object.insert("extremes".into(), extremes(study));
+    object.insert(
+        "cycle".into(),
+        study
+            .cycle
+            .as_ref()
+            .map_or(Value::Null, |c| cycle(c, study)),
+    );
+    object.insert("zones".into(), zones(study));
+    object.insert(
+        "counterweight".into(),
+        study
+            .counterweight
+            .as_ref()
+            .map_or(Value::Null, |c| counterweight(c, study)),
+    );
+    object.insert(
+        "checks".into(),
+        json!({
+            "power_balance": study.worst_balance(),
+            "influence_coefficients": study.worst_influence(),
+            "unique": study.solved().all(|(_, forces)| forces.solved.unique),
+        }),
+    );
+    object.insert("warnings".into(), json!(study.warnings()));
+    object.insert("columns".into(), values(study));
+    if let Some(found) = massless {
+        object.insert("massless".into(), comparison(found));
+    }
+    Value::Object(object)
+}
+
+fn extremes(study: &ForceStudy) -> Value {
+    let entries = study.extremes.iter().map(|found| {
+        let end = |extreme: &Extreme| json!({ "value": extreme.value, "at": extreme.at });
+        let value = json!({
+            "unit": found.unit,
+            "least": end(&found.least),
+            "greatest": end(&found.greatest),
+        });
+        (found.name.clone(), value)
+    });
+    Value::Object(entries.collect())
+}
+
+fn cycle(cycle: &CycleForces, study: &ForceStudy) -> Value {
+    let pairs = study.linkage.pairs.iter().zip(&cycle.pair_losses);
+    let losses: Map<String, Value> = pairs
+        .map(|(p, loss)| (p.name.clone(), json!(loss)))
+        .collect();
+    json!({
+        "closed": cycle.closed,
+        "duration": cycle.duration,
+        "drive_work": cycle.drive_work,
+        "load_work": cycle.load_work,
+        "applied_work": cycle.applied_work,
+        "loss": cycle.loss,
+        "losses": losses,
+        "efficiency": cycle.efficiency,
+        "mean_drive": cycle.mean_drive,
+        "rms_drive": cycle.rms_drive,
+    })
+}
+
+fn zones(study: &ForceStudy) -> Value {
+    let zones = study
+        .zones
+        .iter()
+        .map(|zone| json!({ "kind": zone.kind.name(), "from": zone.from, "to": zone.to }));
+    Value::Array(zones.collect())
+}
+
+fn counterweight(found: &Counterweight, study: &ForceStudy) -> Value {
+    json!({
+        "link": study.linkage.links[found.link].name,
+        "mass_radius": found.mass_radius,
+        "angle": found.angle,
+        "rms_without": found.rms[0],
+        "rms_with": found.rms[1],
+        "greatest_without": found.greatest[0],
+        "greatest_with": found.greatest[1],
+    })
+}
+
+fn values(study: &ForceStudy) -> Value {
+    let list = |values: Vec<Option<f64>>, unit: &str| json!({ "unit": unit, "values": values });
+    let mut object = Map::new();
+    let coordinates = study.rows.iter().map(|row| Some(row.motion.coordinate));
+    object.insert(
+        "coordinate".into(),
+        list(coordinates.collect(), study.coordinate_unit()),
+    );
+    if study.rows.iter().any(|row| row.time.is_some()) {
+        let times = study.rows.iter().map(|row| row.time);
+        object.insert("time".into(), list(times.collect(), "s"));
+    }
+    for column in columns(&study.linkage, study.settings.output) {
+        let values = study.rows.iter().map(|row| column.value(row));
+        object.insert(column.name.clone(), list(values.collect(), &column.unit));
+    }
+    Value::Object(object)
+}
+
+fn comparison(found: &MasslessComparison) -> Value {
+    let points = found.points.iter().map(|point| {
+        json!({
+            "parameter": point.parameter,
+            "speed": point.speed,
+            "deviation": point.deviation,
+            "chi": point.chi,
+        })
+    });
+    json!({
+        "mass": found.mass,
+        "load": found.load,
+        "greatest_chi": found.greatest,
+        "coordinates": found.coordinates,
+        "chi": found.massless,
+        "points": points.collect::<Vec<_>>(),
+        "negligible": NEGLIGIBLE,
+        "negligible_up_to": found.negligible_up_to,
+    })
+}

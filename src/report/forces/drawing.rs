@@ -1,0 +1,92 @@
+//! The linkage moving, with the forces that its pairs carry.
+
+use super::ForcesReport;
+use crate::analysis::forces::{Forces, Row};
+use crate::report::mechanism::{Arrow, ArrowSet, Axis, Drawing, Placement};
+
+/// Most positions that a page carries.
+const MOST_FRAMES: usize = 721;
+
+/// The drawing: reactions on link j from link i, and the shaking force.
+pub fn drawing<'a>(report: &ForcesReport<'a>) -> Drawing<'a> {
+    let study = report.study;
+    let solved: Vec<(usize, &Row, &Forces)> = study
+        .rows
+        .iter()
+        .enumerate()
+        .filter_map(|(index, row)| row.forces.as_ref().ok().map(|forces| (index, row, forces)))
+        .collect();
+    let stride = solved.len().div_ceil(MOST_FRAMES).max(1);
+    let kept: Vec<_> = solved.into_iter().step_by(stride).collect();
+    let placed = |forces: &Forces| {
+        let links = forces.links.iter();
+        links
+            .map(|link| Placement {
+                at: link.origin,
+                turn: link.direction,
+            })
+            .collect()
+    };
+    let reactions = study
+        .linkage
+        .pairs
+        .iter()
+        .enumerate()
+        .map(|(pair, spec)| Arrow {
+            name: format!("force in {}", spec.name),
+            at: kept
+                .iter()
+                .map(|(_, _, forces)| forces.pairs[pair].point)
+                .collect(),
+            vector: kept
+                .iter()
+                .map(|(_, _, forces)| forces.pairs[pair].force)
+                .collect(),
+        });
+    let shaking = Arrow {
+        name: "shaking force".to_owned(),
+        at: kept.iter().map(|_| [0.0; 2]).collect(),
+        vector: kept
+            .iter()
+            .map(|(_, _, f)| [f.shaking[0], f.shaking[1]])
+            .collect(),
+    };
+    let set = |name: &str, shown: bool, arrows: Vec<Arrow>| ArrowSet {
+        name: name.to_owned(),
+        unit: "N".to_owned(),
+        shown,
+        arrows,
+    };
+    let first = kept
+        .first()
+        .map_or(0.0, |(_, row, _)| row.motion.coordinate);
+    let time = |row: &Row| {
+        let speed = row.motion.speed.abs();
+        let uniform = (row.motion.coordinate - first).abs() / if speed > 0.0 { speed } else { 1.0 };
+        row.time.unwrap_or(uniform)
+    };
+    Drawing {
+        spec: &study.linkage,
+        frames: kept.iter().map(|(_, _, forces)| placed(forces)).collect(),
+        axis: Axis {
+            name: if report.over_time() {
+                "time"
+            } else {
+                "input coordinate"
+            }
+            .to_owned(),
+            unit: report.axis_unit().to_owned(),
+            values: kept
+                .iter()
+                .map(|(index, _, _)| report.axis_value(study.course.parameter(*index)))
+                .collect(),
+            times: kept.iter().map(|(_, row, _)| time(row)).collect(),
+            closed: study.course.is_closed() && stride == 1,
+        },
+        paths: Vec::new(),
+        arrows: vec![
+            set("reactions", true, reactions.collect()),
+            set("shaking force at the origin", false, vec![shaking]),
+        ],
+    }
+}

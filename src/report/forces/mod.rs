@@ -1,0 +1,85 @@
+//! Kinetostatics of a linkage as text, table, document, pictures and page.
+
+mod charts;
+mod csv;
+mod document;
+mod drawing;
+mod hodograph;
+mod page;
+mod text;
+
+pub use charts::{massless_chart, ratio_chart};
+pub use csv::forces_csv;
+pub use document::document;
+pub use drawing::drawing;
+pub use hodograph::Hodograph;
+pub use page::page;
+pub use text::text;
+
+use crate::analysis::forces::{ForceStudy, MasslessComparison};
+use crate::report::quantity::{significant, with_unit};
+
+/// Everything that is told of a study.
+#[derive(Clone, Copy, Debug)]
+pub struct ForcesReport<'a> {
+    /// What was found.
+    pub study: &'a ForceStudy,
+    /// The comparison of the massless with the full model, where it was asked for.
+    pub massless: Option<&'a MasslessComparison>,
+    /// The linkage's id.
+    pub object: &'a str,
+    /// How the input moves, in words.
+    pub motion: &'a str,
+    /// Name of the scene.
+    pub name: &'a str,
+    /// SHA-256 of the canonical scene.
+    pub hash: &'a str,
+    /// The scene's text, shown as it is.
+    pub scene: &'a str,
+    /// Version of `dam`.
+    pub version: &'a str,
+}
+
+impl ForcesReport<'_> {
+    /// True when the course runs over time.
+    fn over_time(&self) -> bool {
+        self.study.rows.iter().any(|row| row.time.is_some())
+    }
+
+    /// Unit of the course's parameter, angles in degrees.
+    fn axis_unit(&self) -> &'static str {
+        match (self.over_time(), self.study.coordinate_unit()) {
+            (true, _) => "s",
+            (false, "rad") => "deg",
+            (false, unit) => unit,
+        }
+    }
+
+    /// A value of the course's parameter as it is shown.
+    fn axis_value(&self, at: f64) -> f64 {
+        match self.axis_unit() {
+            "deg" => at.to_degrees(),
+            _ => at,
+        }
+    }
+
+    /// A place on the course for reading.
+    fn place(&self, at: f64) -> String {
+        format!(
+            "{} {}",
+            significant(self.axis_value(at), 6),
+            self.axis_unit()
+        )
+    }
+}
+
+/// A value with its unit; a plain number or a composed unit without prefixes.
+fn shown(value: f64, unit: &str) -> String {
+    match unit {
+        "" => significant(value, 6),
+        unit if unit.starts_with(['1', 'k']) || unit.contains('/') => {
+            format!("{} {unit}", significant(value, 6))
+        }
+        unit => with_unit(value, unit, 6),
+    }
+}

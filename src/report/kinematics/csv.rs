@@ -1,0 +1,22 @@
+//! All rows as a table.
+
+use crate::analysis::kinematics::Kinematics;
+use crate::report::csv::{number, write};
+
+/// A row a position; angles continuous and in radians, everything in SI.
+///
+/// # Errors
+/// Never in practice: writing into memory.
+pub fn kinematics_csv(found: &Kinematics<'_>) -> Result<String, csv::Error> {
+    let axis = format!("{} [{}]", found.axis.name, found.axis.unit);
+    let names = found.columns.iter();
+    let names = names.map(|column| format!("{} [{}]", column.name(), column.unit));
+    let rows = found.axis.values.iter().enumerate().map(|(row, place)| {
+        let values = found.columns.iter().map(move |column| column.values[row]);
+        std::iter::once(*place).chain(values).map(number)
+    });
+    write(
+        std::iter::once(axis).chain(names),
+        rows.map(Iterator::collect::<Vec<String>>),
+    )
+}

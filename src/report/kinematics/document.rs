@@ -1,0 +1,76 @@
+//! The kinematics as one JSON document.
+
+use crate::analysis::kinematics::Kinematics;
+use serde_json::{Map, Value, json};
+
+/// Everything, in SI units: structure, summary, and every column.
+pub fn document(scene: &str, hash: &str, found: &Kinematics<'_>) -> Value {
+    let structure = found.linkage.structure();
+    let groups: Vec<String> = (0..structure.groups.len())
+        .map(|group| structure.describe(group))
+        .collect();
+    let mut columns = Map::new();
+    for (column, extremes) in found.columns.iter().zip(&found.extremes) {
+        let end = |(at, value): (f64, f64)| json!({ "at": at, "value": value });
+        columns.insert(
+            column.name(),
+            json!({
+                "unit": column.unit,
+                "least": end(extremes.least),
+                "greatest": end(extremes.greatest),
+                "values": column.values,
+            }),
+        );
+    }
+    json!({
+        "dam": 1,
+        "scene": scene,
+        "hash": hash,
+        "object": found.object,
+        "mobility": structure.explanation,
+        "groups": groups,
+        "input": { "motion": found.motion, "limits": limits(found) },
+        "axis": { "name": found.axis.name, "unit": found.axis.unit, "values": found.axis.values },
+        "strokes": strokes(found),
+        "transmission_angles": transmission(found),
+        "stopped": found.stopped.as_ref().map(|stop| json!({
+            "at": stop.at, "input": stop.input, "because": stop.cause,
+        })),
+        "columns": columns,
+    })
+}
+
+fn limits(found: &Kinematics<'_>) -> Vec<Value> {
+    let limit = |limit: &crate::analysis::kinematics::Limit| json!({ "at": limit.at, "because": limit.cause });
+    found.limits.iter().map(limit).collect()
+}
+
+fn strokes(found: &Kinematics<'_>) -> Vec<Value> {
+    let strokes = found.strokes.iter().map(|stroke| {
+        let end = |(at, value): (f64, f64)| json!({ "input": at, "value": value });
+        json!({
+            "of": stroke.owner,
+            "unit": stroke.unit,
+            "least": end(stroke.ends[0]),
+            "greatest": end(stroke.ends[1]),
+            "stroke": stroke.ends[1].1 - stroke.ends[0].1,
+            "input_while_rising": stroke.rise_and_return[0],
+            "input_while_falling": stroke.rise_and_return[1],
+            "time_ratio": stroke.time_ratio,
+        })
+    });
+    strokes.collect()
+}
+
+fn transmission(found: &Kinematics<'_>) -> Vec<Value> {
+    let angles = found.transmission.iter().map(|angle| {
+        let end = |(at, value): (f64, f64)| json!({ "at": at, "value": value });
+        json!({
+            "of": angle.owner,
+            "unit": "rad",
+            "least": end(angle.least),
+            "greatest": end(angle.greatest),
+        })
+    });
+    angles.collect()
+}

@@ -1,0 +1,141 @@
+//! The linkage over the rows, as a drawing that moves.
+
+use crate::analysis::kinematics::{Kinematics, Quantity};
+use crate::report::mechanism::{Arrow, ArrowSet, Axis, Drawing, Path, Placement};
+
+/// Most positions that a page carries.
+const MOST_FRAMES: usize = 721;
+
+/// The drawing with the paths of all points that are no pins of the ground, and
+/// arrows of speed and acceleration.
+pub fn drawing<'a>(found: &'a Kinematics<'_>) -> Drawing<'a> {
+    let rows = thinned(found.frames.len());
+    with_rows(found, &rows)
+}
+
+/// The picture of one row, with the paths of all rows.
+pub fn picture(found: &Kinematics<'_>, row: usize) -> String {
+    let all: Vec<usize> = (0..found.frames.len()).collect();
+    with_rows(found, &all).svg(row)
+}
+
+fn thinned(count: usize) -> Vec<usize> {
+    let stride = count.div_ceil(MOST_FRAMES).max(1);
+    (0..count).step_by(stride).collect()
+}
+
+fn with_rows<'a>(found: &'a Kinematics<'_>, rows: &[usize]) -> Drawing<'a> {
+    let placed = |row: &usize| {
+        let links = found.frames[*row].iter();
+        links
+            .map(|&[x, y, cos, sin]| Placement {
+                at: [x, y],
+                turn: [cos, sin],
+            })
+            .collect()
+    };
+    let points: Vec<Point<'_>> = points(found);
+    let take = |values: &[f64]| -> Vec<f64> { rows.iter().map(|&row| values[row]).collect() };
+    let vectors = |x: &[f64], y: &[f64]| -> Vec<[f64; 2]> {
+        rows.iter().map(|&row| [x[row], y[row]]).collect()
+    };
+    let set = |name: &str, unit: &str, shown: bool, which: usize| ArrowSet {
+        name: name.to_owned(),
+        unit: unit.to_owned(),
+        shown,
+        arrows: (points.iter())
+            .map(|point| Arrow {
+                name: format!("{name} of {}", point.owner),
+                at: vectors(point.values[0], point.values[1]),
+                vector: vectors(point.values[which], point.values[which + 1]),
+            })
+            .collect(),
+    };
+    let degrees = found.axis.unit == "rad";
+    let shown = |value: f64| if degrees { value.to_degrees() } else { value };
+    Drawing {
+        spec: found.linkage.spec(),
+        frames: rows.iter().map(placed).collect(),
+        axis: Axis {
+            name: found.axis.name.to_owned(),
+            unit: if degrees { "deg" } else { found.axis.unit }.to_owned(),
+            values: take(&found.axis.values).into_iter().map(shown).collect(),
+            times: take(&found.times),
+            closed: found.closed,
+        },
+        paths: (points.iter())
+            .map(|point| Path {
+                name: point.owner.to_owned(),
+                points: vectors(point.values[0], point.values[1]),
+            })
+            .collect(),
+        arrows: vec![
+            set("speed", "m/s", true, 2),
+            set("acceleration", "m/s²", false, 4),
+        ],
+    }
+}
+
+/// A named point that moves: x, y, speed, acceleration over the rows.
+struct Point<'a> {
+    owner: &'a str,
+    values: [&'a [f64]; 6],
+}
+
+fn points<'a>(found: &'a Kinematics<'_>) -> Vec<Point<'a>> {
+    let find = |owner: &str, quantity: Quantity| {
+        let mut columns = found.columns.iter();
+        columns.find(|column| column.owner == owner && column.quantity == quantity)
+    };
+    let mut points = Vec::new();
+    for column in &found.columns {
+        if column.quantity != Quantity::X {
+            continue;
+        }
+        let owner = column.owner.as_str();
+        let others = [
+            Quantity::Y,
+            Quantity::SpeedX,
+            Quantity::SpeedY,
+            Quantity::AccelerationX,
+            Quantity::AccelerationY,
+        ];
+        let others = others.map(|quantity| find(owner, quantity));
+        let [Some(y), Some(vx), Some(vy), Some(ax), Some(ay)] = others else {
+            continue;
+        };
+        let values = [column, y, vx, vy, ax, ay].map(|column| column.values.as_slice());
+        let moves = values[..2].iter().any(|values| spread(values) > 0.0);
+        let twice = points
+            .iter()
+            .any(|other: &Point<'_>| same_path(other, values[0], values[1]));
+        if moves && !twice {
+            points.push(Point { owner, values });
+        }
+    }
+    points
+}
+
+/// Greatest less least, 0 where that is rounding.
+fn spread(values: &[f64]) -> f64 {
+    let least = values.iter().copied().fold(f64::INFINITY, f64::min);
+    let most = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let size = least.abs().max(most.abs());
+    if most - least > 1e-9 * size {
+        most - least
+    } else {
+        0.0
+    }
+}
+
+/// True when two points are one pin of two links.
+fn same_path(other: &Point<'_>, x: &[f64], y: &[f64]) -> bool {
+    let near = |a: &[f64], b: &[f64]| {
+        let size = a.iter().fold(0.0, |size: f64, value| size.max(value.abs()));
+        let pairs = a.iter().zip(b);
+        pairs
+            .into_iter()
+            .all(|(a, b)| (a - b).abs() <= 1e-9 * size.max(1e-300))
+    };
+    near(other.values[0], x) && near(other.values[1], y)
+}

@@ -1,0 +1,168 @@
+//! The kinematics as a page that opens without a network.
+
+use super::text::reach;
+use super::{angle_or, drawing, input, place, plots};
+use crate::analysis::kinematics::Kinematics;
+use crate::report::html::data::PlotData;
+use crate::report::html::{facts, header, scene, shell};
+use crate::report::quantity::{escape, significant};
+use std::fmt::Write as _;
+
+/// Everything that goes into the page.
+#[derive(Clone, Copy, Debug)]
+pub struct KinematicsReport<'a> {
+    /// What was found.
+    pub found: &'a Kinematics<'a>,
+    /// Name of the scene.
+    pub name: &'a str,
+    /// SHA-256 of the canonical scene.
+    pub hash: &'a str,
+    /// The scene's text, shown as it is.
+    pub scene: &'a str,
+    /// Version of `dam`.
+    pub version: &'a str,
+}
+
+/// The page.
+pub fn page(report: &KinematicsReport<'_>) -> String {
+    let found = report.found;
+    let subtitle = format!("kinematics of {}, {}", found.object, found.motion);
+    let mut body = header(report.name, &subtitle, None);
+    body.push_str("<main>\n");
+    if let Some(stop) = &found.stopped {
+        let _ = writeln!(
+            body,
+            "<p class=\"verdict mechanism\"><span class=\"sort\">Mechanism</span><b>stops at {}</b> \
+             input {}: {}</p>",
+            escape(&place(found, stop.at)),
+            escape(&input(found, stop.input)),
+            escape(&stop.cause)
+        );
+    }
+    body.push_str(&drawing(found).section("mechanism"));
+    body.push_str(&structure(found));
+    body.push_str(&strokes(found));
+    body.push_str(&transmission(found));
+    for group in plots::groups(found) {
+        let _ = writeln!(
+            body,
+            "<h2>{}</h2>\n<div class=\"plots\" style=\"--rows:{}\">",
+            group.title,
+            group.charts.len().div_ceil(2)
+        );
+        for chart in &group.charts {
+            let _ = writeln!(
+                body,
+                "<div class=\"graph\">{}</div>",
+                chart.svg(plots::SIZE.0, plots::SIZE.1)
+            );
+        }
+        body.push_str("</div>\n");
+    }
+    body.push_str(&extremes(found));
+    body.push_str(&scene(report.scene));
+    body.push_str("</main>\n");
+    let rows = [
+        ("Scene", report.name.to_owned()),
+        ("SHA-256 of the canonical scene", report.hash.to_owned()),
+        ("Program", format!("dam {}", report.version)),
+    ];
+    let _ = write!(
+        body,
+        "<footer>\n<h2>Provenance</h2>\n{}</footer>\n",
+        facts(&rows)
+    );
+    shell(report.name, &body, &PlotData::new(&[]).json())
+}
+
+fn structure(found: &Kinematics<'_>) -> String {
+    let structure = found.linkage.structure();
+    let mut groups = String::new();
+    for group in 0..structure.groups.len() {
+        let _ = writeln!(groups, "<li>{}</li>", escape(&structure.describe(group)));
+    }
+    format!(
+        "<h2>Structure</h2>\n<p>{}</p>\n<ol>\n{groups}</ol>\n<p>Input: {}.</p>\n",
+        escape(&structure.explanation),
+        escape(&reach(found))
+    )
+}
+
+fn strokes(found: &Kinematics<'_>) -> String {
+    if found.strokes.is_empty() {
+        return String::new();
+    }
+    let mut rows = String::new();
+    for stroke in &found.strokes {
+        let [low, high] = stroke.ends;
+        let [rise, fall] = stroke.rise_and_return;
+        let _ = writeln!(
+            rows,
+            "<tr><th>{}</th><td>{}<span class=\"sub\">at {}</span></td><td>{}<span class=\"sub\">at \
+             {}</span></td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>",
+            escape(&stroke.owner),
+            angle_or(low.1, stroke.unit),
+            input(found, low.0),
+            angle_or(high.1, stroke.unit),
+            input(found, high.0),
+            angle_or(high.1 - low.1, stroke.unit),
+            input(found, rise),
+            input(found, fall),
+            significant(stroke.time_ratio, 6)
+        );
+    }
+    format!(
+        "<h2>Strokes</h2>\n<div class=\"scroll\"><table>\n<thead><tr><th>of</th><th>least</th>\
+         <th>greatest</th><th>stroke</th><th>input while rising</th><th>input while falling</th>\
+         <th>time ratio</th></tr></thead>\n<tbody>\n{rows}</tbody></table></div>\n"
+    )
+}
+
+fn transmission(found: &Kinematics<'_>) -> String {
+    if found.transmission.is_empty() {
+        return String::new();
+    }
+    let mut rows = String::new();
+    for angle in &found.transmission {
+        let _ = writeln!(
+            rows,
+            "<tr><th>{}</th><td>{}<span class=\"sub\">at {}</span></td><td>{}<span class=\"sub\">at \
+             {}</span></td></tr>",
+            escape(&angle.owner),
+            angle_or(angle.least.1, "rad"),
+            place(found, angle.least.0),
+            angle_or(angle.greatest.1, "rad"),
+            place(found, angle.greatest.0)
+        );
+    }
+    format!(
+        "<h2>Transmission angles</h2>\n<div class=\"scroll\"><table>\n<thead><tr><th>dyad</th>\
+         <th>least</th><th>greatest</th></tr></thead>\n<tbody>\n{rows}</tbody></table></div>\n\
+         <p class=\"soft\">90 deg is best; at 0 the pushed link is in a dead position.</p>\n"
+    )
+}
+
+fn extremes(found: &Kinematics<'_>) -> String {
+    let mut rows = String::new();
+    for (column, extremes) in found.columns.iter().zip(&found.extremes) {
+        let end = |(at, value): (f64, f64)| {
+            let value = angle_or(value, &column.unit);
+            format!(
+                "<td>{value}<span class=\"sub\">at {}</span></td>",
+                place(found, at)
+            )
+        };
+        let _ = writeln!(
+            rows,
+            "<tr><th>{}</th>{}{}</tr>",
+            escape(&column.name()),
+            end(extremes.least),
+            end(extremes.greatest)
+        );
+    }
+    format!(
+        "<h2>Extremes</h2>\n<details>\n<summary>all quantities</summary>\n<div class=\"scroll \
+         tall\"><table>\n<thead><tr><th>quantity</th><th>least</th><th>greatest</th></tr></thead>\n\
+         <tbody>\n{rows}</tbody></table></div>\n</details>\n"
+    )
+}

@@ -1,0 +1,155 @@
+//! Plots over the axis, one a quantity.
+
+use crate::analysis::kinematics::{Column, Kinematics, Quantity};
+use crate::report::svg::chart::{Axis, Chart, Curve};
+
+/// Size of a plot (pixels).
+pub(super) const SIZE: (f64, f64) = (590.0, 300.0);
+
+/// A group of plots under a heading.
+pub(super) struct Group {
+    pub(super) title: String,
+    pub(super) charts: Vec<Chart>,
+}
+
+/// The plots: links, points, sliding pairs, outputs.
+pub(super) fn groups(found: &Kinematics<'_>) -> Vec<Group> {
+    use Quantity as Q;
+    let links: Vec<String> = names(&found.linkage.spec().links, |link| {
+        format!("links.{}", link.name)
+    });
+    let outputs = names(&found.linkage.spec().outputs, |output| output.name.clone());
+    let pairs = names(&found.linkage.spec().pairs, |pair| {
+        format!("pairs.{}", pair.name)
+    });
+    let points: Vec<String> = (found.columns.iter())
+        .filter(|column| column.quantity == Q::X)
+        .map(|column| column.owner.clone())
+        .collect();
+    let mut groups = Vec::new();
+    let mut add = |title: &str, owners: &[String], rows: &[(&str, Q)]| {
+        let charts = rows
+            .iter()
+            .flat_map(|&(name, quantity)| charts(found, name, owners, quantity));
+        let charts: Vec<Chart> = charts.collect();
+        if !charts.is_empty() {
+            groups.push(Group {
+                title: title.to_owned(),
+                charts,
+            });
+        }
+    };
+    add(
+        "Outputs",
+        &outputs,
+        &[
+            ("Displacement U", Q::Displacement),
+            ("Speed", Q::Speed),
+            ("Acceleration", Q::Acceleration),
+            ("First transfer function U′", Q::First),
+            ("Second transfer function U″", Q::Second),
+            ("Third transfer function U‴", Q::Third),
+        ],
+    );
+    add(
+        "Links",
+        &links,
+        &[
+            ("Angle", Q::Angle),
+            ("Angular speed", Q::AngularSpeed),
+            ("Angular acceleration", Q::AngularAcceleration),
+        ],
+    );
+    add(
+        "Points",
+        &points,
+        &[
+            ("Speed", Q::SpeedSize),
+            ("Acceleration", Q::AccelerationSize),
+        ],
+    );
+    add(
+        "Sliding pairs",
+        &pairs,
+        &[
+            ("Displacement along the guide", Q::Displacement),
+            ("Relative speed", Q::RelativeSpeed),
+            ("Transport speed across the guide", Q::TransportSpeedAcross),
+            ("Relative acceleration", Q::RelativeAcceleration),
+            (
+                "Transport acceleration along the guide",
+                Q::TransportAccelerationAlong,
+            ),
+            (
+                "Transport acceleration across the guide",
+                Q::TransportAccelerationAcross,
+            ),
+            (
+                "Coriolis acceleration across the guide",
+                Q::CoriolisAcceleration,
+            ),
+        ],
+    );
+    groups
+}
+
+fn names<T>(list: &[T], name: impl Fn(&T) -> String) -> Vec<String> {
+    list.iter().map(name).collect()
+}
+
+/// One chart a unit; what is zero throughout gets none.
+fn charts(found: &Kinematics<'_>, name: &str, owners: &[String], quantity: Quantity) -> Vec<Chart> {
+    let mut charts: Vec<Chart> = Vec::new();
+    for owner in owners {
+        let mut columns = found.columns.iter();
+        let column = columns.find(|column| &column.owner == owner && column.quantity == quantity);
+        let Some(column) = column.filter(|column| column.values.iter().any(|&v| v != 0.0)) else {
+            continue;
+        };
+        let curve = curve(found, column);
+        let unit = if column.unit == "1" {
+            ""
+        } else {
+            column.unit.as_str()
+        };
+        match charts.iter_mut().find(|chart| chart.unit == unit) {
+            Some(chart) => chart.curves.push(curve),
+            None => charts.push(Chart {
+                title: name.to_owned(),
+                unit: unit.to_owned(),
+                curves: vec![curve],
+                shaded: Vec::new(),
+                horizontal: axis(found),
+            }),
+        }
+    }
+    charts
+}
+
+fn axis(found: &Kinematics<'_>) -> Axis {
+    let (symbol, unit) = match found.axis.unit {
+        "rad" => ("q", "deg"),
+        "m" => ("q", "m"),
+        unit => ("t", unit),
+    };
+    Axis {
+        symbol: symbol.to_owned(),
+        unit: unit.to_owned(),
+    }
+}
+
+fn curve(found: &Kinematics<'_>, column: &Column) -> Curve {
+    let degrees = found.axis.unit == "rad";
+    let place = |at: f64| if degrees { at.to_degrees() } else { at };
+    let points = found.axis.values.iter().zip(&column.values);
+    Curve {
+        label: short(&column.owner).to_owned(),
+        points: points.map(|(&at, &value)| (place(at), value)).collect(),
+    }
+}
+
+/// An owner without the word that says what it is: the heading says that.
+fn short(owner: &str) -> &str {
+    let owner = owner.strip_prefix("links.").unwrap_or(owner);
+    owner.strip_prefix("pairs.").unwrap_or(owner)
+}

@@ -1,0 +1,129 @@
+//! The kinematics on the terminal.
+
+use super::{angle_or, input, place};
+use crate::analysis::kinematics::{Column, Extremes, Kinematics, Quantity};
+use crate::report::quantity::{significant, with_unit};
+use std::fmt::Write as _;
+
+/// Structure, extremes, strokes, transmission angles, limits.
+pub fn text(scene: &str, found: &Kinematics<'_>) -> String {
+    let mut out = format!("{scene}\n{}\n", headline(found));
+    if let Some(stop) = &found.stopped {
+        let _ = writeln!(
+            out,
+            "STOPPED at {}, input {}: {}",
+            place(found, stop.at),
+            input(found, stop.input),
+            stop.cause
+        );
+    }
+    let _ = write!(out, "\n{}", found.linkage.structure());
+    let _ = writeln!(out, "input: {}", reach(found));
+    out.push_str("\nEXTREMES\n");
+    for (column, extremes) in found.columns.iter().zip(&found.extremes) {
+        if told(column.quantity) {
+            row(&mut out, found, column, extremes);
+        }
+    }
+    strokes(&mut out, found);
+    transmission(&mut out, found);
+    out
+}
+
+fn headline(found: &Kinematics<'_>) -> String {
+    let (from, to) = (found.axis.values.first(), found.axis.values.last());
+    let end = |at: Option<&f64>| at.map_or("–".to_owned(), |&at| place(found, at));
+    format!(
+        "{}: {} positions, {} {} to {}, {}",
+        found.object,
+        found.axis.values.len(),
+        found.axis.name,
+        end(from),
+        end(to),
+        found.motion
+    )
+}
+
+/// Transfer functions of points and components are in the files.
+fn told(quantity: Quantity) -> bool {
+    use Quantity as Q;
+    matches!(
+        quantity,
+        Q::Displacement
+            | Q::Speed
+            | Q::Acceleration
+            | Q::First
+            | Q::Second
+            | Q::Angle
+            | Q::AngularSpeed
+            | Q::AngularAcceleration
+            | Q::X
+            | Q::Y
+            | Q::SpeedSize
+            | Q::AccelerationSize
+            | Q::RelativeSpeed
+            | Q::RelativeAcceleration
+            | Q::CoriolisAcceleration
+    )
+}
+
+fn row(out: &mut String, found: &Kinematics<'_>, column: &Column, extremes: &Extremes) {
+    let end = |(at, value): (f64, f64)| (angle_or(value, &column.unit), place(found, at));
+    let ((least, at_least), (greatest, at_greatest)) =
+        (end(extremes.least), end(extremes.greatest));
+    let name = column.name();
+    let _ = writeln!(
+        out,
+        "  {name:<34} {least:>22} at {at_least:<16} {greatest:>22} at {at_greatest}"
+    );
+}
+
+pub(super) fn reach(found: &Kinematics<'_>) -> String {
+    let turning = found.input == crate::model::Coordinate::Turning;
+    let range = found.linkage.range();
+    range.describe(found.linkage.structure(), turning)
+}
+
+fn strokes(out: &mut String, found: &Kinematics<'_>) {
+    if found.strokes.is_empty() {
+        return;
+    }
+    out.push_str("\nSTROKES\n");
+    for stroke in &found.strokes {
+        let [low, high] = stroke.ends;
+        let [rise, fall] = stroke.rise_and_return;
+        let value = |value: f64| match stroke.unit {
+            "rad" => angle_or(value, "rad"),
+            unit => with_unit(value, unit, 8),
+        };
+        let _ = writeln!(
+            out,
+            "  {}: {} to {}, stroke {}; rises over {}, falls over {} of the input, time ratio {}",
+            stroke.owner,
+            value(low.1),
+            value(high.1),
+            value(high.1 - low.1),
+            input(found, rise),
+            input(found, fall),
+            significant(stroke.time_ratio, 6)
+        );
+    }
+}
+
+fn transmission(out: &mut String, found: &Kinematics<'_>) {
+    if found.transmission.is_empty() {
+        return;
+    }
+    out.push_str("\nTRANSMISSION ANGLES (90 deg is best)\n");
+    for angle in &found.transmission {
+        let _ = writeln!(
+            out,
+            "  {}: {} at {} to {} at {}",
+            angle.owner,
+            angle_or(angle.least.1, "rad"),
+            place(found, angle.least.0),
+            angle_or(angle.greatest.1, "rad"),
+            place(found, angle.greatest.0)
+        );
+    }
+}

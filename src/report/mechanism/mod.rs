@@ -1,0 +1,101 @@
+//! A planar linkage drawn to scale: as a picture of one position, and moving.
+//!
+//! Every link is drawn once, in its own frame, and placed by a transform; the
+//! script of a page only changes the transforms.
+
+mod arrows;
+mod parts;
+mod section;
+mod shape;
+mod view;
+
+use crate::linkage::spec::LinkageSpec;
+
+/// A link's frame in the frame of the ground.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Placement {
+    /// Origin (m).
+    pub at: [f64; 2],
+    /// Cosine and sine of the angle.
+    pub turn: [f64; 2],
+}
+
+impl Placement {
+    /// The ground's own frame.
+    pub const GROUND: Self = Self {
+        at: [0.0, 0.0],
+        turn: [1.0, 0.0],
+    };
+
+    /// A point of the link in the frame of the ground.
+    pub fn point(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+        let [c, s] = self.turn;
+        [self.at[0] + c * x - s * y, self.at[1] + s * x + c * y]
+    }
+}
+
+/// A linkage in a sequence of positions.
+#[derive(Clone, Debug)]
+pub struct Drawing<'a> {
+    /// The linkage.
+    pub spec: &'a LinkageSpec,
+    /// Its positions: one placement a link.
+    pub frames: Vec<Vec<Placement>>,
+    /// What leads from one position to the next.
+    pub axis: Axis,
+    /// Paths of points: coupler curves.
+    pub paths: Vec<Path>,
+    /// Arrows: speeds, accelerations, forces.
+    pub arrows: Vec<ArrowSet>,
+}
+
+/// What leads from one position to the next.
+#[derive(Clone, Debug)]
+pub struct Axis {
+    /// Its name: `crank angle`, `time`.
+    pub name: String,
+    /// The unit in which it is shown.
+    pub unit: String,
+    /// Its value at every position, in that unit.
+    pub values: Vec<f64>,
+    /// Time of every position (s), for playing at true relative speed.
+    pub times: Vec<f64>,
+    /// True when the first position follows the last.
+    pub closed: bool,
+}
+
+/// The path of a point.
+#[derive(Clone, Debug)]
+pub struct Path {
+    /// The point: `rod.P`.
+    pub name: String,
+    /// Its place at every position (m).
+    pub points: Vec<[f64; 2]>,
+}
+
+/// Arrows of one kind, all to the same scale.
+#[derive(Clone, Debug)]
+pub struct ArrowSet {
+    /// What they show: `speed`.
+    pub name: String,
+    /// SI unit of their length.
+    pub unit: String,
+    /// True when they are shown from the beginning.
+    pub shown: bool,
+    /// The arrows.
+    pub arrows: Vec<Arrow>,
+}
+
+/// An arrow over all positions.
+#[derive(Clone, Debug)]
+pub struct Arrow {
+    /// What it belongs to: `rod.P`.
+    pub name: String,
+    /// Where it starts at every position (m).
+    pub at: Vec<[f64; 2]>,
+    /// The vector at every position (SI).
+    pub vector: Vec<[f64; 2]>,
+}
+
+#[cfg(test)]
+mod tests;

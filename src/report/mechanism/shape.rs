@@ -1,0 +1,99 @@
+//! Outlines of links, in their own frames (m).
+
+use crate::linkage::spec::{LinkageSpec, PairKind, PairSpec};
+
+/// The distinct places of a link where something is: named points, pins, the
+/// reference points of blocks and guides.
+pub(super) fn places(spec: &LinkageSpec, link: usize) -> Vec<[f64; 2]> {
+    let named = spec.links[link].points.iter().map(|point| point.at);
+    let paired = spec.pairs.iter().flat_map(|pair| [&pair.on, &pair.link]);
+    let paired = paired
+        .filter(|end| end.link == Some(link))
+        .map(|end| end.at);
+    let mut places: Vec<[f64; 2]> = Vec::new();
+    for place in named.chain(paired) {
+        if !places.contains(&place) {
+            places.push(place);
+        }
+    }
+    places
+}
+
+/// The corners of the convex hull of a link's places, counterclockwise; one or
+/// two where it has no area.
+pub(super) fn corners(spec: &LinkageSpec, link: usize) -> Vec<[f64; 2]> {
+    hull(places(spec, link))
+}
+
+/// The convex hull (Andrew's monotone chain).
+fn hull(mut points: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
+    points.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
+    if points.len() < 3 {
+        return points;
+    }
+    let half = |points: &mut dyn Iterator<Item = [f64; 2]>| {
+        let mut chain: Vec<[f64; 2]> = Vec::new();
+        for point in points {
+            while chain.len() >= 2
+                && turn(chain[chain.len() - 2], chain[chain.len() - 1], point) <= 0.0
+            {
+                chain.pop();
+            }
+            chain.push(point);
+        }
+        chain.pop();
+        chain
+    };
+    let mut whole = half(&mut points.iter().copied());
+    whole.extend(half(&mut points.iter().rev().copied()));
+    whole
+}
+
+fn turn(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> f64 {
+    (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+}
+
+/// A block: its reference point and axis in the frame of its link, its ends
+/// along the axis and half its height (m).
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Block {
+    /// Reference point on link j.
+    pub(super) at: [f64; 2],
+    /// Angle of the guide's direction in the frame of link j (rad).
+    pub(super) angle: f64,
+    /// Ends along the guide, the lower first.
+    pub(super) ends: [f64; 2],
+    /// Half the height.
+    pub(super) half_height: f64,
+}
+
+/// The block of a sliding pair; where the scene gives no size, one that can be
+/// seen in a mechanism of this extent.
+pub(super) fn block(pair: &PairSpec, extent: f64) -> Option<Block> {
+    let PairKind::Sliding {
+        angle,
+        corners,
+        half_height,
+        ..
+    } = pair.kind
+    else {
+        return None;
+    };
+    let [b1, b2] = corners;
+    let sized = b1 - b2 > 1e-3 * extent;
+    let ends = if sized {
+        [b2, b1]
+    } else {
+        [-0.035 * extent, 0.035 * extent]
+    };
+    Some(Block {
+        at: pair.link.at,
+        angle: -angle,
+        ends,
+        half_height: if half_height > 1e-3 * extent {
+            half_height
+        } else {
+            0.02 * extent
+        },
+    })
+}

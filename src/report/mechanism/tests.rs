@@ -1,0 +1,174 @@
+//! A slider-crank drawn in three positions.
+
+use super::{Arrow, ArrowSet, Axis, Drawing, Path, Placement};
+use crate::linkage::spec::{LinkSpec, LinkageSpec, NamedPoint, PairKind, PairSpec, PointOf};
+
+fn named(name: &str, at: [f64; 2]) -> NamedPoint {
+    NamedPoint {
+        name: name.to_owned(),
+        at,
+    }
+}
+
+fn end(link: Option<usize>, at: [f64; 2]) -> PointOf {
+    PointOf { link, at }
+}
+
+fn pair(name: &str, on: PointOf, link: PointOf, kind: PairKind) -> PairSpec {
+    PairSpec {
+        name: name.to_owned(),
+        on,
+        link,
+        kind,
+        friction: 0.0,
+    }
+}
+
+pub(super) fn slider_crank() -> LinkageSpec {
+    let link = |name: &str, points: Vec<NamedPoint>| LinkSpec {
+        name: name.to_owned(),
+        points,
+        ..LinkSpec::default()
+    };
+    let pin = PairKind::Revolute { diameter: 0.0 };
+    let guide = PairKind::Sliding {
+        direction: 0.0,
+        angle: 0.0,
+        corners: [0.0, 0.0],
+        half_height: 0.0,
+    };
+    LinkageSpec {
+        links: vec![
+            link("crank", vec![named("A", [0.06, 0.0])]),
+            link("rod", vec![named("P", [0.1, 0.05]), named("B", [0.2, 0.0])]),
+            link("slider", Vec::new()),
+        ],
+        ground: vec![named("O", [0.0, 0.0])],
+        pairs: vec![
+            pair("O", end(None, [0.0; 2]), end(Some(0), [0.0; 2]), pin),
+            pair("A", end(Some(0), [0.06, 0.0]), end(Some(1), [0.0; 2]), pin),
+            pair("B", end(Some(1), [0.2, 0.0]), end(Some(2), [0.0; 2]), pin),
+            pair("C", end(None, [0.0; 2]), end(Some(2), [0.0; 2]), guide),
+        ],
+        ..LinkageSpec::default()
+    }
+}
+
+/// Placements at a crank angle.
+fn frame(angle: f64) -> Vec<Placement> {
+    let turn = [angle.cos(), angle.sin()];
+    let a = [0.06 * turn[0], 0.06 * turn[1]];
+    let sin = -a[1] / 0.2;
+    let cos = (1.0 - sin * sin).sqrt();
+    let at = |at: [f64; 2], turn: [f64; 2]| Placement { at, turn };
+    vec![
+        at([0.0; 2], turn),
+        at(a, [cos, sin]),
+        at([a[0] + 0.2 * cos, 0.0], [1.0, 0.0]),
+    ]
+}
+
+fn drawing(spec: &LinkageSpec) -> Drawing<'_> {
+    let angles: Vec<f64> = (0..36).map(|k| f64::from(k) * 10.0).collect();
+    let frames: Vec<_> = angles.iter().map(|deg| frame(deg.to_radians())).collect();
+    let points: Vec<_> = frames.iter().map(|f| f[1].point([0.1, 0.05])).collect();
+    let turned = |[x, y]: [f64; 2]| [-y, x];
+    let speed = frames.iter().map(|f| turned(f[1].at)).collect();
+    let at = frames.iter().map(|f| f[1].at).collect();
+    Drawing {
+        spec,
+        axis: Axis {
+            name: "crank angle".into(),
+            unit: "deg".into(),
+            times: angles.clone(),
+            values: angles,
+            closed: true,
+        },
+        frames,
+        paths: vec![Path {
+            name: "rod.P".into(),
+            points,
+        }],
+        arrows: vec![ArrowSet {
+            name: "speed".into(),
+            unit: "m/s".into(),
+            shown: true,
+            arrows: vec![Arrow {
+                name: "crank.A".into(),
+                at,
+                vector: speed,
+            }],
+        }],
+    }
+}
+
+/// Numbers of the first attribute of this name in the first tag after a mark.
+fn numbers(text: &str, mark: &str, attribute: &str) -> Vec<f64> {
+    let after = &text[text.find(mark).unwrap()..];
+    let start = after.find(attribute).unwrap() + attribute.len();
+    let value = &after[start..start + after[start..].find('"').unwrap()];
+    let parts = value.split(|c: char| !(c.is_ascii_digit() || c == '.' || c == '-'));
+    parts.filter_map(|part| part.parse().ok()).collect()
+}
+
+#[test]
+fn pins_lie_where_the_links_are_and_all_is_to_one_scale() {
+    let spec = slider_crank();
+    let drawing = drawing(&spec);
+    for (index, deg) in [(0usize, 0.0f64), (9, 90.0), (20, 200.0)] {
+        let picture = drawing.svg(index);
+        assert!(!picture.contains("NaN") && !picture.contains("inf"));
+        let pin = |name: &str| {
+            let end = picture.find(&format!(">{name}</text>")).unwrap();
+            let from = picture[..end].rfind("<g class=\"pin\"").unwrap();
+            numbers(&picture[from..end], "<g", "translate(")[..].to_vec()
+        };
+        let placed = frame(deg.to_radians());
+        let (o, b) = (numbers_of(pin("O")), numbers_of(pin("B")));
+        // Pixels a metre from the greatest distance there is.
+        let scale = (b[0] - o[0]).hypot(b[1] - o[1]) / placed[2].at[0];
+        let a = numbers_of(pin("A"));
+        let expected = [
+            o[0] + scale * placed[1].at[0],
+            o[1] - scale * placed[1].at[1],
+        ];
+        assert!((a[0] - expected[0]).abs() < 0.05 && (a[1] - expected[1]).abs() < 0.05);
+        // The link's transform puts its frame there too.
+        let link = numbers(&picture, "data-link=\"1\"", "matrix(");
+        assert!((link[4] - a[0]).abs() < 0.02 && (link[5] - a[1]).abs() < 0.02);
+        assert!((link[0] - placed[1].turn[0]).abs() < 1e-5);
+        assert!((link[1] + placed[1].turn[1]).abs() < 1e-5);
+    }
+}
+
+fn numbers_of(list: Vec<f64>) -> [f64; 2] {
+    [list[0], list[1]]
+}
+
+#[test]
+fn what_cannot_be_drawn_is_left_out_and_nothing_is_printed_that_is_no_number() {
+    let spec = slider_crank();
+    let mut drawing = drawing(&spec);
+    drawing.frames[3][1].at = [f64::NAN, 0.0];
+    drawing.arrows[0].arrows[0].vector[0] = [f64::INFINITY, 0.0];
+    drawing.paths[0].points[5] = [f64::NAN; 2];
+    let section = drawing.section("press");
+    assert!(!section.contains("NaN") && !section.contains("inf\""));
+    assert!(section.contains("id=\"press-data\""));
+    drawing.frames.clear();
+    assert!(!drawing.svg(0).contains("NaN,"));
+}
+
+#[test]
+#[ignore = "writes a page to look at"]
+fn a_page_to_look_at() {
+    let spec = slider_crank();
+    let drawing = drawing(&spec);
+    std::fs::write("/tmp/mechanism.svg", drawing.svg(4)).unwrap();
+    let page = crate::report::html::shell(
+        "x",
+        &drawing.section("press"),
+        "{\"groups\":[],\"times\":[],\"runs\":[]}",
+    );
+    std::fs::write("/tmp/mechanism.html", page).unwrap();
+}

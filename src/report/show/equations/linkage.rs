@@ -1,0 +1,96 @@
+//! The terms of a linkage, reduced to its input coordinate.
+
+use super::{Section, of_object};
+use crate::linkage::spec::ForceLaw;
+use crate::model::{LinkageBody, Model};
+use crate::report::math::Expr;
+use crate::report::show::units;
+
+/// Which forces a linkage has.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Parts {
+    /// Weights or springs.
+    potential: bool,
+    /// Forces and couples.
+    applied: bool,
+    /// Dampers.
+    damping: bool,
+}
+
+impl Parts {
+    pub(super) fn of(body: &LinkageBody) -> Self {
+        let spec = body.linkage.spec();
+        let heavy = spec.links.iter().any(|link| link.mass > 0.0);
+        let mut parts = Self {
+            potential: heavy && spec.gravity != [0.0; 2],
+            ..Self::default()
+        };
+        for force in &spec.forces {
+            match &force.law {
+                ForceLaw::Strut { rate, damping, .. } | ForceLaw::Torsion { rate, damping, .. } => {
+                    parts.potential |= *rate > 0.0;
+                    parts.damping |= *damping > 0.0;
+                }
+                ForceLaw::Force { .. } | ForceLaw::Couple { .. } | ForceLaw::Table { .. } => {
+                    parts.applied = true;
+                }
+            }
+        }
+        parts
+    }
+
+    /// Whether there is any force at all.
+    pub(super) fn any(self) -> bool {
+        self.potential || self.applied || self.damping
+    }
+}
+
+/// Terms of a linkage in the force of its constraint: −J·φ̈ − ½·J′·φ̇² + W.
+pub(super) fn forces(
+    model: &Model,
+    object: usize,
+    body: &LinkageBody,
+    section: &mut Section,
+) -> Vec<Expr> {
+    let phi = of_object("φ", model, object);
+    let inertia = of_object("J", model, object);
+    let rate = phi.clone().rate();
+    let half_slope = Expr::Number(0.5).times(inertia.clone().prime());
+    let mut terms = vec![
+        inertia.expr().times(rate.clone().rate()).negative(),
+        half_slope.times(rate.clone().expr().squared()).negative(),
+    ];
+    let parts = Parts::of(body);
+    let mut reduced = Vec::new();
+    if parts.applied {
+        reduced.push(of_object("Q", model, object).expr());
+    }
+    if parts.potential {
+        let slope = of_object("V", model, object).prime();
+        reduced.push(slope.expr().negative());
+    }
+    if parts.damping {
+        let damping = of_object("D", model, object).expr();
+        reduced.push(damping.times(rate).negative());
+    }
+    if parts.any() {
+        let letter = of_object("W", model, object);
+        let remark = "forces, weights and springs, dampers, reduced to the input: functions of φ";
+        section.line(letter.clone(), Expr::sum(reduced), remark);
+        terms.push(letter.expr());
+    }
+    terms
+}
+
+/// J where the linkage is put together.
+pub(super) fn entry(model: &Model, object: usize, body: &LinkageBody, section: &mut Section) {
+    let unit = units(model.objects[object].coordinate).inertia;
+    let mut workspace = body.linkage.workspace();
+    let start = body.linkage.spec().start;
+    if body.linkage.solve(start, 2, &mut workspace).is_ok() {
+        let inertia = body.linkage.reduced(&workspace).inertia[0];
+        let meaning =
+            "inertia reduced to the input, a function of φ; here where it is put together";
+        section.entry(of_object("J", model, object), inertia, unit, meaning);
+    }
+}
