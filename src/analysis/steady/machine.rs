@@ -191,6 +191,7 @@ impl Machine {
             system,
         };
         machine.find_breaks()?;
+        machine.depends_on_speed |= machine.is_damped();
         machine.check_cycle()?;
         Ok(machine)
     }
@@ -246,6 +247,18 @@ impl Machine {
         let modes = self.modes_at(middle);
         self.narrow([from, middle], [before, &modes], breaks);
         self.narrow([middle, to], [&modes, after], breaks);
+    }
+
+    /// True when a moment changes with the speed at rest: dampers of linkages,
+    /// which are no loads of nodes.
+    fn is_damped(&self) -> bool {
+        let ends = std::iter::once(0.0).chain(self.breaks.iter().copied());
+        ends.enumerate().any(|(piece, from)| {
+            let to = self.breaks.get(piece).copied().unwrap_or(self.cycle);
+            let places = (0..=16).map(|i| from + (to - from) * f64::from(i) / 16.0);
+            let mut slopes = places.map(|place| self.at(piece, place, 0.0).moment_by_speed);
+            slopes.any(|slope| slope != 0.0)
+        })
     }
 
     fn check_cycle(&self) -> Result<(), Vec<Fault>> {
