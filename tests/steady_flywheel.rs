@@ -1,5 +1,8 @@
 //! Flywheels against textbooks and against the steady motion itself.
 
+// The log of a run says how near the bounds are.
+#![allow(clippy::print_stdout)]
+
 mod steady_machines;
 
 use dam::steady::{Given, Mean, Profile, Question, flywheel, steady};

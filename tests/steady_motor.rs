@@ -1,5 +1,8 @@
 //! Moments that depend on speed: the cycle map and its fixed point.
 
+// The log of a run says how near the bounds are.
+#![allow(clippy::print_stdout)]
+
 mod steady_machines;
 
 use dam::steady::Refusal;

@@ -2,6 +2,9 @@
 //! (`tests/reference/steady-state.json`: 34-digit arithmetic, composite Gauss
 //! quadrature), against closed forms and against textbooks.
 
+// The log of a run says how near the bounds are.
+#![allow(clippy::print_stdout)]
+
 mod steady_machines;
 
 use dam::steady::{Given, Mean, Profile, Question, Refusal, Table, steady};

@@ -1,5 +1,8 @@
 //! The steady motion of scenes: what independent ways agree on, what is refused.
 
+// The log of a run says how near the bounds are.
+#![allow(clippy::print_stdout)]
+
 use dam::analysis::RunSettings;
 use dam::analysis::steady::{Answer, PeriodicAnswer, RigidAnswer, Stability, steady_motion};
 use dam::exact::{Parts, Request};
@@ -174,6 +177,49 @@ fn energy_theorem_cycle_map_and_simulation_agree() {
             agreement.cycle_map.is_none_or(|apart| apart < 1e-10),
             "{name}"
         );
+    }
+}
+
+#[test]
+fn a_flywheel_for_a_machine_on_its_motor_keeps_what_it_promises() {
+    let answer = rigid("steady/press_motor", |spec| spec.fluctuation = Some(0.1));
+    let wheel = answer.flywheel.unwrap();
+    approx::assert_relative_eq!(wheel.fluctuation_with, 0.1, max_relative = 1e-9);
+    approx::assert_relative_eq!(answer.figures.fluctuation, 0.1, max_relative = 1e-9);
+    assert!(wheel.inertia > 5.0 && wheel.approximations[2].error.unwrap().abs() < 0.05);
+    let run = answer.agreement.simulation.unwrap();
+    assert!(run.speed.abs() < 1e-8, "{run:?}");
+}
+
+#[test]
+fn a_linkage_reduces_to_the_press_of_the_reference() {
+    let root = env!("CARGO_MANIFEST_DIR");
+    let read = |name: &str| std::fs::read_to_string(format!("{root}/{name}")).unwrap();
+    let text = read("scenarios/steady/press_with_rod.json");
+    let torque =
+        r#"{ "linear": { "stall_torque": "800 N m", "no_load_speed": 53.333333333333336 } }"#;
+    let text = text.replace(torque, r#"{ "constant": 0 }"#);
+    let (system, settings, mut spec) = of_text(&text, &[]);
+    (spec.mean_speed, spec.balance) = (Some(32.0), true);
+    let file: serde_json::Value =
+        serde_json::from_str(&read("tests/reference/steady-state.json")).unwrap();
+    for mean in Mean::ALL {
+        spec.mean = mean;
+        let Answer::Rigid(answer) = steady_motion(&system, &settings, &spec).unwrap() else {
+            panic!("rigid");
+        };
+        let f = &answer.figures;
+        let expected = &file["cases"][3]["continuous"][mean.name()];
+        for (name, found) in [
+            ("T_at_phi0", f.energy_at_start),
+            ("omega_min", f.least_speed.value),
+            ("omega_max", f.greatest_speed.value),
+            ("delta", f.fluctuation),
+            ("period", f.period),
+        ] {
+            let expected = expected[name].as_f64().unwrap();
+            approx::assert_relative_eq!(found, expected, max_relative = 1e-9);
+        }
     }
 }
 

@@ -3,7 +3,7 @@
 use super::SteadySpec;
 use super::objects::Known;
 use crate::read::{Bounds, Slot, did_you_mean, quoted_list};
-use crate::steady::Mean;
+use crate::steady::{MOST_TURNS, Mean};
 use crate::units::quantities as q;
 use serde_json::json;
 
@@ -36,7 +36,7 @@ pub(super) fn read(slot: Slot<'_>, known: &Known) -> Option<SteadySpec> {
             "cycle",
             "Angle of the drive after which the machine repeats",
             json!(std::f64::consts::TAU),
-            |slot| slot.quantity(q::ANGLE, Bounds::up_to(1000.0 * std::f64::consts::TAU)),
+            |slot| slot.quantity(q::ANGLE, Bounds::up_to(MOST_TURNS * std::f64::consts::TAU)),
         );
         let balance = fields.or(
             "balance",

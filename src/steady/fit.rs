@@ -4,7 +4,8 @@ use super::chebyshev::{self, COUNT, Series};
 use super::profile::Given;
 use super::refusal::Refusal;
 
-/// Panels in a cycle at least: nothing slips through between their nodes.
+/// Panels in a turn, and in a cycle, at least: nothing slips through between
+/// their nodes.
 const LEAST_PANELS: f64 = 16.0;
 /// Halvings of a panel at most: a kink or a jump at a place that nobody named.
 const MOST_HALVINGS: u32 = 44;
@@ -90,10 +91,11 @@ fn first_panels(cycle: f64, breaks: &[f64]) -> Vec<Open> {
         .chain(breaks.iter().copied())
         .chain([cycle])
         .collect();
+    let longest = cycle.min(std::f64::consts::TAU) / LEAST_PANELS;
     let mut open = Vec::new();
     for (piece, ends) in ends.windows(2).enumerate() {
         let (from, length) = (ends[0], ends[1] - ends[0]);
-        let count = (LEAST_PANELS * length / cycle).ceil().max(1.0) as usize;
+        let count = (length / longest).ceil().max(1.0) as usize;
         let place = |i: usize| match i {
             i if i == count => ends[1],
             i => from + length * i as f64 / count as f64,

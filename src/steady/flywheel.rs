@@ -3,7 +3,7 @@
 use super::law::Question;
 use super::motion::{SteadyMotion, steady};
 use super::profile::Profile;
-use super::refusal::{Field, Refusal};
+use super::refusal::Refusal;
 use super::root::bracketed;
 use serde::Serialize;
 
@@ -63,6 +63,10 @@ pub fn by_tangents(profile: &Profile, fluctuation: f64, mean_speed: f64) -> f64 
     (height(1.0) - height(-1.0)) / (fluctuation * mean_speed * mean_speed)
 }
 
+/// A motion with inertia added to the input link; `None` where the machine would
+/// stop.
+pub type WithInertia<'a> = &'a dyn Fn(f64) -> Result<Option<SteadyMotion>, Refusal>;
+
 /// The flywheel for a coefficient of fluctuation δ = (ω_max − ω_min)/ω_av.
 ///
 /// # Errors
@@ -73,31 +77,63 @@ pub fn size(
     question: &Question,
     fluctuation: f64,
 ) -> Result<(Flywheel, SteadyMotion), Refusal> {
+    question.check()?;
+    let with = |inertia: f64| match steady(&profile.with_inertia(inertia)?, question) {
+        Ok(motion) => Ok(Some(motion)),
+        Err(Refusal::TooSlow { .. }) => Ok(None),
+        Err(refusal) => Err(refusal),
+    };
+    let first = by_energy(profile.range(), fluctuation, question.mean_speed);
+    size_of(&with, fluctuation, first + profile.least_inertia().value)
+}
+
+/// The same for any machine whose motion with a given inertia is known; `first`
+/// is a guess of the inertia (kg·m²), > 0.
+///
+/// # Errors
+/// As [`size`].
+pub fn size_of(
+    with: WithInertia<'_>,
+    fluctuation: f64,
+    first: f64,
+) -> Result<(Flywheel, SteadyMotion), Refusal> {
     if !(fluctuation > 0.0 && fluctuation < 2.0) {
-        let faults = vec![Field {
-            field: "fluctuation".to_owned(),
-            message: format!("{fluctuation} is not between 0 and 2"),
-            hint: "δ = (ω_max − ω_min)/ω_av; machine tools 0.02 … 0.05".to_owned(),
-        }];
-        return Err(Refusal::Input { faults });
+        let message = format!("{fluctuation} is not between 0 and 2");
+        let hint = "δ = (ω_max − ω_min)/ω_av; machine tools 0.02 … 0.05";
+        return Err(Refusal::field("fluctuation", message, hint));
     }
-    let own = attempt(profile, question, 0.0)?;
+    let own = with(0.0)?;
     let without = own.as_ref().map(|motion| motion.figures.fluctuation);
-    let inertia = match without {
-        Some(found) if found <= fluctuation => 0.0,
-        _ => search(profile, question, fluctuation, without)?,
+    let (inertia, motion) = match own {
+        Some(motion) if motion.figures.fluctuation <= fluctuation => (0.0, motion),
+        _ => {
+            let inertia = search(with, fluctuation, first, without)?;
+            let motion = with(inertia)?.ok_or_else(|| lost(fluctuation, without))?;
+            (inertia, motion)
+        }
     };
-    let motion = match (inertia, own) {
-        (0.0, Some(motion)) => motion,
-        _ => steady(&profile.with_inertia(inertia)?, question)?,
+    let flywheel = Flywheel {
+        fluctuation,
+        fluctuation_without: without,
+        inertia,
+        fluctuation_with: motion.figures.fluctuation,
+        approximations: approximations(with, &motion, fluctuation, inertia)?,
     };
-    let balanced = motion.profile();
-    let speed = question.mean_speed;
-    let bare = balanced.with_inertia(-inertia)?;
+    Ok((flywheel, motion))
+}
+
+/// The textbooks' estimates, from the forces of the motion with the flywheel.
+fn approximations(
+    with: WithInertia<'_>,
+    motion: &SteadyMotion,
+    fluctuation: f64,
+    inertia: f64,
+) -> Result<Vec<Approximation>, Refusal> {
+    let speed = motion.figures.mean_speed;
+    let bare = motion.profile().with_inertia(-inertia)?;
     let energy = by_energy(bare.range(), fluctuation, speed);
     let least = bare.least_inertia().value;
-    let mut approximations = Vec::new();
-    for (name, words, estimate) in [
+    let estimates = [
         (
             "energy",
             "fluctuation of energy, all other inertia neglected",
@@ -113,64 +149,45 @@ pub fn size(
             "Wittenbauer's tangents to the energy-mass curve",
             by_tangents(&bare, fluctuation, speed).max(0.0),
         ),
-    ] {
-        let with = attempt(profile, question, estimate)?;
-        approximations.push(Approximation {
+    ];
+    let judge = |(name, words, estimate): (&'static str, &'static str, f64)| {
+        Ok(Approximation {
             name,
             words,
             inertia: estimate,
             error: (inertia > 0.0).then(|| estimate / inertia - 1.0),
-            fluctuation: with.map(|motion| motion.figures.fluctuation),
-        });
-    }
-    let flywheel = Flywheel {
-        fluctuation,
-        fluctuation_without: without,
-        inertia,
-        fluctuation_with: motion.figures.fluctuation,
-        approximations,
+            fluctuation: with(estimate)?.map(|motion| motion.figures.fluctuation),
+        })
     };
-    Ok((flywheel, motion))
-}
-
-/// The motion with inertia added; `None` where the machine would stop.
-fn attempt(
-    profile: &Profile,
-    question: &Question,
-    inertia: f64,
-) -> Result<Option<SteadyMotion>, Refusal> {
-    match steady(&profile.with_inertia(inertia)?, question) {
-        Ok(motion) => Ok(Some(motion)),
-        Err(Refusal::TooSlow { .. }) => Ok(None),
-        Err(refusal) => Err(refusal),
-    }
+    estimates.into_iter().map(judge).collect()
 }
 
 /// Doublings of the first estimate at most.
 const DOUBLINGS: u32 = 200;
 
+fn lost(wanted: f64, without: Option<f64>) -> Refusal {
+    Refusal::Fluctuation {
+        wanted,
+        without,
+        why: "more inertia does not lower it".to_owned(),
+    }
+}
+
 fn search(
-    profile: &Profile,
-    question: &Question,
+    with: WithInertia<'_>,
     wanted: f64,
+    first: f64,
     without: Option<f64>,
 ) -> Result<f64, Refusal> {
     let excess = |inertia: f64| -> Result<f64, Refusal> {
-        let found = attempt(profile, question, inertia)?;
         // A machine that stops fluctuates by 2 at least in the limit.
-        Ok(found.map_or(2.0, |motion| motion.figures.fluctuation) - wanted)
+        Ok(with(inertia)?.map_or(2.0, |motion| motion.figures.fluctuation) - wanted)
     };
-    let least = profile.least_inertia().value;
-    let mut high = by_energy(profile.range(), wanted, question.mean_speed).max(1e-3 * least);
-    let (mut low, mut tries) = (0.0, 0);
+    let (mut low, mut high, mut tries) = (0.0, first, 0);
     while excess(high)? > 0.0 {
         (low, high, tries) = (high, 2.0 * high, tries + 1);
         if tries > DOUBLINGS || !high.is_finite() {
-            return Err(Refusal::Fluctuation {
-                wanted,
-                without: without.unwrap_or(f64::NAN),
-                why: "more inertia does not lower it".to_owned(),
-            });
+            return Err(lost(wanted, without));
         }
     }
     let mut refused = None;

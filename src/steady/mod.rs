@@ -45,7 +45,7 @@ pub use formula::Formula;
 pub use law::{Means, Question, SteadyFigures};
 pub use motion::{Check, Row, SteadyMotion, steady};
 pub use panel::Point;
-pub use profile::{Extreme, Given, Profile};
+pub use profile::{Extreme, Given, MOST_TURNS, Profile};
 pub use refusal::{Field, Refusal};
 pub use table::Table;
 pub use table_motion::{Halving, TableFigures, TableMotion};

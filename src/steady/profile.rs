@@ -5,6 +5,7 @@ use super::fit::fit;
 use super::panel::{Panel, Point, Signed, panel};
 use super::refusal::Refusal;
 use super::root::bracketed;
+use std::f64::consts::TAU;
 
 /// What is given beside J.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -42,6 +43,12 @@ pub struct Extreme {
     pub at: f64,
 }
 
+/// Turns in a cycle at most.
+pub const MOST_TURNS: f64 = 100.0;
+
+/// A least J of less than this share of the greatest is none.
+const NOTHING: f64 = 1e-13;
+
 /// Relative differences that are none between extremes.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
@@ -62,8 +69,8 @@ impl Profile {
         given: Given,
         at: &mut dyn FnMut(usize, f64) -> [f64; 2],
     ) -> Result<Self, Refusal> {
-        if !(cycle.is_finite() && cycle > 0.0) {
-            let message = format!("{cycle} is not a positive number");
+        if !(cycle > 0.0 && cycle <= MOST_TURNS * TAU) {
+            let message = format!("{cycle} rad is not above 0 and at most {MOST_TURNS} turns");
             return Err(Refusal::field("cycle", message, "for example 360 deg"));
         }
         let ascending = breaks.windows(2).all(|pair| pair[0] < pair[1]);
@@ -106,7 +113,7 @@ impl Profile {
         profile.least_inertia = profile.extreme(-1.0, inertia);
         profile.greatest_inertia = profile.extreme(1.0, inertia);
         let Extreme { value, at } = profile.least_inertia;
-        if !(value > 0.0) {
+        if !(value > NOTHING * profile.greatest_inertia.value) {
             return Err(Refusal::Inertia {
                 position: at,
                 inertia: value,

@@ -66,8 +66,8 @@ pub enum Refusal {
     Fluctuation {
         /// δ asked for.
         wanted: f64,
-        /// δ without a flywheel.
-        without: f64,
+        /// δ without a flywheel; `None` where the machine would stop.
+        without: Option<f64>,
         /// Why.
         why: String,
     },
@@ -106,10 +106,14 @@ impl Refusal {
             }
             Self::Surplus { work, range, .. } => {
                 let does = if *work > 0.0 { "gains" } else { "loses" };
+                let share = work.abs() / range.max(f64::MIN_POSITIVE);
+                let share = match share < 1e-3 {
+                    true => format!("{share:.1e}"),
+                    false => format!("{share:.4}"),
+                };
                 format!(
-                    "no steady motion: the forces do {work:.7} J of work in a cycle ({:.3e} of its \
-                     range), so the machine {does} speed from cycle to cycle",
-                    work.abs() / range.max(f64::MIN_POSITIVE)
+                    "no steady motion: the forces do {work:.7} J of work in a cycle ({share} of \
+                     its range), so the machine {does} speed from cycle to cycle"
                 )
             }
             Self::Inertia { position, inertia } => format!(
@@ -141,10 +145,16 @@ impl Refusal {
                 wanted,
                 without,
                 why,
-            } => format!(
-                "no flywheel gives the coefficient of fluctuation {wanted} (without one it is \
-                 {without:.6}): {why}"
-            ),
+            } => {
+                let without = match without {
+                    Some(found) => format!("it is {found:.6}"),
+                    None => "the machine would stop".to_owned(),
+                };
+                format!(
+                    "no flywheel gives the coefficient of fluctuation {wanted} (without one \
+                     {without}): {why}"
+                )
+            }
         }
     }
 

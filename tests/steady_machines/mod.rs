@@ -7,7 +7,7 @@ use dam::steady::{Given, Mean, Profile, Question, Refusal};
 use serde_json::Value;
 
 /// The whole file.
-pub fn reference() -> Value {
+pub(crate) fn reference() -> Value {
     let path = concat!(
         env!("CARGO_MANIFEST_DIR"),
         "/tests/reference/steady-state.json"
@@ -16,7 +16,7 @@ pub fn reference() -> Value {
 }
 
 /// The question of a case.
-pub fn question(case: &Value, mean: Mean) -> Question {
+pub(crate) fn question(case: &Value, mean: Mean) -> Question {
     Question {
         mean,
         ..Question::new(number(&case["omega_av"]))
@@ -25,14 +25,14 @@ pub fn question(case: &Value, mean: Mean) -> Question {
 
 /// Worst relative difference met so far.
 #[derive(Default)]
-pub struct Worst(pub f64, pub String);
+pub(crate) struct Worst(pub(crate) f64, pub(crate) String);
 
 impl Worst {
-    pub fn see(&mut self, what: &str, found: f64, expected: f64, bound: f64) {
+    pub(crate) fn see(&mut self, what: &str, found: f64, expected: f64, bound: f64) {
         self.see_of(what, found, expected, expected.abs(), bound);
     }
 
-    pub fn see_of(&mut self, what: &str, found: f64, expected: f64, size: f64, bound: f64) {
+    pub(crate) fn see_of(&mut self, what: &str, found: f64, expected: f64, size: f64, bound: f64) {
         let off = (found - expected).abs() / size;
         assert!(off <= bound, "{what}: {found} for {expected}, {off:e} off");
         if off > self.0 {
@@ -42,23 +42,23 @@ impl Worst {
 }
 
 /// A machine as functions of the position.
-pub struct Machine {
-    pub cycle: f64,
-    pub breaks: Vec<f64>,
-    pub given: Given,
+pub(crate) struct Machine {
+    pub(crate) cycle: f64,
+    pub(crate) breaks: Vec<f64>,
+    pub(crate) given: Given,
     /// J, and the moment or the work.
-    pub at: Box<dyn Fn(usize, f64) -> [f64; 2]>,
+    pub(crate) at: Box<dyn Fn(usize, f64) -> [f64; 2]>,
 }
 
 impl Machine {
-    pub fn profile(&self) -> Result<Profile, Refusal> {
+    pub(crate) fn profile(&self) -> Result<Profile, Refusal> {
         let mut at = |piece: usize, position: f64| (self.at)(piece, position);
         Profile::new(self.cycle, &self.breaks, self.given, &mut at)
     }
 }
 
 /// A number, written as one or as a text.
-pub fn number(value: &Value) -> f64 {
+pub(crate) fn number(value: &Value) -> f64 {
     match value {
         Value::String(text) => text.parse().unwrap(),
         other => other
@@ -68,7 +68,7 @@ pub fn number(value: &Value) -> f64 {
 }
 
 /// The machine of a case, with its balancing moment.
-pub fn machine(case: &Value) -> Machine {
+pub(crate) fn machine(case: &Value) -> Machine {
     let data = &case["data"];
     let get = |name: &str| number(&data[name]);
     let cycle = number(&case["cycle"]);
@@ -116,7 +116,7 @@ pub fn machine(case: &Value) -> Machine {
 }
 
 /// A slider-crank: J(φ), the slider's place and its derivative.
-pub fn slider_crank(data: &Value) -> impl Fn(f64) -> [f64; 3] + Copy + use<> {
+pub(crate) fn slider_crank(data: &Value) -> impl Fn(f64) -> [f64; 3] + Copy + use<> {
     let get = |name: &str| number(&data[name]);
     let (l1, l2) = (get("l1"), get("l2"));
     let (j1, m2, h2, j2, m3) = (get("J1"), get("m2"), get("h2"), get("J2"), get("m3"));
@@ -162,7 +162,7 @@ fn engine(data: &Value, cycle: f64, load: f64) -> Machine {
 }
 
 /// Where the press begins to punch.
-pub fn contact(data: &Value) -> f64 {
+pub(crate) fn contact(data: &Value) -> f64 {
     let crank = slider_crank(data);
     let end = number(&data["l1"]) + number(&data["l2"]);
     let wanted = end - number(&data["last_part_of_stroke"]);

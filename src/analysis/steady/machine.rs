@@ -9,9 +9,9 @@ use crate::steady::{Given, Profile, Refusal};
 use crate::system::{Scratch, System};
 use std::cell::RefCell;
 
-/// Places at which a cycle is looked at for changes of formula, besides those
+/// Places at which a turn is looked at for changes of formula, besides those
 /// that the drive's own tables name.
-const LOOKS: usize = 4096;
+const LOOKS: f64 = 2048.0;
 
 /// Share of a number by which J may differ after a cycle.
 const SAME: f64 = 1e-8;
@@ -69,6 +69,23 @@ pub fn drive_of(model: &Model, named: Option<&str>) -> Result<usize, Vec<Fault>>
         return Err(vec![Fault::new("steady.drive", message, "")]);
     }
     Ok(index)
+}
+
+/// A cycle is followed towards positive angles.
+fn backwards(model: &Model, drive: usize) -> Option<Fault> {
+    let part = &model.objects[drive];
+    match &model.nodes[part.nodes[0]].motion {
+        NodeMotion::Prescribed {
+            motion: DriveMotion::Constant { speed, .. },
+            ..
+        } if *speed < 0.0 => {
+            let message = format!("`{}` turns backwards", part.id);
+            let hint = "turn the mechanism round: a cycle goes towards positive angles";
+            let path = format!("{}.motion.speed", part.id);
+            Some(Fault::new(path, message, hint))
+        }
+        _ => None,
+    }
 }
 
 /// The nodes that move with a node.
@@ -154,7 +171,8 @@ impl Machine {
     pub fn new(model: &Model, drive: usize, cycle: f64) -> Result<Self, Vec<Fault>> {
         let node = model.objects[drive].nodes[0];
         let moved = behind(model, node);
-        let faults = obstacles(model, &moved);
+        let mut faults = obstacles(model, &moved);
+        faults.extend(backwards(model, drive));
         if !faults.is_empty() {
             return Err(faults);
         }
@@ -173,6 +191,7 @@ impl Machine {
             system,
         };
         machine.find_breaks()?;
+        machine.depends_on_speed |= machine.is_damped();
         machine.check_cycle()?;
         Ok(machine)
     }
@@ -183,7 +202,8 @@ impl Machine {
 
     /// Finds the positions at which any mode changes.
     fn find_breaks(&mut self) -> Result<(), Vec<Fault>> {
-        let steps = (0..=LOOKS).map(|i| self.cycle * i as f64 / LOOKS as f64);
+        let looks = (LOOKS * (self.cycle / std::f64::consts::TAU).max(1.0)).ceil() as usize;
+        let steps = (0..=looks).map(|i| self.cycle * i as f64 / looks as f64);
         let mut places: Vec<f64> = steps.collect();
         places.extend(self.system.rotor_breaks(self.drive, self.cycle));
         places.sort_by(f64::total_cmp);
@@ -229,13 +249,36 @@ impl Machine {
         self.narrow([middle, to], [&modes, after], breaks);
     }
 
+    /// True when a moment changes with the speed at rest: dampers of linkages,
+    /// which are no loads of nodes.
+    fn is_damped(&self) -> bool {
+        let ends = std::iter::once(0.0).chain(self.breaks.iter().copied());
+        ends.enumerate().any(|(piece, from)| {
+            let to = self.breaks.get(piece).copied().unwrap_or(self.cycle);
+            let places = (0..=16).map(|i| from + (to - from) * f64::from(i) / 16.0);
+            let mut slopes = places.map(|place| self.at(piece, place, 0.0).moment_by_speed);
+            slopes.any(|slope| slope != 0.0)
+        })
+    }
+
     fn check_cycle(&self) -> Result<(), Vec<Fault>> {
         let last = self.modes.len() - 1;
         let [start, end] = [
             self.at(0, 0.0, 0.0).inertia,
             self.at(last, self.cycle, 0.0).inertia,
         ];
-        if (start - end).abs() <= SAME * start.abs().max(end.abs()) {
+        let ends = std::iter::once(0.0).chain(self.breaks.iter().copied());
+        let size = ends
+            .enumerate()
+            .map(|(piece, from)| {
+                let to = self.breaks.get(piece).copied().unwrap_or(self.cycle);
+                let places = (0..=32).map(|i| from + (to - from) * f64::from(i) / 32.0);
+                places
+                    .map(|place| self.at(piece, place, 0.0).inertia)
+                    .fold(0.0, f64::max)
+            })
+            .fold(0.0, f64::max);
+        if (start - end).abs() <= SAME * size {
             return Ok(());
         }
         let message = format!(

@@ -23,6 +23,7 @@ pub use simulate::Simulation;
 
 use crate::analysis::RunSettings;
 use crate::fault::Fault;
+use crate::model::{Node, NodeMotion};
 use crate::scene::SteadySpec;
 use crate::system::System;
 use serde::Serialize;
@@ -48,6 +49,14 @@ pub fn steady_motion(
     spec: &SteadySpec,
 ) -> Result<Answer, Vec<Fault>> {
     let model = system.model();
+    // Where every drive is prescribed, all that is elastic moves with them.
+    let is_free = |node: &Node| matches!(node.motion, NodeMotion::Rotor { .. });
+    let is_mass = |node: &Node| matches!(node.motion, NodeMotion::Mass { .. });
+    let elastic = model.nodes.iter().any(is_mass) && !model.nodes.iter().any(is_free);
+    if spec.drive.is_none() && elastic {
+        let answer = periodic::answer(system, settings, spec)?;
+        return Ok(Answer::Periodic(Box::new(answer)));
+    }
     let drive = drive_of(model, spec.drive.as_deref())?;
     let speed = constant_speed(model, drive);
     if is_elastic(model, drive) && system.last_coordinate(drive).is_none() {

@@ -5,7 +5,7 @@ use super::simulate::{Simulation, simulate};
 use crate::fault::Fault;
 use crate::model::Model;
 use crate::scene::SteadySpec;
-use crate::steady::cycle_map::{self, Regime};
+use crate::steady::cycle_map::{self, Load, Regime};
 use crate::steady::flywheel::{self, Flywheel};
 use crate::steady::{Check, Profile, Question, Refusal, Row, SteadyFigures, SteadyMotion, steady};
 use serde::Serialize;
@@ -148,28 +148,56 @@ fn by_cycle_map(machine: &Machine, spec: &SteadySpec) -> Result<RigidAnswer, Vec
         "balance",
         "leave it out: the motor balances the cycle",
     );
-    let hint = "give the motor a constant torque and ask for a `mean_speed`";
-    contradict(spec.fluctuation.is_some(), "fluctuation", hint);
     if !faults.is_empty() {
         return Err(faults);
     }
-    let refuse = |refusal: Refusal| refusal.faults("steady");
-    let at = |piece: usize, position: f64, speed: f64| machine.at(piece, position, speed);
+    with_flywheel(machine, spec).map_err(|refusal| refusal.faults("steady"))
+}
+
+/// The regime of a machine with inertia added, and its motion.
+fn regime_with(machine: &Machine, added: f64) -> Result<(Regime, SteadyMotion, f64), Refusal> {
+    let at = |piece: usize, position: f64, speed: f64| {
+        let load = machine.at(piece, position, speed);
+        Load {
+            inertia: load.inertia + added,
+            ..load
+        }
+    };
     let map = cycle_map::Machine {
         cycle: machine.cycle(),
         breaks: machine.breaks().to_vec(),
         kinks: machine.kinks().to_vec(),
         at: &at,
     };
-    let regime = map.regime().map_err(refuse)?;
-    let motion = map.motion(&regime).map_err(refuse)?;
+    let regime = map.regime()?;
+    let motion = map.motion(&regime)?;
     let rows = motion.rows(ROWS);
-    let speeds = map.speeds(&regime, ROWS).map_err(refuse)?;
+    let speeds = map.speeds(&regime, ROWS)?;
     let apart = rows.iter().zip(&speeds);
     let apart = apart.map(|(row, speed): (&Row, &f64)| (row.speed / speed - 1.0).abs());
+    let apart = apart.fold(0.0, f64::max);
+    Ok((regime, motion, apart))
+}
+
+/// The regime, with the flywheel where one is asked for.
+fn with_flywheel(machine: &Machine, spec: &SteadySpec) -> Result<RigidAnswer, Refusal> {
+    let flywheel = match spec.fluctuation {
+        None => None,
+        Some(wanted) => {
+            let with = |inertia: f64| match regime_with(machine, inertia) {
+                Ok((_, motion, _)) => Ok(Some(motion)),
+                Err(Refusal::Stalls { .. }) => Ok(None),
+                Err(refusal) => Err(refusal),
+            };
+            let first = machine.at(0, 0.0, 0.0).inertia.max(1e-9);
+            Some(flywheel::size_of(&with, wanted, first)?.0)
+        }
+    };
+    let added = flywheel.as_ref().map_or(0.0, |wheel| wheel.inertia);
+    let (regime, motion, apart) = regime_with(machine, added)?;
     let agreement = Agreement {
         equation: motion.check(),
-        cycle_map: Some(apart.fold(0.0, f64::max)),
+        cycle_map: Some(apart),
         ..Agreement::default()
     };
     Ok(RigidAnswer {
@@ -177,7 +205,7 @@ fn by_cycle_map(machine: &Machine, spec: &SteadySpec) -> Result<RigidAnswer, Vec
         cycle: machine.cycle(),
         figures: motion.figures.clone(),
         regime: Some(regime),
-        flywheel: None,
+        flywheel,
         agreement,
         motion,
     })

@@ -16,7 +16,7 @@ use dam::report::steady::{
     Shown, SteadyReport, page, periodic_text, rigid_text, rows_csv, wittenbauer,
 };
 use dam::scene::SteadySpec;
-use dam::steady::Mean;
+use dam::steady::{MOST_TURNS, Mean};
 use dam::units::{Quantity, quantities as q};
 use serde::Serialize;
 use serde_json::{Value, json};
@@ -105,7 +105,12 @@ fn asked(args: &QuestionArgs, spec: &mut SteadySpec) -> Result<(), Failure> {
         Bounds::POSITIVE,
     )?;
     spec.mean_speed = speed.or(spec.mean_speed);
-    let cycle = quantity("--cycle", &args.cycle, q::ANGLE, Bounds::up_to(1e4))?;
+    let cycle = quantity(
+        "--cycle",
+        &args.cycle,
+        q::ANGLE,
+        Bounds::up_to(MOST_TURNS * std::f64::consts::TAU),
+    )?;
     spec.cycle = cycle.unwrap_or(spec.cycle);
     let bounds = Bounds::between(1e-6, 1.99);
     let fluctuation = quantity("--fluctuation", &args.fluctuation, q::NUMBER, bounds)?;
