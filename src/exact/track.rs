@@ -150,7 +150,7 @@ impl Track {
             self.high.0[3] = f64::INFINITY;
         }
         self.last = self.state.point::<A>(basis, panel, phase, e);
-        self.turned = self.state.primitive::<A>(basis, panel, phase, e);
+        self.turned = self.state.primitive::<A>(panel, phase, e);
     }
 
     /// Takes the step from `before` to `now` into the figures.
@@ -253,9 +253,7 @@ impl Track {
     /// Ends the phase at the instant of `e`.
     #[inline(always)]
     pub(crate) fn end<A: Arith>(&mut self, scene: Scene, e: &Exponentials) {
-        let last = self
-            .state
-            .primitive::<A>(scene.basis, scene.panel, scene.phase, e);
+        let last = self.state.primitive::<A>(scene.panel, scene.phase, e);
         self.area += (last - self.turned).abs();
     }
 
