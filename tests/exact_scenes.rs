@@ -6,7 +6,7 @@ use dam::analysis::run::{RunResult, run};
 use dam::analysis::{Control, RunSettings};
 use dam::exact::{Asked, Parts, Request};
 use dam::fault::Fault;
-use dam::integrate::{Limits, Method, Stop};
+use dam::integrate::{Limits, Method};
 use dam::lower::lower;
 use dam::scene::{BuiltIn, Document, Overrides};
 use dam::system::System;
@@ -351,7 +351,7 @@ fn the_audit_of_a_tree_agrees_with_the_recorders_in_every_part() {
 
 #[test]
 fn random_scenes_agree_with_integration_at_a_tight_tolerance() {
-    let (mut compared, mut switches, mut worst, mut gave_up) = (0, 0, 0.0f64, 0);
+    let (mut compared, mut switches, mut worst) = (0, 0, 0.0f64);
     for seed in 0..40 {
         let mut random = Random(seed);
         let objects = scene(&mut random);
@@ -366,15 +366,6 @@ fn random_scenes_agree_with_integration_at_a_tight_tolerance() {
             continue; // no static balance
         };
         let label = format!("seed {seed}: {objects}");
-        // A known shortfall: where several pairs press and part at one instant
-        // the run is given up, with a clear word. No more of these than now.
-        if let Stop::Method { reason, .. } = &exact.outcome.stop
-            && reason.contains("without end at one instant")
-        {
-            gave_up += 1;
-            eprintln!("seed {seed} gave up: {objects}");
-            continue;
-        }
         assert!(exact.is_complete(), "{label}: {:?}", exact.outcome);
         assert!(
             exact.audit.error() < 1e-10,
@@ -403,7 +394,6 @@ fn random_scenes_agree_with_integration_at_a_tight_tolerance() {
         compare_quick(&system, &settings, &exact, &label);
         (compared, switches, worst) = (compared + 1, switches + counts[0], worst.max(off));
     }
-    assert!(gave_up <= 3, "{gave_up} scenes given up");
     assert!(
         compared >= 30 && switches > 500,
         "{compared} scenes, {switches} switches"

@@ -20,7 +20,7 @@ fn read(text: &str, overrides: &[&str]) -> Reading {
 fn chain<'a>(reading: &'a Reading, id: &str) -> &'a ChainSpec {
     match reading.scene.objects[id].object.description() {
         Description::Chain(chain) => chain,
-        Description::Drive(_) => panic!("{id} is a drive"),
+        Description::Drive(_) | Description::Linkage(_) => panic!("{id} is no chain"),
     }
 }
 

@@ -13,14 +13,25 @@ use dam::analysis::forces::{
 use dam::analysis::kinematics::{Asked, Over, Question, linkage_of, whole_travel};
 use dam::fault::Fault;
 use dam::linkage::Linkage;
-use dam::linkage::kinetostatics::{Convention, Kinetostatics, Options};
+use dam::linkage::kinetostatics::{Convention, ForceFailure, Kinetostatics, Options};
 use dam::model::{Coordinate, LinkageBody, Model};
 use dam::object::Measures;
-use dam::report::forces::{ForcesReport, document, drawing, forces_csv, page, text};
+use dam::report::forces::{
+    ForcesReport, document, drawing, forces_csv, massless_chart, page, text,
+};
 use dam::units::quantities as q;
 use std::path::Path;
 
-const FILES: [&str; 4] = ["forces.csv", "forces.json", "mechanism.svg", "report.html"];
+const FILES: [&str; 5] = [
+    "forces.csv",
+    "forces.json",
+    "mechanism.svg",
+    "report.html",
+    "massless.svg",
+];
+
+/// Size of the picture of the comparison (pixels).
+const PICTURE: (f64, f64) = (900.0, 480.0);
 
 /// Runs the command.
 pub(crate) fn command(args: &ForcesArgs) -> Result<Status, Failure> {
@@ -41,6 +52,13 @@ pub(crate) fn command(args: &ForcesArgs) -> Result<Status, Failure> {
         return Err(Failure::Other(message));
     }
     let (course, motion) = course(args, &ready, body)?;
+    let rests = matches!(course, Course::Even { speed, acceleration, .. } if speed == 0.0 && acceleration == 0.0);
+    if rests && solver.has_friction() && !args.frictionless && args.direction.is_none() {
+        return Err(Failure::Other(format!(
+            "{}: give --direction forwards or backwards, or --frictionless",
+            ForceFailure::NoDirection
+        )));
+    }
     let folder = match &args.out.out {
         Some(path) => {
             let scene = &ready.scene().name;
@@ -309,10 +327,14 @@ fn talk(args: &ForcesArgs, found: &ForceStudy, behind: Vec<&str>) {
 fn files(report: &ForcesReport<'_>) -> Result<Vec<ResultFile>, Failure> {
     let table = forces_csv(report.study).map_err(|error| error.to_string())?;
     let document = document(report);
-    Ok(vec![
+    let mut files = vec![
         ResultFile::new(FILES[0], table),
         ResultFile::new(FILES[1], format!("{document:#}\n")),
         ResultFile::new(FILES[2], drawing(report).svg(0)),
         ResultFile::new(FILES[3], page(report)),
-    ])
+    ];
+    if let Some(chart) = massless_chart(report) {
+        files.push(ResultFile::new(FILES[4], chart.svg(PICTURE.0, PICTURE.1)));
+    }
+    Ok(files)
 }

@@ -10,16 +10,16 @@
 mod form;
 mod forms;
 mod moments;
+mod moving;
 
 pub(super) use forms::Forms;
-
-use forms::Room;
 
 use super::lanes::Arith;
 use super::law::LAW_DEGREE;
 use super::phase::{Exponentials, Phase};
 use super::problem::{PairState, TimeLoad, TreeMass, TreeProblem};
 use super::regime::Regime;
+use moving::Room;
 
 /// Elastic energy counts as a scale with this share: a mechanism at rest under
 /// load has a balance of rounding errors only.

@@ -100,6 +100,7 @@ mod hermite;
 mod independent;
 mod lanes;
 mod law;
+mod observe;
 mod panel;
 mod pencil;
 mod phase;

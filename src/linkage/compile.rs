@@ -7,6 +7,7 @@ use super::newton::{Joint, NewtonGroup, Side};
 use super::plan::{Body, Driver, Element, Part, Plan, Step, elements, size, slides};
 use super::spec::LinkageSpec;
 use super::structure::{Group, GroupKind, explanation, mobility};
+use super::vector::Arm;
 use crate::fault::{Fault, Faults};
 
 /// The bodies that the driver does not place, and the body of every link.
@@ -296,12 +297,20 @@ fn dyad(
         if of(&i) == Some(group[k]) { j } else { i }
     };
     let guide_on_first = of(&sides(inner)[0]) == Some(group[0]);
+    let outer_parts = [part(outer[0], group[0]), part(outer[1], group[1])];
+    let inner_parts = [part(inner, group[0]), part(inner, group[1])];
+    let arm = |k: usize| -> Option<Arm> {
+        let (from, to): (Part, Part) = (outer_parts[k], inner_parts[k]);
+        let rigid = !from.driven && !to.driven;
+        rigid.then(|| Arm::new([to.point[0] - from.point[0], to.point[1] - from.point[1]]))
+    };
     let dyad = Dyad {
         form,
         bodies: group.map(|body| bodies.list[body]),
         known: [known(0), known(1)],
-        outer: [part(outer[0], group[0]), part(outer[1], group[1])],
-        inner: [part(inner, group[0]), part(inner, group[1])],
+        outer: outer_parts,
+        inner: inner_parts,
+        arms: [arm(0), arm(1)],
         // With the guide on the first link its pin is the one behind.
         sense: if form == Form::Rpr && !guide_on_first {
             -1.0

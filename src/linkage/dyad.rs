@@ -8,7 +8,7 @@
 
 use super::plan::{Body, Element, Frame, Part};
 use super::series::Series;
-use super::vector::{Local, Vector};
+use super::vector::{Arm, Local, Vector};
 
 /// The forms of a dyad: outer, inner, outer pair.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,6 +38,9 @@ pub(super) struct Dyad {
     pub(super) outer: [Part; 2],
     /// The inner pair as parts of the two bodies.
     pub(super) inner: [Part; 2],
+    /// From the outer to the inner element of the two bodies, where both lie on
+    /// the link that carries the body's frame.
+    pub(super) arms: [Option<Arm>; 2],
     /// RPR: −1 where the guide is on the second body, else +1, so that `+`
     /// always has the block's pin ahead of the guide's. Others: +1.
     pub(super) sense: f64,
@@ -174,6 +177,9 @@ impl Dyad {
     /// From the outer to the inner element of a body.
     #[inline(always)]
     pub(super) fn arm<const N: usize>(&self, around: &Around<N>, k: usize) -> Local<N> {
+        if let Some(arm) = self.arms[k] {
+            return Local::Arm(arm);
+        }
         let relative = &around.relative;
         self.inner[k]
             .place(relative)

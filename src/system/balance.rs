@@ -266,8 +266,8 @@ impl Frozen {
     /// Accelerations of all nodes when every chain follows its law like a
     /// rigid body; a rotor's from all that hangs on it, rigidly reduced.
     fn law_accelerations<N: Quantity>(&self, time: N, modes: &[i64], work: &mut Work<N>) {
-        self.apply_loads(time, modes, work);
-        self.own_masses(work);
+        self.apply_loads(time, modes, Extent::Full, work);
+        self.own_masses(Extent::Full, work);
         for step in self.steps.iter().rev() {
             match step {
                 Step::Prescribed(_) | Step::Rotor(_) => {}

@@ -8,7 +8,6 @@ use super::loads::{Argument, FrozenLoad};
 use super::pairs::Contact;
 use crate::fault::Fault;
 use crate::model::{Law, LinkBase, LoadLaw, Model, NodeMotion, TrackSource};
-use std::sync::Arc;
 
 /// Lays a model out; the faults of all its parts together.
 pub(super) fn freeze(model: &Model) -> Result<Frozen, Vec<Fault>> {
@@ -190,10 +189,10 @@ impl<'a> Builder<'a> {
     fn place_linkages(&mut self) {
         let frozen = &mut self.frozen;
         for (linkage, body) in self.model.linkages.iter().enumerate() {
-            frozen.linkages.push(FrozenLinkage {
-                node: frozen.internal[body.node],
-                linkage: Arc::clone(&body.linkage),
-            });
+            let node = frozen.internal[body.node];
+            frozen
+                .linkages
+                .push(FrozenLinkage::new(node, &body.linkage));
             for (output, &node) in body.outputs.iter().enumerate() {
                 let node = frozen.internal[node];
                 let rigid = frozen.rigids.iter().find(|rigid| rigid.node == node);
@@ -279,9 +278,47 @@ impl<'a> Builder<'a> {
         }
     }
 
+    /// Outputs of linkages that are only looked at from outside: the equations
+    /// of motion need not know where they are.
+    fn idle_outputs(&self) -> Vec<usize> {
+        let frozen = &self.frozen;
+        let watched: Vec<usize> = (frozen.laws.iter().map(|law| law.driver))
+            .chain(frozen.loads.iter().map(|load| load.node))
+            .chain(frozen.tracks.iter().filter_map(|track| track.node))
+            .collect();
+        let idle = |rigid: &&Rigid| {
+            frozen.laws[rigid.law].output.is_some()
+                && frozen.constant_force[rigid.node] == 0.0
+                && !watched.contains(&rigid.node)
+        };
+        frozen
+            .rigids
+            .iter()
+            .filter(idle)
+            .map(|rigid| rigid.node)
+            .collect()
+    }
+
     /// Takes apart what hangs on a prescribed drive alone.
     fn separate(&mut self) {
+        let idle = self.idle_outputs();
         let frozen = &mut self.frozen;
+        let needed = frozen
+            .rigids
+            .iter()
+            .filter(|rigid| !idle.contains(&rigid.node));
+        frozen.needed_rigids = needed.copied().collect();
+        for number in 0..frozen.linkages.len() {
+            let asked = |rigid: &Rigid| {
+                let output = frozen.laws[rigid.law].output;
+                output.is_some_and(|output| output.linkage == number)
+            };
+            // Behind a prescribed drive its inertia and forces move nothing.
+            let moved = frozen.moves_freely(frozen.linkages[number].node);
+            if moved && !frozen.needed_rigids.iter().any(asked) {
+                frozen.linkages[number].tabulate();
+            }
+        }
         let drive_of = |chain: &Chain| {
             frozen.steps.iter().find_map(|step| match step {
                 Step::Prescribed(drive) if drive.node == frozen.laws[chain.law].driver => {
@@ -307,6 +344,7 @@ impl<'a> Builder<'a> {
                         constant_force: frozen.constant_force[chain.nodes()].into(),
                     })
                 }
+                Step::Rigid(index) if idle.contains(&frozen.rigids[*index].node) => continue,
                 _ => None,
             };
             match alone {

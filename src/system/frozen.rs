@@ -34,6 +34,8 @@ pub(super) struct Frozen {
     pub(super) chains: Vec<Chain>,
     /// Rigid nodes, drivers before driven.
     pub(super) rigids: Vec<Rigid>,
+    /// Those of them that the right-hand side needs.
+    pub(super) needed_rigids: Vec<Rigid>,
     /// Linkages, drivers before driven.
     pub(super) linkages: Vec<FrozenLinkage>,
     /// Constant inertia of each node (k, kg·m² or kg).
@@ -212,6 +214,18 @@ impl Frozen {
     #[inline(always)]
     pub(super) fn pair_mode(&self, chain: &Chain, modes: &[i64]) -> i64 {
         segment(modes, chain.component)
+    }
+
+    /// True when the motion of a node hangs on a free coordinate.
+    pub(super) fn moves_freely(&self, node: usize) -> bool {
+        let mut node = node;
+        while self.coordinate[node].is_none() {
+            let Some(rigid) = self.rigids.iter().find(|rigid| rigid.node == node) else {
+                return false;
+            };
+            node = self.laws[rigid.law].driver;
+        }
+        true
     }
 
     /// Component of the modes of a track.

@@ -103,7 +103,7 @@ impl Frozen {
             }
         }
         self.motion(time, state, modes, extent, work);
-        self.apply_loads(time, modes, work);
+        self.apply_loads(time, modes, extent, work);
         self.apply_reactions(state, modes, extent, work);
         self.reduce_rigid(extent, work);
         self.accelerate(state, extent, work, out);
@@ -183,7 +183,13 @@ impl Frozen {
 
     /// Sets the force of the nodes to their loads.
     #[inline]
-    pub(super) fn apply_loads<N: Quantity>(&self, time: N, modes: &[i64], work: &mut Work<N>) {
+    pub(super) fn apply_loads<N: Quantity>(
+        &self,
+        time: N,
+        modes: &[i64],
+        extent: Extent,
+        work: &mut Work<N>,
+    ) {
         for (force, &constant) in work.force.iter_mut().zip(&self.constant_force) {
             *force = N::from(constant);
         }
@@ -191,7 +197,7 @@ impl Frozen {
             let force = self.load(index, time, modes, work);
             work.force[self.loads[index].node] += force;
         }
-        self.apply_linkages(work);
+        self.apply_linkages(extent, work);
     }
 
     /// The force of one of the loads that are not constant.
@@ -244,11 +250,15 @@ impl Frozen {
     /// Hands the inertia and the forces of rigid nodes to their drivers, the
     /// last driven first.
     pub(super) fn reduce_rigid<N: Quantity>(&self, extent: Extent, work: &mut Work<N>) {
-        if self.rigids.is_empty() && extent == Extent::Needed {
+        let rigids = match extent {
+            Extent::Needed => &self.needed_rigids,
+            Extent::Full => &self.rigids,
+        };
+        if rigids.is_empty() && extent == Extent::Needed {
             return;
         }
-        self.own_masses(work);
-        for rigid in self.rigids.iter().rev() {
+        self.own_masses(extent, work);
+        for rigid in rigids.iter().rev() {
             self.reduce_node(rigid.law, rigid.node, work);
         }
     }

@@ -58,7 +58,7 @@ impl System {
             let still = Dual::from(0.0);
             self.frozen
                 .motion(still, state, &modes.0, Extent::Full, work);
-            self.frozen.apply_loads(still, &modes.0, work);
+            self.frozen.apply_loads(still, &modes.0, Extent::Full, work);
             self.frozen.reduce_rigid(Extent::Full, work);
             (work.mass[node], work.force[node])
         };

@@ -368,4 +368,19 @@ fn bad_numbers_are_refused() {
     };
     let failure = solver.solve(&positions, rest, &Options::default(), &mut w);
     assert!(failure.unwrap_err().to_string().contains("rests"));
+    // Just after rest the motion goes where the acceleration points.
+    let start = |acceleration: f64, speed: f64, w: &mut ForceWorkspace| {
+        let motion = InputMotion {
+            coordinate: 1.0,
+            speed,
+            acceleration,
+        };
+        let solved = solver.solve(&positions, motion, &Options::default(), w);
+        solved.map(|_| w.drive()).unwrap()
+    };
+    for acceleration in [3.0, -3.0] {
+        let at_rest = start(acceleration, 0.0, &mut w);
+        let after = start(acceleration, 1e-7 * acceleration, &mut w);
+        assert!((at_rest - after).abs() < 1e-6 * (1.0 + after.abs()));
+    }
 }

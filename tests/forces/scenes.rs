@@ -243,6 +243,7 @@ fn what_cannot_be_answered_is_said() {
     );
     refused(&["--record", "nothing.csv"], "cannot read the record");
     refused(&["--speed", "3 m"], "--speed");
+    refused(&["--speed", "0"], "--direction forwards or backwards");
     // Locked positions are told and end with status 1.
     let all = ["R01", "R12", "R23", "P03"];
     let sets: Vec<String> = all

@@ -61,7 +61,10 @@ fn extreme<S: PositionSource>(
 ) -> Option<Extreme> {
     let values = rows.iter().enumerate();
     let values = values.filter_map(|(index, row)| Some((index, column.value(row)?)));
-    let (index, value) = values.max_by(|(_, a), (_, b)| (sign * a).total_cmp(&(sign * b)))?;
+    // Of equal values the first.
+    let (index, value) = values
+        .rev()
+        .max_by(|(_, a), (_, b)| (sign * a).total_cmp(&(sign * b)))?;
     let here = Extreme {
         value,
         at: course.parameter(index),

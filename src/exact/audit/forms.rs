@@ -1,11 +1,10 @@
 //! Work and dissipation over a phase of one combination of engaged pairs.
 
 use super::form::Form;
-use super::moments::{against, moments, product};
+use super::moving::{Moving, Room};
 use super::varying;
 use crate::exact::basis::{Basis, Lane, LaneKind};
-use crate::exact::lanes::{Arith, Task, WIDTH};
-use crate::exact::law::LAW_DEGREE;
+use crate::exact::lanes::{Arith, WIDTH};
 use crate::exact::pencil::C;
 use crate::exact::phase::{Exponentials, POLY, Phase};
 use crate::exact::problem::{PairState, TreeProblem};
@@ -32,8 +31,8 @@ struct Driven {
 /// A damper: b, the mass and its parent with the lever between (a link), or
 /// the mass and what it moves with the law (to the ground).
 #[derive(Clone, Copy, Debug)]
-struct Damper {
-    rate: f64,
+pub(super) struct Damper {
+    pub(super) rate: f64,
     mass: usize,
     parent: Option<(usize, f64)>,
     ratio: f64,
@@ -49,17 +48,17 @@ pub(in crate::exact) struct Forms {
     drive: Form,
     driven: Vec<Driven>,
     /// Engaged links that are damped, then dampers to the ground from `grounded` on.
-    dampers: Vec<Damper>,
-    grounded: usize,
+    pub(super) dampers: Vec<Damper>,
+    pub(super) grounded: usize,
     /// Moment of the driven links times their ratio, by lane.
-    moment: Vec<C>,
+    pub(super) moment: Vec<C>,
     /// Nothing but lanes and constants: no polynomial moves a damper or the law.
     plain: bool,
 }
 
 impl Damper {
     /// Speed per amplitude of a lane.
-    fn speed(&self, lane: &Lane) -> C {
+    pub(super) fn speed(&self, lane: &Lane) -> C {
         let mut shape = lane.shape[self.mass];
         if let Some((p, lever)) = self.parent {
             shape -= lane.shape[p] * lever;
@@ -71,7 +70,7 @@ impl Damper {
     }
 
     /// The speed's polynomial part.
-    fn polynomial(&self, phase: &Phase) -> [f64; POLY] {
+    pub(super) fn polynomial(&self, phase: &Phase) -> [f64; POLY] {
         let mut out = [0.0; POLY];
         let place = |i: usize, k: usize| phase.poly[i * POLY + k];
         for k in 1..=phase.degree.max(phase.forcing.degree) {
@@ -223,7 +222,7 @@ impl Forms {
     }
 
     /// The driven links' moment times their ratio: its polynomial part.
-    fn constant(&self, problem: &TreeProblem, phase: &Phase) -> [f64; POLY] {
+    pub(super) fn constant(&self, problem: &TreeProblem, phase: &Phase) -> [f64; POLY] {
         let mut out = [0.0; POLY];
         for d in &self.driven {
             let mass = &problem.masses[d.mass];
@@ -268,137 +267,4 @@ fn quadratic(basis: &Basis, dampers: &[Damper]) -> Form {
             .map(|((d, a), b)| a * turned(*b, conjugate) * d.rate)
             .sum()
     })
-}
-
-/// What polynomials add over a phase of length h.
-struct Moving<'a> {
-    forms: &'a Forms,
-    problem: &'a TreeProblem,
-    basis: &'a Basis,
-    phase: &'a Phase,
-    room: &'a mut Room,
-    h: f64,
-}
-
-/// Working memory: polynomials of the present phase.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Room {
-    /// Speed of every damper.
-    speeds: Vec<[f64; POLY]>,
-    /// Loads that change, with their masses.
-    forces: Vec<(usize, [f64; POLY])>,
-}
-
-impl Task for Moving<'_> {
-    type Output = Work;
-
-    #[inline(always)]
-    fn run<A: Arith>(mut self) -> Work {
-        let Self {
-            forms, phase, h, ..
-        } = self;
-        let mut law = [0.0; POLY];
-        for k in 1..=phase.forcing.degree {
-            law[k - 1] = k as f64 * phase.forcing.law[k];
-        }
-        let constant = forms.constant(self.problem, phase);
-        let mut work = Work {
-            drives: -product(&constant, &law, h),
-            ..Work::default()
-        };
-        self.room.speeds.clear();
-        for (number, damper) in forms.dampers.iter().enumerate() {
-            let own = damper.polynomial(phase);
-            self.room.speeds.push(own);
-            let lost = damper.rate * product(&own, &own, h);
-            if number < forms.grounded {
-                work.dissipated += lost;
-            } else {
-                work.loads -= lost;
-            }
-        }
-        self.loads(&law, &mut work);
-        let mut at = [C::default(); POLY];
-        for k in 0..self.basis.lanes.len() {
-            self.lane(k, (&law, &constant), &mut at, &mut work);
-        }
-        work
-    }
-}
-
-impl Moving<'_> {
-    /// Loads that change over the phase, and their work on its polynomials.
-    fn loads(&mut self, law: &[f64; POLY], work: &mut Work) {
-        let (phase, h) = (self.phase, self.h);
-        self.room.forces.clear();
-        for (i, mass) in self.problem.masses.iter().enumerate() {
-            if !varying(mass) {
-                continue;
-            }
-            let mut force = [0.0; POLY];
-            for load in &mass.loads {
-                load.add(phase.start, phase.low, &mut force[..=LAW_DEGREE]);
-            }
-            let mut speed = law.map(|c| c * mass.ratio);
-            for k in 1..=phase.degree {
-                speed[k - 1] += k as f64 * phase.poly[i * POLY + k];
-            }
-            // The constant part of a flight's speed: Re(−iΩ·amplitude).
-            for flight in &phase.flights {
-                let shape = self.basis.rigid[flight.rigid].shape[i];
-                speed[0] += shape * flight.omega * flight.amplitude.im;
-            }
-            work.loads += product(&force, &speed, h);
-            self.room.forces.push((i, force));
-        }
-    }
-
-    /// What lane k and the polynomials do together.
-    fn lane(
-        &self,
-        k: usize,
-        (law, constant): (&[f64; POLY], &[f64; POLY]),
-        at: &mut [C; POLY],
-        work: &mut Work,
-    ) {
-        let (forms, phase, h) = (self.forms, self.phase, self.h);
-        let lane = &self.basis.lanes[k];
-        let z = C::new(
-            phase.re[k / WIDTH].0[k % WIDTH],
-            phase.im[k / WIDTH].0[k % WIDTH],
-        );
-        if z.norm_sqr() == 0.0 {
-            return;
-        }
-        moments(lane.lambda * h, at);
-        work.drives -= (z * forms.moment[k] * against(law, at, h)).re;
-        if let LaneKind::Harmonic(_) = lane.kind {
-            work.drives -= (z * lane.lambda * against(constant, at, h)).re;
-        }
-        let dampers = forms.dampers.iter().zip(&self.room.speeds);
-        for (number, (damper, own)) in dampers.enumerate() {
-            let both = (z * damper.speed(lane) * against(own, at, h)).re;
-            let lost = 2.0 * damper.rate * both;
-            if number < forms.grounded {
-                work.dissipated += lost;
-            } else {
-                work.loads -= lost;
-            }
-        }
-        for (i, force) in &self.room.forces {
-            let integral = against(force, at, h);
-            let mut shape = lane.shape[*i];
-            if let LaneKind::Harmonic(_) = lane.kind {
-                shape += self.problem.masses[*i].ratio;
-            }
-            work.loads += (z * lane.lambda * shape * integral).re;
-            if let LaneKind::Harmonic(j) = lane.kind {
-                for flight in phase.flights.iter().filter(|f| f.harmonic == j) {
-                    let shape = self.basis.rigid[flight.rigid].shape[*i];
-                    let speed = flight.amplitude * lane.lambda * shape;
-                    work.loads += (speed * integral).re;
-                }
-            }
-        }
-    }
 }

@@ -30,8 +30,8 @@ pub struct InputMotion {
 pub struct Options {
     /// False: all friction is left out.
     pub friction: bool,
-    /// Direction of motion (its sign) where the speed is zero; `None`: friction
-    /// at zero speed is a failure.
+    /// Direction of motion (its sign) where the speed is zero; `None`: that of
+    /// the acceleration, and friction without either is a failure.
     pub direction: Option<f64>,
     /// Greatest change of an unknown in the last iteration, relative to the
     /// greatest unknown.
@@ -129,7 +129,7 @@ impl Kinetostatics {
         options: &Options,
         w: &mut ForceWorkspace,
     ) -> Result<Solved, ForceFailure> {
-        let direction = self.direction(motion.speed, options)?;
+        let direction = self.direction(motion, options)?;
         self.prepare(positions, motion, direction, options.friction, w);
         let condition = self.invert(Unknown::Drive, w)?;
         let (a, v2) = (motion.acceleration, motion.speed * motion.speed);
@@ -146,14 +146,25 @@ impl Kinetostatics {
         Ok(solved)
     }
 
-    /// Sign of the motion.
-    pub(super) fn direction(&self, speed: f64, options: &Options) -> Result<f64, ForceFailure> {
-        if !speed.is_finite() {
+    /// Sign of the motion just after the position: that of the speed, at rest
+    /// the one asked for, or that of the acceleration.
+    pub(super) fn direction(
+        &self,
+        motion: InputMotion,
+        options: &Options,
+    ) -> Result<f64, ForceFailure> {
+        let InputMotion {
+            speed,
+            acceleration,
+            ..
+        } = motion;
+        if !(speed.is_finite() && acceleration.is_finite()) {
             return Err(ForceFailure::NotFinite);
         }
         match options.direction {
             _ if speed != 0.0 => Ok(speed.signum()),
             Some(direction) if direction != 0.0 => Ok(direction.signum()),
+            _ if acceleration != 0.0 => Ok(acceleration.signum()),
             _ if options.friction && self.has_friction() => Err(ForceFailure::NoDirection),
             _ => Ok(1.0),
         }

@@ -1,9 +1,9 @@
 //! Curves over the course, χ against i, massless against full.
 
 use super::ForcesReport;
-use crate::analysis::forces::{Column, MasslessComparison, columns};
+use crate::analysis::forces::{Column, columns};
+use crate::report::quantity::significant;
 use crate::report::svg::chart::{Axis, Chart, Curve};
-use std::f64::consts::PI;
 
 /// A group of charts under a heading.
 pub(super) struct Group {
@@ -211,14 +211,21 @@ pub fn ratio_chart(report: &ForcesReport<'_>) -> Option<Chart> {
     })
 }
 
-/// χ over the input coordinate without masses and for each m·ω²/P.
-pub fn massless_chart(found: &MasslessComparison, unit: &str, turning: bool) -> Chart {
-    let factor = if turning { 180.0 / PI } else { 1.0 };
+/// χ over the input coordinate without masses and for each m·ω²/P; `None`
+/// where the comparison was not asked for.
+pub fn massless_chart(report: &ForcesReport<'_>) -> Option<Chart> {
+    let found = report.massless?;
+    let study = report.study;
+    let all = columns(&study.linkage, study.settings.output);
+    let unit = all.into_iter().find(|column| column.name == "chi");
     let points = |chi: &[Option<f64>]| -> Vec<(f64, f64)> {
-        let pairs = found.coordinates.iter().zip(chi);
-        pairs
-            .map(|(q, chi)| (q * factor, chi.unwrap_or(f64::NAN)))
-            .collect()
+        let at = found.coordinates.iter().map(|q| report.axis_value(*q));
+        let values = chi.iter().map(|chi| chi.unwrap_or(f64::NAN));
+        let mut points: Vec<(f64, f64)> = at.zip(values).collect();
+        if let (Some(period), Some(first)) = (study.course.period(), points.first().copied()) {
+            points.push((first.0 + report.axis_value(period), first.1));
+        }
+        points
     };
     let without = Curve {
         label: "massless".to_owned(),
@@ -227,19 +234,19 @@ pub fn massless_chart(found: &MasslessComparison, unit: &str, turning: bool) -> 
     let with = found.points.iter().map(|point| Curve {
         label: format!(
             "m·ω²/P = {}: {} %",
-            crate::report::quantity::significant(point.parameter, 4),
-            crate::report::quantity::significant(100.0 * point.deviation, 2)
+            significant(point.parameter, 4),
+            significant(100.0 * point.deviation, 2)
         ),
         points: points(&point.chi),
     });
-    Chart {
-        title: "χ without masses and with them".to_owned(),
-        unit: unit.to_owned(),
+    Some(Chart {
+        title: "Dynamic transmission ratio χ without masses and with them".to_owned(),
+        unit: unit.map_or(String::new(), |column| column.unit),
         curves: std::iter::once(without).chain(with).collect(),
         horizontal: Axis {
             symbol: "q".to_owned(),
-            unit: if turning { "deg" } else { "m" }.to_owned(),
+            unit: report.axis_unit().to_owned(),
         },
         ..Chart::default()
-    }
+    })
 }

@@ -66,10 +66,10 @@ impl Hodograph {
             let [x, y] = frame.centre.map(coordinate);
             let r = coordinate(value * frame.pixels);
             let label = coordinate(frame.centre[1] - value * frame.pixels - 3.0);
-            let _ = write!(
+            let _ = writeln!(
                 grid,
                 "<circle class=\"ring\" cx=\"{x}\" cy=\"{y}\" r=\"{r}\"/>\
-                 <text x=\"{}\" y=\"{label}\">{}</text>\n",
+                 <text x=\"{}\" y=\"{label}\">{}</text>",
                 coordinate(frame.centre[0] + 3.0),
                 rings.label(value)
             );

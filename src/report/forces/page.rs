@@ -3,7 +3,6 @@
 use super::charts::{groups, massless_chart, ratio_chart};
 use super::text::verdict;
 use super::{ForcesReport, Hodograph, drawing, shown};
-use crate::analysis::forces::columns;
 use crate::report::html::data::PlotData;
 use crate::report::html::{facts, header, scene, shell, warnings};
 use crate::report::quantity::{escape, significant};
@@ -13,6 +12,8 @@ use std::fmt::Write as _;
 const PLOT: (f64, f64) = (590.0, 300.0);
 const WIDE: (f64, f64) = (1000.0, 420.0);
 const POLAR: f64 = 330.0;
+/// Most points of a hodograph.
+const MOST_POINTS: usize = 2000;
 
 /// The page.
 pub fn page(report: &ForcesReport<'_>) -> String {
@@ -66,8 +67,9 @@ fn hodographs(report: &ForcesReport<'_>) -> String {
         "<h2>Hodographs</h2>\n<p class=\"soft\">The tip of each force over the course; the dot is \
          the first position.</p>\n<div style=\"display:flex;flex-wrap:wrap;gap:12px\">\n",
     );
+    let stride = study.rows.len().div_ceil(MOST_POINTS).max(1);
     for (index, pair) in study.linkage.pairs.iter().enumerate() {
-        let vectors = study.rows.iter().map(|row| {
+        let vectors = study.rows.iter().step_by(stride).map(|row| {
             let forces = row.forces.as_ref();
             forces.map_or([f64::NAN; 2], |forces| forces.pairs[index].force)
         });
@@ -138,14 +140,9 @@ fn cycle(report: &ForcesReport<'_>) -> String {
 }
 
 fn massless(report: &ForcesReport<'_>) -> String {
-    let Some(found) = report.massless else {
+    let (Some(found), Some(chart)) = (report.massless, massless_chart(report)) else {
         return String::new();
     };
-    let study = report.study;
-    let all = columns(&study.linkage, study.settings.output);
-    let unit = all.iter().find(|column| column.name == "chi");
-    let unit = unit.map_or("", |column| column.unit.as_str());
-    let chart = massless_chart(found, unit, study.coordinate_unit() == "rad");
     format!(
         "<h2>Massless against full model</h2>\n<div class=\"graph\">{}</div>\n<p>{}</p>\n",
         chart.svg(WIDE.0, WIDE.1),

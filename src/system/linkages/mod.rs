@@ -5,14 +5,17 @@
 //! the potential V of weights and springs, all other forces Q and the damping
 //! D, each reduced to q.
 
+mod table;
+
 use super::frozen::Frozen;
-use super::passes::Work;
+use super::passes::{Extent, Work};
 use super::quantity::Quantity;
 use crate::jet::Jet;
 use crate::linkage::{Linkage, Reduced, Workspace};
 use crate::position::linkage_reach;
 use std::cell::RefCell;
 use std::sync::Arc;
+use table::{Local, Table};
 
 /// Share of a limited reach at each end that is not sampled.
 const EDGE: f64 = 0.05;
@@ -24,6 +27,23 @@ pub(super) struct FrozenLinkage {
     pub(super) node: usize,
     /// The linkage.
     pub(super) linkage: Arc<Linkage>,
+    /// What the right-hand side asks for, when it asks for no output.
+    table: Option<Arc<Table>>,
+}
+
+impl FrozenLinkage {
+    pub(super) fn new(node: usize, linkage: &Arc<Linkage>) -> Self {
+        Self {
+            node,
+            linkage: Arc::clone(linkage),
+            table: None,
+        }
+    }
+
+    /// Prepares it for equations of motion that ask for no output of it.
+    pub(super) fn tabulate(&mut self) {
+        self.table = Table::new(&self.linkage).map(Arc::new);
+    }
 }
 
 /// The output of a linkage that a law is.
@@ -193,6 +213,47 @@ impl Frozen {
         }
     }
 
+    /// Inertia of a linkage, and all forces on its input but those of
+    /// accelerations.
+    #[inline]
+    fn inertia_and_force<N: Quantity>(
+        &self,
+        index: usize,
+        extent: Extent,
+        work: &Work<N>,
+    ) -> [N; 2] {
+        let linkage = &self.linkages[index];
+        let (q, rate) = (work.displacement[linkage.node], work.speed[linkage.node]);
+        let table = linkage.table.as_ref().filter(|_| extent == Extent::Needed);
+        let Some((table, local)) = table.and_then(|table| {
+            let local = table.at(q.value(), N::DERIVATIVES)?;
+            Some((table, local))
+        }) else {
+            let reduction = self.linkage(index, work);
+            return [reduction.inertia, reduction.force()];
+        };
+        let of = |pick: fn(&Local) -> [f64; 3]| {
+            q.lift(|place| {
+                let there = match place == q.value() {
+                    true => Some(local),
+                    false => table.at(place, N::DERIVATIVES),
+                };
+                let [value, first, second] = there.as_ref().map_or([f64::NAN; 3], pick);
+                Jet {
+                    value,
+                    first,
+                    second,
+                    third: 0.0,
+                }
+            })
+        };
+        let [inertia, slope, _] = of(|local| local.inertia);
+        let [force, ..] = of(|local| with_slope(local.force));
+        let [damping, ..] = of(|local| with_slope(local.damping));
+        let moving = damping * rate + (slope * rate * rate).scale(0.5);
+        [inertia, force - moving]
+    }
+
     /// V″ of a linkage.
     pub(super) fn potential_stiffness(&self, index: usize, work: &Work<f64>) -> f64 {
         let q = work.displacement[self.linkages[index].node];
@@ -209,20 +270,20 @@ impl Frozen {
     }
 
     /// Inertia of every node by itself: its own, or that of its linkage.
-    pub(super) fn own_masses<N: Quantity>(&self, work: &mut Work<N>) {
+    pub(super) fn own_masses<N: Quantity>(&self, extent: Extent, work: &mut Work<N>) {
         for (mass, &inertia) in work.mass.iter_mut().zip(&self.inertia) {
             *mass = N::from(inertia);
         }
         for index in 0..self.linkages.len() {
-            let inertia = self.linkage(index, work).inertia;
+            let [inertia, _] = self.inertia_and_force(index, extent, work);
             work.mass[self.linkages[index].node] += inertia;
         }
     }
 
     /// Adds what the linkages do on their input coordinates.
-    pub(super) fn apply_linkages<N: Quantity>(&self, work: &mut Work<N>) {
+    pub(super) fn apply_linkages<N: Quantity>(&self, extent: Extent, work: &mut Work<N>) {
         for index in 0..self.linkages.len() {
-            let force = self.linkage(index, work).force();
+            let [_, force] = self.inertia_and_force(index, extent, work);
             work.force[self.linkages[index].node] += force;
         }
     }

@@ -1,0 +1,446 @@
+//! A linkage over its input as polynomials, for the right-hand side.
+//!
+//! The reduced inertia J, the force W = Q − V′ and the damping D are smooth
+//! functions of the input coordinate, and the equations of motion ask for nothing
+//! else unless something hangs on an output. They are interpolated once, piece by
+//! piece, at Chebyshev's points to rounding; where that does not succeed (a kink
+//! of a force, the neighbourhood of a dead position) the linkage is solved as
+//! anywhere else. The derivatives are those of the polynomials, so that energy is
+//! kept as well as with the functions themselves.
+
+use crate::linkage::spec::{ForceLaw, LinkageSpec};
+use crate::linkage::{Linkage, Reach, Reduced, Workspace};
+use std::f64::consts::PI;
+
+/// Points of an interpolation, one more than the degree.
+const POINTS: usize = 16;
+/// Coefficients at the end that must have died away …
+const TAIL: usize = 3;
+/// … to this share of the function.
+const NEGLIGIBLE: f64 = 2e-14;
+/// Share of the greatest value that counts where a function is small.
+const SMALL: f64 = 1e-2;
+/// The finest pieces are the whole over two to this power.
+const DEEPEST: u32 = 10;
+/// Most positions that are solved for the whole.
+const MOST_POSITIONS: usize = 30_000;
+/// Pieces at first.
+const FIRST: u32 = 3;
+/// No piece: the linkage is solved.
+const NONE: u16 = u16::MAX;
+
+type Coefficients = [f64; POINTS];
+
+/// J, W and D at a place with their derivatives.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Local {
+    /// J, J′, J″.
+    pub(super) inertia: [f64; 3],
+    /// W, W′.
+    pub(super) force: [f64; 2],
+    /// D, D′.
+    pub(super) damping: [f64; 2],
+}
+
+/// The pieces.
+#[derive(Clone, Debug)]
+pub(crate) struct Table {
+    start: f64,
+    span: f64,
+    /// Whether everything repeats after `span`.
+    periodic: bool,
+    /// Piece in each of the finest intervals.
+    index: Vec<u16>,
+    pieces: Vec<Piece>,
+    /// Whether there is any damping.
+    damped: bool,
+}
+
+/// Polynomials in x = (place − centre)·scale, lowest power first.
+#[derive(Clone, Debug)]
+struct Piece {
+    centre: f64,
+    scale: f64,
+    inertia: Coefficients,
+    force: Coefficients,
+    damping: Coefficients,
+}
+
+impl Table {
+    /// The table of a linkage; `None` when its input goes on for ever without
+    /// repeating, or a force does not repeat with it.
+    pub(super) fn new(linkage: &Linkage) -> Option<Self> {
+        let range = linkage.range();
+        let (start, span, periodic) = match (&range.period, &range.reach) {
+            (Some(period), Reach::Everywhere) => (range.start, period.length, true),
+            (None, Reach::Interval { lower, upper }) => (lower.at, upper.at - lower.at, false),
+            _ => return None,
+        };
+        let spec = linkage.spec();
+        if !span.is_finite() || (periodic && !repeats(linkage, start, span)) {
+            return None;
+        }
+        let damped = |law: &ForceLaw| matches!(law, ForceLaw::Strut { damping, .. } | ForceLaw::Torsion { damping, .. } if *damping > 0.0);
+        let mut table = Self {
+            start,
+            span,
+            periodic,
+            index: vec![NONE; 1 << DEEPEST],
+            pieces: Vec::new(),
+            damped: spec.forces.iter().any(|force| damped(&force.law)),
+        };
+        Builder::new(linkage, &mut table).build();
+        (!table.pieces.is_empty()).then_some(table)
+    }
+
+    /// J, W and D at an input; `None` where there is no piece.
+    #[inline]
+    pub(super) fn at(&self, q: f64, order: usize) -> Option<Local> {
+        let mut place = q - self.start;
+        if self.periodic {
+            place -= self.span * (place / self.span).floor();
+        }
+        let slot = place / self.span * self.index.len() as f64;
+        if !(slot >= 0.0) {
+            return None;
+        }
+        let piece = self
+            .pieces
+            .get(usize::from(*self.index.get(slot as usize)?))?;
+        let x = (place - piece.centre) * piece.scale;
+        let scale = piece.scale;
+        let mut local = Local::default();
+        if order > 2 {
+            let [value, first, second] = horner_twice(&piece.inertia, x);
+            local.inertia = [value, first * scale, second * scale * scale];
+        } else {
+            let [value, first] = horner(&piece.inertia, x);
+            local.inertia = [value, first * scale, 0.0];
+        }
+        let [value, first] = horner(&piece.force, x);
+        local.force = [value, first * scale];
+        if self.damped {
+            let [value, first] = horner(&piece.damping, x);
+            local.damping = [value, first * scale];
+        }
+        Some(local)
+    }
+}
+
+/// Whether all forces are the same after one period: no spring winds up, and
+/// none is a table over the input.
+fn repeats(linkage: &Linkage, start: f64, span: f64) -> bool {
+    let mut workspace = linkage.workspace();
+    let mut coordinates = |q: f64| -> Option<Vec<f64>> {
+        linkage.solve(q, 0, &mut workspace).ok()?;
+        let pairs = 0..linkage.spec().pairs.len();
+        Some(pairs.map(|pair| workspace.pair(pair).value).collect())
+    };
+    let (Some(before), Some(after)) = (coordinates(start), coordinates(start + span)) else {
+        return false;
+    };
+    let spec: &LinkageSpec = linkage.spec();
+    spec.forces.iter().all(|force| match force.law {
+        ForceLaw::Torsion { pair, rate, .. } => {
+            rate == 0.0 || (after[pair] - before[pair]).abs() < 1e-9
+        }
+        ForceLaw::Table { .. } => false,
+        ForceLaw::Strut { .. } | ForceLaw::Force { .. } | ForceLaw::Couple { .. } => true,
+    })
+}
+
+/// Value and first derivative of a polynomial.
+#[inline]
+fn horner(c: &Coefficients, x: f64) -> [f64; 2] {
+    let (mut value, mut first) = (0.0, 0.0);
+    for c in c.iter().rev() {
+        first = first * x + value;
+        value = value * x + c;
+    }
+    [value, first]
+}
+
+/// Value, first and second derivative.
+fn horner_twice(c: &Coefficients, x: f64) -> [f64; 3] {
+    let [mut value, mut first, mut half] = [0.0; 3];
+    for c in c.iter().rev() {
+        half = half * x + first;
+        first = first * x + value;
+        value = value * x + c;
+    }
+    [value, first, 2.0 * half]
+}
+
+struct Builder<'a> {
+    linkage: &'a Linkage,
+    workspace: Workspace,
+    table: &'a mut Table,
+    /// Chebyshev's points and T_k there.
+    points: [f64; POINTS],
+    values: [[f64; POINTS]; POINTS],
+    /// Greatest |J|, |W| and |D| met.
+    sizes: [f64; 3],
+    positions: usize,
+}
+
+impl<'a> Builder<'a> {
+    fn new(linkage: &'a Linkage, table: &'a mut Table) -> Self {
+        let angle = |j: usize| PI * (j as f64 + 0.5) / POINTS as f64;
+        Self {
+            linkage,
+            workspace: linkage.workspace(),
+            table,
+            points: std::array::from_fn(|j| angle(j).cos()),
+            values: std::array::from_fn(|k| std::array::from_fn(|j| (k as f64 * angle(j)).cos())),
+            sizes: [0.0; 3],
+            positions: 0,
+        }
+    }
+
+    fn build(&mut self) {
+        let count = 1u32 << FIRST;
+        // All sizes first, so that every piece is judged by the same.
+        for piece in 0..count {
+            let _ = self.sample(FIRST, piece);
+        }
+        for piece in 0..count {
+            self.fit(FIRST, piece);
+        }
+    }
+
+    /// Interpolates piece number `piece` of 2^`depth`, or halves it.
+    fn fit(&mut self, depth: u32, piece: u32) {
+        let sampled = self.sample(depth, piece);
+        if let Some(sampled) = sampled
+            && let Some(found) = self.interpolated(depth, piece, &sampled)
+        {
+            let number = self.table.pieces.len() as u16;
+            let finest = 1usize << (DEEPEST - depth);
+            let from = piece as usize * finest;
+            self.table.index[from..from + finest].fill(number);
+            self.table.pieces.push(found);
+        } else if depth < DEEPEST && self.positions < MOST_POSITIONS {
+            self.fit(depth + 1, 2 * piece);
+            self.fit(depth + 1, 2 * piece + 1);
+        }
+    }
+
+    /// Centre (from the table's start) and half width of a piece.
+    fn place(&self, depth: u32, piece: u32) -> (f64, f64) {
+        let half = 0.5 * self.table.span / f64::from(1u32 << depth);
+        (half * f64::from(2 * piece + 1), half)
+    }
+
+    /// J, W and D at the points of a piece.
+    fn sample(&mut self, depth: u32, piece: u32) -> Option<[Coefficients; 3]> {
+        let (centre, half) = self.place(depth, piece);
+        let mut sampled = [[0.0; POINTS]; 3];
+        self.positions += POINTS;
+        for (j, x) in self.points.iter().enumerate() {
+            let q = self.table.start + centre + half * x;
+            self.linkage.solve(q, 2, &mut self.workspace).ok()?;
+            let reduced: Reduced = self.linkage.reduced(&self.workspace);
+            let values = [
+                reduced.inertia[0],
+                reduced.force[0] - reduced.potential[1],
+                reduced.damping[0],
+            ];
+            for (k, value) in values.into_iter().enumerate() {
+                value.is_finite().then_some(())?;
+                sampled[k][j] = value;
+                self.sizes[k] = self.sizes[k].max(value.abs());
+            }
+        }
+        Some(sampled)
+    }
+
+    fn interpolated(&self, depth: u32, piece: u32, sampled: &[Coefficients; 3]) -> Option<Piece> {
+        let (centre, half) = self.place(depth, piece);
+        let mut found = [[0.0; POINTS]; 3];
+        for (k, values) in sampled.iter().enumerate() {
+            let own = values
+                .iter()
+                .fold(0.0f64, |size, value| size.max(value.abs()));
+            // The inertia divides: it counts by itself.
+            let size = if k == 0 {
+                own
+            } else {
+                own.max(SMALL * self.sizes[k])
+            };
+            let coefficients = self.chebyshev(values);
+            let tail = &coefficients[POINTS - TAIL..];
+            if !tail.iter().all(|c| c.abs() <= NEGLIGIBLE * size) {
+                return None;
+            }
+            found[k] = powers(&coefficients);
+        }
+        let [inertia, force, damping] = found;
+        Some(Piece {
+            centre,
+            scale: 1.0 / half,
+            inertia,
+            force,
+            damping,
+        })
+    }
+
+    /// Coefficients of T_k.
+    fn chebyshev(&self, values: &Coefficients) -> Coefficients {
+        std::array::from_fn(|k| {
+            let sum: f64 = (self.values[k].iter().zip(values))
+                .map(|(t, f)| t * f)
+                .sum();
+            sum * if k == 0 { 1.0 } else { 2.0 } / POINTS as f64
+        })
+    }
+}
+
+/// From coefficients of T_k to those of powers: T_{k+1} = 2x·T_k − T_{k−1}.
+fn powers(chebyshev: &Coefficients) -> Coefficients {
+    let mut before = [0.0; POINTS];
+    let mut now = [0.0; POINTS];
+    let mut out = [0.0; POINTS];
+    before[0] = 1.0;
+    now[1] = 1.0;
+    out[0] = chebyshev[0];
+    for c in &chebyshev[1..] {
+        for (out, t) in out.iter_mut().zip(&now) {
+            *out += c * t;
+        }
+        let mut next = before.map(|t| -t);
+        for power in 1..POINTS {
+            next[power] += 2.0 * now[power - 1];
+        }
+        (before, now) = (now, next);
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Table;
+    use crate::linkage::Linkage;
+    use crate::linkage::spec::*;
+
+    fn pin(name: &str, on: (Option<usize>, [f64; 2]), link: (Option<usize>, [f64; 2])) -> PairSpec {
+        let point = |(link, at)| PointOf { link, at };
+        PairSpec {
+            name: name.to_owned(),
+            on: point(on),
+            link: point(link),
+            kind: PairKind::Revolute { diameter: 0.0 },
+            friction: 0.0,
+        }
+    }
+
+    /// A four-bar with weights, a damper, and a spring in the rocker's pivot.
+    fn four_bar(crank: f64) -> LinkageSpec {
+        let bar = |name: &str, length: f64| LinkSpec {
+            name: name.to_owned(),
+            points: Vec::new(),
+            mass: 2.0 * length,
+            centre: [0.5 * length, 0.01],
+            moment: length.powi(3) / 6.0,
+        };
+        let torsion = |pair, rate, damping| ForceSpec {
+            name: "force".to_owned(),
+            law: ForceLaw::Torsion {
+                pair,
+                rate,
+                free_angle: 0.3,
+                damping,
+            },
+        };
+        LinkageSpec {
+            links: vec![bar("crank", crank), bar("coupler", 0.4), bar("rocker", 0.3)],
+            pairs: vec![
+                pin("A", (None, [0.0; 2]), (Some(0), [0.0; 2])),
+                pin("B", (Some(0), [crank, 0.0]), (Some(1), [0.0; 2])),
+                pin("C", (Some(1), [0.4, 0.0]), (Some(2), [0.3, 0.0])),
+                pin("D", (None, [0.35, 0.0]), (Some(2), [0.0; 2])),
+            ],
+            gravity: [1.0, -9.81],
+            forces: vec![torsion(3, 5.0, 0.2), torsion(2, 0.0, 0.1)],
+            start: 1.0,
+            ..LinkageSpec::default()
+        }
+    }
+
+    /// Compares the table with the linkage; the greatest difference of J, J′, J″,
+    /// W, W′, D, D′ in units of the greatest value, and the share of places that
+    /// the table knows.
+    fn compared(linkage: &Linkage, from: f64, to: f64) -> ([f64; 7], f64) {
+        let table = Table::new(linkage).expect("a table");
+        let mut workspace = linkage.workspace();
+        let (mut miss, mut size, mut known) = ([0.0f64; 7], [0.0f64; 7], 0);
+        let count = 5000;
+        for step in 0..count {
+            let q = from + (to - from) * (f64::from(step) + 0.5) / f64::from(count);
+            linkage.solve(q, 3, &mut workspace).expect("within reach");
+            let reduced = linkage.reduced(&workspace);
+            let [j0, j1, j2] = reduced.inertia;
+            let [w0, w1] = [0, 1].map(|k| reduced.force[k] - reduced.potential[k + 1]);
+            let [d0, d1] = reduced.damping;
+            let Some(local) = table.at(q, 3) else {
+                continue;
+            };
+            known += 1;
+            let [i0, i1, i2] = local.inertia;
+            let found = [
+                i0,
+                i1,
+                i2,
+                local.force[0],
+                local.force[1],
+                local.damping[0],
+                local.damping[1],
+            ];
+            for (k, wanted) in [j0, j1, j2, w0, w1, d0, d1].into_iter().enumerate() {
+                miss[k] = miss[k].max((found[k] - wanted).abs());
+                size[k] = size[k].max(wanted.abs());
+            }
+        }
+        (
+            std::array::from_fn(|k| miss[k] / size[k]),
+            f64::from(known) / f64::from(count),
+        )
+    }
+
+    #[test]
+    fn a_crank_that_turns_fully_is_known_everywhere_to_rounding() {
+        let linkage = Linkage::new(four_bar(0.1)).expect("a linkage");
+        // Three turns on, the configuration is the same.
+        for shift in [0.0, 6.0 * std::f64::consts::PI] {
+            let (miss, known) = compared(&linkage, shift, shift + 6.28);
+            assert_eq!(known, 1.0);
+            for (miss, bound) in miss
+                .into_iter()
+                .zip([1e-13, 1e-11, 1e-8, 1e-13, 1e-11, 1e-13, 1e-11])
+            {
+                assert!(miss < bound, "{miss:e} against {bound:e}");
+            }
+        }
+    }
+
+    #[test]
+    fn near_dead_positions_the_linkage_is_solved_itself() {
+        let linkage = Linkage::new(four_bar(0.3)).expect("a linkage");
+        let [from, to] = linkage.range().ends();
+        let span = to - from;
+        let (miss, known) = compared(&linkage, from + 0.02 * span, to - 0.02 * span);
+        assert!(known > 0.95 && miss[0] < 1e-12, "{known} {miss:?}");
+        let table = Table::new(&linkage).expect("a table");
+        assert!(table.at(from + 1e-9, 2).is_none());
+        assert!(table.at(to + 0.1, 2).is_none() && table.at(f64::NAN, 2).is_none());
+    }
+
+    #[test]
+    fn springs_that_wind_up_and_tables_over_the_input_have_none() {
+        let mut wound = four_bar(0.1);
+        let ForceLaw::Torsion { pair, .. } = &mut wound.forces[0].law else {
+            panic!("a spring");
+        };
+        *pair = 0;
+        assert!(Table::new(&Linkage::new(wound).expect("a linkage")).is_none());
+    }
+}
