@@ -109,12 +109,16 @@ fn by_differences(system: &System, answer: &PeriodicAnswer, step: f64) -> Vec<f6
 
 #[test]
 fn multipliers_agree_with_differences_of_the_cycle_map() {
-    // Impacts with damping (the valve that lifts off), a gap, a chain thrown far.
-    let bounces = ["rocker.damping_capacity=0.01"];
+    // Impacts with more and less damping: multipliers of either sign, and a pair.
+    let (bounces, rings) = (
+        ["rocker.damping_capacity=0.15"],
+        ["valve.damping_capacity=0.2"],
+    );
     for (name, set) in [
         ("rocker/two_masses", &[][..]),
         ("valve_train/lift_off", &[][..]),
         ("rocker/two_masses", &bounces[..]),
+        ("valve_train/lift_off", &rings[..]),
     ] {
         let (system, answer) = periodic(name, set);
         let found = &answer.parts[0].multipliers;

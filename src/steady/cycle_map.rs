@@ -95,15 +95,11 @@ impl Machine<'_> {
         if !(energy > 0.0) {
             return None;
         }
-        let load = (self.at)(piece, position, 0.0);
-        let speed = (2.0 * energy / load.inertia).sqrt();
-        let Load {
-            inertia,
-            moment,
-            moment_by_speed,
-        } = (self.at)(piece, position, speed);
-        let sound = moment.is_finite() && inertia > 0.0;
-        sound.then(|| [moment, 1.0 / speed, moment_by_speed / (inertia * speed)])
+        let speed = self.speed(piece, position, energy);
+        let load = (self.at)(piece, position, speed);
+        let sound = load.moment.is_finite() && load.inertia > 0.0;
+        let slope = load.moment_by_speed / (load.inertia * speed);
+        sound.then_some([load.moment, 1.0 / speed, slope])
     }
 
     fn speed(&self, piece: usize, position: f64, energy: f64) -> f64 {
@@ -114,12 +110,14 @@ impl Machine<'_> {
     fn stretch(&self, piece: usize, ends: [f64; 2], state: &mut State) -> Result<(), f64> {
         let mut f = |position: f64, state: &State| self.rates(piece, position, state);
         let [mut at, to] = ends;
+        let mut crossings = 0;
         while at < to {
             let mut next = *state;
             follow(&mut f, [at, to], &mut next, TOLERANCE)?;
             let before = self.band(self.speed(piece, at, state[0]));
             let after = self.band(self.speed(piece, to, next[0]));
-            if before == after {
+            // A speed that stays on a kink crosses it by rounding without end.
+            if before == after || crossings >= MOST_CROSSINGS {
                 *state = next;
                 return Ok(());
             }
@@ -139,11 +137,11 @@ impl Machine<'_> {
             let behind = (place + 1e-13 * self.cycle).min(to);
             follow(&mut f, [place.min(to), behind], state, TOLERANCE)?;
             at = behind;
+            crossings += 1;
         }
         Ok(())
     }
 
-    /// Number of kinks below a speed.
     fn band(&self, speed: f64) -> usize {
         self.kinks.partition_point(|&kink| kink < speed)
     }
@@ -258,11 +256,12 @@ impl Machine<'_> {
                 return Ok((energy, end, cycles));
             }
             let newton = energy - miss / (end.multiplier - 1.0);
+            // (A multiplier of 1 makes it infinite.)
             let near = newton > 0.2 * energy && newton < 5.0 * energy;
-            let steep = (end.multiplier - 1.0).abs() < 1e-6;
-            let mut next = match near && !steep && cycles > 2 {
-                true => newton,
-                false => end.energy,
+            let mut next = if near && cycles > 2 {
+                newton
+            } else {
+                end.energy
             };
             let mut after = self.cycle(next);
             cycles += 1;
@@ -272,7 +271,6 @@ impl Machine<'_> {
                 cycles += 1;
             }
             let after = after?;
-            // Rounding: no better than this.
             let settled = (after.energy - next).abs() >= miss.abs() && miss.abs() < 1e-11 * energy;
             if settled {
                 return Ok((energy, end, cycles));
@@ -393,6 +391,8 @@ impl Machine<'_> {
     }
 }
 
+/// Kinks met in a stretch at most.
+const MOST_CROSSINGS: u32 = 16;
 /// Stretches in a cycle.
 const STRETCHES: f64 = 64.0;
 /// Places at which a cycle at constant speed is looked at.

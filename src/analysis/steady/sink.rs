@@ -12,13 +12,23 @@ pub(super) struct Last {
     pub(super) switches: u64,
 }
 
+/// Steps shorter than this share of the time change no speed.
+const LEFT_OVER: f64 = 1e-11;
+
 impl Sink for Last {
     fn start(&mut self, _: f64, y: &[f64], _: &Modes) {
         self.y = y.to_vec();
     }
 
     fn step(&mut self, step: &Step<'_>, _: &Modes) {
+        let n = self.y.len() / 2;
+        let speeds = self.y[n..].to_vec();
         step.state(step.end, &mut self.y);
+        // A speed is the slope over the step: of one that a switch next to the
+        // end has left over nothing but rounding remains.
+        if step.end * step.length < LEFT_OVER * step.end_time() {
+            self.y[n..].copy_from_slice(&speeds);
+        }
     }
 
     fn switch(&mut self, event: &SwitchEvent<'_>) {
