@@ -10,8 +10,8 @@
 //! direction of opening. Contact is kept where P ≥ 0 at every φ; what P is
 //! above zero is the margin.
 
-use super::search::At;
-use crate::motion::extremes::greatest;
+use super::motion::intervals;
+use super::search::{At, even, refined};
 use serde::Serialize;
 
 /// What the contact must give at an angle of the cam, along the displacement of
@@ -69,22 +69,33 @@ pub struct Rates {
 
 /// The question of closing: the demand over the pieces of a turn.
 pub struct Closing<'a> {
-    /// Stretches (rad) on which the demand is smooth.
-    pub pieces: &'a [[f64; 2]],
-    /// The demand at φ in a piece.
-    pub demand: &'a dyn Fn(usize, f64) -> Demand,
+    demand: &'a dyn Fn(usize, f64) -> Demand,
+    /// The demand at places of every piece, both ends among them.
+    samples: Vec<Vec<(f64, Demand)>>,
 }
 
-impl Closing<'_> {
+impl<'a> Closing<'a> {
+    /// The demand at φ in a piece, over stretches (rad) on which it is smooth.
+    pub fn new(pieces: &[[f64; 2]], demand: &'a dyn Fn(usize, f64) -> Demand) -> Self {
+        let count = intervals(pieces.len());
+        let sampled = |(index, &ends): (usize, &[f64; 2])| {
+            let places = even(ends, count);
+            places.map(|phi| (phi, demand(index, phi))).collect()
+        };
+        Self {
+            demand,
+            samples: pieces.iter().enumerate().map(sampled).collect(),
+        }
+    }
+
     /// Greatest value of a function of the demand, and the first place.
     fn greatest(&self, f: impl Fn(&Demand) -> f64) -> At {
-        let pieces = self.pieces.iter().enumerate();
-        let ends = pieces.map(|(index, &[from, to])| (index, from, to));
-        let found = greatest(ends, |piece, phi| f(&(self.demand)(piece, phi)));
-        At {
-            value: found.value,
-            phi: found.at,
-        }
+        let values = |samples: &Vec<(f64, Demand)>| {
+            let values = samples.iter().map(|(phi, demand)| (*phi, f(demand)));
+            values.collect::<Vec<(f64, f64)>>()
+        };
+        let samples: Vec<Vec<(f64, f64)>> = self.samples.iter().map(values).collect();
+        refined(&samples, |piece, phi| f(&(self.demand)(piece, phi)))
     }
 
     /// Least force P over the turn: the margin against lift-off.

@@ -6,11 +6,17 @@ use crate::number::Number;
 use crate::position::Position;
 use std::f64::consts::TAU;
 
-/// Intervals that a piece is searched in at least.
+/// Intervals that a piece is searched in: 64, fewer where there are very many
+/// pieces (a measured table, whose cubics need few).
 const INTERVALS: usize = 64;
+const FEWEST: usize = 8;
+const TOGETHER: usize = 32_768;
 
 /// Most lobes of a sine: more are no cam.
-const MOST_LOBES: f64 = 1000.0;
+const MOST_LOBES: f64 = 100.0;
+
+/// Most pieces of a turn.
+const MOST_PIECES: usize = 10_000;
 
 /// Shares of stroke and slope that count as rounding where the turn closes.
 const CLOSED: f64 = 1e-9;
@@ -69,10 +75,18 @@ impl FollowerMotion {
             faults.add("cam.range", message, hint);
         }
         faults.check()?;
+        let Some(pieces) = pieces(position, from, to, lobes) else {
+            let message = format!("more than {MOST_PIECES} pieces of the law in a turn are no cam");
+            return Err(vec![Fault::new(
+                "position",
+                message,
+                "give a law with a longer period",
+            )]);
+        };
         let mut motion = Self {
             position: position.clone(),
             outward,
-            pieces: pieces(position, from, to, lobes),
+            pieces,
             closed: range.is_none(),
             innermost: 0.0,
             stroke: 0.0,
@@ -179,16 +193,6 @@ impl FollowerMotion {
         (&self.pieces[after.saturating_sub(1)], phi)
     }
 
-    /// The pieces in parts short enough for a search by samples: number of the
-    /// piece, and both ends.
-    pub(crate) fn parts(&self) -> impl Iterator<Item = (usize, f64, f64)> + '_ {
-        self.pieces.iter().enumerate().flat_map(|(index, piece)| {
-            let count = piece.intervals.div_ceil(INTERVALS);
-            let place = move |part: usize| piece.place(part * piece.intervals / count);
-            (0..count).map(move |part| (index, place(part), place(part + 1)))
-        })
-    }
-
     /// First and last φ.
     pub fn range(&self) -> (f64, f64) {
         (self.pieces[0].from, self.pieces[self.pieces.len() - 1].to)
@@ -250,12 +254,13 @@ impl Piece {
 }
 
 /// The pieces between `from` and `to`, at every place where a derivative jumps.
-fn pieces(position: &Position, from: f64, to: f64, lobes: f64) -> Vec<Piece> {
+/// `None`: too many.
+fn pieces(position: &Position, from: f64, to: f64, lobes: f64) -> Option<Vec<Piece>> {
     let (breaks, joints) = (position.breaks(), position.joints());
     let mut edges = vec![from];
     let span = to - from;
     if !joints.is_empty() {
-        let mut segment = joints.locate(from, 1.0);
+        let (mut segment, mut steps) = (joints.locate(from, 1.0), 0);
         loop {
             let edge = joints.edges(segment).1;
             if edge.is_nan() || edge >= to - 1e-12 * span {
@@ -265,14 +270,19 @@ fn pieces(position: &Position, from: f64, to: f64, lobes: f64) -> Vec<Piece> {
                 edges.push(edge);
             }
             segment += 1;
+            steps += 1;
+            if steps > MOST_PIECES {
+                return None;
+            }
         }
     }
     edges.push(to);
+    let least = intervals(edges.len() - 1);
     let search = |span: f64| {
-        let smooth = (4.0 * INTERVALS as f64 * lobes * span / TAU).ceil();
-        (smooth as usize).max(INTERVALS)
+        let smooth = (4.0 * least as f64 * lobes * span / TAU).ceil();
+        (smooth as usize).max(least)
     };
-    edges
+    let pieces = edges
         .windows(2)
         .map(|pair| Piece {
             from: pair[0],
@@ -280,5 +290,11 @@ fn pieces(position: &Position, from: f64, to: f64, lobes: f64) -> Vec<Piece> {
             segment: breaks.locate(0.5 * (pair[0] + pair[1]), 1.0),
             intervals: search(pair[1] - pair[0]),
         })
-        .collect()
+        .collect();
+    Some(pieces)
+}
+
+/// Intervals that each of so many pieces is searched in at least.
+pub(crate) fn intervals(pieces: usize) -> usize {
+    (TOGETHER / pieces.max(1)).clamp(FEWEST, INTERVALS)
 }

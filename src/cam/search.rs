@@ -1,6 +1,7 @@
 //! Extremes and sign changes of smooth functions over the pieces of a turn.
 
-use super::motion::{FollowerMotion, Piece};
+use super::motion::{FollowerMotion, Piece, intervals};
+use crate::motion::extremes::golden;
 use crate::number::{Dual, Number};
 use serde::Serialize;
 
@@ -58,6 +59,75 @@ pub(crate) fn root(f: impl Fn(f64) -> f64, from: f64, to: f64) -> f64 {
     } else {
         high
     }
+}
+
+/// Local maxima among samples that are looked at more closely.
+const CLOSELY: usize = 6;
+
+/// The greatest value of a function over pieces, of which samples (φ, value),
+/// both ends among them, are given: the greatest local maxima of the samples
+/// are improved by golden section. Value to rounding, place to about 1e-8.
+pub(crate) fn refined(samples: &[Vec<(f64, f64)>], f: impl Fn(usize, f64) -> f64) -> At {
+    let mut tops: Vec<(usize, usize)> = Vec::new();
+    for (piece, samples) in samples.iter().enumerate() {
+        let value = |index: usize| samples[index].1;
+        let last = samples.len().saturating_sub(1);
+        tops.extend((0..samples.len()).filter_map(|index| {
+            let before = index == 0 || value(index) >= value(index - 1);
+            let after = index == last || value(index) >= value(index + 1);
+            (before && after).then_some((piece, index))
+        }));
+    }
+    let sample = |&(piece, index): &(usize, usize)| samples[piece][index];
+    // Stable, so that of equal ones the first stays first.
+    tops.sort_by(|a, b| sample(b).1.total_cmp(&sample(a).1));
+    let mut best: Option<At> = None;
+    let mut take = |value: f64, phi: f64| {
+        let slack = 1e-13 * value.abs();
+        if best.is_none_or(|old| value > old.value + slack) {
+            best = Some(At { value, phi });
+        }
+    };
+    for top in tops.iter().take(CLOSELY) {
+        let (phi, value) = sample(top);
+        take(value, phi);
+        let around = &samples[top.0];
+        let low = around[top.1.saturating_sub(1)].0;
+        let high = around[(top.1 + 1).min(around.len() - 1)].0;
+        let (value, phi) = golden(|phi| f(top.0, phi), low, high);
+        take(value, phi);
+    }
+    best.unwrap_or_default()
+}
+
+/// The greatest value of a function over stretches on which it is smooth.
+pub(crate) fn greatest_over(pieces: &[[f64; 2]], f: impl Fn(usize, f64) -> f64) -> At {
+    let samples: Vec<Vec<(f64, f64)>> = (pieces.iter().enumerate())
+        .map(|(index, &ends)| {
+            let places = even(ends, intervals(pieces.len()));
+            places.map(|phi| (phi, f(index, phi))).collect()
+        })
+        .collect();
+    refined(&samples, f)
+}
+
+/// Equal steps between two ends, both of them exactly.
+pub(crate) fn even([from, to]: [f64; 2], count: usize) -> impl Iterator<Item = f64> {
+    (0..=count).map(move |step| match step == count {
+        true => to,
+        false => from + (to - from) * step as f64 / count as f64,
+    })
+}
+
+/// The greatest value of a function of the cam's angle that need not be smooth.
+pub(crate) fn greatest(motion: &FollowerMotion, f: impl Fn(&Piece, f64) -> f64) -> At {
+    let pieces = motion.pieces();
+    let sampled = |piece: &Piece| {
+        let places = (0..=piece.intervals).map(|step| piece.place(step));
+        places.map(|phi| (phi, f(piece, phi))).collect()
+    };
+    let samples: Vec<Vec<(f64, f64)>> = pieces.iter().map(sampled).collect();
+    refined(&samples, |piece, phi| f(&pieces[piece], phi))
 }
 
 /// Least and greatest value over a turn; of equal ones the first.

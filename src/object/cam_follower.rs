@@ -66,9 +66,12 @@ pub(super) const KIND: Kind = Kind {
         let coordinate = fields.need("motion", "Whether the follower turns or slides.", |slot| {
             slot.choice(&MOTIONS)
         });
+        let chain = chain::read(fields, context, &rules(coordinate));
         let cam = cam_geometry::read(fields, coordinate, context);
-        let chain = chain::read(fields, context, &rules(coordinate))?;
-        Some(Box::new(CamFollower { chain, cam: cam? }))
+        Some(Box::new(CamFollower {
+            chain: chain?,
+            cam: cam?,
+        }))
     },
 };
 

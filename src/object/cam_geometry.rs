@@ -28,10 +28,14 @@ pub(super) fn read(
         true => Some(Coordinate::Turning),
         false => coordinate,
     };
+    let definition = match follower {
+        Some(Coordinate::Turning) => "turning_cam",
+        _ => "disc_cam",
+    };
     let doc = "Geometry of the disc cam that realises the position function; used by `dam cam` \
                only, not by the dynamics.";
     let found = fields.maybe("cam", doc, |slot| {
-        slot.defined("cam_geometry", |slot| geometry(slot, follower))
+        slot.defined(definition, |slot| geometry(slot, follower))
     });
     if fields.has("cam") && context.driver == Some(Coordinate::Sliding) {
         let message = "a disc cam turns, but the driver of this object slides";

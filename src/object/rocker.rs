@@ -40,9 +40,12 @@ pub(super) const KIND: Kind = Kind {
     driven: true,
     coordinate: |_| Some(Coordinate::Turning),
     read: |fields, context| {
+        let chain = chain::read(fields, context, &RULES);
         let cam = cam_geometry::read(fields, RULES.coordinate, context);
-        let chain = chain::read(fields, context, &RULES)?;
-        Some(Box::new(Rocker { chain, cam: cam? }))
+        Some(Box::new(Rocker {
+            chain: chain?,
+            cam: cam?,
+        }))
     },
 };
 

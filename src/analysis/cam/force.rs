@@ -3,9 +3,9 @@
 use super::reduction::{Reduction, constant_speed};
 use crate::analysis::law::LiftOff;
 use crate::cam::closing::{Closing, ClosingSpring, LetsGo, Rates};
+use crate::cam::search::greatest_over;
 use crate::cam::{At, DiscCam, Surface};
 use crate::model::{Closure, Coordinate, Model};
-use crate::motion::extremes::greatest;
 use serde::Serialize;
 
 /// What of the contact force is to be left as reserve.
@@ -153,13 +153,7 @@ impl<'m> CamForce<'m> {
     }
 
     fn extreme(&self, f: impl Fn([f64; 3]) -> f64) -> At {
-        let pieces = self.reduction.pieces.iter().enumerate();
-        let ends = pieces.map(|(index, &[from, to])| (index, from, to));
-        let found = greatest(ends, |piece, phi| f(self.at(piece, phi)));
-        At {
-            value: found.value,
-            phi: found.at,
-        }
+        greatest_over(&self.reduction.pieces, |piece, phi| f(self.at(piece, phi)))
     }
 
     /// Everything about the contact.
@@ -172,10 +166,7 @@ impl<'m> CamForce<'m> {
         let torque = self.extreme(|[.., torque]| torque);
         let return_torque = negative(self.extreme(|[.., torque]| -torque));
         let demand = |piece: usize, phi: f64| self.reduction.demand(self.cam, piece, phi);
-        let closing = Closing {
-            pieces: &self.reduction.pieces,
-            demand: &demand,
-        };
+        let closing = Closing::new(&self.reduction.pieces, &demand);
         let (spring, speed) = (self.reduction.spring, self.speed);
         let forced = self.reduction.pair().closure == Closure::Force;
         let mut notes = self.reduction.notes.clone();

@@ -11,10 +11,13 @@
 use crate::cam::closing::{ClosingSpring, Demand};
 use crate::cam::{DiscCam, FollowerMotion};
 use crate::model::{
-    Closure, Law, LinearPiece, LinkBase, LoadLaw, Model, NodeMotion, Pair, Track, TrackSource,
+    Closure, Law, LinearPiece, LinkBase, Load, LoadLaw, Model, NodeMotion, Pair, Track, TrackSource,
 };
 use crate::motion::DriveMotion;
 use crate::position::Position;
+
+/// Most stretches of a turn.
+const MOST_PIECES: usize = 20_000;
 
 /// The follower with all it carries.
 #[derive(Debug)]
@@ -23,6 +26,8 @@ pub(super) struct Reduction<'m> {
     law: &'m Law,
     /// Nodes of the follower and behind it, drivers first.
     nodes: Vec<usize>,
+    /// Their loads, with the place of each one's node in `nodes`.
+    loads: Vec<(usize, &'m Load)>,
     /// First node of the follower.
     first: usize,
     pair: Pair,
@@ -67,9 +72,13 @@ impl<'m> Reduction<'m> {
             .flat_map(|(part, _)| part.nodes.iter().copied())
             .collect();
         nodes.sort_unstable();
+        let place = |node: usize| nodes.iter().position(|&other| other == node);
+        let loads = model.loads.iter();
+        let loads = loads.filter_map(|load| Some((place(load.node)?, load)));
         let mut found = Self {
             model,
             law,
+            loads: loads.collect(),
             nodes,
             first,
             pair: pair_of(model, object),
@@ -79,14 +88,15 @@ impl<'m> Reduction<'m> {
             notes: Vec::new(),
         };
         found.sort_loads(object)?;
-        found.pieces = found.smooth_pieces(cam.motion());
+        found.pieces = found.smooth_pieces(cam.motion())?;
         Ok(found)
     }
 
     /// Closing springs, and loads that have no place here.
     fn sort_loads(&mut self, object: usize) -> Result<(), String> {
         let own = &self.model.objects[object].nodes;
-        for load in self.own_loads() {
+        let loads = self.loads.clone();
+        for (_, load) in loads {
             match &load.law {
                 LoadLaw::Spring { rate, preload } if own.contains(&load.node) => {
                     self.spring.rate += rate;
@@ -111,18 +121,12 @@ impl<'m> Reduction<'m> {
         Ok(())
     }
 
-    fn own_loads(&self) -> impl Iterator<Item = &'m crate::model::Load> + use<'m> {
-        let nodes = self.nodes.clone();
-        let loads = self.model.loads.iter();
-        loads.filter(move |load| nodes.contains(&load.node))
-    }
-
     /// The pieces of the law, cut where a load over the cam's angle has a break.
-    fn smooth_pieces(&self, motion: &FollowerMotion) -> Vec<[f64; 2]> {
+    fn smooth_pieces(&self, motion: &FollowerMotion) -> Result<Vec<[f64; 2]>, String> {
         let (from, to) = motion.range();
-        let mut edges: Vec<f64> = motion.parts().map(|(_, begin, _)| begin).collect();
+        let mut edges: Vec<f64> = motion.pieces().iter().map(|piece| piece.from).collect();
         edges.push(to);
-        for load in self.own_loads() {
+        for (_, load) in &self.loads {
             let LoadLaw::Pieces { track, .. } = &load.law else {
                 continue;
             };
@@ -139,12 +143,15 @@ impl<'m> Reduction<'m> {
                 }
                 edges.push(edge);
                 segment += 1;
+                if edges.len() > MOST_PIECES {
+                    return Err(format!("{} changes too often within a turn", load.name));
+                }
             }
         }
         edges.sort_by(f64::total_cmp);
         let least = 1e-12 * (to - from);
         edges.dedup_by(|b, a| *b - *a <= least);
-        edges.windows(2).map(|pair| [pair[0], pair[1]]).collect()
+        Ok(edges.windows(2).map(|pair| [pair[0], pair[1]]).collect())
     }
 
     /// The pair.
@@ -218,11 +225,8 @@ impl<'m> Reduction<'m> {
             let acceleration = ratio.first * second + ratio.second * first * first;
             found.by_square += self.model.nodes[node].inertia * acceleration * ratio.first;
         }
-        for load in self.own_loads() {
-            let place = self.nodes.iter().position(|&node| node == load.node);
-            let Some(ratio) = place.map(|place| ratios[place]) else {
-                continue;
-            };
+        for &(place, load) in &self.loads {
+            let ratio = ratios[place];
             let closing = self.springs.contains(&load.name);
             match &load.law {
                 LoadLaw::Viscous(damping) => {

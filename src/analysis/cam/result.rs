@@ -1,10 +1,10 @@
 //! All that is found of a cam, ready to be told.
 
 use super::force::{CamForce, ForceFigures, Reserve};
+use crate::cam::search::greatest;
 use crate::cam::sizing::{BaseRange, BestOffset, PressureLimits, RollerLimits};
 use crate::cam::{At, Contact, DiscCam, Finding, Guide};
 use crate::fault::Fault;
-use crate::motion::extremes::greatest;
 use serde::Serialize;
 
 /// What is asked of a cam.
@@ -182,12 +182,10 @@ impl From<[Option<At>; 2]> for Radii {
 fn both(cam: &DiscCam, f: impl Fn(crate::jet::Jet) -> f64) -> [At; 2] {
     let motion = cam.motion();
     let one = |sign: f64| {
-        let found = greatest(motion.parts(), |piece, phi| {
-            sign * f(motion.jet(&motion.pieces()[piece], phi))
-        });
+        let found = greatest(motion, |piece, phi| sign * f(motion.jet(piece, phi)));
         At {
             value: 0.0 + sign * found.value,
-            phi: found.at,
+            ..found
         }
     };
     [one(1.0), one(-1.0)]

@@ -4,10 +4,9 @@ mod scan;
 
 use super::disc::DiscCam;
 use super::motion::Piece;
-use super::search::At;
+use super::search::{At, greatest};
 use super::spec::{Contact, Guide, Surface};
 use crate::fault::Fault;
-use crate::motion::extremes::greatest;
 use serde::Serialize;
 use std::f64::consts::FRAC_PI_2;
 
@@ -152,8 +151,8 @@ impl DiscCam {
     /// Least prime radius of a translating roller follower with an offset.
     fn prime_for_pressure(&self, limits: PressureLimits, offset: f64) -> f64 {
         let motion = self.motion();
-        let needed = greatest(motion.parts(), |index, phi| {
-            let jet = motion.jet(&motion.pieces()[index], phi);
+        let needed = greatest(motion, |piece, phi| {
+            let jet = motion.jet(piece, phi);
             (jet.first - offset).abs() / limits.tangent(jet.first) - jet.value
         });
         let prime = needed.value.max(0.0).hypot(offset);
@@ -168,15 +167,10 @@ impl DiscCam {
     /// Greatest |tan α| by the tangent of the limit in force, and where.
     fn pressure_share(&self, limits: PressureLimits) -> At {
         let motion = self.motion();
-        let found = greatest(motion.parts(), |index, phi| {
-            let piece = &motion.pieces()[index];
+        greatest(motion, |piece, phi| {
             let pressure = self.touch(piece, phi).pressure;
             pressure.abs() / limits.tangent(motion.jet(piece, phi).first)
-        });
-        At {
-            value: found.value,
-            phi: found.at,
-        }
+        })
     }
 
     fn base_by_scan(&self, limits: PressureLimits) -> Result<Vec<BaseRange>, Fault> {

@@ -19,10 +19,7 @@ fn eccentric(mass: f64, e: f64, damping: f64, load: f64) -> impl Fn(usize, f64) 
 fn the_follower_of_an_eccentric_jumps_at_52_30_rpm() {
     // m 1 kg, spring 10 N/m, preload 0.2 N, eccentricity 20 mm: ω² = (2ke + P)/(me).
     let demand = eccentric(1.0, 0.02, 0.0, 0.0);
-    let closing = Closing {
-        pieces: &TURN,
-        demand: &demand,
-    };
+    let closing = Closing::new(&TURN, &demand);
     let spring = ClosingSpring {
         rate: 10.0,
         preload: 0.2,
@@ -50,10 +47,7 @@ fn the_follower_of_an_eccentric_jumps_at_52_30_rpm() {
 #[test]
 fn damping_moves_the_jump_to_the_root_of_its_quadratic() {
     let demand = eccentric(2.0, 0.01, 3.0, 1.5);
-    let closing = Closing {
-        pieces: &TURN,
-        demand: &demand,
-    };
+    let closing = Closing::new(&TURN, &demand);
     let spring = ClosingSpring {
         rate: 40.0,
         preload: 0.5,
@@ -74,27 +68,18 @@ fn damping_moves_the_jump_to_the_root_of_its_quadratic() {
 #[test]
 fn what_is_open_at_rest_and_what_never_opens_is_said() {
     let pulled = eccentric(1.0, 0.02, 0.0, -1.0);
-    let closing = Closing {
-        pieces: &TURN,
-        demand: &pulled,
-    };
+    let closing = Closing::new(&TURN, &pulled);
     let weak = ClosingSpring {
         rate: 0.0,
         preload: 0.75,
     };
     assert!(matches!(closing.lets_go(weak, 1.0), LetsGo::AtRest(at) if at.value == 0.25));
     let massless = eccentric(0.0, 0.02, 0.0, 1.0);
-    let closing = Closing {
-        pieces: &TURN,
-        demand: &massless,
-    };
+    let closing = Closing::new(&TURN, &massless);
     assert_eq!(closing.lets_go(weak, 1.0), LetsGo::Never);
     let loose = ClosingSpring::default();
     let free = eccentric(1.0, 0.02, 0.0, 0.0);
-    let closing = Closing {
-        pieces: &TURN,
-        demand: &free,
-    };
+    let closing = Closing::new(&TURN, &free);
     assert!(matches!(closing.lets_go(loose, 1.0), LetsGo::At(at) if at.value == 0.0));
 }
 
@@ -106,10 +91,7 @@ fn rates_form_an_interval_and_a_hopeless_spring_is_refused() {
         stretch: -phi.cos() + 0.2,
         ..Demand::default()
     };
-    let closing = Closing {
-        pieces: &TURN,
-        demand: &demand,
-    };
+    let closing = Closing::new(&TURN, &demand);
     let (speed, preload) = (2.0, 3.0);
     let rates = closing.rates_for(preload, speed, 0.0).unwrap();
     // At φ = π: 1.2·c ≥ 1; at φ = 0: 4 + 3 ≥ 0.8·c; between, P is linear in cos φ.
@@ -123,10 +105,7 @@ fn rates_form_an_interval_and_a_hopeless_spring_is_refused() {
         stretch: 1.0 + phi.cos(),
         ..Demand::default()
     };
-    let closing = Closing {
-        pieces: &TURN,
-        demand: &stiff,
-    };
+    let closing = Closing::new(&TURN, &stiff);
     let none = closing.rates_for(3.0, speed, 0.5).unwrap_err();
     approx::assert_relative_eq!(none.lacking.value, 1.5, max_relative = 1e-9);
     assert!((none.lacking.phi - PI).abs() < 1e-3);

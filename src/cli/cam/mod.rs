@@ -152,7 +152,7 @@ impl Found<'_> {
 
     fn drawing(&self) -> String {
         let from = self.cam.motion().range().0;
-        picture(self.id, self.cam, &self.curves, from)
+        picture(self.id, self.cam, from)
     }
 
     fn files(&self, input: &Input) -> Result<Vec<ResultFile>, Failure> {

@@ -1,6 +1,6 @@
 //! The page of a cam: the cam turning with its follower, figures, diagrams.
 
-use super::picture::{drawing, mover, style, view};
+use super::picture::{drawing, drawn, mover, style, view};
 use super::tables::rows;
 use super::text::{describe, facts as cam_facts, remarks};
 use super::{NamedCurve, charts};
@@ -51,7 +51,7 @@ pub fn page(report: &CamReport<'_>) -> String {
     let _ = write!(
         body,
         "<style>\n{}\n.turning{{display:flex;flex-wrap:wrap;gap:12px 28px;align-items:flex-start}}\
-         .turning svg{{max-width:100%;height:auto}}.turning dl{{min-width:240px}}\
+         .turning svg{{max-width:100%;height:auto}}.turning>div{{flex:1;min-width:260px;max-width:440px}}\
          .turning .bar input{{flex:1;min-width:180px}}.now{{stroke:#8a1c1c;stroke-width:1;fill:none}}\n\
          .charts{{display:grid;grid-template-columns:repeat(auto-fit,minmax(420px,1fr));gap:8px 20px}}\
          .charts svg{{width:100%;height:auto}}</style>\n<main>\n",
@@ -127,7 +127,8 @@ fn notes(report: &CamReport<'_>) -> String {
 
 /// The drawing with its controls.
 fn turning(report: &CamReport<'_>) -> String {
-    let view = view(report.cam, report.curves);
+    let curves = drawn(report.cam);
+    let view = view(report.cam, &curves);
     let [w, h] = view.size.map(|size| format!("{size:.0}"));
     format!(
         "<h2>Cam and follower</h2>\n<div class=\"turning\">\n<svg viewBox=\"0 0 {w} {h}\" \
@@ -137,12 +138,7 @@ fn turning(report: &CamReport<'_>) -> String {
          max=\"{PLACES}\" step=\"1\" value=\"0\"></div>\n<dl class=\"facts\" id=\"cam-reading\"></dl>\n\
          <p class=\"soft\">Dotted: base circle; dashed: pitch curve. The mark on the cam points along \
          the follower at φ = 0.</p>\n</div>\n</div>\n",
-        drawing(
-            report.cam,
-            report.curves,
-            &view,
-            report.cam.motion().range().0
-        )
+        drawing(report.cam, &curves, &view, report.cam.motion().range().0)
     )
 }
 
@@ -173,7 +169,7 @@ fn diagrams(report: &CamReport<'_>) -> String {
 fn data(report: &CamReport<'_>) -> String {
     let cam = report.cam;
     let (from, to) = cam.motion().range();
-    let view = view(cam, report.curves);
+    let view = view(cam, &drawn(cam));
     let mover = mover(cam, &view);
     let places: Vec<f64> = (0..=PLACES)
         .map(|step| from + (to - from) * step as f64 / PLACES as f64)

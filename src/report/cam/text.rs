@@ -279,16 +279,16 @@ fn force_rows(rows: &mut Rows, force: &ForceFigures) {
         None => {}
     }
     match force.elastic {
-        Some(LiftOff::At(speed)) => rows.push(("lets go, elastic (by runs)", rpm(speed))),
+        Some(LiftOff::At(speed)) => rows.push(("lets go, elastic (runs, to 0.1 %)", rpm(speed))),
         Some(LiftOff::Above(speed)) => {
             rows.push((
-                "lets go, elastic (by runs)",
+                "lets go, elastic (runs, to 0.1 %)",
                 format!("not up to {}", rpm(speed)),
             ));
         }
         Some(LiftOff::Below(speed)) => {
             rows.push((
-                "lets go, elastic (by runs)",
+                "lets go, elastic (runs, to 0.1 %)",
                 format!("even at {}", rpm(speed)),
             ));
         }
