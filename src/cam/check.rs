@@ -57,14 +57,23 @@ pub(super) fn numbers(geometry: &CamGeometry, faults: &mut Faults) {
     }
 }
 
+/// A length as people read it, be it ever so great or small.
+fn length(value: f64) -> String {
+    match value == 0.0 || (1e-6..1e6).contains(&value.abs()) {
+        true => format!("{value} m"),
+        false => format!("{value:e} m"),
+    }
+}
+
 /// Says which base circles the follower can reach.
 pub(super) fn refuse_start(geometry: &CamGeometry, faults: &mut Faults) {
-    let base = geometry.base_radius;
-    let shift = base - geometry.prime_radius();
+    let base = length(geometry.base_radius);
+    let shift = geometry.base_radius - geometry.prime_radius();
     match (geometry.guide, geometry.contact) {
         (Guide::Translating { offset }, _) => {
             let message = format!(
-                "with an offset of {offset} m the follower does not reach the base circle of {base} m"
+                "with an offset of {} the follower does not reach the base circle of {base}",
+                length(offset)
             );
             let hint = format!(
                 "give a base radius above {:.6} m, or an offset below {:.6} m",
@@ -79,7 +88,7 @@ pub(super) fn refuse_start(geometry: &CamGeometry, faults: &mut Faults) {
             },
             Contact::Flat { face_offset, .. },
         ) => {
-            let message = format!("the face does not reach a base circle of {base} m");
+            let message = format!("the face does not reach a base circle of {base}");
             let (low, high) = ((-face_offset).max(0.0), centre_distance - face_offset);
             let hint = format!("give a base radius between {low:.6} and {high:.6} m");
             faults.add("cam.base_radius", message, &hint);
@@ -93,8 +102,9 @@ pub(super) fn refuse_start(geometry: &CamGeometry, faults: &mut Faults) {
             _,
         ) => {
             let message = format!(
-                "an arm of {arm} m on an axis {centre_distance} m away does not reach the base \
-                 circle of {base} m"
+                "an arm of {} on an axis {} away does not reach the base circle of {base}",
+                length(arm),
+                length(centre_distance)
             );
             let (low, high) = ((centre_distance - arm).abs(), centre_distance + arm);
             let hint = format!(

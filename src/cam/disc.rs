@@ -98,6 +98,8 @@ impl DiscCam {
         };
         cam.check_reach(&mut faults);
         faults.check()?;
+        cam.check_finite(&mut faults);
+        faults.check()?;
         Ok(cam)
     }
 
@@ -106,6 +108,26 @@ impl DiscCam {
     pub(crate) fn with_prime_radius(&self, radius: f64) -> Option<Self> {
         let geometry = self.geometry.with_prime_radius(radius);
         Self::of(Arc::clone(&self.motion), &geometry).ok()
+    }
+
+    /// Every number of the contact exists, at all points of the search.
+    fn check_finite(&self, faults: &mut Faults) {
+        for piece in self.motion.pieces() {
+            for step in 0..=piece.intervals {
+                let phi = piece.place(step);
+                let touch: Touch<f64> = self.touch(piece, phi);
+                let sum = touch.point[0] + touch.point[1] + touch.pressure + touch.bend;
+                if !(sum + touch.rate + touch.lever).is_finite() || touch.rate == 0.0 {
+                    let message = format!(
+                        "at φ = {:.4} deg the follower touches no place of the cam that could be \
+                         computed",
+                        phi.to_degrees()
+                    );
+                    let hint = "give a geometry of the size of the stroke";
+                    return faults.add("cam", message, hint);
+                }
+            }
+        }
     }
 
     /// A turning follower must stay on one side of the line of centres, and the
