@@ -374,6 +374,16 @@ fn the_command_refuses_in_words() {
         &["cam", &scene, "--set", "table.cam.positive=\"inward\""],
         "towards the cam",
     );
+    refused(
+        &["cam", &scene, "--set", "table.cam.base_radius=1e300"],
+        "1e300 m",
+    );
+    let output = dam(&["cam", &scene, "--speed", "1e300 rad/s"]);
+    let said = String::from_utf8_lossy(&output.stdout).into_owned();
+    assert!(
+        said.contains("not known: the forces are no numbers"),
+        "{said}"
+    );
     let without = root()
         .join("scenarios/rocker/two_masses.json")
         .display()
