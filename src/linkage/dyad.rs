@@ -51,7 +51,7 @@ pub(super) struct Dyad {
 pub(super) struct Margin {
     /// Dimensionless, positive where the group can be assembled, going through
     /// zero like the square of the distance of its two assemblies; for RRR sin²
-    /// of the angle between the links.
+    /// of the angle between the links, for PRP the sine of that of the guides.
     pub(super) value: f64,
     /// Its derivative by the input.
     pub(super) slope: f64,
@@ -102,7 +102,7 @@ impl Dyad {
             Form::Rrr => self.rrr(around, sign, size),
             Form::Rrp => self.rrp(around, sign, size),
             Form::Rpr => self.rpr(around, sign * self.sense, size),
-            Form::Prp => self.prp(around),
+            Form::Prp => self.prp(around, sign),
             Form::Rpp => self.rpp(around),
         }
     }
@@ -269,15 +269,25 @@ impl Dyad {
         }
     }
 
-    /// Two lines: no branch.
+    /// Two lines: one assembly, `sign` only says on which side the second guide
+    /// points, so that the margin goes through zero where they are parallel.
     #[inline(always)]
-    fn prp<const N: usize>(&self, around: &Around<N>) -> Directions<N> {
+    fn prp<const N: usize>(&self, around: &Around<N>, sign: f64) -> Directions<N> {
         let (first, one) = self.guided(around, 0);
         let (second, other) = self.guided(around, 1);
         Directions {
             of: [one, other],
-            margin: Margin::new(first.cross(second).square(), 4.0),
+            margin: Margin::new(first.cross(second).scale(sign), 4.0),
         }
+    }
+
+    /// The side to which the second guide of PRP points; + for all others.
+    pub(super) fn side(&self, around: &Around<1>) -> f64 {
+        if self.form != Form::Prp {
+            return 1.0;
+        }
+        let [(first, _), (second, _)] = [0, 1].map(|k| self.guided(around, k));
+        1f64.copysign(first.cross(second).value())
     }
 
     /// Where the inner pin of PRP lies.
