@@ -6,6 +6,7 @@ use super::reference;
 use dam::linkage::kinetostatics::{ForceWorkspace, InputMotion, Kinetostatics, Options, Outcome};
 use dam::linkage::spec::{ForceLaw, ForceSpec, LinkageSpec, PointOf};
 use serde_json::Value;
+use std::f64::consts::TAU;
 
 /// The cases with masses, friction and gravity, made richer by springs and dampers.
 fn rich() -> Vec<(String, Value, LinkageSpec)> {
@@ -57,7 +58,7 @@ fn springs() -> Vec<ForceSpec> {
             point: point(Some(2), 0.02, 0.01),
             direction: 0.4,
             points: vec![(0.0, 0.0), (1.5, 40.0), (4.0, -20.0)],
-            period: Some(std::f64::consts::TAU),
+            period: Some(TAU),
         },
     ];
     let named = laws.into_iter().enumerate();
@@ -238,6 +239,75 @@ fn close(
         }
         _ => false,
     }
+}
+
+/// With friction so strong that accelerations may be missing or several, every
+/// one found needs the driving force given, and where none is found none exists.
+#[test]
+fn accelerations_under_strong_friction() {
+    let (kind, data, mut linkage) = rich().swap_remove(0);
+    linkage
+        .pairs
+        .iter_mut()
+        .for_each(|pair| pair.friction = 1.4);
+    let solver = Kinetostatics::new(&linkage).unwrap();
+    let mut w = solver.workspace();
+    let options = Options::default();
+    let (mut several, mut none) = (0, 0);
+    // Ordinary positions, and some beside the dead centres.
+    for step in [1, 2, 10, 25, 37, 60] {
+        let q = 0.02 + f64::from(step) * TAU / 72.0;
+        let (positions, _) = known(&kind, &data, q);
+        for drive in [-400.0, 50.0] {
+            // Driving forces that a given acceleration needs, of all solutions.
+            let mut needed = |acceleration: f64| -> Vec<f64> {
+                let motion = InputMotion {
+                    coordinate: q,
+                    speed: 12.0,
+                    acceleration,
+                };
+                let mut v = solver.workspace();
+                match solver.solve(&positions, motion, &options, &mut v) {
+                    Ok(_) => v
+                        .other_drives()
+                        .iter()
+                        .copied()
+                        .chain([v.drive()])
+                        .collect(),
+                    Err(_) => Vec::new(),
+                }
+            };
+            match solver.accelerate(&positions, q, 12.0, drive, &options, &mut w) {
+                Ok(found) => {
+                    let Outcome::Moves { acceleration } = found.outcome else {
+                        panic!("{found:?}");
+                    };
+                    several += usize::from(found.solved.unwrap().solutions > 1);
+                    for acceleration in w.other_drives().iter().chain([&acceleration]) {
+                        let near = 1e-6 * (drive.abs() + 1e-2 * acceleration.abs());
+                        let all = needed(*acceleration);
+                        let met = all.iter().any(|found| (found - drive).abs() < near);
+                        assert!(met, "{q} {drive}: {acceleration} needs {all:?}");
+                    }
+                }
+                Err(_) => {
+                    none += 1;
+                    // Nothing on a wide scan crosses the driving force given.
+                    let mut before: Option<f64> = None;
+                    for k in -20..=20 {
+                        let x = f64::from(k) / 20.0;
+                        let all = needed(3e5 * x * x * x);
+                        let now = (all.len() == 1).then(|| all[0] - drive);
+                        if let (Some(a), Some(b)) = (before, now) {
+                            assert!(a * b > 0.0, "{q} {drive}: crossed near {}", 3e5 * x * x * x);
+                        }
+                        before = now;
+                    }
+                }
+            }
+        }
+    }
+    assert!(several > 0 && none > 0, "{several} {none}");
 }
 
 /// A force on an output is the same as a couple or force on its link.

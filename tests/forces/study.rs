@@ -161,7 +161,7 @@ fn locked_positions_are_a_zone() {
     let course = Course::Even {
         from: 0.6 * PI,
         to: 1.2 * PI,
-        count: 60,
+        count: 20,
         speed: 10.0,
         acceleration: 0.0,
         closed: false,
