@@ -3,6 +3,7 @@
 use super::text::{angle_at, degrees, length};
 use crate::analysis::cam::CamFigures;
 use crate::cam::Finding;
+use crate::report::quantity::with_unit;
 
 /// What a designer must know, the grave ones (`true`) first.
 pub(super) fn remarks(found: &CamFigures) -> Vec<(bool, String)> {
@@ -27,6 +28,17 @@ pub(super) fn remarks(found: &CamFigures) -> Vec<(bool, String)> {
                 true,
                 format!("the follower lifts off at this speed, at {place}"),
             ));
+        }
+        if let Some(answer) = &force.closing
+            && force.margin.value >= 0.0
+            && force.margin.value < answer.reserve * (1.0 - 1e-9)
+        {
+            let text = format!(
+                "the spring leaves {} in contact, less than the reserve of {}",
+                with_unit(force.margin.value, force.unit, 6),
+                with_unit(answer.reserve, force.unit, 6)
+            );
+            list.push((true, text));
         }
         list.extend(
             force
