@@ -210,7 +210,7 @@ fn part(
     let mut unstable = None;
     for periods in 1..=most {
         let period = turn * periods as f64;
-        match shoot(map, start, period) {
+        match shoot(map, start, turn, periods) {
             Ok(fixed) => {
                 let multipliers = multipliers(&fixed.monodromy);
                 let stability = Stability::of(&multipliers);

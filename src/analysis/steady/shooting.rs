@@ -9,6 +9,8 @@ const SETTLING: u32 = 12;
 const STEPS: u32 = 12;
 /// Rounds of following and Newton's steps.
 const ROUNDS: u32 = 6;
+/// States this near are the same.
+const SAME: f64 = 1e-6;
 /// Miss that is rounding, and the greatest that still is a periodic motion.
 const ROUNDING: f64 = 1e-14;
 const CLOSED: f64 = 1e-9;
@@ -27,9 +29,16 @@ pub(super) struct Fixed {
     pub(super) iterations: u32,
 }
 
-/// Newton's method on y(T) = y(0); where it leads nowhere, more of the plain
-/// motion, which settles by itself on what attracts.
-pub(super) fn shoot(map: &dyn Map, start: &[f64], time: f64) -> Result<Fixed, String> {
+/// Newton's method on y(T) = y(0), T being `periods` turns; where it leads nowhere,
+/// or to a motion of fewer turns, more of the plain motion, which settles by
+/// itself on what attracts.
+pub(super) fn shoot(
+    map: &dyn Map,
+    start: &[f64],
+    turn: f64,
+    periods: usize,
+) -> Result<Fixed, String> {
+    let time = turn * periods as f64;
     let mut state = start.to_vec();
     let mut iterations = 0;
     let mut settling = SETTLING;
@@ -39,7 +48,10 @@ pub(super) fn shoot(map: &dyn Map, start: &[f64], time: f64) -> Result<Fixed, St
             state = map.apply(&state, time)?;
             iterations += 1;
         }
-        if let Some(mut fixed) = newton(map, &state, time, &mut iterations, &mut nearest)? {
+        let found = newton(map, &state, time, &mut iterations, &mut nearest)?;
+        if let Some(mut fixed) = found
+            && !repeats_sooner(map, &fixed.state, turn, periods)?
+        {
             fixed.iterations = iterations;
             return Ok(fixed);
         }
@@ -49,6 +61,18 @@ pub(super) fn shoot(map: &dyn Map, start: &[f64], time: f64) -> Result<Fixed, St
         "after {iterations} periods no state was found that comes back (nearest: {nearest:.1e} of \
          its size)"
     ))
+}
+
+/// True when a state comes back after fewer turns already.
+fn repeats_sooner(map: &dyn Map, state: &[f64], turn: f64, periods: usize) -> Result<bool, String> {
+    let mut end = state.to_vec();
+    for turns in 1..periods {
+        end = map.apply(&end, turn)?;
+        if periods.is_multiple_of(turns) && distance(state, &end, map.scales()) <= SAME {
+            return Ok(true);
+        }
+    }
+    Ok(false)
 }
 
 fn newton(
