@@ -283,7 +283,7 @@ proptest! {
         let [one, other] = [&closed, &iterated].map(|linkage| linkage.range().ends());
         let changes = !closed.range().changes.is_empty();
         // Where guides become parallel places go to infinity, and rounding with them.
-        let parallel = closed.structure().groups.iter().any(|group| group.kind == GroupKind::Prp);
+        let parallel = closed.structure().groups.iter().any(|group| matches!(group.kind, GroupKind::Prp | GroupKind::Rpp));
         let exact = if parallel { 1e-4 } else { 1e-7 };
         let scale = closed.core.plan.size;
         for (a, b) in one.into_iter().zip(other) {
