@@ -251,11 +251,11 @@ fn a_crank_as_long_as_the_frame_turns_the_link_half_as_fast_through_its_pivot() 
     for phi in [
         -2.0,
         -PI / 2.0,
-        -1.5707,
+        -1.5706,
         -1.5,
         0.3,
-        4.712,
-        4.7123889,
+        4.711,
+        4.712389,
         11.0,
         400.0,
     ] {

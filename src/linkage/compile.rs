@@ -7,6 +7,7 @@ use super::newton::{Joint, NewtonGroup, Side};
 use super::plan::{Body, Driver, Element, Part, Plan, Step, elements, size, slides};
 use super::spec::LinkageSpec;
 use super::structure::{Group, GroupKind, explanation, mobility};
+use super::vector::Arm;
 use crate::fault::{Fault, Faults};
 
 /// The bodies that the driver does not place, and the body of every link.
@@ -15,8 +16,12 @@ struct Bodies {
     of_link: Vec<Option<usize>>,
 }
 
-/// Structure and plan of a linkage whose numbers are right.
-pub(super) fn compile(spec: &LinkageSpec) -> Result<(Plan, Vec<Group>), Vec<Fault>> {
+/// Structure and plan of a linkage whose numbers are right; dyads by iteration
+/// like larger groups when `closed_forms` is false.
+pub(super) fn compile(
+    spec: &LinkageSpec,
+    closed_forms: bool,
+) -> Result<(Plan, Vec<Group>), Vec<Fault>> {
     let mut faults = Faults::default();
     let driver = Driver::new(&spec.pairs[spec.driver]);
     let bodies = bodies(spec, &driver);
@@ -48,7 +53,12 @@ pub(super) fn compile(spec: &LinkageSpec) -> Result<(Plan, Vec<Group>), Vec<Faul
             .filter(|(_, edge)| is_last(edge, group, &groups))
             .map(|(&pair, _)| pair)
             .collect();
-        let (step, kind) = step(spec, &bodies, group, &pairs, &mut faults);
+        let (step, kind) = match (group.as_slice(), pairs.as_slice()) {
+            ([one, other], [_, _, _]) if closed_forms => {
+                dyad(spec, &bodies, [*one, *other], &pairs, &mut faults)
+            }
+            _ => larger_group(spec, &bodies, group, &pairs),
+        };
         let mut links: Vec<usize> = group
             .iter()
             .flat_map(|&body| bodies.list[body].links())
@@ -206,17 +216,13 @@ fn is_or_are(names: &str) -> String {
     format!("{names} {word}")
 }
 
-/// The solution of one group.
-fn step(
+/// A group that is solved by iteration.
+fn larger_group(
     spec: &LinkageSpec,
     bodies: &Bodies,
     group: &[usize],
     pairs: &[usize],
-    faults: &mut Faults,
 ) -> (Option<Step>, GroupKind) {
-    if let ([one, other], [_, _, _]) = (group, pairs) {
-        return dyad(spec, bodies, [*one, *other], pairs, faults);
-    }
     let own = |element: &Element| -> Side {
         let body = element.link.and_then(|link| bodies.of_link[link]);
         match body.and_then(|body| group.iter().position(|&other| other == body)) {
@@ -291,12 +297,20 @@ fn dyad(
         if of(&i) == Some(group[k]) { j } else { i }
     };
     let guide_on_first = of(&sides(inner)[0]) == Some(group[0]);
+    let outer_parts = [part(outer[0], group[0]), part(outer[1], group[1])];
+    let inner_parts = [part(inner, group[0]), part(inner, group[1])];
+    let arm = |k: usize| -> Option<Arm> {
+        let (from, to): (Part, Part) = (outer_parts[k], inner_parts[k]);
+        let rigid = !from.driven && !to.driven;
+        rigid.then(|| Arm::new([to.point[0] - from.point[0], to.point[1] - from.point[1]]))
+    };
     let dyad = Dyad {
         form,
         bodies: group.map(|body| bodies.list[body]),
         known: [known(0), known(1)],
-        outer: [part(outer[0], group[0]), part(outer[1], group[1])],
-        inner: [part(inner, group[0]), part(inner, group[1])],
+        outer: outer_parts,
+        inner: inner_parts,
+        arms: [arm(0), arm(1)],
         // With the guide on the first link its pin is the one behind.
         sense: if form == Form::Rpr && !guide_on_first {
             -1.0

@@ -8,7 +8,7 @@
 
 use super::plan::{Body, Element, Frame, Part};
 use super::series::Series;
-use super::vector::{Local, Vector};
+use super::vector::{Arm, Local, Vector};
 
 /// The forms of a dyad: outer, inner, outer pair.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,6 +38,9 @@ pub(super) struct Dyad {
     pub(super) outer: [Part; 2],
     /// The inner pair as parts of the two bodies.
     pub(super) inner: [Part; 2],
+    /// From the outer to the inner element of the two bodies, where both lie on
+    /// the link that carries the body's frame.
+    pub(super) arms: [Option<Arm>; 2],
     /// RPR: −1 where the guide is on the second body, else +1, so that `+`
     /// always has the block's pin ahead of the guide's. Others: +1.
     pub(super) sense: f64,
@@ -48,7 +51,7 @@ pub(super) struct Dyad {
 pub(super) struct Margin {
     /// Dimensionless, positive where the group can be assembled, going through
     /// zero like the square of the distance of its two assemblies; for RRR sin²
-    /// of the angle between the links.
+    /// of the angle between the links, for PRP the sine of that of the guides.
     pub(super) value: f64,
     /// Its derivative by the input.
     pub(super) slope: f64,
@@ -99,7 +102,7 @@ impl Dyad {
             Form::Rrr => self.rrr(around, sign, size),
             Form::Rrp => self.rrp(around, sign, size),
             Form::Rpr => self.rpr(around, sign * self.sense, size),
-            Form::Prp => self.prp(around),
+            Form::Prp => self.prp(around, sign),
             Form::Rpp => self.rpp(around),
         }
     }
@@ -174,6 +177,9 @@ impl Dyad {
     /// From the outer to the inner element of a body.
     #[inline(always)]
     pub(super) fn arm<const N: usize>(&self, around: &Around<N>, k: usize) -> Local<N> {
+        if let Some(arm) = self.arms[k] {
+            return Local::Arm(arm);
+        }
         let relative = &around.relative;
         self.inner[k]
             .place(relative)
@@ -263,15 +269,25 @@ impl Dyad {
         }
     }
 
-    /// Two lines: no branch.
+    /// Two lines: one assembly, `sign` only says on which side the second guide
+    /// points, so that the margin goes through zero where they are parallel.
     #[inline(always)]
-    fn prp<const N: usize>(&self, around: &Around<N>) -> Directions<N> {
+    fn prp<const N: usize>(&self, around: &Around<N>, sign: f64) -> Directions<N> {
         let (first, one) = self.guided(around, 0);
         let (second, other) = self.guided(around, 1);
         Directions {
             of: [one, other],
-            margin: Margin::new(first.cross(second).square(), 4.0),
+            margin: Margin::new(first.cross(second).scale(sign), 4.0),
         }
+    }
+
+    /// The side to which the second guide of PRP points; + for all others.
+    pub(super) fn side(&self, around: &Around<1>) -> f64 {
+        if self.form != Form::Prp {
+            return 1.0;
+        }
+        let [(first, _), (second, _)] = [0, 1].map(|k| self.guided(around, k));
+        1f64.copysign(first.cross(second).value())
     }
 
     /// Where the inner pin of PRP lies.

@@ -2,7 +2,7 @@
 
 use super::change::Change;
 use super::course::{hermite, nearest_turn};
-use super::dyad::Margin;
+use super::dyad::{Form, Margin};
 use super::plan::Step;
 use super::solve::{Stuck, around};
 use super::state::Motion;
@@ -181,6 +181,10 @@ impl Walker<'_> {
         let Step::Dyad(dyad) = &self.plan.steps[group] else {
             return None;
         };
+        if matches!(dyad.form, Form::Prp | Form::Rpp) {
+            // Two guides become parallel: their crossing goes to infinity.
+            return None;
+        }
         let (way, size) = (self.way, self.plan.size);
         Change::fit(at, way, 0.6 * self.unit, |input, side| {
             self.try_at::<1>(input, group).ok()?;

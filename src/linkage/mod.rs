@@ -85,8 +85,13 @@ impl Linkage {
     /// then the first group that cannot be assembled at the start. Paths are
     /// relative to the linkage: `links.rod.mass`, `pairs.A`, `driver`.
     pub fn new(spec: LinkageSpec) -> Result<Self, Vec<Fault>> {
+        Self::with(spec, true)
+    }
+
+    /// [`Self::new`], its dyads in closed form or by iteration.
+    fn with(spec: LinkageSpec, closed_forms: bool) -> Result<Self, Vec<Fault>> {
         check::check(&spec)?;
-        let (plan, mut groups) = compile::compile(&spec)?;
+        let (plan, mut groups) = compile::compile(&spec, closed_forms)?;
         let mut state = State::new(&plan);
         let branches = assemble::assemble(&spec, &plan, &groups, &mut state)?;
         for (group, branch) in groups[1..].iter_mut().zip(&branches) {
@@ -147,7 +152,7 @@ impl Linkage {
 
     fn place<const N: usize>(&self, q: f64, workspace: &mut Workspace) -> Result<(), OutOfReach> {
         let Core { plan, course, .. } = &*self.core;
-        if !(course.ends[0] < q && q < course.ends[1]) || !q.is_finite() {
+        if !(course.ends[0] < q && q < course.ends[1] && q.is_finite()) {
             return Err(self.out_of_reach(q));
         }
         let (reduced, turns) = course.reduce(q);
@@ -234,8 +239,13 @@ fn explore(
     }
     let down = Walker::new(plan, course, state, false).walk(limits[0]);
     for (end, way) in [down, up].into_iter().enumerate() {
-        if let Way::Ends(at, _) = way {
-            course.ends[end] = at;
+        if let Way::Ends(at, cause) = way {
+            // The ends of the travel belong to it, dead positions do not.
+            course.ends[end] = match (cause, end) {
+                (DeadPosition { .. }, _) => at,
+                (_, 0) => at.next_down(),
+                _ => at.next_up(),
+            };
         }
     }
     course.finish(&plan.driver);

@@ -24,7 +24,8 @@ pub struct Range {
 pub enum Reach {
     /// All.
     Everywhere,
-    /// Those between two ends, the ends left out.
+    /// Those between two ends; dead positions are left out, the ends of the
+    /// travel belong to it.
     Interval {
         /// The lower end.
         lower: End,

@@ -31,39 +31,48 @@ impl Linkage {
     /// The linkage on its input coordinate, at the position solved for.
     pub fn reduced(&self, workspace: &Workspace) -> Reduced {
         let mut reduced = Reduced::default();
-        let gravity = self.spec().gravity;
-        for (index, link) in self.spec().links.iter().enumerate() {
-            if link.mass == 0.0 && link.moment == 0.0 {
-                continue;
-            }
-            let [x, y] = workspace.point(super::spec::PointOf {
-                link: Some(index),
-                at: link.centre,
-            });
-            let [first, second, third] = [1, 2, 3].map(|k| workspace.transfer(index, k)[2]);
-            let squares = [
-                (link.mass, [x.first, x.second, x.third]),
-                (link.mass, [y.first, y.second, y.third]),
-                (link.moment, [first, second, third]),
-            ];
-            for (m, [one, two, three]) in squares {
-                reduced.inertia[0] += m * one * one;
-                reduced.inertia[1] += 2.0 * m * one * two;
-                if workspace.order() >= 3 {
-                    reduced.inertia[2] += 2.0 * m * (two * two + one * three);
-                }
-            }
-            for (g, axis) in gravity.iter().zip([x, y]) {
-                let weight = link.mass * g;
-                reduced.potential[0] -= weight * axis.value;
-                reduced.potential[1] -= weight * axis.first;
-                reduced.potential[2] -= weight * axis.second;
-            }
+        match workspace.order() {
+            0 => self.masses::<1>(workspace, &mut reduced),
+            1 => self.masses::<2>(workspace, &mut reduced),
+            2 => self.masses::<3>(workspace, &mut reduced),
+            _ => self.masses::<4>(workspace, &mut reduced),
         }
         for index in 0..self.spec().forces.len() {
             reduced.add(&self.force_part(index, workspace));
         }
         reduced
+    }
+
+    /// Inertia and weights.
+    fn masses<const N: usize>(&self, workspace: &Workspace, reduced: &mut Reduced) {
+        let [gx, gy] = self.spec().gravity;
+        for (link, motion) in self.spec().links.iter().zip(&workspace.state.links) {
+            if link.mass == 0.0 && link.moment == 0.0 {
+                continue;
+            }
+            let centre = motion.frame::<N>().place(link.centre);
+            let (x, y) = (centre.x.jet(), centre.y.jet());
+            let [first, second, third] = motion.turning();
+            let (m, i) = (link.mass, link.moment);
+            if N > 1 {
+                let square = x.first * x.first + y.first * y.first;
+                reduced.inertia[0] += m * square + i * first * first;
+            }
+            if N > 2 {
+                let slope = x.first * x.second + y.first * y.second;
+                reduced.inertia[1] += 2.0 * (m * slope + i * first * second);
+            }
+            if N > 3 {
+                let squares = x.second * x.second + y.second * y.second;
+                let products = x.first * x.third + y.first * y.third;
+                let turning = second * second + first * third;
+                reduced.inertia[2] += 2.0 * (m * (squares + products) + i * turning);
+            }
+            let values = [(x.value, y.value), (x.first, y.first), (x.second, y.second)];
+            for (potential, (x, y)) in reduced.potential.iter_mut().zip(values) {
+                *potential -= m * (gx * x + gy * y);
+            }
+        }
     }
 }
 

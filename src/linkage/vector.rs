@@ -150,12 +150,34 @@ impl<const N: usize> Neg for Vector<N> {
     }
 }
 
+/// A constant vector with what dyads need of it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Arm {
+    at: [f64; 2],
+    length: f64,
+    /// Its inverse as a complex number.
+    inverse: [f64; 2],
+}
+
+impl Arm {
+    pub(crate) fn new([x, y]: [f64; 2]) -> Self {
+        let square = x * x + y * y;
+        Self {
+            at: [x, y],
+            length: x.hypot(y),
+            inverse: [x / square, -y / square],
+        }
+    }
+}
+
 /// A vector in the frame of a link: constant, or a function of the input where
 /// the link is a driven assembly that changes its shape.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Local<const N: usize> {
     /// A vector of a rigid link.
     Fixed([f64; 2]),
+    /// A vector of a rigid link that is often measured.
+    Arm(Arm),
     /// A vector of a driven assembly.
     Moving(Vector<N>),
 }
@@ -164,7 +186,7 @@ impl<const N: usize> Local<N> {
     #[inline(always)]
     pub(crate) fn vector(self) -> Vector<N> {
         match self {
-            Self::Fixed(at) => Vector::constant(at),
+            Self::Fixed(at) | Self::Arm(Arm { at, .. }) => Vector::constant(at),
             Self::Moving(vector) => vector,
         }
     }
@@ -183,6 +205,7 @@ impl<const N: usize> Local<N> {
     pub(crate) fn length(self) -> Series<N> {
         match self {
             Self::Fixed([x, y]) => Series::constant(x.hypot(y)),
+            Self::Arm(arm) => Series::constant(arm.length),
             Self::Moving(vector) => vector.square().sqrt(),
         }
     }
@@ -192,6 +215,7 @@ impl<const N: usize> Local<N> {
     pub(crate) fn unit(self, typical: f64) -> f64 {
         match self {
             Self::Fixed([x, y]) => x.hypot(y),
+            Self::Arm(arm) => arm.length,
             Self::Moving(_) => typical,
         }
     }
@@ -200,7 +224,7 @@ impl<const N: usize> Local<N> {
     #[inline(always)]
     pub(crate) fn seen(self, direction: Vector<N>) -> Vector<N> {
         match self {
-            Self::Fixed(at) => direction.turn_constant(at),
+            Self::Fixed(at) | Self::Arm(Arm { at, .. }) => direction.turn_constant(at),
             Self::Moving(vector) => direction.turn(vector),
         }
     }
@@ -214,6 +238,7 @@ impl<const N: usize> Local<N> {
                 let square = x * x + y * y;
                 world.turn_constant([x / square, -y / square])
             }
+            Self::Arm(arm) => world.turn_constant(arm.inverse),
             Self::Moving(vector) => world
                 .turn(vector.mirrored())
                 .times(vector.square().reciprocal()),
@@ -224,7 +249,10 @@ impl<const N: usize> Local<N> {
     #[inline(always)]
     pub(crate) fn across(self, along: Self) -> Series<N> {
         match (self, along) {
-            (Self::Fixed([x, y]), Self::Fixed([u, v])) => Series::constant(u * y - v * x),
+            (
+                Self::Fixed([x, y]) | Self::Arm(Arm { at: [x, y], .. }),
+                Self::Fixed([u, v]) | Self::Arm(Arm { at: [u, v], .. }),
+            ) => Series::constant(u * y - v * x),
             _ => along.vector().cross(self.vector()),
         }
     }

@@ -194,6 +194,14 @@ proptest! {
         for spec in [
             PositionSpec::SliderCrank { crank: a, rod: b, offset: c, branch, phase: d },
             PositionSpec::FourBar { crank: a, coupler: b, rocker: c, frame: d, branch, phase: e },
+            PositionSpec::SlottedLink(SlottedLinkSpec {
+                crank: a,
+                frame: b,
+                driver: if c > 0.0 { SlottedDriver::Crank } else { SlottedDriver::Block },
+                output: SlottedOutput::Link,
+                branch,
+                phase: d,
+            }),
             PositionSpec::Table {
                 points: vec![(a, b), (c, d), (e, f)],
                 periodic: a > c,

@@ -81,6 +81,18 @@ fn the_travel_ends_the_reach_and_the_driver_may_be_given_backwards() {
         linkage.solve(0.7, 0, &mut workspace).unwrap_err().end,
         upper
     );
+    for q in [0.3, 0.6] {
+        assert!(linkage.solve(q, 3, &mut workspace).is_ok());
+    }
+    let mut builder = cylinder();
+    builder.0.travel = Some([0.4, 0.6]);
+    let linkage = Linkage::new(builder.0).unwrap();
+    let mut workspace = linkage.workspace();
+    for q in [0.4, 0.4 + 1e-12, 0.5, 0.6] {
+        linkage.solve(q, 3, &mut workspace).unwrap();
+        let wanted = ((0.34 - q * q) / 0.3).acos();
+        approx::assert_abs_diff_eq!(workspace.angle(2), wanted, epsilon = 1e-13);
+    }
     // A crank whose driver is written from the crank to the ground: −θ is the input.
     let mut builder = four_bar([0.1, 0.4, 0.3, 0.45]);
     let pair = &mut builder.0.pairs[0];
@@ -170,6 +182,31 @@ fn a_yoke_and_a_cross_slide_have_the_closed_forms() {
 }
 
 #[test]
+fn guides_that_become_parallel_end_the_reach() {
+    // A turning guide crosses a fixed one, y = 0.5, at x = 0.5·cot φ.
+    let crossing = Builder::new(&["arm", "block", "slide"])
+        .pin((GROUND, [0.0; 2]), (Some(0), [0.0; 2]))
+        .slide((Some(0), [0.0; 2]), (Some(1), [0.0; 2]), 0.0, 0.0)
+        .pin((Some(1), [0.0; 2]), (Some(2), [0.0; 2]))
+        .slide((GROUND, [0.0, 0.5]), (Some(2), [0.0; 2]), 0.0, 0.0)
+        .start(1.0);
+    let (linkage, mut w) = solved(crossing, 1.0);
+    assert_eq!(linkage.structure().groups[1].kind, GroupKind::Prp);
+    let Reach::Interval { lower, upper } = linkage.range().reach.clone() else {
+        panic!("{:?}", linkage.range());
+    };
+    approx::assert_abs_diff_eq!(lower.at, 0.0, epsilon = 1e-15);
+    approx::assert_abs_diff_eq!(upper.at, PI, epsilon = 1e-15);
+    assert!(matches!(lower.cause, Cause::DeadPosition { group: 1 }));
+    for q in [1e-3, 0.4, 2.0, 3.1] {
+        linkage.solve(q, 2, &mut w).unwrap();
+        let slide = w.pair(3);
+        approx::assert_relative_eq!(slide.value, 0.5 / q.tan(), max_relative = 1e-13);
+        approx::assert_relative_eq!(slide.first, -0.5 / q.sin().powi(2), max_relative = 1e-12);
+    }
+}
+
+#[test]
 fn a_block_drives_through_the_pivot_where_crank_and_frame_are_equal() {
     let mut builder = slotted_link([0.1, 0.0], [0.0; 2], 0.1).start(0.1);
     builder.0.driver = 2;
@@ -198,5 +235,4 @@ fn a_spec_is_kept_as_it_was_given() {
     assert!(matches!(spec.pairs[0].kind, PairKind::Revolute { .. }));
     fn shared<T: Send + Sync>(_: &T) {}
     shared(&linkage);
-    assert!(PI > 3.0);
 }

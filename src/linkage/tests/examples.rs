@@ -138,11 +138,11 @@ pub(super) fn andrews() -> Builder {
     let (u, ua, ub, zf, zt, fa) = (0.04, 0.01228, 0.00449, 0.02, 0.04, 0.01421);
     let (a, b, c) = ([-0.06934, -0.00227], [-0.03635, 0.03273], [0.014, 0.072]);
     let (gamma, phi, delta) = (
-        0.455_279_819_163_070_38,
-        0.222_668_390_165_885_885,
+        0.455_279_819_163_070_4,
+        0.222_668_390_165_885_88,
         0.487_364_979_543_842_55,
     );
-    let (omega, epsilon) = (-0.222_668_390_165_885_885, 1.230_547_444_549_821_2);
+    let (omega, epsilon) = (-0.222_668_390_165_885_88, 1.230_547_444_549_821_2);
     let k = [0, 1, 2, 3, 4, 5, 6].map(Some);
     // The pin of K2 with K3, K4 and K6 lies at −d on its axis.
     let spring = ForceLaw::Strut {
@@ -184,8 +184,8 @@ pub(super) fn andrews() -> Builder {
             link: 0,
             couple: 0.033,
         })
-        .start(-0.061_713_890_014_276_449_6)
-        .choose(1, AssemblyChoice::Angle(-0.061_713_890_014_276_449_6))
+        .start(-0.061_713_890_014_276_45)
+        .choose(1, AssemblyChoice::Angle(-0.061_713_890_014_276_45))
         .choose(2, AssemblyChoice::Angle(gamma))
         .choose(3, AssemblyChoice::Angle(phi + delta))
         .choose(4, AssemblyChoice::Angle(delta))

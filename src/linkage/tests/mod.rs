@@ -3,6 +3,7 @@
 mod branches;
 mod change_points;
 mod examples;
+mod forces;
 mod known;
 mod random;
 mod refusals;

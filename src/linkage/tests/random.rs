@@ -4,7 +4,7 @@
 use super::examples::{Builder, GROUND};
 use super::support::{close, closure_error, compare_with_differences, interior};
 use crate::linkage::spec::{AssemblyChoice, ForceLaw, PointOf};
-use crate::linkage::{GroupKind, Linkage};
+use crate::linkage::{Cause, GroupKind, Linkage, Reach};
 use proptest::prelude::*;
 
 /// A small generator, so that a case is one number.
@@ -101,12 +101,8 @@ fn linkage(seed: u64, dyads: usize, forms: &[[bool; 3]]) -> Builder {
     let mut dice = Dice(seed);
     let driven_assembly = dice.next() < 0.3;
     let first = if driven_assembly { 2 } else { 1 };
-    // An assembly takes the place of one link of the first dyad.
-    let links = if driven_assembly {
-        2 * dyads + 1
-    } else {
-        2 * dyads + 1
-    };
+    // An assembly of two links takes the place of one body of the first dyad.
+    let links = 2 * dyads + 1;
     let poses: Vec<[f64; 3]> = (0..links)
         .map(|_| {
             let [x, y] = dice.place();
@@ -237,8 +233,8 @@ proptest! {
         let q = interior(&linkage, part);
         let mut workspace = linkage.workspace();
         linkage.solve(q, 3, &mut workspace).map_err(|e| TestCaseError::fail(e.to_string()))?;
-        let scale = workspace.largest();
-        prop_assert!(closure_error(&linkage, &workspace) < 1e-12 * scale.max(1.0));
+        let scale = workspace.farthest().max(1.0);
+        prop_assert!(closure_error(&linkage, &workspace) < 1e-13 * scale);
         compare_with_differences(&linkage, q)?;
     }
 
@@ -271,5 +267,83 @@ proptest! {
         // Differences of second order: their error goes with the third derivatives.
         let rough = 1e-6 * (1.0 + workspace.largest().powi(2));
         prop_assert!(close(0.5 * reduced.inertia[0], energy, 1e-6, rough * energy.abs().max(1.0)));
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 20, ..ProptestConfig::default() })]
+    /// The closed forms against Newton's method on the equations of every pair.
+    #[test]
+    fn iteration_gives_the_same(seed: u64, dyads in 1usize..3, part in 0.05f64..0.95) {
+        let spec = linkage(seed, dyads, &FORMS).0;
+        let Some(closed) = is_fair(Linkage::new(spec.clone())) else { return Ok(()) };
+        let Ok(iterated) = Linkage::with(spec, false) else {
+            return Err(TestCaseError::fail("closed forms assemble it, iteration does not"));
+        };
+        let [one, other] = [&closed, &iterated].map(|linkage| linkage.range().ends());
+        let changes = !closed.range().changes.is_empty();
+        let scale = closed.core.plan.size;
+        for (a, b) in one.into_iter().zip(other) {
+            prop_assert!(changes || a == b || (a - b).abs() < 1e-7 * scale, "ends {one:?} {other:?}");
+        }
+        let q = interior(&iterated, part);
+        let (mut w, mut v) = (closed.workspace(), iterated.workspace());
+        closed.solve(q, 3, &mut w).map_err(|e| TestCaseError::fail(e.to_string()))?;
+        iterated.solve(q, 3, &mut v).map_err(|e| TestCaseError::fail(e.to_string()))?;
+        let size = w.largest().max(1.0);
+        for link in 0..closed.spec().links.len() {
+            let (a, b) = (w.pose(link), v.pose(link));
+            let off = (a.x - b.x).hypot(a.y - b.y).max((a.cos - b.cos).hypot(a.sin - b.sin));
+            prop_assert!(off <= 1e-10 * size, "pose of {link}: {a:?}, {b:?}");
+            for k in 1..=3 {
+                for (a, b) in w.transfer(link, k).into_iter().zip(v.transfer(link, k)) {
+                    prop_assert!((a - b).abs() <= 1e-9 * size, "{link}, order {k}: {a}, {b}");
+                }
+            }
+        }
+    }
+
+    /// From one end to the other nothing jumps, and ends are where it stops.
+    #[test]
+    fn nothing_is_jumped_over(seed: u64, dyads in 1usize..4) {
+        let Some(linkage) = is_fair(Linkage::new(linkage(seed, dyads, &FORMS).0)) else {
+            return Ok(());
+        };
+        let range = linkage.range();
+        let (from, to) = match &range.reach {
+            Reach::Everywhere => (range.start - 7.0, range.start + 7.0),
+            Reach::Interval { lower, upper } => (lower.at, upper.at),
+        };
+        let mut workspace = linkage.workspace();
+        let mut before: Option<Vec<[f64; 4]>> = None;
+        let mut speed_before = 0.0;
+        for i in 1..2000 {
+            // Closer together towards the ends, where speeds grow.
+            let x = 0.5 - 0.5 * (std::f64::consts::PI * f64::from(i) / 2000.0).cos();
+            let q = from + (to - from) * x;
+            let step = (to - from) * 0.5 * std::f64::consts::PI / 2000.0;
+            linkage.solve(q, 1, &mut workspace).map_err(|e| TestCaseError::fail(e.to_string()))?;
+            let now: Vec<[f64; 4]> = (0..linkage.spec().links.len()).map(|link| {
+                let pose = workspace.pose(link);
+                [pose.x, pose.y, pose.cos, pose.sin]
+            }).collect();
+            let speed = workspace.largest();
+            if let Some(before) = &before {
+                for (a, b) in before.iter().flatten().zip(now.iter().flatten()) {
+                    let most = 3.0 * step * f64::max(speed, speed_before) + 1e-9;
+                    prop_assert!((a - b).abs() <= most, "jump of {} at {q}", (a - b).abs());
+                }
+            }
+            (before, speed_before) = (Some(now), speed);
+        }
+        if let Reach::Interval { lower, upper } = &range.reach {
+            for (end, inwards) in [(lower, 1.0), (upper, -1.0)] {
+                if matches!(end.cause, Cause::DeadPosition { .. }) {
+                    let q = end.at + inwards * 1e-9 * (to - from);
+                    linkage.solve(q, 1, &mut workspace).map_err(|e| TestCaseError::fail(e.to_string()))?;
+                    prop_assert!(workspace.largest() > 30.0, "{end:?}: {}", workspace.largest());
+                }
+            }
+        }
     }
 }

@@ -18,12 +18,17 @@ pub(super) fn interior(linkage: &Linkage, part: f64) -> f64 {
 }
 
 impl Workspace {
+    /// The largest coordinate of a link's origin.
+    pub(super) fn farthest(&self) -> f64 {
+        let links = 0..self.core().spec.links.len();
+        let far = links.map(|link| self.pose(link).x.hypot(self.pose(link).y));
+        far.fold(0.0, f64::max)
+    }
+
     /// The largest of all positions and transfer functions.
     pub(super) fn largest(&self) -> f64 {
-        let mut most = 0.0f64;
+        let mut most = self.farthest();
         for link in 0..self.core().spec.links.len() {
-            let pose = self.pose(link);
-            most = most.max(pose.x.abs()).max(pose.y.abs());
             for k in 1..=self.order() {
                 for value in self.transfer(link, k) {
                     most = most.max(value.abs());
