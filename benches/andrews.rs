@@ -50,7 +50,9 @@ const START: [f64; 7] = [
 /// The full equations: state [p, ṗ].
 struct Full;
 
-const MASS: [f64; 7] = [0.04325, 0.00365, 0.02373, 0.00706, 0.07050, 0.00706, 0.05498];
+const MASS: [f64; 7] = [
+    0.04325, 0.00365, 0.02373, 0.00706, 0.07050, 0.00706, 0.05498,
+];
 const INERTIA: [f64; 7] = [
     2.194e-6, 4.410e-7, 5.255e-6, 5.667e-7, 1.169e-5, 5.667e-7, 1.912e-5,
 ];
@@ -130,10 +132,7 @@ fn accelerations(p: &[f64; 7], v: &[f64; 7]) -> [f64; 7] {
         m6 * (z * z - U * z * siom) + i6,
         m6 * (z * z - 2.0 * U * z * siom + U * U) + m7 * (UA * UA + UB * UB) + i6 + i7,
     ]);
-    let (xd, yd) = (
-        SD * coga + SC * siga + B[0],
-        SD * siga - SC * coga + B[1],
-    );
+    let (xd, yd) = (SD * coga + SC * siga + B[0], SD * siga - SC * coga + B[1]);
     let length = (xd - C[0]).hypot(yd - C[1]);
     let force = -RATE * (length - FREE) / length;
     let (fx, fy) = (force * (xd - C[0]), force * (yd - C[1]));
@@ -277,7 +276,9 @@ struct Reduced {
 impl Reduced {
     fn new() -> Self {
         let document = Document::parse("andrews.json", SCENE.as_bytes()).expect("JSON");
-        let reading = document.scene(&BuiltIn, &Overrides::none()).expect("a scene");
+        let reading = document
+            .scene(&BuiltIn, &Overrides::none())
+            .expect("a scene");
         let system = System::new(lower(&reading.scene).expect("a model")).expect("a system");
         let start = system.initial_state().expect("a start");
         Self {
@@ -321,7 +322,9 @@ impl Reduced {
         self.system
             .observe(END, &y, &self.modes, &mut scratch, &mut states);
         let objects = self.system.model().objects.iter();
-        let outputs = objects.zip(&states).filter(|(part, _)| part.kind == dam::model::OUTPUT);
+        let outputs = objects
+            .zip(&states)
+            .filter(|(part, _)| part.kind == dam::model::OUTPUT);
         let errors = outputs
             .enumerate()
             .map(|(index, (_, state))| (state.displacement - POSITIONS[ORDER[index]]).abs());
@@ -343,9 +346,14 @@ fn least(repetitions: usize, mut work: impl FnMut()) -> f64 {
 /// The loosest tolerance at which the error is at most 1e-6 there and at the
 /// next tighter ones, so that it is no lucky hit.
 fn tolerance(error: impl Fn(f64) -> Result) -> f64 {
-    let ladder: Vec<f64> = (0..=36).map(|k| 10f64.powf(-3.0 - 0.25 * f64::from(k))).collect();
+    let ladder: Vec<f64> = (0..=36)
+        .map(|k| 10f64.powf(-3.0 - 0.25 * f64::from(k)))
+        .collect();
     let good: Vec<bool> = ladder.iter().map(|&t| error(t).0 <= 1e-6).collect();
-    let from = good.iter().rposition(|good| !good).map_or(0, |last| last + 1);
+    let from = good
+        .iter()
+        .rposition(|good| !good)
+        .map_or(0, |last| last + 1);
     ladder[from.min(ladder.len() - 1)]
 }
 
@@ -360,7 +368,9 @@ fn main() {
     let (mut slow, mut fast) = (f64::INFINITY, f64::INFINITY);
     for _ in 0..60 {
         slow = slow.min(least(5, || drop(black_box(full(black_box(of_full))))));
-        fast = fast.min(least(5, || drop(black_box(reduced.solve(black_box(of_reduced))))));
+        fast = fast.min(least(5, || {
+            drop(black_box(reduced.solve(black_box(of_reduced))))
+        }));
     }
     let prepare = least(20, || drop(black_box(Reduced::new())));
     println!("Andrews' squeezing mechanism to 0.03 s, positions to 1e-6, Dop853");
@@ -370,7 +380,16 @@ fn main() {
             1e3 * time
         );
     };
-    line("seven coordinates, six multipliers", of_full, full_result, slow);
+    line(
+        "seven coordinates, six multipliers",
+        of_full,
+        full_result,
+        slow,
+    );
     line("dam, one coordinate", of_reduced, reduced_result, fast);
-    println!("ratio {:.2}; reading the scene and finding the structure: {:.3} ms", slow / fast, 1e3 * prepare);
+    println!(
+        "ratio {:.2}; reading the scene and finding the structure: {:.3} ms",
+        slow / fast,
+        1e3 * prepare
+    );
 }

@@ -3,9 +3,7 @@
 use super::Lowering;
 use super::reach::{place, range};
 use crate::linkage::Linkage;
-use crate::model::{
-    Closure, DampingLaw, Law, LinkageBody, Node, NodeMotion, Pair,
-};
+use crate::model::{Closure, DampingLaw, Law, LinkageBody, Node, NodeMotion, Pair};
 use crate::object::spec::DrivenLinkage;
 use crate::position::{LinkageOutput, Position, linkage_reach};
 use std::sync::Arc;

@@ -81,12 +81,18 @@ const SLIDING: Kind = Kind {
 fn law(fields: &mut Fields<'_>, kind: Kind) -> Option<TorqueSpec> {
     let turns = kind.own.0 == Some(Coordinate::Turning);
     let mut law = fields.one_of(if turns { "the torque" } else { "the force" });
-    let doc = if turns { "Constant torque" } else { "Constant force" };
+    let doc = if turns {
+        "Constant torque"
+    } else {
+        "Constant force"
+    };
     law.case("constant", doc, |slot| {
         slot.quantity(kind.own.force(), Bounds::ANY)
             .map(TorqueSpec::Constant)
     });
-    law.case("linear", "T₀·(1 − ω/ω₀).", |slot| linear(slot, kind));
+    law.case("linear", "T₀·(1 − ω/ω₀).", |slot| {
+        linear(slot, kind)
+    });
     if turns {
         law.case(
             "kloss",

@@ -160,10 +160,7 @@ fn take_apart(text: &str) -> Option<(&str, f64)> {
         Some((name, number)) => {
             let number: f64 = number.trim().parse().ok().filter(|n: &f64| n.is_finite())?;
             let divided = rest.as_bytes().get(name.len()) == Some(&b'/');
-            (
-                name.trim_end(),
-                if divided { 1.0 / number } else { number },
-            )
+            (name.trim_end(), if divided { 1.0 / number } else { number })
         }
     };
     (super::is_name(name) && factor.is_finite()).then_some((name, sign * factor))

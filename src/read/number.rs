@@ -74,7 +74,8 @@ impl Wanted {
 }
 
 /// Texts that begin with a number.
-pub(super) const NUMBER_PATTERN: &str = r"^\s*[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?\s*(\S.*)?$";
+pub(super) const NUMBER_PATTERN: &str =
+    r"^\s*[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?\s*(\S.*)?$";
 
 impl Slot<'_> {
     /// Reads a number in SI units, or a text with a unit.
@@ -243,7 +244,13 @@ impl Slot<'_> {
         fault.hints.push(accepts);
     }
 
-    pub(super) fn mismatch(&mut self, text: &str, measure: Measure, mismatch: Mismatch, wanted: &Wanted) {
+    pub(super) fn mismatch(
+        &mut self,
+        text: &str,
+        measure: Measure,
+        mismatch: Mismatch,
+        wanted: &Wanted,
+    ) {
         let name = last_name(&self.path);
         let value = measure.value;
         let (code, message, hint) = match mismatch {

@@ -1,7 +1,7 @@
 //! The objects of a scene, and who drives whom.
 
-use super::{SceneObject, driver_of};
 use super::address::RESERVED;
+use super::{SceneObject, driver_of};
 use crate::diagnostics::{Diagnostic, Related};
 use crate::graph::MechanismGraph;
 use crate::model::Coordinate;
@@ -186,7 +186,10 @@ fn check_graph(slot: &mut Slot<'_>, node: &Node) -> bool {
     let inputs = node.members().iter().map(|member| {
         let input = member.value.get("input").and_then(Node::text);
         let drive = kind_of(&member.value).is_some_and(|kind| !kind.driven);
-        (member.name.as_str(), input.filter(|_| !drive).map(driver_of))
+        (
+            member.name.as_str(),
+            input.filter(|_| !drive).map(driver_of),
+        )
     });
     let graph = MechanismGraph::new(inputs);
     let cycles = graph.cycles();

@@ -162,7 +162,9 @@ fn carries_inertia(model: &Model, node: usize) -> bool {
     let heavy = |other: usize| {
         let linkage = model.linkages.iter().find(|body| body.node == other);
         let links = linkage.map_or(&[][..], |body| &body.linkage.spec().links);
-        let own = links.iter().any(|link| link.mass > 0.0 || link.moment > 0.0);
+        let own = links
+            .iter()
+            .any(|link| link.mass > 0.0 || link.moment > 0.0);
         own || model.nodes[other].inertia > 0.0 || carries_inertia(model, other)
     };
     // Drivers come before what they drive: this comes to an end.

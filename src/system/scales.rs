@@ -180,7 +180,11 @@ fn carried_inertia(frozen: &Frozen, node: usize) -> f64 {
     frozen.locate_tracks(&state, &mut modes);
     frozen.motion(0.0, &state, &modes, Extent::Full, &mut work);
     frozen.reduce_rigid(Extent::Full, &mut work);
-    if work.mass[node] > 0.0 { work.mass[node] } else { own }
+    if work.mass[node] > 0.0 {
+        work.mass[node]
+    } else {
+        own
+    }
 }
 
 /// Greatest values over samples of the motion of the drives.
@@ -224,7 +228,9 @@ fn sample(frozen: &Frozen) -> Sampled {
             }
         }
         for (index, solved) in memory.iter().enumerate() {
-            let force = solved.borrow_mut().magnitude(motion[frozen.linkages[index].node]);
+            let force = solved
+                .borrow_mut()
+                .magnitude(motion[frozen.linkages[index].node]);
             linkages[index] = linkages[index].max(force);
         }
         for (range, at) in ranges.iter_mut().zip(&motion) {

@@ -150,11 +150,7 @@ fn couple(fields: &mut Fields<'_>, names: &Names) -> Option<ForceLaw> {
     })
 }
 
-fn torsion(
-    fields: &mut Fields<'_>,
-    names: &Names,
-    pairs: Option<&[PairSpec]>,
-) -> Option<ForceLaw> {
+fn torsion(fields: &mut Fields<'_>, names: &Names, pairs: Option<&[PairSpec]>) -> Option<ForceLaw> {
     let pair = fields.need("pair", "The revolute pair.", |slot| names.pair(slot));
     let rate = fields.or("rate", "Rate of the spring", json!(0.0), |slot| {
         slot.quantity(q::ROTATIONAL_STIFFNESS, Bounds::NOT_NEGATIVE)

@@ -123,9 +123,8 @@ fn one_of(mut slot: Slot<'_>, link: &str, known: Option<&Known>) -> Option<[f64;
         return Some(*at);
     }
     let names = || known.keys().map(String::as_str);
-    let hint = crate::read::did_you_mean(&name, names()).unwrap_or_else(|| {
-        format!("there are {}", crate::read::quoted_list(names(), "and"))
-    });
+    let hint = crate::read::did_you_mean(&name, names())
+        .unwrap_or_else(|| format!("there are {}", crate::read::quoted_list(names(), "and")));
     slot.refuse("unknown-part", format!("`{link}` has no point `{name}`"))
         .hints
         .push(hint);

@@ -81,9 +81,9 @@ fn read(fields: &mut Fields<'_>, driver: Measures) -> Option<DrivenLinkage> {
     let pairs = pairs::read(fields, &names);
     let doc = "The pair that is driven: its coordinate is the input of the linkage.";
     let driven = fields.need("driver", doc, |slot| names.pair(slot));
-    let kind = driven.zip(pairs.as_ref()).and_then(|(at, pairs)| {
-        pairs.get(at).map(|pair| pairs::coordinate(&pair.kind))
-    });
+    let kind = driven
+        .zip(pairs.as_ref())
+        .and_then(|(at, pairs)| pairs.get(at).map(|pair| pairs::coordinate(&pair.kind)));
     let input = Measures(kind);
     let ends = Ends {
         output: input,

@@ -82,7 +82,12 @@ impl Names {
         let found = self.links.keys().position(|link| *link == name);
         if found.is_none() {
             let known = || self.links.keys().map(String::as_str);
-            unknown(&mut slot, format!("there is no link `{name}`"), &name, known);
+            unknown(
+                &mut slot,
+                format!("there is no link `{name}`"),
+                &name,
+                known,
+            );
         }
         found
     }
@@ -93,7 +98,12 @@ impl Names {
         let found = self.pairs.iter().position(|pair| *pair == name);
         if found.is_none() {
             let known = || self.pairs.iter().map(String::as_str);
-            unknown(&mut slot, format!("there is no pair `{name}`"), &name, known);
+            unknown(
+                &mut slot,
+                format!("there is no pair `{name}`"),
+                &name,
+                known,
+            );
         }
         found
     }
@@ -112,7 +122,12 @@ impl Names {
         };
         let Some(points) = points else {
             let known = || self.links.keys().map(String::as_str).chain([GROUND]);
-            unknown(&mut slot, format!("there is no link `{owner}`"), owner, known);
+            unknown(
+                &mut slot,
+                format!("there is no link `{owner}`"),
+                owner,
+                known,
+            );
             return None;
         };
         let Some(at) = points.get(name) else {

@@ -140,7 +140,11 @@ fn towards(fields: &mut Fields<'_>, from: PointOf, to: PointOf) -> Option<f64> {
     }
     let [x, y] = [to.at[0] - from.at[0], to.at[1] - from.at[1]];
     if x == 0.0 && y == 0.0 {
-        fields.refuse("through", "contradiction", "`through` is the point `guide` itself");
+        fields.refuse(
+            "through",
+            "contradiction",
+            "`through` is the point `guide` itself",
+        );
         return None;
     }
     Some(y.atan2(x))
@@ -148,7 +152,8 @@ fn towards(fields: &mut Fields<'_>, from: PointOf, to: PointOf) -> Option<f64> {
 
 /// Reads `assembly`.
 pub(super) fn assembly(fields: &mut Fields<'_>, names: &Names) -> Option<Vec<AssemblySpec>> {
-    let doc = "How a group of links is put together, by one of its links: default by its branch `+`.";
+    let doc =
+        "How a group of links is put together, by one of its links: default by its branch `+`.";
     let choices = fields.or("assembly", doc, json!({}), |slot| {
         slot.map(|name, mut slot| {
             let link = names.link_named(&mut slot, name);
@@ -165,20 +170,28 @@ pub(super) fn assembly(fields: &mut Fields<'_>, names: &Names) -> Option<Vec<Ass
 fn choice(slot: Slot<'_>, link: &str, names: &Names) -> Option<AssemblyChoice> {
     slot.record(|fields| {
         let mut choice = fields.one_of("how it is put together");
-        choice.case("branch", "Side on which a group of two links lies.", |slot| {
-            slot.choice(&[("+", 1.0), ("-", -1.0)])
-                .map(AssemblyChoice::Branch)
-        });
+        choice.case(
+            "branch",
+            "Side on which a group of two links lies.",
+            |slot| {
+                slot.choice(&[("+", 1.0), ("-", -1.0)])
+                    .map(AssemblyChoice::Branch)
+            },
+        );
         choice.case("angle", "Its angle at the start is near this one", |slot| {
             slot.quantity(q::ANGLE, Bounds::ANY)
                 .map(AssemblyChoice::Angle)
         });
-        choice.case("near", "Its point is near this place at the start.", |slot| {
-            super::links::place(slot).map(|place| AssemblyChoice::Near {
-                point: [0.0; 2],
-                place,
-            })
-        });
+        choice.case(
+            "near",
+            "Its point is near this place at the start.",
+            |slot| {
+                super::links::place(slot).map(|place| AssemblyChoice::Near {
+                    point: [0.0; 2],
+                    place,
+                })
+            },
+        );
         let choice = choice.finish();
         let doc = "The point of `near`; default the origin of the link's frame.";
         let point = fields.maybe("point", doc, |slot| names.own_point(slot, link));

@@ -89,7 +89,8 @@ pub(super) fn entry(model: &Model, object: usize, body: &LinkageBody, section: &
     let start = body.linkage.spec().start;
     if body.linkage.solve(start, 2, &mut workspace).is_ok() {
         let inertia = body.linkage.reduced(&workspace).inertia[0];
-        let meaning = "inertia reduced to the input, a function of φ; here where it is put together";
+        let meaning =
+            "inertia reduced to the input, a function of φ; here where it is put together";
         section.entry(of_object("J", model, object), inertia, unit, meaning);
     }
 }

@@ -18,7 +18,11 @@ pub(super) fn prescribed(model: &Model, object: usize, motion: &DriveMotion) -> 
         ..Section::default()
     };
     let phi = of_object("φ", model, object);
-    section.line(phi.clone(), position::motion_formula(motion, part.coordinate), "");
+    section.line(
+        phi.clone(),
+        position::motion_formula(motion, part.coordinate),
+        "",
+    );
     let reflected = reflected(model, object);
     let own = own_inertia(model, part);
     let mut terms = Vec::new();
