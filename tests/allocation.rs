@@ -338,3 +338,44 @@ fn linkages_allocate_nothing_on_the_way() {
         assert!(sum.is_finite() && sum != 0.0);
     }
 }
+
+/// A full turn of kinetostatics with friction, in both directions of the
+/// question: driving force of a motion, and motion under a driving force.
+#[test]
+fn kinetostatics_allocate_nothing() {
+    use dam::linkage::kinetostatics::{InputMotion, Kinetostatics, Options};
+    use dam::scene::{BuiltIn, Document, Overrides};
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+    for name in ["slider_crank", "slotted_lever"] {
+        let path = root.join(format!("scenarios/kinetostatics/{name}.json"));
+        let document = Document::parse(name, &std::fs::read(path).unwrap()).unwrap();
+        let reading = document.scene(&BuiltIn, &Overrides::none()).unwrap();
+        let model = dam::lower::lower(&reading.scene).unwrap();
+        let linkage = &model.linkages[0].linkage;
+        let solver = Kinetostatics::new(linkage.spec()).unwrap();
+        let (mut at, mut w) = (linkage.workspace(), solver.workspace());
+        let options = Options::default();
+        let now = || ALLOCATIONS.with(Cell::get);
+        let mut proved = 0;
+        for step in 0..36 {
+            let coordinate = f64::from(step) * 0.1745;
+            let before = now();
+            linkage.solve(coordinate, 3, &mut at).unwrap();
+            let motion = InputMotion {
+                coordinate,
+                speed: 10.0,
+                acceleration: 3.0,
+            };
+            let solved = solver.solve(&at, motion, &options, &mut w).unwrap();
+            assert!(solved.unique && now() == before, "{name} {coordinate}");
+            let (drive, before) = (w.drive(), now());
+            let back = solver.accelerate(&at, coordinate, 10.0, drive, &options, &mut w);
+            // Where uniqueness is not proved, others are looked for.
+            if back.unwrap().solved.is_some_and(|solved| solved.unique) {
+                assert_eq!(now(), before, "{name} {coordinate}");
+                proved += 1;
+            }
+        }
+        assert!(proved > 9, "{name}: {proved}");
+    }
+}
