@@ -182,7 +182,10 @@ fn a_shaper_returns_faster_than_it_cuts() {
     let asked = Asked::new(&model, &question(None, 360)).unwrap();
     let found = kinematics(&asked);
     let stroke = found.strokes.iter().find(|s| s.owner == "ram").unwrap();
-    assert!((stroke.time_ratio - 1.41500555502).abs() < 1e-9, "{stroke:?}");
+    assert!(
+        (stroke.time_ratio - 1.41500555502).abs() < 1e-9,
+        "{stroke:?}"
+    );
 }
 
 fn dam(arguments: &[&str]) -> Output {
