@@ -1,6 +1,6 @@
 //! Exact propagation of cases A–E of the comparison with general solvers: from
-//! the problem ready to 1000 samples of δ and all switch times, alone and with
-//! the figures between samples; and of one contact phase.
+//! the problem ready to 1000 samples of δ and all switch times, alone, with the
+//! figures between samples, and with these and the energy audit; and of one contact phase.
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use dam::exact::{
@@ -53,9 +53,14 @@ fn cases(criterion: &mut Criterion) {
         ("E", 1, 600.0, 0.0, 0.1),
     ] {
         let tree = ExactTree::new(problem(n, load, psi));
-        for (suffix, figures) in [("", false), (" with figures", true)] {
+        for (suffix, figures, audit) in [
+            ("", false, false),
+            (" with figures", true, false),
+            (" with figures and audit", true, true),
+        ] {
             let request = Request {
                 figures,
+                audit,
                 ..Request::new(end, 1000)
             };
             group.bench_function(format!("{name}{suffix}"), |bencher| {

@@ -2,6 +2,7 @@
 
 pub mod analysis;
 pub mod breaks;
+pub mod cam;
 pub mod diagnostics;
 pub mod exact;
 pub mod fault;
@@ -20,5 +21,6 @@ pub mod read;
 pub mod record;
 pub mod report;
 pub mod scene;
+pub mod steady;
 pub mod system;
 pub mod units;

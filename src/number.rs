@@ -5,6 +5,10 @@
 //! the same pass, its change along a direction: the analytic Jacobian that
 //! implicit methods need, which therefore cannot drift from the equations.
 
+mod duals;
+
+pub use duals::Duals;
+
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
 /// A real number, with or without a derivative along one direction.

@@ -3,8 +3,10 @@
 //! Bernstein form on [0, 1]: coefficients bound the values, so that a sign
 //! without change proves that there is no root.
 
+mod parts;
 mod roots;
 
+pub use parts::{divide, halve, raise};
 pub use roots::{first_both_positive, first_positive};
 
 /// Continuous output over one accepted step: for every signal a polynomial in

@@ -256,7 +256,7 @@ impl Sink for Nobody {
 fn the_steps_of_the_own_methods_allocate_nothing() {
     let system = System::new(quiet_model()).unwrap();
     let start = system.initial_state().unwrap();
-    for method in [Method::Taylor, Method::Rodas5p] {
+    for method in [Method::Taylor, Method::Rodas5p, Method::Radau] {
         let count = |duration: f64| {
             let settings = Settings {
                 method,
@@ -287,6 +287,55 @@ fn the_steps_of_the_own_methods_allocate_nothing() {
         // The first run fills tables that are made once.
         count(0.05);
         assert_eq!(count(0.05), count(0.5), "{method}");
+    }
+}
+
+/// A motor that drives a slider-crank with weights and a spring, on whose slide an
+/// elastic tool hangs.
+fn linkage_model(tool: bool) -> Model {
+    let tool_text = r#", "tool": { "kind": "slider", "input": "press.slide", "position": { "ratio": 1 },
+        "inertia": 3, "stiffness": 1e5, "damping_capacity": 0.1 }"#;
+    let text = format!(
+        r#"{{ "dam": 1, "name": "press", "objects": {{
+        "motor": {{ "kind": "drive", "motor": {{ "inertia": 0.01, "speed": 20, "torque": {{ "constant": 1 }} }} }},
+        "press": {{ "from": "linkage/slider-crank", "input": "motor", "gravity": true, "forces": {{
+            "spring": {{ "strut": {{ "from": "ground.O", "to": "slide.origin", "rate": 500, "free_length": 0.1, "damping": 2 }} }} }} }}{}
+      }}, "run": {{ "duration": 1, "start": "on_law" }} }}"#,
+        if tool { tool_text } else { "" }
+    );
+    let document = dam::scene::Document::parse("scene", text.as_bytes()).unwrap();
+    let reading = document
+        .scene(&dam::scene::BuiltIn, &dam::scene::Overrides::none())
+        .unwrap();
+    dam::lower::lower(&reading.scene).unwrap()
+}
+
+#[test]
+fn linkages_allocate_nothing_on_the_way() {
+    for tool in [true, false] {
+        let system = System::new(linkage_model(tool)).unwrap();
+        let start = system.initial_state().unwrap();
+        let (mut y, modes) = (start.y, start.modes);
+        let mut scratch = system.scratch();
+        let mut dy = vec![0.0; y.len()];
+        let direction = vec![0.5; y.len()];
+        let mut states = vec![ObjectState::default(); system.model().objects.len()];
+        let mut sum = 0.0;
+        let mut step = |time: f64| {
+            y[0] += 0.1;
+            system.derivatives(time, &y, &modes, &mut scratch, &mut dy);
+            system.tangent(time, &y, &modes, &direction, &mut scratch, &mut dy);
+            system.observe(time, &y, &modes, &mut scratch, &mut states);
+            sum += system.power(time, &y, &modes, &mut scratch).dissipated;
+            sum += system.energy(time, &y, &modes, &mut scratch).elastic;
+        };
+        step(0.0);
+        let before = ALLOCATIONS.with(Cell::get);
+        for index in 0..100 {
+            step(1e-3 * f64::from(index));
+        }
+        assert_eq!(ALLOCATIONS.with(Cell::get) - before, 0, "tool: {tool}");
+        assert!(sum.is_finite() && sum != 0.0);
     }
 }
 

@@ -16,10 +16,13 @@ const ENGAGED: PairState = PairState::Engaged(0);
 fn run(problem: &TreeProblem, end: f64) -> ExactRun {
     let request = Request {
         all_masses: true,
+        audit: true,
         ..Request::new(end, 50)
     };
     let run = ExactTree::new(problem.clone()).run(&request).expect("runs");
     assert!(run.complete);
+    let audit = run.audit.expect("audit");
+    assert!(audit.error() < 1e-10, "{audit:?}");
     run
 }
 
@@ -204,6 +207,27 @@ fn two_equal_branches_switch_together() {
         assert!((a.time - b.time).abs() < 1e-9, "{a:?} {b:?}");
     }
     assert!((exact.displacement[1] - series.q[1]).abs() < 1e-9 * series.q[1].abs().max(1e-3));
+}
+
+#[test]
+fn a_pair_thrown_from_one_flank_onto_the_other_hits_it() {
+    // A narrow gap: the damper cuts the force off behind one flank, and the next
+    // that happens is the other flank.
+    let mut mass = TreeMass::new(0.1, None, 1e5, 60.0);
+    mass.pair = TreePair::Form { gap: 2e-4 };
+    mass.loads.push(TimeLoad::Constant(-20.0));
+    let mut p = problem(vec![mass], vec![sine(0.02, 300.0, 0.0)]);
+    p.displacement[0] = -3e-4;
+    p.speed[0] = 2.0;
+    let exact = compare(&p, vec![PairState::Pressed(0)], 0.05, 1e-5, 1e-8);
+    let over = |s: &&dam::exact::ExactSwitch| {
+        s.before == PairState::Pressed(0) && s.after == PairState::Engaged(1)
+    };
+    assert!(
+        exact.switches.iter().any(|s| over(&s)),
+        "{:?}",
+        exact.switches
+    );
 }
 
 #[test]

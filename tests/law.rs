@@ -87,6 +87,27 @@ fn strokes_are_synthesized_and_refusals_give_the_interval() {
     assert_eq!(found["unit"], "m");
     let share = found["figures"]["uniform_stroke"].as_f64().unwrap();
     assert!((share - 0.5).abs() < 1e-14, "{share}");
+    // The example of Vulfson's text: what the best uniform section changes.
+    let shown = text(&dam(&with(&[
+        "--stroke",
+        "50 mm",
+        "--span",
+        "120 deg",
+        "--uniform-optimum",
+    ])));
+    for (name, change) in [
+        ("greatest Π′ ", "−25 %"),
+        ("greatest |Π″|", "+12.5 %"),
+        ("greatest |Π′Π″|", "−15.625 %"),
+    ] {
+        let mut lines = shown
+            .lines()
+            .skip_while(|line| !line.contains("against no uniform"));
+        assert!(
+            lines.any(|line| line.contains(name) && line.ends_with(change)),
+            "{name}: {shown}"
+        );
+    }
     let table = text(&dam(&with(&[
         "--stroke",
         "-30 deg",

@@ -68,7 +68,8 @@ fn compare(name: &str, text: &str, overrides: &[String]) {
         let OutputKind::Angle { link } = spec.outputs[output].kind else {
             continue;
         };
-        let at = |state: &multipliers::State| (state.place[3 * link + 2], state.speed[3 * link + 2]);
+        let at =
+            |state: &multipliers::State| (state.place[3 * link + 2], state.speed[3 * link + 2]);
         let ((angle, speed), (rough, _)) = (at(&fine), at(&coarse));
         assert!((angle - rough).abs() < 1e-7, "{name}: the reference stands");
         let turn = std::f64::consts::TAU;
@@ -83,23 +84,51 @@ struct Random(u64);
 
 impl Random {
     fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        self.0 = self
+            .0
+            .wrapping_mul(6364136223846793005)
+            .wrapping_add(1442695040888963407);
         (self.0 >> 11) as f64 / (1u64 << 53) as f64
     }
 }
 
 /// Catalogue objects, two angles that are looked at, and their dimensions.
 const CATALOGUE: [(&str, &str, [&str; 2], &[(&str, f64)]); 5] = [
-    ("slider-crank", "0 deg", ["crank", "rod"], &[("crank", 0.05), ("rod", 0.2)]),
+    (
+        "slider-crank",
+        "0 deg",
+        ["crank", "rod"],
+        &[("crank", 0.05), ("rod", 0.2)],
+    ),
     (
         "four-bar",
         "0 deg",
         ["coupler", "rocker"],
-        &[("crank", 0.06), ("coupler", 0.18), ("rocker", 0.15), ("frame", 0.2)],
+        &[
+            ("crank", 0.06),
+            ("coupler", 0.18),
+            ("rocker", 0.15),
+            ("frame", 0.2),
+        ],
     ),
-    ("shaper", "0 deg", ["lever", "link"], &[("crank", 0.08), ("distance", 0.3), ("link", 0.18)]),
-    ("drag-link", "90 deg", ["follower", "rod"], &[("arm", 0.1), ("rod", 0.35)]),
-    ("toggle-press", "0 deg", ["upper", "lower"], &[("upper", 0.2), ("lower", 0.2)]),
+    (
+        "shaper",
+        "0 deg",
+        ["lever", "link"],
+        &[("crank", 0.08), ("distance", 0.3), ("link", 0.18)],
+    ),
+    (
+        "drag-link",
+        "90 deg",
+        ["follower", "rod"],
+        &[("arm", 0.1), ("rod", 0.35)],
+    ),
+    (
+        "toggle-press",
+        "0 deg",
+        ["upper", "lower"],
+        &[("upper", 0.2), ("lower", 0.2)],
+    ),
 ];
 
 #[test]
@@ -179,7 +208,11 @@ const OTHERS: [(&str, &str); 3] = [
 #[test]
 fn other_dyads_with_all_forces_move_as_absolute_coordinates_with_multipliers() {
     for (name, parts) in OTHERS {
-        let outputs: &str = if name.contains("RPR") { "slot" } else { "crank" };
+        let outputs: &str = if name.contains("RPR") {
+            "slot"
+        } else {
+            "crank"
+        };
         let text = scene_of(&format!(
             r#"{}, "m": {{ "kind": "linkage", "input": "motor", "driver": "O",
                 "ground": {{ "O": [0, 0], "P": [0.05, -0.3] }}, {parts},
@@ -243,12 +276,19 @@ fn the_tangent_agrees_with_differences_through_shaft_linkage_and_tool() {
 fn energy_is_balanced_by_every_method_through_shaft_linkage_and_tool() {
     let mut found = Vec::new();
     for method in ["dop853", "dopri5", "rodas5p"] {
-        let overrides = [format!("run.method={method}"), "run.tolerance=1e-9".to_owned()];
+        let overrides = [
+            format!("run.method={method}"),
+            "run.tolerance=1e-9".to_owned(),
+        ];
         let scene = read(&scene_of(ELASTIC), &overrides);
         let system = System::new(lower(&scene).expect("a model")).expect("a system");
         let settings = RunSettings::of(&scene).expect("settings");
         let result = run(&system, &settings, &Control::default(), &mut []).expect("a run");
-        assert!(result.is_trusted(), "{method}: {:?}", result.figures.warnings);
+        assert!(
+            result.is_trusted(),
+            "{method}: {:?}",
+            result.figures.warnings
+        );
         assert!(result.figures.run.energy_error < 1e-7, "{method}");
         found.push(result.figures.objects["tool"].end.displacement);
     }

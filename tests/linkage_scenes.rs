@@ -55,7 +55,10 @@ fn the_squeezing_mechanism_has_the_published_accelerations_at_the_start() {
 
 /// The published rows of a case of the slotted link, as far as the run goes.
 fn rows_before_the_dead_position(scenario: &str, case: &str, end: f64) {
-    let scene = read(&file(&format!("scenarios/slotted_link/{scenario}.json")), &["run.samples=150"]);
+    let scene = read(
+        &file(&format!("scenarios/slotted_link/{scenario}.json")),
+        &["run.samples=150"],
+    );
     let result = solve(&scene);
     let stopped = result.figures.run.stopped.as_deref();
     assert_eq!(stopped, Some("dead_position"), "{case}");
@@ -65,11 +68,16 @@ fn rows_before_the_dead_position(scenario: &str, case: &str, end: f64) {
     let reference: serde_json::Value =
         serde_json::from_str(&file("tests/reference/slide-crank.json")).expect("JSON");
     let cases = reference["cases"].as_array().expect("cases");
-    let case = cases.iter().find(|one| one["id"] == case).expect("the case");
+    let case = cases
+        .iter()
+        .find(|one| one["id"] == case)
+        .expect("the case");
     let column = |object: &str, quantity: &str| {
         let mut columns = result.record.columns.iter();
         let found = columns.find(|one| one.object == object && one.quantity == quantity);
-        &found.unwrap_or_else(|| panic!("no {quantity} of {object}")).values
+        &found
+            .unwrap_or_else(|| panic!("no {quantity} of {object}"))
+            .values
     };
     let mut seen = 0;
     for row in case["results"].as_array().expect("rows") {
@@ -118,7 +126,11 @@ fn dimensions_of_a_catalogue_object_are_replaced_one_by_one() {
     // Links stand in the order of their names: crank, rod, slide.
     assert_eq!((point(0), point(1)), (0.04, 0.2));
     assert_eq!(press.linkage.ground[0].at, [0.0, 0.005]);
-    approx::assert_relative_eq!(links[0].mass, 7850.0 * 0.02 * 0.03 * 0.04, max_relative = 1e-14);
+    approx::assert_relative_eq!(
+        links[0].mass,
+        7850.0 * 0.02 * 0.03 * 0.04,
+        max_relative = 1e-14
+    );
     assert_eq!(scene.objects["tool"].input.as_deref(), Some("press.slide"));
     assert_eq!(scene.objects["tool"].driver(), Some("press"));
 }
@@ -132,23 +144,45 @@ fn a_linkage_moves_like_the_position_function_that_is_its_short_form() {
       }, "run": { "duration": 3, "tolerance": 1e-9 } }"#;
     let (linkage, short) = (solve(&read(PRESS, &[])), solve(&read(short, &[])));
     // Behind a prescribed drive its masses change nothing in the tool's motion.
-    assert_eq!(linkage.method.name(), "exact", "{}", linkage.figures.run.why);
-    for (address, bound) in [("delta_max", 1e-12), ("delta_min", 1e-12), ("peak_speed", 1e-10)] {
-        let of = |result: &RunResult| result.figures.value(&format!("tool.{address}")).expect("a figure");
+    assert_eq!(
+        linkage.method.name(),
+        "exact",
+        "{}",
+        linkage.figures.run.why
+    );
+    for (address, bound) in [
+        ("delta_max", 1e-12),
+        ("delta_min", 1e-12),
+        ("peak_speed", 1e-10),
+    ] {
+        let of = |result: &RunResult| {
+            result
+                .figures
+                .value(&format!("tool.{address}"))
+                .expect("a figure")
+        };
         approx::assert_abs_diff_eq!(of(&linkage), of(&short), epsilon = bound);
     }
     let general = solve(&read(PRESS, &["run.method=dop853"]));
     let of = |result: &RunResult| result.figures.value("tool.delta_max").expect("a figure");
     approx::assert_abs_diff_eq!(of(&linkage), of(&general), epsilon = 1e-10);
     // The drive must also move crank, rod and slide.
-    let reaction = |result: &RunResult| result.figures.value("motor.peak_reaction").expect("a figure");
+    let reaction = |result: &RunResult| {
+        result
+            .figures
+            .value("motor.peak_reaction")
+            .expect("a figure")
+    };
     assert!(reaction(&linkage) > reaction(&short));
 }
 
 #[test]
 fn the_scales_of_a_figure_belong_to_the_output() {
     let result = solve(&read(PRESS, &[]));
-    let speed = result.figures.value("press.slide.peak_speed").expect("a figure");
+    let speed = result
+        .figures
+        .value("press.slide.peak_speed")
+        .expect("a figure");
     assert_eq!(result.figures.scale("press.slide.final.speed"), speed);
     assert_eq!(result.figures.units["press.slide"].displacement, "m");
     assert_eq!(result.figures.units["press"].displacement, "rad");
@@ -165,12 +199,16 @@ fn a_rotor_without_inertia_needs_something_behind_it_that_has_some() {
             "run": {{ "duration": 0.1, "start": "on_law" }} }}"#
         )
     };
-    let faults = System::new(lower(&read(&text("0"), &[])).expect("a model")).expect_err("no inertia");
+    let faults =
+        System::new(lower(&read(&text("0"), &[])).expect("a model")).expect_err("no inertia");
     assert_eq!(faults[0].path, "motor.inertia");
     assert!(faults[0].hint.contains("follows it rigidly"), "{faults:?}");
     // A gear of 2 kg m² turned by 1 N m: ½·α·t².
     let result = solve(&read(&text("2"), &["run.tolerance=1e-10"]));
-    let angle = result.figures.value("motor.final.displacement").expect("a figure");
+    let angle = result
+        .figures
+        .value("motor.final.displacement")
+        .expect("a figure");
     approx::assert_relative_eq!(angle, 0.5 * 0.5 * 0.01, max_relative = 1e-9);
 }
 
@@ -183,5 +221,8 @@ fn a_start_beyond_the_reach_is_a_fault_with_the_interval() {
     let faults = lower(&read(text, &[])).expect_err("a start beyond");
     assert_eq!(faults[0].path, "m.start");
     // The rod reaches the guide up to asin(30/50).
-    assert!(faults[0].hint.contains("-36.869898 and 36.869898 deg"), "{faults:?}");
+    assert!(
+        faults[0].hint.contains("-36.869898 and 36.869898 deg"),
+        "{faults:?}"
+    );
 }

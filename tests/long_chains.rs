@@ -1,4 +1,4 @@
-//! A step of the own stiff method costs in proportion to the number of masses.
+//! A step of the own stiff methods costs in proportion to the number of masses.
 
 use dam::analysis::run::run;
 use dam::analysis::{Control, RunSettings};
@@ -9,7 +9,7 @@ use dam::system::System;
 
 /// Evaluations of the whole system in a step of the press with its crankshaft
 /// in so many masses, behind a motor that it reacts upon.
-fn evaluations_per_step(masses: usize) -> f64 {
+fn evaluations_per_step(method: Method, masses: usize) -> f64 {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/scenarios/press/punching.json");
     let bytes = std::fs::read(path).expect("a scenario");
     let document = Document::parse(path, &bytes).expect("JSON");
@@ -17,7 +17,7 @@ fn evaluations_per_step(masses: usize) -> f64 {
     let reading = document.scene(&BuiltIn, &overrides).expect("a scene");
     let system = System::new(lower(&reading.scene).expect("a model")).expect("a system");
     let settings = RunSettings {
-        method: Some(Method::Rodas5p),
+        method: Some(method),
         tolerance: 1e-4,
         duration: 0.02,
         samples: 10,
@@ -35,6 +35,8 @@ fn evaluations_per_step(masses: usize) -> f64 {
 /// have grown, with the columns of the Jacobian.
 #[test]
 fn a_hundred_times_the_masses_need_no_more_evaluations_in_a_step() {
-    let [short, long] = [10, 1000].map(evaluations_per_step);
-    assert!(long < 1.3 * short, "{short} {long}");
+    for method in [Method::Rodas5p, Method::Radau] {
+        let [short, long] = [10, 1000].map(|masses| evaluations_per_step(method, masses));
+        assert!(long < 1.3 * short, "{method}: {short} {long}");
+    }
 }

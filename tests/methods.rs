@@ -6,6 +6,7 @@ use dam::analysis::methods::{MethodLine, Plan, Point, Study, Verdict, study};
 use dam::analysis::{Control, RunSettings};
 use dam::integrate::Method;
 use dam::lower::lower;
+use dam::model::LoadLaw;
 use dam::scene::{BuiltIn, Document, Overrides};
 use dam::system::System;
 use serde_json::Value;
@@ -100,6 +101,53 @@ fn measured_limits_of_stability_agree_with_theory() {
         };
         let step = found.measured_step.unwrap();
         approx::assert_relative_eq!(step * rate, limit, max_relative = 0.03);
+    }
+}
+
+#[test]
+fn the_limit_of_a_series_is_measured_as_it_is_foreseen() {
+    for (damping, accuracy, degree) in [
+        ("wheel.damping=0", 1e-8, 16),
+        ("wheel.damping=0", 1e-6, 14),
+        ("wheel.damping=8", 1e-6, 14),
+        ("wheel.damping=253", 1e-8, 16),
+    ] {
+        let plan = plan(accuracy, &[Method::Exact, Method::Taylor], &[accuracy], &[]);
+        let study = studied(WHEEL, &[damping], &plan);
+        let found = &line(&study, Method::Taylor).stability;
+        assert_eq!(found.degree, Some(degree));
+        let (theory, measured) = (found.theory.unwrap(), found.measured.unwrap());
+        assert!(theory > 1.0);
+        approx::assert_relative_eq!(measured, theory, max_relative = 0.01);
+        assert_eq!(only(&study, Method::Taylor).verdict, Verdict::Converged);
+    }
+}
+
+#[test]
+fn a_motion_beyond_all_numbers_is_given_up() {
+    // A load that pushes the wheel away harder than its shaft holds it: the
+    // motion itself grows as e^(7000 t), and no method can follow it for 0.2 s.
+    let document = Document::parse("scene.json", WHEEL.as_bytes()).unwrap();
+    let reading = document.scene(&BuiltIn, &Overrides::none()).unwrap();
+    let mut model = lower(&reading.scene).unwrap();
+    model.loads[0].law = LoadLaw::Spring {
+        rate: -1e6,
+        preload: 0.0,
+    };
+    let system = System::new(model).unwrap();
+    let settings = RunSettings::of(&reading.scene).unwrap();
+    let plan = plan(1e-6, &[Method::Dopri5, Method::Dop853], &[1e-6], &[]);
+    let study = study(&system, &settings, &plan, &Control::default(), &mut |_| {}).unwrap();
+    assert!(study.reference.is_none());
+    for method in [Method::Dopri5, Method::Dop853] {
+        let point = only(&study, method);
+        assert_eq!(point.verdict, Verdict::GaveUp, "{}", point.cause);
+        assert!(
+            point.cause.contains("no longer a finite number"),
+            "{}",
+            point.cause
+        );
+        assert!(point.time.unwrap() < 0.2);
     }
 }
 

@@ -13,6 +13,9 @@ mod chain;
 #[path = "../benches/peers/cvode_peer.rs"]
 mod cvode_peer;
 #[allow(dead_code)]
+#[path = "../benches/peers/diffsol_drive.rs"]
+mod diffsol_drive;
+#[allow(dead_code)]
 #[path = "../benches/peers/diffsol_peer.rs"]
 mod diffsol_peer;
 #[allow(dead_code)]

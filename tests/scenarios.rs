@@ -2,6 +2,7 @@
 
 use dam::analysis::expectations::check;
 use dam::analysis::run::run;
+use dam::analysis::steady;
 use dam::analysis::{Control, RunSettings};
 use dam::lower::lower;
 use dam::scene::{BuiltIn, Document, Overrides};
@@ -54,7 +55,17 @@ fn judge(path: &Path) -> Result<(), String> {
     if !result.is_trusted() {
         return Err(format!("not to be trusted: {:?}", result.figures.warnings));
     }
-    let failed: Vec<String> = check(expect, &result)
+    let mut verdicts = check(expect, &result);
+    if verdicts.len() < expect.len() {
+        let spec = reading.scene.steady.clone().unwrap_or_default();
+        let answer = steady::steady_motion(&system, &settings, &spec)
+            .map_err(|faults| format!("{faults:?}"))?;
+        verdicts.extend(steady::check(expect, &answer));
+    }
+    if verdicts.len() < expect.len() {
+        return Err("an expectation is judged by nobody".to_owned());
+    }
+    let failed: Vec<String> = verdicts
         .into_iter()
         .filter(|verdict| !verdict.holds)
         .map(|verdict| verdict.message)

@@ -33,7 +33,8 @@ struct Own {
     error: f64,
     switches: usize,
     plain: Timing,
-    figures: Timing,
+    /// With all figures and the energy audit.
+    full: Timing,
 }
 
 /// Runs all cases named in `names` and returns the tables.
@@ -57,7 +58,7 @@ pub(crate) fn cases(names: &str, cvode: Option<&Cvode>, quick: bool) -> Result<S
         "`dam`, ms",
         "its error",
         "switches",
-        "with figures, ms",
+        "with figures and audit, ms",
         "fastest other at 1e-7",
         "ms",
         "ratio (aim)",
@@ -74,8 +75,9 @@ pub(crate) fn cases(names: &str, cvode: Option<&Cvode>, quick: bool) -> Result<S
 fn own(case: &Case) -> Result<Own, String> {
     let tree = exact_peer::tree(&case.chain);
     let plain = Request::new(case.chain.duration, SAMPLES);
-    let figures = Request {
+    let full = Request {
         figures: true,
+        audit: true,
         ..plain.clone()
     };
     let solution = exact_peer::solve(&case.chain, SAMPLES)?;
@@ -87,13 +89,20 @@ fn own(case: &Case) -> Result<Own, String> {
             case.name, case.switches
         ));
     }
+    let balance = exact_peer::run(&tree, &full)?.audit.map(|a| a.error());
+    if !balance.is_some_and(|error| error <= EXACT) {
+        return Err(format!(
+            "case {}: the energy audit is off: {balance:?}",
+            case.name
+        ));
+    }
     let budget = Duration::from_millis(400);
     let time = |request: &Request| Timing::measure(budget, || tree.run(request));
     Ok(Own {
         error,
         switches,
         plain: time(&plain),
-        figures: time(&figures),
+        full: time(&full),
     })
 }
 
@@ -145,7 +154,7 @@ fn ratio_row(case: &Case, own: &Own, points: &[(Peer, Vec<Reached>)]) -> Vec<Str
         milliseconds(own.plain.median),
         power(own.error),
         own.switches.to_string(),
-        milliseconds(own.figures.median),
+        milliseconds(own.full.median),
         other.map_or("-".to_owned(), |found| found.0.name()),
         time(other.map(|found| found.1)),
         ratio(other.map(|found| found.1), case.aim[0]),
@@ -180,7 +189,7 @@ fn detail(case: &Case, own: &Own, points: &[(Peer, Vec<Reached>)]) -> String {
     };
     let mut rows = vec![
         own_row("`dam` exact", &own.plain),
-        own_row("`dam` exact, with figures", &own.figures),
+        own_row("`dam` exact, with figures and audit", &own.full),
     ];
     for (peer, points) in points {
         for (target, point) in TARGETS.iter().zip(points) {

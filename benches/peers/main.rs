@@ -9,6 +9,7 @@ mod case;
 mod cases;
 mod chain;
 mod cvode_peer;
+mod diffsol_drive;
 mod diffsol_peer;
 mod exact_peer;
 mod ladder;

@@ -33,7 +33,7 @@ pub(super) fn summary(
     });
     let stopped = (!complete).then(|| stop_in_words(&outcome.stop));
     RunSummary {
-        method: choice.name.to_owned(),
+        method: choice.name.clone(),
         why: choice.why.clone(),
         tolerance: settings.tolerance,
         time: outcome.time,

@@ -29,10 +29,17 @@ pub struct Verdict {
     pub source: Option<String>,
 }
 
-/// Judges every expectation, in their order.
+/// True for figures of the steady motion, which no run has.
+fn of_steady_motion(expectation: &Expectation) -> bool {
+    matches!(&expectation.what, Expected::Figure { figure, .. } if figure.starts_with("steady."))
+}
+
+/// Judges every expectation of a run, in their order. (Those of the steady
+/// motion are judged by [`super::steady::check`].)
 pub fn check(expectations: &[Expectation], result: &RunResult) -> Vec<Verdict> {
     expectations
         .iter()
+        .filter(|expectation| !of_steady_motion(expectation))
         .map(|expectation| Verdict {
             source: expectation.source.clone(),
             ..match &expectation.what {
@@ -59,7 +66,7 @@ pub fn unknown_figures(expectations: &[Expectation], model: &Model) -> Vec<Fault
             return None;
         };
         // How many switches there will be is not known before the run.
-        if figure.contains(".pair.switch_times.") {
+        if figure.contains(".pair.switch_times.") || of_steady_motion(expectation) {
             return None;
         }
         let Err(AddressError::Unknown { close }) = figures.value(figure) else {
@@ -110,6 +117,24 @@ fn check_figure(figure: &str, expected: f64, within: f64, result: &RunResult) ->
                 verdict.message += &format!("; {}", did_you_mean(&close));
             }
         }
+    }
+    verdict
+}
+
+/// The verdict on a figure that was found, or has no value.
+pub(super) fn judged(figure: &str, expected: f64, within: f64, found: Option<f64>) -> Verdict {
+    let mut verdict = Verdict {
+        what: figure.to_owned(),
+        expected,
+        within,
+        found: None,
+        holds: false,
+        unknown: false,
+        message: format!("{figure} has no value in this motion"),
+        source: None,
+    };
+    if let Some(found) = found {
+        judge(&mut verdict, found);
     }
     verdict
 }

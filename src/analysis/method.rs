@@ -1,8 +1,9 @@
 //! Which method a run takes, and why.
 
 use super::document::can_open;
+use super::exact::{Mixed, mixed, tried};
 use super::settings::RunSettings;
-use crate::exact::Parts;
+use crate::exact::{Parts, Rest};
 use crate::fault::Fault;
 use crate::integrate::{Dynamics, Method, Situation, choose};
 use crate::model::{Model, NodeMotion, Start};
@@ -16,11 +17,34 @@ pub(super) struct Choice {
     /// The method.
     pub(super) method: Method,
     /// Its name in the figures.
-    pub(super) name: &'static str,
+    pub(super) name: String,
     /// Why this one.
     pub(super) why: String,
-    /// What is propagated exactly, when the method is `exact`.
+    /// What is propagated exactly, when anything is.
     pub(super) parts: Option<Parts>,
+    /// What is integrated beside it by the method.
+    pub(super) rest: Option<Rest>,
+}
+
+impl Choice {
+    /// One method for everything.
+    fn general(method: Method, why: String) -> Self {
+        Self {
+            method,
+            name: method.name().to_owned(),
+            why,
+            parts: None,
+            rest: None,
+        }
+    }
+
+    /// Exact propagation of everything.
+    fn exact(parts: Parts, why: String) -> Self {
+        Self {
+            parts: Some(parts),
+            ..Self::general(Method::Exact, why)
+        }
+    }
 }
 
 /// The method asked for, or the one that suits the system.
@@ -29,45 +53,78 @@ pub(super) struct Choice {
 /// `exact` is asked for and cannot be used, with every reason.
 pub(super) fn choose_method(system: &System, settings: &RunSettings) -> Result<Choice, Vec<Fault>> {
     if system.coordinates() == 0 {
+        let why = "nothing is elastic: the motion follows from the drives".to_owned();
         return Ok(Choice {
-            method: Method::Dop853,
-            name: "kinematic",
-            why: "nothing is elastic: the motion follows from the drives".to_owned(),
-            parts: None,
+            name: "kinematic".to_owned(),
+            ..Choice::general(Method::Dop853, why)
         });
     }
-    let (method, why, parts) = match settings.method {
-        Some(Method::Exact) => (
-            Method::Exact,
-            "asked for".to_owned(),
-            Some(super::exact::tried(system)?),
-        ),
-        Some(method) => (method, "asked for".to_owned(), None),
-        None => match super::exact::tried(system) {
-            Ok(parts) => (Method::Exact, why_exact(&parts), Some(parts)),
-            Err(_) => {
-                let (method, why) = choose(&situation(system, settings));
-                (method, why, None)
+    match settings.method {
+        Some(Method::Exact) => Ok(Choice::exact(tried(system)?, "asked for".to_owned())),
+        Some(method) => Ok(Choice::general(method, "asked for".to_owned())),
+        None => Ok(match tried(system) {
+            Ok(parts) => {
+                let why = why_exact(&parts);
+                Choice::exact(parts, why)
             }
-        },
+            Err(_) => match mixed(system) {
+                Some(mixed) => choose_beside(system, settings, mixed),
+                None => {
+                    let (method, why) = choose(&situation(system, settings));
+                    Choice::general(method, why)
+                }
+            },
+        }),
+    }
+}
+
+/// Exact propagation of some branches, and the method for the rest.
+fn choose_beside(system: &System, settings: &RunSettings, mixed: Mixed) -> Choice {
+    let Mixed { parts, rest } = mixed;
+    let own = &rest.system;
+    let (method, why) = match own.coordinates() {
+        0 => (
+            Method::Dop853,
+            "its motion follows from the drives".to_owned(),
+        ),
+        _ => choose(&situation(own, settings)),
     };
-    Ok(Choice {
-        method,
-        name: method.name(),
-        why,
-        parts,
-    })
+    let ids = |objects: &mut dyn Iterator<Item = &String>| {
+        let all: Vec<&str> = objects.map(String::as_str).collect();
+        all.join(", ")
+    };
+    let held = parts.trees.iter().flat_map(|part| &part.objects);
+    let mut held: Vec<&String> = held
+        .map(|&object| &system.model().objects[object].id)
+        .collect();
+    held.sort();
+    let others = own.model().objects.iter().enumerate();
+    let moves = |object: usize| own.last_coordinate(object).is_some();
+    let others = others.filter(|(object, part)| part.driver.is_some() || moves(*object));
+    let because: Vec<String> = parts
+        .refusals
+        .iter()
+        .map(|refusal| format!("{}: {}", refusal.object, refusal.reason))
+        .collect();
+    let why = format!(
+        "exact propagation of {}, known in closed form between switches; {method} for {} ({}): \
+         {why}",
+        ids(&mut held.into_iter()),
+        ids(&mut others.map(|(_, part)| &part.id)),
+        because.join("; "),
+    );
+    Choice {
+        name: format!("{} + {method}", Method::Exact),
+        parts: Some(parts),
+        rest: Some(rest),
+        ..Choice::general(method, why)
+    }
 }
 
 /// A general method, where exact propagation would have been the choice.
 pub(super) fn choose_general(system: &System, settings: &RunSettings, because: &str) -> Choice {
     let (method, why) = choose(&situation(system, settings));
-    Choice {
-        method,
-        name: method.name(),
-        why: format!("{because}; {why}"),
-        parts: None,
-    }
+    Choice::general(method, format!("{because}; {why}"))
 }
 
 /// Why a system is propagated exactly.

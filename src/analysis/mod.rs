@@ -1,6 +1,7 @@
 //! Questions asked of a system: one file a question.
 
 pub mod axis;
+pub mod cam;
 pub mod compare;
 pub mod cycle;
 mod document;
@@ -16,6 +17,7 @@ pub mod methods;
 pub mod run;
 mod settings;
 pub mod spread;
+pub mod steady;
 #[cfg(test)]
 pub(crate) mod testing;
 mod warning;

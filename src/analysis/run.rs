@@ -1,6 +1,7 @@
 //! One run: the motion of a mechanism and its figures.
 
 use super::document::{document, summary, warnings_of};
+use super::exact::follow_beside;
 use super::kinematic::{Driven, WithoutIdle, greatest_step};
 use super::method::{Choice, choose_general, choose_method};
 use super::settings::{Control, RunSettings};
@@ -113,7 +114,7 @@ fn attempt(
             samples: settings.samples,
             switch_rows: settings.switch_rows,
             window: window.as_ref().ok().copied(),
-            long_steps: choice.method == Method::Taylor,
+            long_steps: matches!(choice.method, Method::Taylor | Method::Radau),
         },
     );
     let mut all: Vec<&mut dyn Sink> = vec![&mut recorder];
@@ -129,7 +130,16 @@ fn attempt(
     let sink: &mut dyn Sink = &mut Tee(&mut all);
     let duration = settings.duration;
     let outcome = match &choice.parts {
-        Some(parts) => super::exact::follow(system, parts, &initial, duration, &limits, sink),
+        Some(parts) => match &choice.rest {
+            Some(rest) => {
+                let own = |initial: &InitialState, sink: &mut dyn Sink| {
+                    follow(&rest.system, initial, duration, &plan, &limits, sink)
+                };
+                let both = (parts, rest);
+                follow_beside(system, both, &initial, duration, &limits, sink, own)
+            }
+            None => super::exact::follow(system, parts, &initial, duration, &limits, sink),
+        },
         None => follow(system, &initial, duration, &plan, &limits, sink),
     };
     let recorded = recorder.finish();

@@ -123,7 +123,7 @@ fn without_diffsol(method: Method) -> Fault {
     Fault::new(
         "run.method",
         format!("`{method}` is a method of diffsol, which this build of dam does not have"),
-        "build with `cargo build --release --features diffsol`, or use `rodas5p` or `auto`",
+        "build with `cargo build --release --features diffsol`, or use `rodas5p`, `radau` or `auto`",
     )
 }
 

@@ -1,14 +1,17 @@
 //! The command line's arguments.
 
+mod cam;
 mod forces;
 mod kinematics;
 mod methods;
 
+pub(crate) use cam::{CamArgs, CamForm};
 pub(crate) use forces::{ConventionName, Direction, ForcesArgs};
 pub(crate) use kinematics::KinematicsArgs;
 pub(crate) use methods::MethodsArgs;
 
 use super::law::args::LawCommand;
+use super::steady::args::SteadyArgs;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
 
@@ -38,12 +41,17 @@ pub(crate) enum Command {
     /// Laws of motion: list, show, synthesize, cycle, compare
     #[command(subcommand)]
     Law(LawCommand),
+    /// Work out the cam of an object: profile, checks, sizes, closing force, files to cut it
+    Cam(CamArgs),
     /// Show a figure over one or two parameters, with a verdict and its cause for every point
     Map(MapArgs),
     /// Chart speed against accuracy of every method on a scene, and where and why methods fail
     Methods(MethodsArgs),
     /// Positions, transfer functions, speeds and accelerations of a linkage; the mechanism moving
     Kinematics(KinematicsArgs),
+    /// Find the steady motion of a machine, size its flywheel; of an elastic scene the periodic
+    /// motion and its stability
+    Steady(SteadyArgs),
     /// Kinetostatics of a linkage: reactions, driving force, friction, transmission ratio, self-locking
     Forces(ForcesArgs),
 }

@@ -2,6 +2,7 @@
 //! the library.
 
 mod args;
+mod cam;
 mod check;
 mod compare;
 mod console;
@@ -18,6 +19,7 @@ mod output;
 mod progress;
 mod run;
 mod show;
+mod steady;
 mod tables;
 mod terminal;
 
@@ -35,9 +37,11 @@ pub(crate) fn main() -> ExitCode {
         Command::Show(args) => (show::command(args), Some(&args.scene)),
         Command::Compare(args) => (compare::command(args), Some(&args.scene)),
         Command::Law(args) => (law::command(args), None),
+        Command::Cam(args) => (cam::command(args), Some(&args.scene)),
         Command::Map(args) => (map::command(args), Some(&args.scene)),
         Command::Methods(args) => (methods::command(args), Some(&args.scene)),
         Command::Kinematics(args) => (kinematics::command(args), Some(&args.scene)),
+        Command::Steady(args) => (steady::command(args), None),
         Command::Forces(args) => (forces::command(args), Some(&args.scene)),
     };
     match result {
@@ -45,6 +49,7 @@ pub(crate) fn main() -> ExitCode {
         Err(failure) => {
             let json = match &cli.command {
                 Command::Law(args) => args.json(),
+                Command::Steady(args) => args.json,
                 _ => scene.is_some_and(|args| args.json),
             };
             report(&failure, json);

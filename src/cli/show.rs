@@ -4,6 +4,7 @@ use super::args::{Form, ShowArgs, View};
 use super::console;
 use super::failure::{Failure, Status};
 use super::input::Input;
+use dam::analysis::exact::{Mixed, mixed};
 use dam::exact::{Parts, Refusal};
 use dam::model::{Coordinate, LinkageBody, Model};
 use dam::report::diagram::Diagram;
@@ -89,10 +90,23 @@ fn exact_in_words(system: &System) -> String {
         let (object, reason) = (&refusal.object, &refusal.reason);
         out.push_str(&format!("  does not apply: {object}: {reason}\n"));
     }
+    if let Some(mixed) = mixed(system) {
+        let ids = integrated(&mixed).join(", ");
+        out.push_str(&format!("  beside it, `auto` integrates {ids}\n"));
+    }
     if parts.trees.is_empty() && parts.refusals.is_empty() {
         out.push_str("  nothing is elastic: the motion follows from the drives\n");
     }
     out
+}
+
+/// The objects that a mixed run integrates: what is driven, and motors.
+fn integrated(mixed: &Mixed) -> Vec<String> {
+    let own = &mixed.rest.system;
+    let parts = own.model().objects.iter().enumerate();
+    let moves = |object: usize| own.last_coordinate(object).is_some();
+    let ids = parts.filter(|(object, part)| part.driver.is_some() || moves(*object));
+    ids.map(|(_, part)| part.id.clone()).collect()
 }
 
 fn exact_document(system: &System) -> serde_json::Value {
@@ -102,6 +116,7 @@ fn exact_document(system: &System) -> serde_json::Value {
     json!({
         "applies": parts.is_whole(),
         "objects": objects.map(|&object| &system.model().objects[object].id).collect::<Vec<_>>(),
+        "beside": mixed(system).map(|mixed| integrated(&mixed)).unwrap_or_default(),
         "refusals": parts.refusals.iter().map(refusal).collect::<Vec<_>>(),
     })
 }

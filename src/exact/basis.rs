@@ -13,12 +13,17 @@
 //! A part of the tree that floats has the rigid motion of double root 0; its
 //! centre moves as η̈ = xᵀf/xᵀJx and is kept in closed form apart from the lanes.
 
-use super::cluster;
+mod part;
+
 use super::lanes::{SIN_COS_LIMIT, V, WIDTH};
-use super::pencil::{C, Node, Pencil};
+use super::pencil::C;
 use super::problem::{PairState, TreeProblem};
+use part::parts;
 
 const ZERO: C = C::new(0.0, 0.0);
+
+/// A lane is followed over steps of up to this many radians of it.
+const FOLLOW: f64 = 3.2;
 
 /// A mode nearer than this share of Ω to iΩ is refused: its answer, which grows
 /// as t·e^{iΩt}, would come out as a difference of two terms of 1/|iΩ − λ| that
@@ -77,14 +82,23 @@ pub(crate) struct Basis {
     pub(crate) re: Vec<V>,
     pub(crate) im: Vec<V>,
     pub(crate) modulus: Vec<f64>,
-    /// |λ|⁴.
+    /// The same side by side.
+    pub(crate) moduli: Vec<V>,
+    /// Length over which the lane can be followed, and every one before it (s).
+    pub(crate) follow: Vec<f64>,
+    /// The same for the flights of floating parts (s).
+    pub(crate) follow_flights: f64,
+    /// |λ|⁴, |λ|⁵.
     pub(crate) fourth: Vec<V>,
+    pub(crate) fifth: Vec<V>,
     /// 1 where a vector holds a lane, 0 beyond the last.
     pub(crate) present: Vec<V>,
     /// Square of the lane's greatest motion of any mass for amplitude 1.
     pub(crate) extent: Vec<V>,
     /// Longest phase (s) for which sine and cosine are accurate.
     pub(crate) longest: f64,
+    /// Vectors that never fade: at least one, and all with a harmonic.
+    pub(crate) kept: usize,
     /// Lane of each harmonic.
     pub(crate) harmonic: Vec<usize>,
     /// Shapes by mass: re, im, then λ·shape re, im; index mass·blocks + block.
@@ -167,8 +181,18 @@ impl Basis {
             pack(&|l, i| l.row_v[i].re, n),
             pack(&|l, i| l.row_v[i].im, n),
         ];
-        let modulus = lanes.iter().map(|l| l.lambda.norm()).collect();
+        let modulus: Vec<f64> = lanes.iter().map(|l| l.lambda.norm()).collect();
+        let moduli = pack(&|l, _| l.lambda.norm(), 1);
+        let follow = modulus.iter().map(|m| FOLLOW / m).collect();
+        let harmonics = lanes.iter().filter(|l| l.kind != LaneKind::Mode);
+        let swing = harmonics.fold(0.0f64, |m, l| m.max(l.lambda.im));
+        let follow_flights = if rigid.is_empty() {
+            f64::INFINITY
+        } else {
+            FOLLOW / swing
+        };
         let fourth = pack(&|l, _| l.lambda.norm().powi(4), 1);
+        let fifth = pack(&|l, _| l.lambda.norm().powi(5), 1);
         let present = pack(&|_, _| 1.0, 1);
         let extent = pack(
             &|l, _| l.shape.iter().fold(0.0, |m, x| x.norm_sqr().max(m)),
@@ -185,13 +209,19 @@ impl Basis {
                 harmonic[j] = k;
             }
         }
+        let kept = harmonic.iter().fold(1, |m, k| m.max(k / WIDTH + 1));
         Self {
             masses: n,
             blocks,
+            kept,
             re,
             im,
             modulus,
+            moduli,
+            follow,
+            follow_flights,
             fourth,
+            fifth,
             present,
             extent,
             longest,
@@ -202,107 +232,6 @@ impl Basis {
             lanes,
             flank_force,
         }
-    }
-}
-
-/// A connected part: its pencil and which masses it holds.
-struct Part {
-    pencil: Pencil,
-    members: Vec<usize>,
-}
-
-/// Cuts the tree at open pairs.
-fn parts(problem: &TreeProblem, states: &[PairState]) -> Vec<Part> {
-    let mut parts: Vec<Part> = Vec::new();
-    let mut place: Vec<(usize, usize)> = Vec::new();
-    for (i, mass) in problem.masses.iter().enumerate() {
-        let engaged = mass.pair.flanks().1 == 0 || states[i].engaged();
-        let host = mass.parent.filter(|_| engaged).map(|p| place[p]);
-        let on = if engaged { 1.0 } else { 0.0 };
-        let node = Node {
-            inertia: mass.inertia,
-            parent: host.map(|(_, local)| local),
-            lever: mass.lever,
-            stiffness: mass.stiffness * on,
-            damping: mass.damping * on,
-            ground_stiffness: mass.ground_stiffness,
-            ground_damping: mass.ground_damping,
-        };
-        match host {
-            Some((part, _)) => {
-                place.push((part, parts[part].members.len()));
-                parts[part].members.push(i);
-                parts[part].pencil.nodes.push(node);
-            }
-            None => {
-                place.push((parts.len(), 0));
-                parts.push(Part {
-                    pencil: Pencil { nodes: vec![node] },
-                    members: vec![i],
-                });
-            }
-        }
-    }
-    parts
-}
-
-impl Part {
-    fn spread(&self, n: usize, local: impl Fn(usize) -> C) -> Vec<C> {
-        let mut out = vec![ZERO; n];
-        for (k, &i) in self.members.iter().enumerate() {
-            out[i] = local(k);
-        }
-        out
-    }
-
-    fn modes(&self, n: usize, lanes: &mut Vec<Lane>) -> Result<(), NoBasis> {
-        let pencil = &self.pencil;
-        if pencil.nodes.len() == 1 && pencil.floats() && !pencil.dragged() {
-            return Ok(());
-        }
-        let mut values = pencil
-            .eigenvalues()
-            .map_err(|_| NoBasis("the natural frequencies could not be separated".into()))?;
-        if pencil.floats() && pencil.dragged() {
-            values.insert(0, ZERO);
-        }
-        for lane in cluster::lanes(pencil, &values).map_err(NoBasis)? {
-            let spread = |local: &[C]| self.spread(n, |k| local[k]);
-            lanes.push(Lane {
-                row_q: spread(&lane.row_q),
-                row_v: spread(&lane.row_v),
-                row_f: spread(&lane.row_f),
-                shape: spread(&lane.shape),
-                ..lane
-            });
-        }
-        Ok(())
-    }
-
-    fn rigid(&self, n: usize) -> Option<Rigid> {
-        if !self.pencil.floats() || self.pencil.dragged() {
-            return None;
-        }
-        let local = self.pencil.rigid_shape();
-        let total: f64 = self
-            .pencil
-            .nodes
-            .iter()
-            .zip(&local)
-            .map(|(node, x)| node.inertia * x * x)
-            .sum();
-        let mut out = Rigid {
-            shape: vec![0.0; n],
-            row: vec![0.0; n],
-            row_f: vec![0.0; n],
-            push: Vec::new(),
-        };
-        for (k, &i) in self.members.iter().enumerate() {
-            out.shape[i] = local[k];
-            out.row[i] = local[k] * self.pencil.nodes[k].inertia / total;
-            out.row_f[i] = local[k] / total;
-        }
-        Some(out)
     }
 }
 

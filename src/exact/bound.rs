@@ -1,24 +1,28 @@
 //! How far a signal certainly stays positive, and where it certainly has one root.
 //!
 //! Over [0, h] every lane is either *followed*, with its derivatives of order
-//! 0 … 3 and |c||λ|⁴ in the remainder (Re λ ≤ 0: the value at the left end is a
+//! 0 … 4 and |c||λ|⁵ in the remainder (Re λ ≤ 0: the value at the left end is a
 //! bound on the whole interval), or *enveloped*: it takes |c| off the constant
 //! and nothing else. Any split is valid. Then
 //!
-//! g(s) ≥ a₀ + a₁s + a₂s²/2 + a₃s³/6 − R·s⁴/24 on [0, h],
+//! g(s) ≥ a₀ + a₁s + a₂s²/2 + a₃s³/6 + a₄s⁴/24 − R·s⁵/120 on [0, h],
 //!
-//! and this quartic is not negative if its five Bernstein coefficients are not.
+//! and this quintic is not negative if its six Bernstein coefficients are not.
 
 use super::basis::Basis;
+use super::functional::ORDERS;
 use super::lanes::{Arith, V, WIDTH};
 use super::signal::{Signal, Terms};
+
+/// g and its derivatives.
+pub(crate) type Jet = [f64; ORDERS];
 
 /// What is known of a signal from one evaluation.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Assessment {
-    /// g, ġ, g̈, g⃛ now.
-    pub(crate) jet: [f64; 4],
-    /// Bound on |fourth derivative| from now on.
+    /// g and its derivatives now.
+    pub(crate) jet: Jet,
+    /// Bound on |fifth derivative| from now on.
     pub(crate) remainder: f64,
     /// No root in [0, free].
     pub(crate) free: f64,
@@ -37,9 +41,6 @@ pub(crate) struct Bracket {
 /// Trial lengths tested at once, as shares of the greatest.
 const LADDER: [V; 2] = [V([1.0, 0.8, 0.62, 0.47]), V([0.35, 0.22, 0.1, 0.03])];
 
-/// A lane is followed over steps of up to this many radians of it.
-const FOLLOW: f64 = 2.8;
-
 /// Assesses `signal` from `terms`, up to `left` ahead.
 #[inline(always)]
 pub(crate) fn assess<A: Arith>(
@@ -50,58 +51,12 @@ pub(crate) fn assess<A: Arith>(
     s: f64,
     left: f64,
 ) -> Assessment {
-    let blocks = basis.blocks;
-    let lanes = basis.lanes.len().min(active * WIDTH);
-    let mut a = terms.slow;
-    let mut rest = 0.0;
-    for b in 0..active {
-        rest += terms.lane[4 * blocks + b].sum();
-    }
-    let mut r = signal.slow4();
-    let mut best = 0.0f64;
-    let mut reach = if r == 0.0 {
-        left
-    } else {
-        let swing = signal.swing();
-        if swing > 0.0 {
-            left.min(FOLLOW / swing)
-        } else {
-            left
-        }
-    };
-    for k in 0..lanes {
-        // All lanes before k followed, k and later enveloped.
-        if a[0] > rest && rest > 0.0 && reach > best {
-            let free = longest::<A>([a[0] - rest, a[1], a[2], a[3]], r, reach, left);
-            best = best.max(free);
-            if best >= left {
-                break;
-            }
-        }
-        let (b, i) = (k / WIDTH, k % WIDTH);
-        for (order, value) in a.iter_mut().enumerate() {
-            *value += terms.lane[order * blocks + b].0[i];
-        }
-        let size = terms.lane[4 * blocks + b].0[i];
-        rest -= size;
-        let square = basis.modulus[k] * basis.modulus[k];
-        r += size * square * square;
-        reach = reach.min(FOLLOW / basis.modulus[k]);
-    }
-    if best >= left {
-        return Assessment {
-            jet: a,
-            remainder: r,
-            free: best,
-            root: None,
-        };
-    }
+    let (mut a, r) = terms.jet(basis, active, signal.slow5());
     if s == 0.0 {
         a[..signal.zeros].fill(0.0);
     }
-    let clock = 2.0 * f64::EPSILON * s * a[1].abs();
     let lift = if signal.leaving {
-        2.0 * signal.noise + clock
+        2.0 * signal.noise + 2.0 * f64::EPSILON * s * a[1].abs()
     } else {
         0.0
     };
@@ -109,8 +64,18 @@ pub(crate) fn assess<A: Arith>(
     let free = match root {
         Some(bracket) => bracket.low,
         None => {
-            let lifted = [a[0] + lift, a[1], a[2], a[3]];
-            best.max(longest::<A>(lifted, r, reach, left))
+            let lanes = basis.lanes.len().min(active * WIDTH);
+            let reach = if lanes > 0 {
+                basis.follow_flights.min(basis.follow[lanes - 1])
+            } else {
+                basis.follow_flights
+            };
+            let free = longest::<A>([a[0] + lift, a[1], a[2], a[3], a[4]], r, reach, left);
+            if free < left && lanes > 0 {
+                enveloped::<A>(basis, lanes, signal, terms, left, free)
+            } else {
+                free
+            }
         }
     };
     Assessment {
@@ -121,10 +86,52 @@ pub(crate) fn assess<A: Arith>(
     }
 }
 
-/// The longest trial h ≤ `left`, found from `reach` downwards or upwards, on
-/// which the quartic is proven not negative.
+/// The longest of `best` and what is free of roots with the fastest lanes
+/// enveloped, however many of them.
 #[inline(always)]
-fn longest<A: Arith>(a: [f64; 4], r: f64, reach: f64, left: f64) -> f64 {
+fn enveloped<A: Arith>(
+    basis: &Basis,
+    lanes: usize,
+    signal: &Signal,
+    terms: &Terms,
+    left: f64,
+    mut best: f64,
+) -> f64 {
+    let blocks = basis.blocks;
+    let lane = |order: usize, k: usize| terms.lane[order * blocks + k / WIDTH].0[k % WIDTH];
+    let (mut value, mut rest) = (terms.slow[0], 0.0);
+    for k in 0..lanes {
+        rest += lane(ORDERS, k);
+    }
+    let mut reach = basis.follow_flights;
+    for k in 0..lanes {
+        // All lanes before k followed, k and later enveloped.
+        if value > rest && reach > best {
+            let mut a = terms.slow;
+            let mut r = signal.slow5();
+            for i in 0..k {
+                for (order, value) in a.iter_mut().enumerate() {
+                    *value += lane(order, i);
+                }
+                r += lane(ORDERS, i) * basis.fifth[i / WIDTH].0[i % WIDTH];
+            }
+            a[0] -= rest;
+            best = best.max(longest::<A>(a, r, reach, left));
+            if best >= left {
+                break;
+            }
+        }
+        value += lane(0, k);
+        rest -= lane(ORDERS, k);
+        reach = reach.min(basis.follow[k]);
+    }
+    best
+}
+
+/// The longest trial h ≤ `left`, found from `reach` downwards or upwards, on
+/// which the quintic is proven not negative.
+#[inline(always)]
+fn longest<A: Arith>(a: Jet, r: f64, reach: f64, left: f64) -> f64 {
     let mut top = reach.min(left);
     let free = trial::<A>(a, r, top);
     if free == top {
@@ -151,100 +158,132 @@ fn longest<A: Arith>(a: [f64; 4], r: f64, reach: f64, left: f64) -> f64 {
     0.0
 }
 
-/// Greatest of eight shares of `top` on which the quartic is proven not
+/// Greatest of eight shares of `top` on which the quintic is proven not
 /// negative; 0 when none is.
 #[inline(always)]
-fn trial<A: Arith>(a: [f64; 4], r: f64, top: f64) -> f64 {
-    let mut best = 0.0f64;
+fn trial<A: Arith>(a: Jet, r: f64, top: f64) -> f64 {
+    let mut best = V::ZERO;
     for shares in LADDER {
         let h = shares * V::splat(top);
         let least = least_coefficient::<A>(a, r, h);
-        for i in 0..WIDTH {
-            let h = if least.0[i] >= 0.0 { h.0[i] } else { 0.0 };
-            best = if h > best { h } else { best };
-        }
+        let proven = h.zip(least, |h, least| if least >= 0.0 { h } else { 0.0 });
+        best = best.max(proven);
     }
-    best
+    best.greatest()
 }
 
-/// Least Bernstein coefficient on [0, h] of the quartic.
+/// Least Bernstein coefficient on [0, h] of the quintic.
 #[inline(always)]
-fn least_coefficient<A: Arith>(a: [f64; 4], r: f64, h: V) -> V {
+fn least_coefficient<A: Arith>(a: Jet, r: f64, h: V) -> V {
     let f = V::splat;
-    let (p0, p1) = (f(a[0]), h * f(a[1]));
     let h2 = h * h;
-    let (p2, p3) = (h2 * f(a[2] * 0.5), h2 * h * f(a[3] / 6.0));
-    let b1 = p1.fma::<A>(f(0.25), p0);
-    let b2 = p2.fma::<A>(f(1.0 / 6.0), p1.fma::<A>(f(0.5), p0));
-    let b3 = p2.fma::<A>(f(0.5), p1.fma::<A>(f(0.75), p0)) + p3 * f(0.25);
-    let b4 = (p0 + p1) + (p2 + p3) - h2 * h2 * f(r / 24.0);
-    p0.min(b1).min(b2.min(b3)).min(b4)
+    let (p0, p1, p2) = (f(a[0]), h * f(a[1]), h2 * f(a[2] * 0.5));
+    let (p3, p4) = (
+        h2 * h * f(a[3] * (1.0 / 6.0)),
+        h2 * h2 * f(a[4] * (1.0 / 24.0)),
+    );
+    let p5 = (h2 * h2) * (h * f(r * (1.0 / 120.0)));
+    let b1 = p1.fma::<A>(f(0.2), p0);
+    let b2 = p2.fma::<A>(f(0.1), p1.fma::<A>(f(0.4), p0));
+    let b3 = p2.fma::<A>(f(0.3), p1.fma::<A>(f(0.6), p0)) + p3 * f(0.1);
+    let b4 = p2.fma::<A>(f(0.6), p1.fma::<A>(f(0.8), p0)) + p3.fma::<A>(f(0.4), p4 * f(0.2));
+    let b5 = (p0 + p1) + (p2 + p3) + (p4 - p5);
+    p0.min(b1).min(b2.min(b3)).min(b4.min(b5))
 }
 
 #[inline(always)]
-fn passes(a: [f64; 4], r: f64, h: f64) -> bool {
-    let (p1, h2) = (a[1] * h, h * h);
-    let (p2, p3) = (a[2] * h2 * 0.5, a[3] * h2 * h / 6.0);
-    a[0] >= 0.0
-        && a[0] + 0.25 * p1 >= 0.0
-        && a[0] + 0.5 * p1 + p2 / 6.0 >= 0.0
-        && a[0] + 0.75 * p1 + 0.5 * p2 + 0.25 * p3 >= 0.0
-        && a[0] + p1 + p2 + p3 - r * h2 * h2 / 24.0 >= 0.0
+fn passes(a: Jet, r: f64, h: f64) -> bool {
+    let h2 = h * h;
+    let (p1, p2) = (a[1] * h, a[2] * h2 * 0.5);
+    let (p3, p4) = (a[3] * h2 * h * (1.0 / 6.0), a[4] * h2 * h2 * (1.0 / 24.0));
+    let p5 = r * (h2 * h2) * h * (1.0 / 120.0);
+    // All at once: which of them fails first cannot be foreseen.
+    (a[0] >= 0.0)
+        & (a[0] + 0.2 * p1 >= 0.0)
+        & (a[0] + 0.4 * p1 + 0.1 * p2 >= 0.0)
+        & (a[0] + 0.6 * p1 + (0.3 * p2 + 0.1 * p3) >= 0.0)
+        & ((a[0] + 0.8 * p1) + (0.6 * p2 + 0.4 * p3) + 0.2 * p4 >= 0.0)
+        & ((a[0] + p1) + (p2 + p3) + (p4 - p5) >= 0.0)
 }
 
-/// The first positive root of the cubic, roughly.
+/// The first positive root of the parabola; not a number, or not positive,
+/// where there is none.
 #[inline(always)]
-fn predict<A: Arith>(a: [f64; 4]) -> f64 {
-    let square = A::fma(a[1], a[1], -2.0 * a[0] * a[2]);
-    // NaN where the parabola stays positive: no prediction.
-    let root = square.sqrt();
-    let mut u = if a[1] < 0.0 {
+fn foresee<A: Arith>(a: Jet) -> f64 {
+    let root = A::fma(a[1], a[1], -2.0 * a[0] * a[2]).sqrt();
+    if a[1] < 0.0 {
         2.0 * a[0] / (root - a[1])
     } else {
         -(a[1] + root) / a[2]
-    };
-    for _ in 0..2 {
-        let value = A::fma(u, A::fma(u, A::fma(u, a[3] / 6.0, a[2] * 0.5), a[1]), a[0]);
-        let slope = A::fma(u, A::fma(u, a[3] * 0.5, a[2]), a[1]);
-        u -= value / slope;
     }
-    u
+}
+
+/// A root u of the parabola brought near to that of the quartic, by Halley's rule.
+#[inline(always)]
+fn predict<A: Arith>(a: Jet, u: f64) -> f64 {
+    let (c2, c3, c4) = (a[2] * 0.5, a[3] * (1.0 / 6.0), a[4] * (1.0 / 24.0));
+    let square = u * u;
+    let (low, high) = (A::fma(u, a[1], a[0]), A::fma(u, c3, c2));
+    let value = A::fma(square, A::fma(square, c4, high), low);
+    let (low, high) = (
+        A::fma(u, a[2], a[1]),
+        A::fma(u, a[4] * (1.0 / 6.0), a[3] * 0.5),
+    );
+    let slope = A::fma(square, high, low);
+    let bend = A::fma(square, a[4] * 0.5, A::fma(u, a[3], a[2]));
+    u - value * slope / A::fma(slope, slope, -0.5 * value * bend)
 }
 
 /// Proves, where it can, that g has exactly one root in (0.9u, 1.1u) around
-/// the predicted u and none before: the quartic is positive up to 0.9u, ġ is
+/// the predicted u and none before: the quintic is positive up to 0.9u, ġ is
 /// negative between, and g(1.1u) is negative.
 #[inline(always)]
-fn certify<A: Arith>(a: [f64; 4], r: f64, lift: f64, left: f64) -> Option<Bracket> {
-    let u = predict::<A>(a);
+fn certify<A: Arith>(a: Jet, r: f64, lift: f64, left: f64) -> Option<Bracket> {
+    let u = foresee::<A>(a);
+    // The root of the quartic is seldom so much nearer.
+    if !(u > 0.0 && 0.5 * u < left) {
+        return None;
+    }
+    let u = predict::<A>(a, u);
     let (low, high) = (0.9 * u, 1.1 * u);
     if !(u > 0.0 && low < left) {
         return None;
     }
-    let fast = r * high * high * high / 6.0;
-    let slope = |s: f64| a[1] + s * (a[2] + s * (a[3] * 0.5));
-    let bend = a[2] + low * a[3];
-    let (first, last) = (slope(low), slope(high));
-    let middle = first + bend * (high - low) * 0.5;
-    let steepest = first.max(last).max(middle) + fast;
-    let end = a[0] + high * (a[1] + high * (a[2] * 0.5 + high * (a[3] / 6.0))) + fast * high * 0.25;
-    (steepest < 0.0 && end < 0.0 && passes([a[0] + lift, a[1], a[2], a[3]], r, low)).then_some(
-        Bracket {
-            low,
-            guess: u,
-            high,
-        },
-    )
+    // ġ over [low, high] in Bernstein form, and what it may be off there.
+    let off = r * (high * high) * (high * high) * (1.0 / 24.0);
+    let w = high - low;
+    let d0 = a[1] + low * (a[2] + low * (a[3] * 0.5 + low * (a[4] * (1.0 / 6.0))));
+    let d1 = w * (a[2] + low * (a[3] + low * (a[4] * 0.5)));
+    let d2 = w * w * 0.5 * (a[3] + low * a[4]);
+    let d3 = w * w * w * (1.0 / 6.0) * a[4];
+    let (c1, c2) = (d0 + d1 * (1.0 / 3.0), d0 + (2.0 * d1 + d2) * (1.0 / 3.0));
+    let steepest = d0.max(c1).max(c2.max(d0 + d1 + d2 + d3)) + off;
+    let (c2, c3, c4) = (a[2] * 0.5, a[3] * (1.0 / 6.0), a[4] * (1.0 / 24.0));
+    let end = a[0] + high * (a[1] + high * (c2 + high * (c3 + high * c4))) + off * high * 0.2;
+    let free = passes([a[0] + lift, a[1], a[2], a[3], a[4]], r, low);
+    ((steepest < 0.0) & (end < 0.0) & free).then_some(Bracket {
+        low,
+        guess: u,
+        high,
+    })
 }
 
-/// Correction to the root from a point close to it: the reversed cubic series
-/// u = x(1 − x(α − x(2α² − β))), x = −g/ġ, α = g̈/2ġ, β = g⃛/6ġ.
+/// Correction to the root from a point close to it: the reversed series
+/// u = x(1 − x(α − x(2α² − β − x(5α³ − 5αβ + γ)))), x = −g/ġ, α = g̈/2ġ,
+/// β = g⃛/6ġ, γ = g⁗/24ġ; and a bound on what it leaves out relative to x,
+/// r being one on |fifth derivative|.
 #[inline(always)]
-pub(crate) fn reversed(a: [f64; 4]) -> f64 {
+pub(crate) fn reversed(a: Jet, r: f64) -> (f64, f64) {
     let inverse = 1.0 / a[1];
     let x = -a[0] * inverse;
-    let (alpha, beta) = (a[2] * 0.5 * inverse, a[3] / 6.0 * inverse);
-    x * (1.0 - x * (alpha - x * (2.0 * alpha * alpha - beta)))
+    let (alpha, beta) = (a[2] * 0.5 * inverse, a[3] * (1.0 / 6.0) * inverse);
+    let gamma = a[4] * (1.0 / 24.0) * inverse;
+    let (square, bend) = (alpha * alpha, alpha * x);
+    let last = alpha * (5.0 * square - 5.0 * beta) + gamma;
+    let u = x * (1.0 - x * (alpha - x * ((2.0 * square - beta) - x * last)));
+    let fourth = (x * x) * (x * x);
+    let lost = (r * fourth * inverse * (1.0 / 120.0)).abs() + 14.0 * (bend * bend) * (bend * bend);
+    (u, lost)
 }
 
 #[cfg(test)]
@@ -252,9 +291,10 @@ mod tests {
     use super::super::lanes::Plain;
     use super::*;
 
-    /// g(s) with fourth derivative bounded by r, worst case below the cubic.
-    fn lowest(a: [f64; 4], r: f64, s: f64) -> f64 {
-        a[0] + s * (a[1] + s * (a[2] / 2.0 + s * (a[3] / 6.0 - s * r / 24.0)))
+    /// g(s) with fifth derivative bounded by r, worst case below the quartic.
+    fn lowest(a: Jet, r: f64, s: f64) -> f64 {
+        let last = a[4] / 24.0 - s * r / 120.0;
+        a[0] + s * (a[1] + s * (a[2] / 2.0 + s * (a[3] / 6.0 + s * last)))
     }
 
     #[test]
@@ -265,8 +305,8 @@ mod tests {
                 let x = (i as u64 * 7 + k).wrapping_mul(0x9e37_79b9_7f4a_7c15);
                 (x >> 11) as f64 / (1u64 << 53) as f64 * 2.0 - 1.0
             };
-            let a = [u(0).abs(), u(1) * 3.0, u(2) * 9.0, u(3) * 27.0];
-            let r = u(4).abs() * 81.0;
+            let a = [u(0).abs(), u(1) * 3.0, u(2) * 9.0, u(3) * 27.0, u(4) * 81.0];
+            let r = u(5).abs() * 243.0;
             let h = longest::<Plain>(a, r, 1.0, 5.0);
             for k in 0..=50 {
                 assert!(lowest(a, r, h * k as f64 / 50.0) >= -1e-12, "{a:?} {r} {h}");
@@ -283,13 +323,16 @@ mod tests {
     }
 
     #[test]
-    fn reversed_series_converges_to_fourth_order() {
-        // g = e^{-s} − e^{-0.01}: all derivatives ∓e^{-s}.
+    fn reversed_series_converges_to_fifth_order() {
+        // g = e^{-s} − e^{-d}: all derivatives ∓e^{-s}.
         let error = |d: f64| {
-            let a = [1.0 - (-d).exp(), -1.0, 1.0, -1.0];
-            (reversed(a) - d).abs()
+            let a = [1.0 - (-d).exp(), -1.0, 1.0, -1.0, 1.0];
+            let (u, lost) = reversed(a, 1.0);
+            let error = (u - d).abs();
+            assert!(error <= lost * d + 1e-17, "{error:e} {lost:e}");
+            error
         };
-        assert!(error(0.02) / error(0.01) > 14.0);
-        assert!(error(1e-4) < 1e-16);
+        assert!(error(0.02) / error(0.01) > 28.0);
+        assert!(error(1e-3) < 1e-15);
     }
 }

@@ -230,7 +230,7 @@ fn forward_fused(work: &mut Workspace<'_>, end: f64) -> Result<Passed, Refusal> 
 fn flight_derivatives(a: C, drive: C, s: f64, orders: usize) -> [f64; MOST_ORDERS] {
     let x = drive.im * s;
     let (sin, cos) = x.sin_cos();
-    let (less_one, less_x) = super::lanes::reduced::<Plain>(x, sin, cos);
+    let (less_one, less_x) = super::lanes::reduced_one::<Plain>(x, sin, cos);
     let mut out = [0.0; MOST_ORDERS];
     let mut factor = a;
     for (order, out) in out[..orders].iter_mut().enumerate() {

@@ -1,7 +1,6 @@
 //! Modes that have died away leave the search until a switch excites them again.
 //!
-//! Lanes stand in ascending |λ|, harmonics of the law (which never fade) in
-//! front of the fast modes. The last vector of lanes is left out once none of
+//! Lanes stand in ascending |λ|; a vector with a harmonic of the law stays. The last vector of lanes is left out once none of
 //! its lanes adds as much as 10⁻²² of the greatest lane that stays, neither to
 //! displacements nor to accelerations: six digits below rounding, so that it
 //! is nothing in any functional either. It stays out to the end of the phase:
@@ -19,11 +18,11 @@ impl Phase {
     /// entries for them become zero.
     #[inline(always)]
     pub(super) fn fade(&mut self, basis: &Basis, e: &mut Exponentials) {
-        while self.active > 1 {
+        while self.active > basis.kept {
             let last = self.active - 1;
             // A look at the decay alone tells most often that it is too early.
             let alive = e.size[last].zip(basis.present[last], |size, one| size * one);
-            if greatest(alive) > 1e-9 || !self.faded(basis, e, last) {
+            if alive.greatest() > 1e-9 || !self.faded(basis, e, last) {
                 return;
             }
             e.re[last] = V::ZERO;
@@ -42,11 +41,12 @@ impl Phase {
         };
         let (mut place, mut force) = (0.0f64, 0.0f64);
         for b in 0..last {
-            place = place.max(greatest(square(b)));
-            force = force.max(greatest(square(b) * basis.fourth[b]));
+            place = place.max(square(b).greatest());
+            force = force.max((square(b) * basis.fourth[b]).greatest());
         }
         let own = square(last);
-        greatest(own) <= NOTHING * place && greatest(own * basis.fourth[last]) <= NOTHING * force
+        own.greatest() <= NOTHING * place
+            && (own * basis.fourth[last]).greatest() <= NOTHING * force
     }
 
     /// Takes all lanes in again.
@@ -54,9 +54,4 @@ impl Phase {
     pub(super) fn revive(&mut self, basis: &Basis) {
         self.active = basis.blocks;
     }
-}
-
-#[inline(always)]
-fn greatest(v: V) -> f64 {
-    v.0.into_iter().fold(0.0, f64::max)
 }

@@ -1,9 +1,9 @@
 //! Linear functionals of the motion: clearances, forces, deviations, accelerations.
 
 use super::basis::{Basis, Lane, LaneKind, Rigid};
-use super::lanes::{V, WIDTH};
+use super::lanes::{Arith, V, WIDTH};
 use super::pencil::C;
-use super::phase::{POLY, Phase};
+use super::phase::{Exponentials, POLY, Phase};
 
 /// g = Σ (a·q_i + b·q̇_i + c·q̈_i) + l·(L, L̇, L̈) + constant.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -62,7 +62,7 @@ impl Functional {
     }
 
     /// The polynomial part of g over a phase, `phase.degree` + 1 coefficients
-    /// (and as many as the law needs); returns its degree.
+    /// (as many as the law needs, and three at least); returns its degree.
     #[inline(always)]
     pub(crate) fn polynomial(&self, phase: &Phase, out: &mut [f64; POLY]) -> usize {
         let law = self.law != [0.0; 3];
@@ -71,7 +71,22 @@ impl Functional {
         } else {
             phase.degree
         };
-        out[..=degree].fill(0.0);
+        out[..=degree.max(2)].fill(0.0);
+        if degree <= 2 {
+            for &(i, abc) in &self.terms {
+                let at = i * POLY;
+                // What lies above `phase.degree` is zero up to the second power.
+                accumulate_short(out, &phase.poly[at..at + 3], abc);
+            }
+            if law {
+                let mut own = [0.0; 3];
+                let count = phase.forcing.degree + 1;
+                own[..count].copy_from_slice(&phase.forcing.law[..count]);
+                accumulate_short(out, &own, self.law);
+            }
+            out[0] += self.constant;
+            return degree;
+        }
         for &(i, abc) in &self.terms {
             accumulate(out, &phase.poly[i * POLY..i * POLY + phase.degree + 1], abc);
         }
@@ -90,6 +105,15 @@ impl Functional {
     }
 }
 
+/// out += a·p + b·p′ + c·p″ for a polynomial of degree 2.
+#[inline(always)]
+fn accumulate_short(out: &mut [f64; POLY], p: &[f64], [a, b, c]: [f64; 3]) {
+    let [p0, p1, p2] = [p[0], p[1], p[2]];
+    out[0] += a * p0 + b * p1 + 2.0 * c * p2;
+    out[1] += a * p1 + 2.0 * b * p2;
+    out[2] += a * p2;
+}
+
 /// out += a·p + b·p′ + c·p″.
 #[inline(always)]
 fn accumulate(out: &mut [f64; POLY], p: &[f64], [a, b, c]: [f64; 3]) {
@@ -104,7 +128,10 @@ fn accumulate(out: &mut [f64; POLY], p: &[f64], [a, b, c]: [f64; 3]) {
     }
 }
 
-/// A functional in a basis: weight of each lane in g, ġ, g̈, g⃛.
+/// Number of derivatives of a watched function that are followed, itself included.
+pub(crate) const ORDERS: usize = 5;
+
+/// A functional in a basis: weight of each lane in g and its derivatives.
 #[derive(Clone, Debug)]
 pub(crate) struct Weights {
     /// `[order][re/im][block]`.
@@ -113,13 +140,48 @@ pub(crate) struct Weights {
     pub(crate) rigid: Vec<[f64; 3]>,
 }
 
+/// A functional of displacements at one instant of a phase, and what of it
+/// cannot be told from zero.
+#[inline(always)]
+pub(crate) fn value<A: Arith>(
+    functional: &Functional,
+    weights: &Weights,
+    phase: &Phase,
+    e: &Exponentials,
+) -> (f64, f64) {
+    let blocks = weights.w.len() / (2 * ORDERS);
+    let (mut sum, mut size) = (V::ZERO, V::ZERO);
+    for b in 0..phase.active {
+        let (zr, zi) = (phase.re[b], phase.im[b]);
+        let re = zr.fma::<A>(e.re[b], -(zi * e.im[b]));
+        let im = zr.fma::<A>(e.im[b], zi * e.re[b]);
+        let (own, other) = (weights.w[b] * re, weights.w[blocks + b] * im);
+        sum = sum + (own - other);
+        size = size + own.map(f64::abs) + other.map(f64::abs);
+    }
+    let (mut value, mut scale) = (sum.sum() + functional.constant, functional.constant.abs());
+    for &(i, [a, ..]) in &functional.terms {
+        let (place, _) = phase.polynomial::<A>(i, e.s);
+        value += a * place;
+        scale += (a * phase.poly[i * POLY]).abs();
+    }
+    for flight in &phase.flights {
+        let [x, y, _] = weights.rigid[flight.rigid];
+        let drive = C::new(0.0, flight.omega);
+        let swing = &e.swings[flight.harmonic];
+        let (a, b) = (flight.amplitude * x, flight.amplitude * drive * y);
+        value += (a.re + b.re) * swing.less_one - a.im * swing.less_x - b.im * swing.sin;
+    }
+    (value, 4.0 * f64::EPSILON * (scale + size.sum()))
+}
+
 impl Weights {
     pub(crate) fn new(basis: &Basis, functional: &Functional) -> Self {
         let blocks = basis.blocks;
-        let mut w = vec![V::ZERO; 8 * blocks];
+        let mut w = vec![V::ZERO; 2 * ORDERS * blocks];
         for (k, lane) in basis.lanes.iter().enumerate() {
             let mut weight = functional.weight(&basis.rigid, lane);
-            for order in 0..4 {
+            for order in 0..ORDERS {
                 w[2 * order * blocks + k / WIDTH].0[k % WIDTH] = weight.re;
                 w[(2 * order + 1) * blocks + k / WIDTH].0[k % WIDTH] = weight.im;
                 weight *= lane.lambda;

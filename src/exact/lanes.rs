@@ -13,6 +13,19 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 pub(crate) trait Arith: Copy {
     /// a·b + c.
     fn fma(a: f64, b: f64, c: f64) -> f64;
+
+    /// Does a task out of line, compiled for the same processor as the caller:
+    /// what is rarely needed, or needed in several places, does not swell the
+    /// loops that are always run.
+    fn apart<T: Task>(task: T) -> T::Output;
+}
+
+/// Something to be done in the arithmetic of the caller.
+pub(crate) trait Task {
+    type Output;
+
+    /// Does it; to be marked `inline(always)`.
+    fn run<A: Arith>(self) -> Self::Output;
 }
 
 /// Two roundings; for every processor.
@@ -28,12 +41,39 @@ impl Arith for Plain {
     fn fma(a: f64, b: f64, c: f64) -> f64 {
         a * b + c
     }
+
+    #[inline(never)]
+    fn apart<T: Task>(task: T) -> T::Output {
+        task.run::<Self>()
+    }
 }
 
 impl Arith for Fused {
     #[inline(always)]
     fn fma(a: f64, b: f64, c: f64) -> f64 {
         a.mul_add(b, c)
+    }
+
+    #[cfg(target_arch = "x86_64")]
+    #[inline(always)]
+    fn apart<T: Task>(task: T) -> T::Output {
+        #[target_feature(enable = "avx2,fma")]
+        #[inline(never)]
+        fn fused<T: Task>(task: T) -> T::Output {
+            task.run::<Fused>()
+        }
+        // SAFETY: only functions that the processor has the features for run
+        // in this arithmetic.
+        #[allow(unsafe_code)]
+        unsafe {
+            fused(task)
+        }
+    }
+
+    #[cfg(not(target_arch = "x86_64"))]
+    #[inline(never)]
+    fn apart<T: Task>(task: T) -> T::Output {
+        task.run::<Self>()
     }
 }
 
@@ -42,7 +82,7 @@ pub(crate) const WIDTH: usize = 4;
 
 /// Four numbers side by side.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[repr(C, align(32))]
+#[repr(C, align(16))]
 pub(crate) struct V(pub(crate) [f64; WIDTH]);
 
 impl V {
@@ -83,6 +123,14 @@ impl V {
     #[inline(always)]
     pub(crate) fn sum(self) -> f64 {
         (self.0[0] + self.0[2]) + (self.0[1] + self.0[3])
+    }
+
+    /// Greatest of the four.
+    #[inline(always)]
+    pub(crate) fn greatest(self) -> f64 {
+        let larger = |a: f64, b: f64| if a > b { a } else { b };
+        let [a, b, c, d] = self.0;
+        larger(larger(a, c), larger(b, d))
     }
 
     #[inline(always)]
@@ -226,24 +274,40 @@ pub(crate) fn sin_cos<A: Arith>(x: V) -> (V, V) {
     out
 }
 
+/// [`sin_cos`] of one number.
+#[inline(always)]
+pub(crate) fn sin_cos_one<A: Arith>(x: f64) -> (f64, f64) {
+    let (s, c) = sin_cos::<A>(V::splat(x));
+    (s.0[0], c.0[0])
+}
+
 /// cos x − 1 and sin x − x without cancellation, given sin x and cos x.
 ///
 /// Free flight under a sine needs them against numbers 10⁴ times smaller than
-/// the sine's amplitude. sin x − x is a series below 1.8 (ten terms: error
+/// the sine's amplitude. sin x − x is a series below 1.8 (eleven terms: error
 /// 10⁻¹⁸), a difference above.
 #[inline(always)]
-pub(crate) fn reduced<A: Arith>(x: f64, sin: f64, cos: f64) -> (f64, f64) {
-    let cos_less = if cos > 0.0 {
-        -sin * sin / (1.0 + cos)
-    } else {
-        cos - 1.0
-    };
-    let sin_less = if x.abs() < 1.8 {
-        sin_minus::<A>(x)
-    } else {
-        sin - x
-    };
+pub(crate) fn reduced<A: Arith>(x: V, sin: V, cos: V) -> (V, V) {
+    let square = -(sin * sin) / (V::splat(1.0) + cos.map(f64::abs));
+    let (series, plain) = (sin_minus::<A>(x), sin - x);
+    let (mut cos_less, mut sin_less) = (cos - V::splat(1.0), plain);
+    for i in 0..WIDTH {
+        if cos.0[i] > 0.0 {
+            cos_less.0[i] = square.0[i];
+        }
+        if x.0[i].abs() < 1.8 {
+            sin_less.0[i] = series.0[i];
+        }
+    }
     (cos_less, sin_less)
+}
+
+/// [`reduced`] of one number.
+#[inline(always)]
+pub(crate) fn reduced_one<A: Arith>(x: f64, sin: f64, cos: f64) -> (f64, f64) {
+    let f = V::splat;
+    let (c, l) = reduced::<A>(f(x), f(sin), f(cos));
+    (c.0[0], l.0[0])
 }
 
 /// Coefficients of (x − sin x)/x³ in powers of x².
@@ -261,14 +325,18 @@ const SIN_MINUS: [f64; 11] = [
     3.868170170630684e-23,
 ];
 
+/// sin x − x by its series, in Estrin's order.
 #[inline(always)]
-fn sin_minus<A: Arith>(x: f64) -> f64 {
+fn sin_minus<A: Arith>(x: V) -> V {
     let z = x * x;
-    let mut sum = SIN_MINUS[10];
-    for k in (0..10).rev() {
-        sum = A::fma(sum, z, SIN_MINUS[k]);
-    }
-    -x * z * sum
+    let (z2, cube) = (z * z, -(x * z));
+    let z4 = z2 * z2;
+    let pair = |i: usize| z.fma::<A>(V::splat(SIN_MINUS[i + 1]), V::splat(SIN_MINUS[i]));
+    let low = pair(2).fma::<A>(z2, pair(0));
+    let middle = pair(6).fma::<A>(z2, pair(4));
+    let high = z2.fma::<A>(V::splat(SIN_MINUS[10]), pair(8));
+    let sum = high.fma::<A>(z4, middle).fma::<A>(z4, low);
+    cube * sum
 }
 
 #[cfg(test)]
@@ -305,7 +373,7 @@ mod tests {
     #[test]
     fn reduced_functions_keep_their_digits_near_zero() {
         for x in [1e-9, 1e-4, 0.1, 1.0, 1.7] {
-            let (c, s) = reduced::<Plain>(x, x.sin(), x.cos());
+            let (c, s) = reduced_one::<Plain>(x, x.sin(), x.cos());
             let series = |first: f64, mut n: f64| {
                 let (mut term, mut sum) = (first, first);
                 for _ in 0..20 {
@@ -318,7 +386,7 @@ mod tests {
             approx::assert_relative_eq!(c, series(-x * x / 2.0, 2.0), max_relative = 4e-16);
             approx::assert_relative_eq!(s, series(-x * x * x / 6.0, 3.0), max_relative = 4e-16);
         }
-        let (c, s) = reduced::<Plain>(2.5, 2.5f64.sin(), 2.5f64.cos());
+        let (c, s) = reduced_one::<Plain>(2.5, 2.5f64.sin(), 2.5f64.cos());
         assert_eq!((c, s), (2.5f64.cos() - 1.0, 2.5f64.sin() - 2.5));
     }
 }

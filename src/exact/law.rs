@@ -4,6 +4,7 @@
 //! polynomial; at the joint of two spans the propagation is restarted (a
 //! planned break, no search needed for it).
 
+use super::lanes::{Arith, Plain, SIN_COS_LIMIT, sin_cos_one};
 use nalgebra::Complex;
 use std::fmt;
 use std::sync::Arc;
@@ -88,7 +89,7 @@ impl Law {
     /// L and L̇ at an instant.
     pub fn at(&self, time: f64) -> (f64, f64) {
         let mut forcing = self.forcing();
-        self.start(time, 0.0, &mut None, &mut forcing);
+        self.start::<Plain>(time, 0.0, &mut None, &mut forcing);
         let (mut value, mut speed) = (forcing.law[0], forcing.law[1]);
         for (z, omega) in forcing.harmonics.iter().zip(self.frequencies()) {
             value += z.re;
@@ -109,7 +110,8 @@ impl Law {
 
     /// Fills in the forcing of a phase that starts at `time` + `low`
     /// (a double-double) inside `span`, the span last asked for.
-    pub(crate) fn start(
+    #[inline(always)]
+    pub(crate) fn start<A: Arith>(
         &self,
         time: f64,
         low: f64,
@@ -120,7 +122,12 @@ impl Law {
             Self::Harmonic { mean, slope, sines } => {
                 for (z, sine) in out.harmonics.iter_mut().zip(sines) {
                     let theta = turn(sine.frequency, time) + sine.frequency * low + sine.phase;
-                    let (sin, cos) = theta.sin_cos();
+                    let near = theta.abs() < SIN_COS_LIMIT;
+                    let (sin, cos) = if near {
+                        sin_cos_one::<A>(theta)
+                    } else {
+                        theta.sin_cos()
+                    };
                     // A sin θ = Re(−iA e^{iθ}).
                     *z = Complex::new(sine.amplitude * sin, -sine.amplitude * cos);
                 }
@@ -140,17 +147,22 @@ impl Law {
     }
 }
 
+/// Adding and taking away 3·2⁵¹ rounds to the nearest integer.
+const ROUND: f64 = 6_755_399_441_055_744.0;
+
 /// frequency·time modulo 2π: the product is split so that its own rounding
 /// does not count, then reduced.
+#[inline(always)]
 fn turn(frequency: f64, time: f64) -> f64 {
     let (product, error) = product(frequency, time);
     const TWO_PI_LOW: f64 = 2.449_293_598_294_706_4e-16;
-    let turns = (product / std::f64::consts::TAU).round();
+    let turns = (product * (1.0 / std::f64::consts::TAU) + ROUND) - ROUND;
     let (whole, lost) = super::law::product(turns, std::f64::consts::TAU);
     (product - whole) - lost - turns * TWO_PI_LOW + error
 }
 
 /// a·b as a sum of two numbers (Dekker), without a fused multiply-add.
+#[inline(always)]
 pub(crate) fn product(a: f64, b: f64) -> (f64, f64) {
     let split = |x: f64| {
         let big = 134_217_729.0 * x;
@@ -163,6 +175,7 @@ pub(crate) fn product(a: f64, b: f64) -> (f64, f64) {
 }
 
 /// The span's law as a polynomial in the time from `tau` on.
+#[inline(never)]
 fn recentre(span: &PolynomialSpan, tau: f64, out: &mut Forcing) {
     let mut law = [0.0; LAW_DEGREE + 3];
     law[0] = span.value;

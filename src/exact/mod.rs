@@ -31,6 +31,10 @@
 //! there. Extremes in [`TreeFigures`] are found with bounds of Hermite's cubic
 //! between the ends of the steps.
 //!
+//! With [`Request::audit`] the energy balance is closed ([`TreeAudit`]): work of
+//! the law and of the loads, dissipation and change of energy are integrals of
+//! products of modes, harmonics and polynomials, in closed form over each phase.
+//!
 //! # Limits
 //!
 //! - Modes that coincide or nearly do (critical damping, equal branches) are
@@ -39,7 +43,6 @@
 //!   independent eigenvectors are refused, and so is an undamped mode driven
 //!   within 10⁻⁸ of its own frequency; near it, digits are lost as the distance
 //!   from resonance. See [`Refusal`].
-//! - Modes that have died away leave the search, but for runs with figures.
 //! - At most 256 combinations of engaged pairs are kept; at one more all are
 //!   forgotten and made again when met.
 //! - Position functions that vary with the state, dry friction and anything
@@ -74,7 +77,10 @@
 //!
 //! Of the figures, the extremes and mean of δ and the lift of one case are
 //! compared with values computed elsewhere; the bounds they are found with are
-//! tested as such.
+//! tested as such. The energy audit closes to 10⁻¹⁰ of its scale in all these
+//! runs, to 10⁻¹² on the rocker; work of loads and dissipation of the random
+//! scenes agree to 10⁻⁹ with the recorder's, which integrates powers, and all
+//! parts do on the rocker.
 //!
 //! # Sources of the method
 //!
@@ -85,6 +91,8 @@
 //! and Bernstein coefficients as bounds of a polynomial on an interval;
 //! products and sums of two numbers after Dekker.
 
+mod asked;
+mod audit;
 mod basis;
 mod bound;
 mod cluster;
@@ -99,6 +107,7 @@ mod hermite;
 mod independent;
 mod lanes;
 mod law;
+mod observe;
 mod panel;
 mod pencil;
 mod phase;
@@ -117,14 +126,16 @@ mod tests;
 mod track;
 mod watch;
 
+pub use asked::Asked;
+pub use audit::TreeAudit;
 pub use cursor::{Cursor, MOST_ORDERS};
-pub use from_model::{Part, Parts};
+pub use from_model::{Part, Parts, Rest};
 pub use law::{LAW_DEGREE, Law, PolynomialSpan, Sine, SpanSource};
 pub use problem::{
     Flank, ForcePiece, ForceSource, PairState, Refusal, TimeLoad, TreeMass, TreeObject, TreePair,
     TreeProblem,
 };
-pub use request::{ExactRun, ExactSwitch, Request};
+pub use request::{ExactRun, ExactSwitch, Halt, Request};
 pub use track::TreeFigures;
 
 /// Most combinations of engaged pairs that [`ExactTree::check`] tries.
@@ -202,6 +213,25 @@ impl ExactTree {
     /// # Errors
     /// The modes of a regime cannot be separated, or numbers stop being finite.
     pub fn run(&self, request: &Request) -> Result<ExactRun, Refusal> {
-        run::run(&self.problem, &self.functionals, &self.first, request)
+        self.run_while(request, &run::always)
+    }
+
+    /// Runs it for as long as `goes_on` says so; asked every thousand steps of
+    /// the search.
+    ///
+    /// # Errors
+    /// The same.
+    pub fn run_while(
+        &self,
+        request: &Request,
+        goes_on: &dyn Fn() -> bool,
+    ) -> Result<ExactRun, Refusal> {
+        run::run(
+            &self.problem,
+            &self.functionals,
+            &self.first,
+            request,
+            goes_on,
+        )
     }
 }

@@ -6,54 +6,45 @@
 //! says whether any can pass the greatest value met so far. Almost always none
 //! can.
 
+mod phase;
+
+pub(crate) use phase::PanelPhase;
+
 use super::basis::Basis;
 use super::functional::Functional;
-use super::hermite::{Loss, Point};
-use super::lanes::{Arith, V, WIDTH, reduced};
+use super::lanes::{Arith, V, WIDTH};
 use super::pencil::C;
-use super::phase::{Exponentials, POLY, Phase, scalar_sin_cos};
+use super::phase::{Exponentials, Phase};
 
 /// The four functionals of an object in a basis.
 #[derive(Clone, Debug)]
 pub(crate) struct Panel {
     functionals: [Functional; WIDTH],
+    /// Masses in the functionals with the factors of q, q̇, q̈.
+    terms: Vec<(usize, [V; 3])>,
+    /// Factors of the law and its first two derivatives.
+    law: [V; 3],
+    constant: V,
     /// Weights: lane-major, then order 0 … 3, then re, im.
     weights: Vec<V>,
     /// |weight|, and |weight|·|λ|⁴, by lane.
     sizes: Vec<[V; 2]>,
-    /// Weight/λ of the first functional: its primitive.
-    primitive: Vec<C>,
+    /// Weight/λ of the first functional, its primitive, by block: re, im.
+    primitive: Vec<[V; 2]>,
+    /// Lanes with λ = 0, whose primitive grows with time.
+    resting: Vec<usize>,
     /// Factors of η, η̇ of every floating part, and 1 where the speed is folded
     /// into the harmonic's lane.
     rigid: Vec<[V; 3]>,
-}
-
-/// A flight seen by the four functionals.
-#[derive(Clone, Copy, Debug)]
-struct Arc {
-    omega: f64,
-    /// α, β: re, im each.
-    c: [V; 4],
-}
-
-/// The panel over the present phase.
-#[derive(Clone, Debug)]
-pub(crate) struct PanelPhase {
-    poly: [V; POLY],
-    degree: usize,
-    arcs: Vec<Arc>,
-    /// |fourth derivative| of polynomial and arcs.
-    slow4: V,
-    /// |amplitude| of the lanes at the start.
-    size: Vec<V>,
 }
 
 impl Panel {
     pub(crate) fn new(basis: &Basis, functionals: [Functional; WIDTH]) -> Self {
         let mut weights = Vec::with_capacity(8 * basis.lanes.len());
         let mut sizes = Vec::new();
-        let mut primitive = Vec::new();
-        for lane in &basis.lanes {
+        let mut primitive = vec![[V::ZERO; 2]; basis.blocks];
+        let mut resting = Vec::new();
+        for (k, lane) in basis.lanes.iter().enumerate() {
             let w = [0, 1, 2, 3].map(|f| functionals[f].weight(&basis.rigid, lane));
             let mut power = C::new(1.0, 0.0);
             for _ in 0..4 {
@@ -63,12 +54,13 @@ impl Panel {
             }
             let size = V(w.map(|x| x.norm()));
             sizes.push([size, size * V::splat(lane.lambda.norm().powi(4))]);
-            let zero = lane.lambda.norm() == 0.0;
-            primitive.push(if zero {
-                C::default()
+            if lane.lambda.norm() == 0.0 {
+                resting.push(k);
             } else {
-                w[0] / lane.lambda
-            });
+                let own = w[0] / lane.lambda;
+                primitive[k / WIDTH][0].0[k % WIDTH] = own.re;
+                primitive[k / WIDTH][1].0[k % WIDTH] = own.im;
+            }
         }
         let rigid = basis
             .rigid
@@ -79,11 +71,32 @@ impl Panel {
                 [V(f.map(|x| x[0])), V(f.map(|x| x[1])), V(folds)]
             })
             .collect();
+        let mut masses: Vec<usize> = Vec::new();
+        for functional in &functionals {
+            masses.extend(functional.terms.iter().map(|term| term.0));
+        }
+        masses.sort_unstable();
+        masses.dedup();
+        let factors = |mass: usize| {
+            [0, 1, 2].map(|order| {
+                V([0, 1, 2, 3].map(|f| {
+                    let own = functionals[f].terms.iter().filter(|term| term.0 == mass);
+                    own.map(|term| term.1[order]).sum()
+                }))
+            })
+        };
         Self {
+            terms: masses
+                .into_iter()
+                .map(|mass| (mass, factors(mass)))
+                .collect(),
+            law: [0, 1, 2].map(|order| V([0, 1, 2, 3].map(|f| functionals[f].law[order]))),
+            constant: V([0, 1, 2, 3].map(|f| functionals[f].constant)),
             functionals,
             weights,
             sizes,
             primitive,
+            resting,
             rigid,
         }
     }
@@ -99,277 +112,5 @@ impl Panel {
         let (re, im) = (V::splat(zr * er - zi * ei), V::splat(-(zr * ei + zi * er)));
         let w = &self.weights[8 * k..8 * k + 4];
         [w[0].fma::<A>(re, w[1] * im), w[2].fma::<A>(re, w[3] * im)]
-    }
-}
-
-impl PanelPhase {
-    pub(crate) fn new(blocks: usize, flights: usize) -> Self {
-        Self {
-            poly: [V::ZERO; POLY],
-            degree: 0,
-            arcs: Vec::with_capacity(flights),
-            slow4: V::ZERO,
-            size: vec![V::ZERO; blocks],
-        }
-    }
-
-    /// Takes up the phase.
-    #[inline(always)]
-    pub(crate) fn take<A: Arith>(&mut self, basis: &Basis, panel: &Panel, phase: &Phase) {
-        for b in 0..basis.blocks {
-            let (re, im) = (phase.re[b], phase.im[b]);
-            self.size[b] = re.fma::<A>(re, im * im).map(f64::sqrt);
-        }
-        self.take_polynomials(panel, phase);
-        self.slow4 = if self.degree > 3 {
-            self.fourth(phase.reach)
-        } else {
-            V::ZERO
-        };
-        self.arcs.clear();
-        for flight in &phase.flights {
-            let [x, y, folded] = panel.rigid[flight.rigid];
-            let drive = C::new(0.0, flight.omega);
-            let (a, b) = (flight.amplitude, flight.amplitude * drive);
-            let (re, im) = (y * V::splat(b.re), y * V::splat(b.im));
-            self.poly[0] = self.poly[0] - re * folded;
-            let whole = V::splat(1.0) - folded;
-            let c = [
-                x * V::splat(a.re),
-                x * V::splat(a.im),
-                re * whole,
-                im * whole,
-            ];
-            let (re, im) = (c[0] + c[2], c[1] + c[3]);
-            let square = flight.omega * flight.omega;
-            let size = (re * re + im * im).map(f64::sqrt);
-            self.slow4 = self.slow4 + size * V::splat(square * square);
-            self.arcs.push(Arc {
-                omega: flight.omega,
-                c,
-            });
-        }
-    }
-
-    #[inline(always)]
-    fn take_polynomials(&mut self, panel: &Panel, phase: &Phase) {
-        let mut work = [0.0; POLY];
-        self.degree = phase.degree.max(phase.forcing.degree);
-        self.poly[..=self.degree].fill(V::ZERO);
-        for (f, functional) in panel.functionals.iter().enumerate() {
-            let degree = functional.polynomial(phase, &mut work);
-            for (lanes, value) in self.poly.iter_mut().zip(&work[..=degree]) {
-                lanes.0[f] = *value;
-            }
-        }
-    }
-
-    #[inline(never)]
-    fn fourth(&self, reach: f64) -> V {
-        let mut sum = V::ZERO;
-        for k in (4..=self.degree).rev() {
-            let factor = (k * (k - 1) * (k - 2) * (k - 3)) as f64;
-            sum = sum * V::splat(reach) + V::splat(factor) * self.poly[k].map(f64::abs);
-        }
-        sum
-    }
-
-    /// Values and slopes at the instant of `e`.
-    #[inline(always)]
-    pub(crate) fn point<A: Arith>(
-        &self,
-        basis: &Basis,
-        panel: &Panel,
-        phase: &Phase,
-        e: &Exponentials,
-    ) -> Point {
-        let [mut value, mut slope] = self.slow_two::<A>(e.s);
-        let lanes = basis.lanes.len().min(phase.active * WIDTH);
-        for b in 0..phase.active {
-            let (zr, zi) = (phase.re[b], phase.im[b]);
-            let re = zr.fma::<A>(e.re[b], -(zi * e.im[b]));
-            let im = zr.fma::<A>(e.im[b], zi * e.re[b]);
-            for i in 0..WIDTH.min(lanes - b * WIDTH) {
-                let w = &panel.weights[8 * (b * WIDTH + i)..][..4];
-                let (pr, pi) = (V::splat(re.0[i]), V::splat(-im.0[i]));
-                value = w[0].fma::<A>(pr, w[1].fma::<A>(pi, value));
-                slope = w[2].fma::<A>(pr, w[3].fma::<A>(pi, slope));
-            }
-        }
-        Point {
-            s: e.s,
-            value,
-            slope,
-        }
-    }
-
-    /// What Hermite's cubic may miss over a length h from the instant of `e`,
-    /// of the first `follow` lanes.
-    ///
-    /// A lane of size z (decaying) misses at most z·(|λ|h)⁴/144 on the middle
-    /// coefficient. Where it turns fast its own cubic is bounded instead: by
-    /// its values, and |λ|h/4 for its slopes.
-    #[inline(always)]
-    pub(crate) fn loss<A: Arith>(
-        &self,
-        basis: &Basis,
-        panel: &Panel,
-        (e, follow): (&Exponentials, usize),
-        h: f64,
-    ) -> Loss {
-        let square = h * h;
-        let mut middle = self.slow4 * V::splat(square * square * (1.0 / 144.0));
-        let mut flat = V::ZERO;
-        for k in 0..follow {
-            let x = basis.modulus[k] * h;
-            let size = self.size[k / WIDTH].0[k % WIDTH] * e.size[k / WIDTH].0[k % WIDTH];
-            let (fourth, level) = (x * x * x * x * (1.0 / 144.0), 2.0 + 0.25 * x);
-            if fourth < level {
-                middle = panel.sizes[k][0].fma::<A>(V::splat(size * fourth), middle);
-            } else {
-                flat = panel.sizes[k][0].fma::<A>(V::splat(size * level), flat);
-            }
-        }
-        Loss { middle, flat }
-    }
-
-    /// Envelope of lane k from the instant of `e` on.
-    #[inline(always)]
-    pub(crate) fn lane_size(&self, panel: &Panel, e: &Exponentials, k: usize) -> V {
-        let (b, i) = (k / WIDTH, k % WIDTH);
-        panel.sizes[k][0] * V::splat(self.size[b].0[i] * e.size[b].0[i])
-    }
-
-    /// Functional f and three derivatives at the instant of `e`, and a bound
-    /// on its fourth from there on.
-    #[inline(always)]
-    pub(crate) fn jet<A: Arith>(
-        &self,
-        basis: &Basis,
-        panel: &Panel,
-        phase: &Phase,
-        e: &Exponentials,
-        f: usize,
-    ) -> ([f64; 4], f64) {
-        let mut a = self.slow::<A>(e.s).map(|v| v.0[f]);
-        let mut r = self.slow4.0[f];
-        for k in 0..basis.lanes.len().min(phase.active * WIDTH) {
-            let (b, i) = (k / WIDTH, k % WIDTH);
-            let (zr, zi) = (phase.re[b].0[i], phase.im[b].0[i]);
-            let (er, ei) = (e.re[b].0[i], e.im[b].0[i]);
-            let (pr, pi) = (zr * er - zi * ei, zr * ei + zi * er);
-            let w = &panel.weights[8 * k..8 * k + 8];
-            for (order, sum) in a.iter_mut().enumerate() {
-                *sum += w[2 * order].0[f] * pr - w[2 * order + 1].0[f] * pi;
-            }
-            r += panel.sizes[k][1].0[f] * self.size[b].0[i] * e.size[b].0[i];
-        }
-        (a, r)
-    }
-
-    /// Rounding of the four up to the local time s.
-    pub(crate) fn noise(&self, basis: &Basis, panel: &Panel, s: f64) -> V {
-        let mut sum = V::ZERO;
-        for k in (0..=self.degree).rev() {
-            sum = sum * V::splat(s) + self.poly[k].map(f64::abs);
-        }
-        for k in 0..basis.lanes.len() {
-            sum = sum + panel.sizes[k][0] * V::splat(self.size[k / WIDTH].0[k % WIDTH]);
-        }
-        for arc in &self.arcs {
-            let x = (arc.omega * s).min(2.0);
-            let [ar, ai, br, bi] = arc.c.map(|v| v.map(f64::abs));
-            sum = sum + ((ar + ai) * V::splat(x) + (br + bi)) * V::splat(x);
-        }
-        sum * V::splat(8.0 * f64::EPSILON)
-    }
-
-    /// Value and slope of polynomial and arcs.
-    #[inline(always)]
-    fn slow_two<A: Arith>(&self, s: f64) -> [V; 2] {
-        let time = V::splat(s);
-        let (mut value, mut slope) = (self.poly[self.degree], V::ZERO);
-        for k in (0..self.degree).rev() {
-            slope = slope.fma::<A>(time, value);
-            value = value.fma::<A>(time, self.poly[k]);
-        }
-        for arc in &self.arcs {
-            let f = V::splat;
-            let w = arc.omega;
-            let (sin, cos) = scalar_sin_cos::<A>(w * s);
-            let (c, l) = reduced::<A>(w * s, sin, cos);
-            let [ar, ai, br, bi] = arc.c;
-            value = value + (ar * f(c) - ai * f(l)) + (br * f(c) - bi * f(sin));
-            slope = slope - f(w) * (ar * f(sin) + ai * f(c) + br * f(sin) + bi * f(cos));
-        }
-        [value, slope]
-    }
-
-    #[inline(always)]
-    fn slow<A: Arith>(&self, s: f64) -> [V; 4] {
-        let time = V::splat(s);
-        let mut d = [self.poly[self.degree], V::ZERO, V::ZERO, V::ZERO];
-        for k in (0..self.degree).rev() {
-            d[3] = d[3].fma::<A>(time, d[2]);
-            d[2] = d[2].fma::<A>(time, d[1]);
-            d[1] = d[1].fma::<A>(time, d[0]);
-            d[0] = d[0].fma::<A>(time, self.poly[k]);
-        }
-        d[2] = d[2] * V::splat(2.0);
-        d[3] = d[3] * V::splat(6.0);
-        for arc in &self.arcs {
-            let f = V::splat;
-            let w = arc.omega;
-            let (sin, cos) = scalar_sin_cos::<A>(w * s);
-            let (c, l) = reduced::<A>(w * s, sin, cos);
-            let [ar, ai, br, bi] = arc.c;
-            let (sr, si) = (ar + br, ai + bi);
-            d[0] = d[0] + (ar * f(c) - ai * f(l)) + (br * f(c) - bi * f(sin));
-            d[1] = d[1] - f(w) * (ar * f(sin) + ai * f(c) + br * f(sin) + bi * f(cos));
-            d[2] = d[2] - f(w * w) * (sr * f(cos) - si * f(sin));
-            d[3] = d[3] + f(w * w * w) * (sr * f(sin) + si * f(cos));
-        }
-        d
-    }
-
-    /// Primitive of the first functional at the instant of `e`.
-    #[inline(always)]
-    pub(crate) fn primitive<A: Arith>(
-        &self,
-        basis: &Basis,
-        panel: &Panel,
-        phase: &Phase,
-        e: &Exponentials,
-    ) -> f64 {
-        let mut sum = 0.0;
-        let lanes = basis.lanes.len().min(phase.active * WIDTH);
-        for k in 0..lanes {
-            let (b, i) = (k / WIDTH, k % WIDTH);
-            let (zr, zi) = (phase.re[b].0[i], phase.im[b].0[i]);
-            let (er, ei) = (e.re[b].0[i], e.im[b].0[i]);
-            let (pr, pi) = (zr * er - zi * ei, zr * ei + zi * er);
-            let w = panel.primitive[k];
-            sum += w.re * pr - w.im * pi;
-            if basis.modulus[k] == 0.0 {
-                let w = &panel.weights[8 * k..];
-                sum += (w[0].0[0] * zr - w[1].0[0] * zi) * e.s;
-            }
-        }
-        let mut poly = 0.0;
-        for k in (0..=self.degree).rev() {
-            poly = A::fma(poly, e.s, self.poly[k].0[0] / (k + 1) as f64);
-        }
-        sum += poly * e.s;
-        for arc in &self.arcs {
-            let x = arc.omega * e.s;
-            let (sin, cos) = scalar_sin_cos::<A>(x);
-            let (c, l) = reduced::<A>(x, sin, cos);
-            let [ar, ai, br, bi] = arc.c.map(|v| v.0[0]);
-            // ∫E_k ds = E_{k+1}/(iΩ).
-            let third = c + 0.5 * x * x;
-            sum += (ar * l + ai * third) / arc.omega;
-            sum += (br * l + bi * c) / arc.omega;
-        }
-        sum
     }
 }

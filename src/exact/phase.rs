@@ -10,7 +10,7 @@
 //! the local s; the start is a double-double.
 
 use super::basis::Basis;
-use super::lanes::{Arith, V, WIDTH, exp, reduced, sin_cos};
+use super::lanes::{Arith, V, WIDTH, exp, reduced_one, sin_cos, sin_cos_one};
 use super::law::{Forcing, PolynomialSpan};
 use super::pencil::C;
 use super::polynomial::Steady;
@@ -24,10 +24,23 @@ pub(crate) const POLY: usize = 32;
 pub(crate) struct Flight {
     /// Which floating part.
     pub(crate) rigid: usize,
+    /// Which harmonic.
+    pub(crate) harmonic: usize,
     /// Ω.
     pub(crate) omega: f64,
     /// η = Re(amplitude·(e^{iΩs} − 1 − iΩs)).
     pub(crate) amplitude: C,
+}
+
+/// A harmonic at one instant, as flights need it.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Swing {
+    pub(crate) sin: f64,
+    pub(crate) cos: f64,
+    /// cos Ωs − 1.
+    pub(crate) less_one: f64,
+    /// sin Ωs − Ωs.
+    pub(crate) less_x: f64,
 }
 
 /// e^{λs} of all lanes at one instant.
@@ -40,6 +53,8 @@ pub(crate) struct Exponentials {
     pub(crate) im: Vec<V>,
     /// |e^{λs}|.
     pub(crate) size: Vec<V>,
+    /// The harmonics, while parts float.
+    pub(crate) swings: Vec<Swing>,
 }
 
 /// The motion between two switches.
@@ -101,7 +116,7 @@ impl Phase {
         (self.start, self.low) = at;
         problem
             .law
-            .start(at.0, at.1, &mut self.span, &mut self.forcing);
+            .start::<A>(at.0, at.1, &mut self.span, &mut self.forcing);
         self.reach = f64::INFINITY;
         match steady {
             Some(steady) => self.steady_polynomials(basis, steady, q, v),
@@ -121,6 +136,7 @@ impl Phase {
                 let amplitude = -part.push[j] * self.forcing.harmonics[j] / (omega * omega);
                 self.flights.push(Flight {
                     rigid: index,
+                    harmonic: j,
                     omega,
                     amplitude,
                 });
@@ -174,6 +190,30 @@ impl Phase {
             out.re[b] = size * cos;
             out.im[b] = size * sin;
         }
+        if !self.flights.is_empty() {
+            self.swing::<A>(basis, out);
+        }
+    }
+
+    /// Sets the harmonics of `e` from their lanes.
+    #[inline(always)]
+    pub(crate) fn swing<A: Arith>(&self, basis: &Basis, e: &mut Exponentials) {
+        for (swing, &k) in e.swings.iter_mut().zip(&basis.harmonic) {
+            let (b, i) = (k / WIDTH, k % WIDTH);
+            let x = basis.im[b].0[i] * e.s;
+            let (sin, cos) = if b < self.active {
+                (e.im[b].0[i], e.re[b].0[i])
+            } else {
+                sin_cos_one::<A>(x)
+            };
+            let (less_one, less_x) = reduced_one::<A>(x, sin, cos);
+            *swing = Swing {
+                sin,
+                cos,
+                less_one,
+                less_x,
+            };
+        }
     }
 
     /// q and q̇ of all masses at the instant of `e`.
@@ -200,12 +240,10 @@ impl Phase {
             v[i] = speed.sum() + dp;
         }
         for flight in &self.flights {
-            let x = flight.omega * e.s;
-            let (sin, cos) = scalar_sin_cos::<A>(x);
-            let (c, s) = reduced::<A>(x, sin, cos);
+            let swing = &e.swings[flight.harmonic];
             let a = flight.amplitude;
-            let eta = a.re * c - a.im * s;
-            let rate = -flight.omega * (a.re * sin + a.im * c);
+            let eta = a.re * swing.less_one - a.im * swing.less_x;
+            let rate = -flight.omega * (a.re * swing.sin + a.im * swing.less_one);
             for i in 0..n {
                 q[i] += basis.rigid[flight.rigid].shape[i] * eta;
                 v[i] += basis.rigid[flight.rigid].shape[i] * rate;
@@ -213,9 +251,14 @@ impl Phase {
         }
     }
 
+    /// P_i and its rate.
     #[inline(always)]
-    fn polynomial<A: Arith>(&self, i: usize, s: f64) -> (f64, f64) {
+    pub(crate) fn polynomial<A: Arith>(&self, i: usize, s: f64) -> (f64, f64) {
         let c = &self.poly[i * POLY..(i + 1) * POLY];
+        if self.degree <= 2 {
+            let value = A::fma(A::fma(c[2], s, c[1]), s, c[0]);
+            return (value, A::fma(2.0 * c[2], s, c[1]));
+        }
         let (mut value, mut slope) = (c[self.degree], 0.0);
         for k in (0..self.degree).rev() {
             slope = A::fma(slope, s, value);
@@ -242,13 +285,6 @@ impl Phase {
     }
 }
 
-/// sin and cos of one number.
-#[inline(always)]
-pub(crate) fn scalar_sin_cos<A: Arith>(x: f64) -> (f64, f64) {
-    let (s, c) = sin_cos::<A>(V::splat(x));
-    (s.0[0], c.0[0])
-}
-
 impl Exponentials {
     /// Takes over the first `active` vectors of another.
     #[inline(always)]
@@ -259,14 +295,16 @@ impl Exponentials {
             self.im[b] = other.im[b];
             self.size[b] = other.size[b];
         }
+        self.swings.copy_from_slice(&other.swings);
     }
 
-    pub(crate) fn new(blocks: usize) -> Self {
+    pub(crate) fn new(blocks: usize, harmonics: usize) -> Self {
         Self {
             s: 0.0,
             re: vec![V::ZERO; blocks],
             im: vec![V::ZERO; blocks],
             size: vec![V::ZERO; blocks],
+            swings: vec![Swing::default(); harmonics],
         }
     }
 }

@@ -39,6 +39,10 @@ impl Steady {
         phase.forces(problem, basis);
         phase.clear();
         phase.elastic_polynomials(basis, f64::INFINITY);
+        if phase.degree > 0 {
+            // A part that drifts against its damper.
+            return None;
+        }
         let still = (0..basis.masses).map(|i| phase.poly[i * POLY]).collect();
         phase.clear();
         phase.rigid_polynomials(basis, &zero, &zero);

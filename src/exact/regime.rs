@@ -1,12 +1,15 @@
 //! Regimes: the combinations of engaged pairs a run has met, each with its
 //! modes and the functionals in them, made when first met and kept.
 
+use super::audit::Forms;
 use super::basis::Basis;
 use super::functional::{Functional, Weights};
+use super::lanes::Plain;
 use super::panel::Panel;
 use super::polynomial::Steady;
 use super::problem::{PairState, Refusal, TreeObject, TreeProblem};
 use super::run::Workspace;
+use super::sample::Strides;
 
 /// One combination of engaged pairs, ready for use.
 #[derive(Clone, Debug)]
@@ -15,6 +18,10 @@ pub(crate) struct Regime {
     pub(crate) basis: Basis,
     pub(super) steady: Option<Steady>,
     pub(crate) weights: Vec<Weights>,
+    /// For the energy audit.
+    pub(super) forms: Option<Forms>,
+    /// For the samples.
+    pub(super) strides: Option<Strides>,
     /// Panels of every object: one, or one a flank while open.
     pub(super) panels: Vec<Vec<Panel>>,
 }
@@ -149,11 +156,18 @@ impl Workspace<'_> {
                 &basis,
             )
         };
+        let still = steady.is_some();
+        let forms =
+            (self.ledger.is_some()).then(|| Forms::new(self.problem, &self.key, &basis, still));
+        let strides = self.sampler.interval();
+        let strides = strides.map(|interval| Strides::new::<Plain>(&basis, interval));
         self.regimes.push(Regime {
             key: self.key.clone(),
             basis,
             steady,
             weights,
+            forms,
+            strides,
             panels,
         });
         Ok(self.regimes.len() - 1)

@@ -1,5 +1,7 @@
 //! What is asked of a run, and what it leaves behind.
 
+use super::asked::Asked;
+use super::audit::TreeAudit;
 use super::problem::PairState;
 use super::track::TreeFigures;
 
@@ -18,8 +20,14 @@ pub struct Request {
     /// Most steps of the search between two switches: beyond it the run is an
     /// error and not a crawl.
     pub steps: u64,
+    /// Most steps of the search in all: the run then ends where it stands.
+    pub all_steps: u64,
     /// Figures between samples, wanted or not.
     pub figures: bool,
+    /// Which of them, if any.
+    pub asked: Asked,
+    /// Energy audit, wanted or not.
+    pub audit: bool,
 }
 
 impl Request {
@@ -31,9 +39,23 @@ impl Request {
             all_masses: false,
             switches: 1_000_000,
             steps: 10_000_000,
+            all_steps: u64::MAX,
             figures: false,
+            asked: Asked::ALL,
+            audit: false,
         }
     }
+}
+
+/// Why a run ended before its end.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Halt {
+    /// There were more switches than allowed.
+    Switches,
+    /// There were as many steps of the search as allowed.
+    Steps,
+    /// It was told to stop.
+    Told,
 }
 
 /// A switch of a pair.
@@ -58,6 +80,8 @@ pub struct ExactRun {
     pub time: f64,
     /// True when the end was reached.
     pub complete: bool,
+    /// Why it was not.
+    pub halt: Option<Halt>,
     /// States of the pairs just after t = 0, by mass.
     pub start: Vec<PairState>,
     /// Every switch.
@@ -73,6 +97,8 @@ pub struct ExactRun {
     pub speed: Vec<f64>,
     /// Figures of every object, when asked for.
     pub figures: Vec<TreeFigures>,
+    /// Energy audit, when asked for.
+    pub audit: Option<TreeAudit>,
     /// Phases, search steps, evaluations.
     pub phases: u64,
     /// Steps of the search.

@@ -1,50 +1,19 @@
 //! The run: phases and switches in turn.
 
+use super::audit::Ledger;
 use super::functional::Functional;
 use super::lanes::{Arith, Fused, Plain};
-use super::phase::{Exponentials, Phase};
-use super::problem::{PairState, Refusal, TreeObject, TreePair, TreeProblem};
+use super::observe::{Tracks, tracks};
+use super::phase::Phase;
+use super::problem::{PairState, Refusal, TreeProblem};
 use super::regime::Regime;
-use super::request::{ExactRun, Request};
+use super::request::{ExactRun, Halt, Request};
 use super::sample::Sampler;
-use super::search::{Search, Step, Witness};
+use super::search::{Search, Step};
 use super::signal::Signal;
 use super::start;
-use super::track::{Scene, Track};
+use super::track::Track;
 use super::watch::Watch;
-
-/// Hands every step of the search to the tracks.
-struct Tracks<'a> {
-    tracks: &'a mut [Track],
-    variants: &'a [(usize, bool)],
-    regime: &'a Regime,
-    phase: &'a Phase,
-}
-
-impl Witness for Tracks<'_> {
-    #[inline(always)]
-    fn see<A: Arith>(&mut self, before: &Exponentials, now: &Exponentials) {
-        for (o, track) in self.tracks.iter_mut().enumerate() {
-            let scene = scene(self.regime, self.phase, o, self.variants);
-            track.step::<A>(scene, before, now);
-        }
-    }
-}
-
-/// What the figures of object `o` are taken from.
-#[inline(always)]
-fn scene<'a>(
-    regime: &'a Regime,
-    phase: &'a Phase,
-    o: usize,
-    variants: &[(usize, bool)],
-) -> Scene<'a> {
-    Scene {
-        basis: &regime.basis,
-        panel: &regime.panels[o][variants[o].0],
-        phase,
-    }
-}
 
 /// Working memory of a run.
 pub(super) struct Workspace<'a> {
@@ -65,8 +34,11 @@ pub(super) struct Workspace<'a> {
     pub(super) v_end: Vec<f64>,
     /// Number of leading derivatives known to vanish, by functional.
     pub(super) zeros: Vec<usize>,
+    /// Room for those that stay.
+    kept: Vec<(usize, usize)>,
     pub(super) sampler: Sampler,
     pub(super) tracks: Vec<Track>,
+    pub(super) ledger: Option<Ledger>,
     /// Panel in use and whether the object's link transmits force.
     pub(super) variants: Vec<(usize, bool)>,
     pub(super) out: ExactRun,
@@ -74,8 +46,21 @@ pub(super) struct Workspace<'a> {
     pub(super) at: (f64, f64),
     /// Switches at one and the same instant.
     stalled: usize,
-    /// Most steps of the search in a phase.
-    most_steps: u64,
+    /// Most steps of the search in a phase, and in all.
+    most_steps: [u64; 2],
+    /// Asked from time to time.
+    goes_on: &'a dyn Fn() -> bool,
+    /// True when it has said no.
+    told: bool,
+}
+
+/// Steps of the search between two looks at whether the run is to go on; a
+/// power of two.
+const PATIENCE: u64 = 1024;
+
+/// Goes on, whatever happens.
+pub(super) fn always() -> bool {
+    true
 }
 
 /// A phase gone through.
@@ -89,33 +74,20 @@ pub(super) struct Passed {
     pub(super) event: Option<usize>,
 }
 
+/// Room for the samples; what is asked for beyond it is taken as it comes.
+fn room(request: &Request, n: usize) -> usize {
+    const MOST: usize = 1 << 20;
+    let columns = if request.all_masses { 2 * n } else { 1 };
+    request
+        .samples
+        .saturating_add(8)
+        .saturating_mul(columns)
+        .min(MOST)
+}
+
 #[cold]
 fn not_finite() -> Refusal {
     Refusal::new("", "the motion is no longer a finite number")
-}
-
-/// One track an object, when figures are asked for.
-fn tracks(problem: &TreeProblem, request: &Request, blocks: usize) -> Vec<Track> {
-    if !request.figures {
-        return Vec::new();
-    }
-    let flights = problem.masses.len() * problem.law.frequencies().len();
-    let make = |object: &TreeObject| {
-        let base = object
-            .driver
-            .map_or(0.0, |(d, ratio)| ratio * problem.displacement[d]);
-        let cap = match problem.masses[object.first].pair {
-            TreePair::Form { gap } => gap / 2.0,
-            _ => f64::INFINITY,
-        };
-        Track::new(
-            blocks,
-            flights,
-            problem.displacement[object.last] - base,
-            cap,
-        )
-    };
-    problem.objects.iter().map(make).collect()
 }
 
 /// Runs with the best arithmetic of this processor.
@@ -124,14 +96,15 @@ pub(crate) fn run(
     functionals: &[Functional],
     first: &[usize],
     request: &Request,
+    goes_on: &dyn Fn() -> bool,
 ) -> Result<ExactRun, Refusal> {
     #[cfg(target_arch = "x86_64")]
     if std::is_x86_feature_detected!("avx2") && std::is_x86_feature_detected!("fma") {
         // SAFETY: the processor has the features the function is compiled for.
         #[allow(unsafe_code)]
-        return unsafe { run_fused(problem, functionals, first, request) };
+        return unsafe { run_fused(problem, functionals, first, request, goes_on) };
     }
-    run_plain(problem, functionals, first, request)
+    run_plain(problem, functionals, first, request, goes_on)
 }
 
 #[cfg(target_arch = "x86_64")]
@@ -141,8 +114,11 @@ fn run_fused(
     functionals: &[Functional],
     first: &[usize],
     request: &Request,
+    goes_on: &dyn Fn() -> bool,
 ) -> Result<ExactRun, Refusal> {
-    Workspace::new(problem, functionals, first, request)?.run::<Fused>(request)
+    let mut work = Workspace::new(problem, functionals, first, request)?;
+    work.goes_on = goes_on;
+    work.run::<Fused>(request)
 }
 
 /// The run without special instructions.
@@ -151,8 +127,11 @@ pub(crate) fn run_plain(
     functionals: &[Functional],
     first: &[usize],
     request: &Request,
+    goes_on: &dyn Fn() -> bool,
 ) -> Result<ExactRun, Refusal> {
-    Workspace::new(problem, functionals, first, request)?.run::<Plain>(request)
+    let mut work = Workspace::new(problem, functionals, first, request)?;
+    work.goes_on = goes_on;
+    work.run::<Plain>(request)
 }
 
 impl<'a> Workspace<'a> {
@@ -178,24 +157,29 @@ impl<'a> Workspace<'a> {
             watched: Vec::with_capacity(2 * n),
             signals: vec![Signal::new(blocks, n * harmonics); functionals.len()],
             phase: Phase::new(problem, blocks),
-            search: Search::new(blocks),
+            search: Search::new(blocks, harmonics),
             q: problem.displacement.clone(),
             v: problem.speed.clone(),
             q_end: problem.displacement.clone(),
             v_end: problem.speed.clone(),
             zeros,
+            kept: Vec::with_capacity(2 * n),
             sampler: Sampler::new(problem, request, blocks),
             tracks: tracks(problem, request, blocks),
+            ledger: request.audit.then(Ledger::new),
             variants: vec![(0, true); problem.objects.len()],
             out: ExactRun {
                 start: states.clone(),
                 switches: Vec::with_capacity(256),
+                samples: Vec::with_capacity(room(request, n)),
                 columns: if request.all_masses { 2 * n } else { 1 },
                 ..ExactRun::default()
             },
             at: (0.0, 0.0),
             stalled: 0,
-            most_steps: request.steps,
+            most_steps: [request.steps, request.all_steps],
+            goes_on: &always,
+            told: false,
         })
     }
 
@@ -204,11 +188,26 @@ impl<'a> Workspace<'a> {
         loop {
             let passed = self.forward::<A>(request.end)?;
             self.settle(&passed)?;
-            if self.reached(request.end) || self.out.switches.len() as u64 > request.switches {
+            self.out.halt = self.halt(request);
+            if self.reached(request.end) || self.out.halt.is_some() {
                 break;
             }
         }
         Ok(self.finish(request))
+    }
+
+    /// Why the run is not to go on.
+    #[inline(always)]
+    fn halt(&self, request: &Request) -> Option<Halt> {
+        if self.reached(request.end) {
+            None
+        } else if self.out.switches.len() as u64 > request.switches {
+            Some(Halt::Switches)
+        } else if self.told {
+            Some(Halt::Told)
+        } else {
+            (self.search.steps >= self.most_steps[1]).then_some(Halt::Steps)
+        }
     }
 
     /// The run's figures and end state.
@@ -217,6 +216,9 @@ impl<'a> Workspace<'a> {
         for track in &mut self.tracks {
             track.figures.sigma = track.area / length;
             self.out.figures.push(track.figures);
+        }
+        if let Some(ledger) = &self.ledger {
+            self.out.audit = Some(ledger.close(self.problem, &self.q, &self.v));
         }
         self.out.time = self.at.0;
         self.out.complete = self.reached(request.end);
@@ -252,6 +254,7 @@ impl<'a> Workspace<'a> {
         let horizon = self.phase.local(end).min(self.phase.reach);
         self.search.restart(&self.phase);
         self.begin_tracks::<A>(regime);
+        self.begin_ledger(regime);
         let event = self.pass::<A>(regime, horizon)?;
         let entry = &self.regimes[regime];
         self.phase.revive(&entry.basis);
@@ -265,18 +268,51 @@ impl<'a> Workspace<'a> {
         if !self.q_end.iter().chain(&self.v_end).all(|x| x.is_finite()) {
             return Err(not_finite());
         }
+        let (strides, samples) = (entry.strides.as_ref(), &mut self.out.samples);
         self.sampler
-            .phase::<A>(&entry.basis, &self.phase, s, &mut self.out.samples);
+            .phase::<A>(&entry.basis, strides, &self.phase, s, samples);
         self.end_tracks::<A>(regime);
+        self.end_ledger::<A>(regime);
         self.at = self.phase.time(s);
         std::mem::swap(&mut self.q, &mut self.q_end);
         std::mem::swap(&mut self.v, &mut self.v_end);
-        self.zeros.fill(0);
+        self.keep_zeros::<A>(regime, event);
         Ok(Passed {
             regime,
             length: s,
             event,
         })
+    }
+
+    /// Remembers which signals, besides the one that fired, started on zero and
+    /// are still there within rounding: where several pairs switch at one instant
+    /// each is judged by its derivatives until it has left.
+    #[inline(always)]
+    fn keep_zeros<A: Arith>(&mut self, regime: usize, event: Option<usize>) {
+        if self.watches.len() < 2 {
+            self.zeros.fill(0);
+            return;
+        }
+        let basis = &self.regimes[regime].basis;
+        for number in 0..self.watches.len() {
+            let f = self.watches[number].functional;
+            let signal = &self.signals[f];
+            let still = signal.leaving && event != Some(number) && {
+                let (jet, _) = self.search.jet::<A>(basis, &self.phase, signal);
+                let clock = f64::EPSILON * self.search.e.s * jet[1].abs();
+                jet[0].abs() <= 2.0 * (signal.noise + clock)
+            };
+            let zeros = if self.search.e.s == 0.0 {
+                signal.zeros
+            } else {
+                1
+            };
+            self.kept.push((f, if still { zeros } else { 0 }));
+        }
+        self.zeros.fill(0);
+        for (f, zeros) in self.kept.drain(..) {
+            self.zeros[f] = zeros;
+        }
     }
 
     /// Takes the switch that ended a phase, if one did.
@@ -307,37 +343,6 @@ impl<'a> Workspace<'a> {
         )
     }
 
-    /// Takes the tracks into the phase: engaged, or open near the flank that is
-    /// nearer at its start.
-    #[inline(always)]
-    fn begin_tracks<A: Arith>(&mut self, regime: usize) {
-        for (o, track) in self.tracks.iter_mut().enumerate() {
-            let first = self.problem.objects[o].first;
-            let count = self.problem.masses[first].pair.flanks().1;
-            let engaged = count == 0 || self.states[first].engaged();
-            let variant = match (engaged, count) {
-                (false, 2) => {
-                    let x = |f: usize| {
-                        self.functionals[self.first[first] + 2 * f].value(&self.q_end, &self.v_end)
-                    };
-                    usize::from(x(1) < x(0))
-                }
-                _ => 0,
-            };
-            self.variants[o] = (variant, engaged);
-            let scene = scene(&self.regimes[regime], &self.phase, o, &self.variants);
-            track.begin::<A>(scene, &self.search.e, engaged);
-        }
-    }
-
-    #[inline(always)]
-    fn end_tracks<A: Arith>(&mut self, regime: usize) {
-        for (o, track) in self.tracks.iter_mut().enumerate() {
-            let scene = scene(&self.regimes[regime], &self.phase, o, &self.variants);
-            track.end::<A>(scene, &self.search.e);
-        }
-    }
-
     /// Follows the phase to its end: the number of the watch that fired, or
     /// none at the horizon.
     #[inline(always)]
@@ -347,10 +352,17 @@ impl<'a> Workspace<'a> {
         if horizon <= 0.0 {
             return Ok(None);
         }
-        let limit = self.search.steps.saturating_add(self.most_steps);
+        let limit = self.search.steps.saturating_add(self.most_steps[0]);
         loop {
-            if self.search.steps >= limit {
-                return Err(self.crawling(self.most_steps));
+            let steps = self.search.steps;
+            if steps >= limit {
+                return Err(self.crawling(self.most_steps[0]));
+            }
+            if steps.is_multiple_of(PATIENCE) {
+                self.told |= !(self.goes_on)();
+            }
+            if self.told || steps >= self.most_steps[1] {
+                return Ok(None);
             }
             let entry = &self.regimes[regime];
             let mut witness = Tracks {
@@ -379,11 +391,8 @@ impl<'a> Workspace<'a> {
                     return Ok(Some(number));
                 }
                 Step::Free => {
-                    // Figures look back over the phase, for which all lanes count.
-                    if self.tracks.is_empty() {
-                        let basis = &self.regimes[regime].basis;
-                        self.phase.fade(basis, &mut self.search.e);
-                    }
+                    let basis = &self.regimes[regime].basis;
+                    self.phase.fade(basis, &mut self.search.e);
                     if self.comes_clear::<A>(regime, None) {
                         self.watch();
                         self.take_signals::<A>(regime);

@@ -1,10 +1,102 @@
 //! Samples at equal intervals.
+//!
+//! Over a phase the sample times are equally spaced, and so every lane is a
+//! geometric sequence: its powers ρ⁰ … ρ⁷ over one interval stand side by side
+//! and ρ⁸ takes all eight to the next ones. The exponentials themselves are
+//! evaluated once a phase, at its first sample.
 
 use super::basis::Basis;
 use super::lanes::{Arith, V, WIDTH, exp, reduced, sin_cos};
-use super::phase::{Exponentials, POLY, Phase, scalar_sin_cos};
+use super::pencil::C;
+use super::phase::{Exponentials, POLY, Phase};
 use super::problem::TreeProblem;
 use super::request::Request;
+
+/// Samples side by side.
+const STRIDE: usize = 8;
+
+/// A lane that has shrunk below this share of its start is gone.
+const GONE: f64 = 3e-20;
+
+/// Powers of a lane's ρ = e^{λΔ}, Δ the interval of the samples.
+#[derive(Clone, Copy, Debug)]
+struct Powers {
+    /// ρ⁰ … ρ⁷.
+    re: [V; 2],
+    im: [V; 2],
+    /// ρ⁸.
+    next: C,
+}
+
+/// The lanes of a basis over the interval of the samples.
+#[derive(Clone, Debug)]
+pub(crate) struct Strides {
+    lanes: Vec<Powers>,
+}
+
+impl Strides {
+    pub(crate) fn new<A: Arith>(basis: &Basis, interval: f64) -> Self {
+        let over = |b: usize, time: f64| {
+            let size = exp::<A>(basis.re[b] * V::splat(time));
+            let (sin, cos) = sin_cos::<A>(basis.im[b] * V::splat(time));
+            (size * cos, size * sin)
+        };
+        let mut lanes = Vec::with_capacity(basis.lanes.len());
+        for b in 0..basis.blocks {
+            let (one, eight) = (over(b, interval), over(b, STRIDE as f64 * interval));
+            for i in 0..WIDTH.min(basis.lanes.len() - b * WIDTH) {
+                lanes.push(Powers::new(
+                    C::new(one.0.0[i], one.1.0[i]),
+                    C::new(eight.0.0[i], eight.1.0[i]),
+                ));
+            }
+        }
+        Self { lanes }
+    }
+}
+
+impl Powers {
+    fn new(one: C, next: C) -> Self {
+        let two = one * one;
+        let four = two * two;
+        let low = [C::new(1.0, 0.0), one, two, two * one];
+        let high = low.map(|power| power * four);
+        Self {
+            re: [V(low.map(|c| c.re)), V(high.map(|c| c.re))],
+            im: [V(low.map(|c| c.im)), V(high.map(|c| c.im))],
+            next,
+        }
+    }
+
+    /// Adds Re(c·ρᵏ) to `out`, k = 0 …; its length is a multiple of four.
+    #[inline(always)]
+    fn add<A: Arith>(&self, c: C, out: &mut [f64]) {
+        let f = V::splat;
+        let start = |re: V, im: V| {
+            (
+                re.fma::<A>(f(c.re), -(im * f(c.im))),
+                re.fma::<A>(f(c.im), im * f(c.re)),
+            )
+        };
+        let (mut low, mut high) = (start(self.re[0], self.im[0]), start(self.re[1], self.im[1]));
+        let (nr, ni) = (f(self.next.re), f(self.next.im));
+        let shrink = self.next.norm_sqr();
+        let mut size = 1.0;
+        for eight in out.chunks_mut(STRIDE) {
+            for (four, re) in eight.chunks_exact_mut(WIDTH).zip([low.0, high.0]) {
+                for (sum, re) in four.iter_mut().zip(re.0) {
+                    *sum += re;
+                }
+            }
+            size *= shrink;
+            if size < GONE * GONE {
+                return;
+            }
+            let on = |(re, im): (V, V)| (re.fma::<A>(nr, -(im * ni)), re.fma::<A>(ni, im * nr));
+            (low, high) = (on(low), on(high));
+        }
+    }
+}
 
 /// Takes the samples that fall into each phase.
 #[derive(Clone, Debug)]
@@ -13,6 +105,8 @@ pub(crate) struct Sampler {
     count: usize,
     end: f64,
     all: bool,
+    /// When the next sample is due (s).
+    due: f64,
     e: Exponentials,
     q: Vec<f64>,
     v: Vec<f64>,
@@ -20,16 +114,28 @@ pub(crate) struct Sampler {
 
 impl Sampler {
     pub(crate) fn new(problem: &TreeProblem, request: &Request, blocks: usize) -> Self {
-        let n = problem.masses.len();
-        Self {
+        let room = if request.all_masses && request.samples > 0 {
+            problem.masses.len()
+        } else {
+            0
+        };
+        let mut sampler = Self {
             next: 1,
             count: request.samples,
             end: request.end,
             all: request.all_masses,
-            e: Exponentials::new(blocks),
-            q: vec![0.0; n],
-            v: vec![0.0; n],
-        }
+            due: f64::INFINITY,
+            e: Exponentials::new(blocks, problem.law.frequencies().len()),
+            q: vec![0.0; room],
+            v: vec![0.0; room],
+        };
+        sampler.go_on(0);
+        sampler
+    }
+
+    /// The interval of the samples, where their lanes are to be kept.
+    pub(crate) fn interval(&self) -> Option<f64> {
+        (self.count > 0 && !self.all).then(|| self.end / self.count as f64)
     }
 
     fn time(&self, k: usize) -> f64 {
@@ -40,75 +146,118 @@ impl Sampler {
         }
     }
 
+    #[inline(always)]
+    fn go_on(&mut self, by: usize) {
+        self.next += by;
+        self.due = if self.next <= self.count {
+            self.time(self.next)
+        } else {
+            f64::INFINITY
+        };
+    }
+
     /// Appends the samples in (start, start + s].
     #[inline(always)]
     pub(crate) fn phase<A: Arith>(
         &mut self,
         basis: &Basis,
+        strides: Option<&Strides>,
         phase: &Phase,
         s: f64,
         out: &mut Vec<f64>,
     ) {
-        while self.next <= self.count && phase.local(self.time(self.next)) <= s {
-            let left = self.count + 1 - self.next;
-            if !self.all && left >= WIDTH && phase.local(self.time(self.next + WIDTH - 1)) <= s {
-                let times = V([0, 1, 2, 3].map(|k| phase.local(self.time(self.next + k))));
-                out.extend_from_slice(&last_mass::<A>(basis, phase, times).0);
-                self.next += WIDTH;
+        let first = phase.local(self.due);
+        if first > s {
+            return;
+        }
+        phase.exponentials::<A>(basis, first, &mut self.e);
+        if let Some(strides) = strides {
+            let count = self.within(phase, first, s);
+            self.last_mass::<A>(basis, strides, phase, count, out);
+            self.go_on(count);
+            return;
+        }
+        loop {
+            phase.state::<A>(basis, &self.e, &mut self.q, &mut self.v);
+            out.extend_from_slice(&self.q);
+            out.extend_from_slice(&self.v);
+            self.go_on(1);
+            let local = phase.local(self.due);
+            if local > s {
+                return;
+            }
+            phase.exponentials::<A>(basis, local, &mut self.e);
+        }
+    }
+
+    /// How many samples lie in [first, s], of which `first` is one.
+    #[inline(always)]
+    fn within(&self, phase: &Phase, first: f64, s: f64) -> usize {
+        let left = self.count - self.next + 1;
+        let guess = (s - first) * (self.count as f64 / self.end);
+        let mut count = (guess as usize + 1).min(left);
+        // The guess may be one off where a sample falls on the end.
+        while count < left && phase.local(self.time(self.next + count)) <= s {
+            count += 1;
+        }
+        while count > 1 && phase.local(self.time(self.next + count - 1)) > s {
+            count -= 1;
+        }
+        count
+    }
+
+    /// Appends `count` samples of q of the last mass.
+    #[inline(always)]
+    fn last_mass<A: Arith>(
+        &self,
+        basis: &Basis,
+        strides: &Strides,
+        phase: &Phase,
+        count: usize,
+        out: &mut Vec<f64>,
+    ) {
+        let (i, blocks) = (basis.masses - 1, basis.blocks);
+        let begin = out.len();
+        out.resize(begin + count.next_multiple_of(WIDTH), 0.0);
+        let room = &mut out[begin..];
+        let interval = self.end / self.count as f64;
+        for (k, four) in room.chunks_exact_mut(WIDTH).enumerate() {
+            let step = V::splat((k * WIDTH) as f64) + V([0.0, 1.0, 2.0, 3.0]);
+            let s = step.fma::<A>(V::splat(interval), V::splat(self.e.s));
+            four.copy_from_slice(&slow::<A>(basis, phase, i, s).0);
+        }
+        for (k, powers) in strides.lanes.iter().enumerate() {
+            let (b, l) = (k / WIDTH, k % WIDTH);
+            if self.e.size[b].0[l] < GONE {
                 continue;
             }
-            let local = phase.local(self.time(self.next));
-            phase.exponentials::<A>(basis, local, &mut self.e);
-            phase.state::<A>(basis, &self.e, &mut self.q, &mut self.v);
-            if self.all {
-                out.extend_from_slice(&self.q);
-                out.extend_from_slice(&self.v);
-            } else {
-                out.push(self.q[self.q.len() - 1]);
+            let at = i * blocks + b;
+            let weight = C::new(basis.shape[0][at].0[l], basis.shape[1][at].0[l]);
+            let z = C::new(phase.re[b].0[l], phase.im[b].0[l]);
+            let c = weight * z * C::new(self.e.re[b].0[l], self.e.im[b].0[l]);
+            if c.re != 0.0 || c.im != 0.0 {
+                powers.add::<A>(c, room);
             }
-            self.next += 1;
         }
+        out.truncate(begin + count);
     }
 }
 
-/// q of the last mass at four times.
+/// Polynomial and flights of mass i at four times.
 #[inline(always)]
-fn last_mass<A: Arith>(basis: &Basis, phase: &Phase, s: V) -> V {
-    let (i, blocks) = (basis.masses - 1, basis.blocks);
+fn slow<A: Arith>(basis: &Basis, phase: &Phase, i: usize, s: V) -> V {
     let c = &phase.poly[i * POLY..(i + 1) * POLY];
     let mut sum = V::splat(c[phase.degree]);
     for k in (0..phase.degree).rev() {
         sum = sum.fma::<A>(s, V::splat(c[k]));
     }
-    for k in 0..basis.lanes.len() {
-        let (b, l) = (k / WIDTH, k % WIDTH);
-        let at = i * blocks + b;
-        let (wr, wi) = (basis.shape[0][at].0[l], basis.shape[1][at].0[l]);
-        let (zr, zi) = (phase.re[b].0[l], phase.im[b].0[l]);
-        let (cr, ci) = (wr * zr - wi * zi, wr * zi + wi * zr);
-        let decay = basis.re[b].0[l] * s.0[0];
-        // e^-45 = 3e-20: gone.
-        if decay < -45.0 {
-            continue;
-        }
-        let size = if basis.re[b].0[l] == 0.0 {
-            V::splat(1.0)
-        } else {
-            exp::<A>(s * V::splat(basis.re[b].0[l]))
-        };
-        let (sin, cos) = sin_cos::<A>(s * V::splat(basis.im[b].0[l]));
-        sum = size.fma::<A>(cos * V::splat(cr) - sin * V::splat(ci), sum);
-    }
     for flight in &phase.flights {
         let shape = basis.rigid[flight.rigid].shape[i];
-        let a = flight.amplitude;
-        sum = sum
-            + s.map(|s| {
-                let x = flight.omega * s;
-                let (sin, cos) = scalar_sin_cos::<A>(x);
-                let (c, l) = reduced::<A>(x, sin, cos);
-                shape * (a.re * c - a.im * l)
-            });
+        let a = flight.amplitude * shape;
+        let x = s * V::splat(flight.omega);
+        let (sin, cos) = sin_cos::<A>(x);
+        let (c, l) = reduced::<A>(x, sin, cos);
+        sum = V::splat(a.re).fma::<A>(c, sum) - V::splat(a.im) * l;
     }
     sum
 }

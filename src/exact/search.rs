@@ -7,9 +7,10 @@
 //! signal is below its own rounding, is counted as grazing.
 
 use super::basis::Basis;
-use super::bound::{Assessment, Bracket, assess, reversed};
+use super::bound::{Assessment, Bracket, Jet, assess, reversed};
+use super::functional::ORDERS;
 use super::lanes::{Arith, V, WIDTH};
-use super::phase::{Exponentials, Phase};
+use super::phase::{Exponentials, Phase, Swing};
 use super::signal::{Signal, Terms};
 
 /// What a step of the search found.
@@ -29,6 +30,9 @@ pub(crate) enum Step {
 /// Is told of every step. (A trait and not a closure: closures cannot be forced
 /// inline, and out of line they lose the processor's instructions.)
 pub(crate) trait Witness {
+    /// False when it need not be told.
+    fn looks(&self) -> bool;
+
     /// Nothing has switched between the two instants.
     fn see<A: Arith>(&mut self, before: &Exponentials, now: &Exponentials);
 }
@@ -51,13 +55,13 @@ pub(crate) struct Search {
 }
 
 impl Search {
-    pub(crate) fn new(blocks: usize) -> Self {
+    pub(crate) fn new(blocks: usize, harmonics: usize) -> Self {
         Self {
-            e: Exponentials::new(blocks),
-            before: Exponentials::new(blocks),
+            e: Exponentials::new(blocks, harmonics),
+            before: Exponentials::new(blocks, harmonics),
             terms: Terms {
-                lane: vec![V::ZERO; 5 * blocks],
-                slow: [0.0; 4],
+                lane: vec![V::ZERO; (ORDERS + 1) * blocks],
+                slow: [0.0; ORDERS],
             },
             steps: 0,
             evaluations: 0,
@@ -70,6 +74,10 @@ impl Search {
     #[inline(always)]
     pub(crate) fn restart(&mut self, phase: &Phase) {
         self.e.s = 0.0;
+        self.e.swings.fill(Swing {
+            cos: 1.0,
+            ..Swing::default()
+        });
         for b in 0..phase.active {
             self.e.re[b] = V::splat(1.0);
             self.e.im[b] = V::ZERO;
@@ -127,18 +135,25 @@ impl Search {
             length = length.min(free);
         }
         self.steps += 1;
-        self.before.copy(&self.e, phase.active);
+        let looks = witness.looks();
+        if looks {
+            self.before.copy(&self.e, phase.active);
+        }
         if let Some((number, bracket)) = root
             && (second >= bracket.high || second >= left)
         {
             let signal = &signals[watched[number]];
             let step = self.polish::<A>(basis, phase, signal, bracket, left, number);
-            witness.see::<A>(&self.before, &self.e);
+            if looks {
+                witness.see::<A>(&self.before, &self.e);
+            }
             return step;
         }
         let target = if length >= left { horizon } else { s + length };
         self.evaluate::<A>(basis, phase, target);
-        witness.see::<A>(&self.before, &self.e);
+        if looks {
+            witness.see::<A>(&self.before, &self.e);
+        }
         if length >= left {
             Step::Reached
         } else {
@@ -157,14 +172,15 @@ impl Search {
             return seen.free;
         }
         self.grazing += 1;
-        let [_, d1, d2, d3] = seen.jet.map(f64::abs);
+        let [_, d1, d2, d3, d4] = seen.jet.map(f64::abs);
         let n = 0.25 * signal.noise;
         let mut h = left;
         h = h
             .min(n / d1)
             .min((2.0 * n / d2).sqrt())
             .min((6.0 * n / d3).cbrt());
-        h = h.min((24.0 * n / seen.remainder).sqrt().sqrt());
+        h = h.min((24.0 * n / d4).sqrt().sqrt());
+        h = h.min((120.0 * n / seen.remainder).powf(0.2));
         // Exactly zero in every order that is seen: a billionth of what is left.
         h.max(2.0 * least).max(1e-9 * left).min(left)
     }
@@ -198,9 +214,7 @@ impl Search {
             } else {
                 high = s
             }
-            let x = reversed(a);
-            let bend = 0.5 * a[2] * x / a[1];
-            let lost = (r * x * x * x / (24.0 * a[1])).abs() + 5.0 * (bend * bend * bend).abs();
+            let (x, lost) = reversed(a, r);
             let next = s + x;
             let inside = next >= low && next <= high;
             if inside && lost * x.abs() <= 1e-16 * s {
@@ -211,6 +225,9 @@ impl Search {
                 if fastest * x.abs() < 1e-4 {
                     self.nudge::<A>(basis, phase.active, x);
                     self.e.s = next;
+                    if !phase.flights.is_empty() {
+                        phase.swing::<A>(basis, &mut self.e);
+                    }
                 } else if next != s {
                     self.evaluate::<A>(basis, phase, next);
                 }
@@ -232,25 +249,17 @@ impl Search {
         Step::Root(number)
     }
 
-    /// g … g⃛ of a signal at the instant evaluated, all lanes followed.
+    /// g and its derivatives at the instant evaluated, all lanes followed, and
+    /// a bound on the next one.
     #[inline(always)]
     pub(crate) fn jet<A: Arith>(
         &mut self,
         basis: &Basis,
         phase: &Phase,
         signal: &Signal,
-    ) -> ([f64; 4], f64) {
+    ) -> (Jet, f64) {
         signal.terms::<A>(basis, phase.active, &self.e, &mut self.terms);
-        let blocks = basis.blocks;
-        let mut a = self.terms.slow;
-        let mut r = signal.slow4();
-        for b in 0..phase.active {
-            for (order, value) in a.iter_mut().enumerate() {
-                *value += self.terms.lane[order * blocks + b].sum();
-            }
-            r += (self.terms.lane[4 * blocks + b] * basis.fourth[b]).sum();
-        }
-        (a, r)
+        self.terms.jet(basis, phase.active, signal.slow5())
     }
 
     /// Moves the exponentials by a small x: e^{λx} by its Taylor series

@@ -1,33 +1,33 @@
 //! A linear functional over one phase, with its derivatives: what is watched and bounded.
 
 use super::basis::Basis;
-use super::functional::{Functional, Weights};
-use super::lanes::{Arith, V, reduced};
+use super::functional::{Functional, ORDERS, Weights};
+use super::lanes::{Arith, V};
 use super::pencil::C;
-use super::phase::{Exponentials, POLY, Phase, scalar_sin_cos};
+use super::phase::{Exponentials, POLY, Phase, Swing};
 
-/// Rigid flight in a signal: Re(α·E₂(iΩs) + β·E₁(iΩs) + γ·e^{iΩs}), E_k the
-/// exponential without its first k Taylor terms.
+/// Rigid flight in a signal: Re(α·E₂(iΩs) + β·E₁(iΩs)), E_k the exponential
+/// without its first k Taylor terms.
 #[derive(Clone, Copy, Debug)]
 struct Arc {
+    harmonic: usize,
     omega: f64,
     alpha: C,
     beta: C,
-    gamma: C,
 }
 
 /// A functional over the present phase.
 #[derive(Clone, Debug)]
 pub(crate) struct Signal {
-    /// Amplitude of each lane in g … g⃛: `[order][re/im][block]`.
+    /// Amplitude of each lane in g and its derivatives: `[order][re/im][block]`.
     c: Vec<V>,
     /// |amplitude| in g at the start.
     size: Vec<V>,
     poly: [f64; POLY],
     degree: usize,
     arcs: Vec<Arc>,
-    /// Bound on |fourth derivative| of the polynomial and the arcs.
-    slow4: f64,
+    /// Bound on |fifth derivative| of the polynomial and the arcs.
+    slow5: f64,
     /// Rounding of g: what cannot be told from zero.
     pub(crate) noise: f64,
     /// g and its next derivatives known to be zero at the start.
@@ -36,24 +36,47 @@ pub(crate) struct Signal {
     pub(crate) leaving: bool,
 }
 
-/// Value and three derivatives, with the lanes' own contributions left in the scratch.
+/// Value and derivatives, with the lanes' own contributions left in the scratch.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Terms {
-    /// Lane contributions to g … g⃛, and |amplitude| now: `[5][block]`.
+    /// Lane contributions to g and its derivatives, and |amplitude| now:
+    /// `[ORDERS + 1][block]`.
     pub(crate) lane: Vec<V>,
     /// Polynomial and arcs.
-    pub(crate) slow: [f64; 4],
+    pub(crate) slow: [f64; ORDERS],
+}
+
+impl Terms {
+    /// g and its derivatives with all lanes followed, and a bound on the next
+    /// one, of which `slow5` belongs to the polynomial and the arcs.
+    #[inline(always)]
+    pub(crate) fn jet(&self, basis: &Basis, active: usize, slow5: f64) -> ([f64; ORDERS], f64) {
+        let blocks = basis.blocks;
+        let mut sums = [V::ZERO; ORDERS];
+        let mut r = V::ZERO;
+        for b in 0..active {
+            for (order, sum) in sums.iter_mut().enumerate() {
+                *sum = *sum + self.lane[order * blocks + b];
+            }
+            r = r + self.lane[ORDERS * blocks + b] * basis.fifth[b];
+        }
+        let mut a = self.slow;
+        for (value, sum) in a.iter_mut().zip(sums) {
+            *value += sum.sum();
+        }
+        (a, slow5 + r.sum())
+    }
 }
 
 impl Signal {
     pub(crate) fn new(blocks: usize, flights: usize) -> Self {
         Self {
-            c: vec![V::ZERO; 8 * blocks],
+            c: vec![V::ZERO; 2 * ORDERS * blocks],
             size: vec![V::ZERO; blocks],
             poly: [0.0; POLY],
             degree: 0,
             arcs: Vec::with_capacity(flights),
-            slow4: 0.0,
+            slow5: 0.0,
             noise: 0.0,
             zeros: 0,
             leaving: false,
@@ -75,7 +98,7 @@ impl Signal {
         let mut total = V::ZERO;
         for b in 0..blocks {
             let (zr, zi) = (phase.re[b] * turn, phase.im[b] * turn);
-            for order in 0..4 {
+            for order in 0..ORDERS {
                 let at = 2 * order * blocks + b;
                 let (wr, wi) = (weights.w[at], weights.w[at + blocks]);
                 self.c[at] = wr.fma::<A>(zr, -(wi * zi));
@@ -107,8 +130,8 @@ impl Signal {
                 *c *= sign;
             }
         }
-        self.slow4 = if self.degree > 3 {
-            self.fourth(phase.reach)
+        self.slow5 = if self.degree > 4 {
+            self.fifth(phase.reach)
         } else {
             0.0
         };
@@ -122,15 +145,14 @@ impl Signal {
                 self.poly[0] -= beta.re;
                 beta = C::default();
             }
-            let gamma = C::default();
             let square = flight.omega * flight.omega;
-            // Orders ≥ 2 see the three together, as (α + β + γ)e^{iΩs}.
-            self.slow4 += (alpha + beta + gamma).norm() * square * square;
+            // Orders ≥ 2 see the two together, as (α + β)e^{iΩs}.
+            self.slow5 += (alpha + beta).norm_sqr().sqrt() * square * square * flight.omega;
             self.arcs.push(Arc {
+                harmonic: flight.harmonic,
                 omega: flight.omega,
                 alpha,
                 beta,
-                gamma,
             });
         }
         self.noise = 4.0 * f64::EPSILON * scale;
@@ -138,12 +160,12 @@ impl Signal {
         self.leaving = false;
     }
 
-    /// Bound on the fourth derivative of the polynomial over the phase.
+    /// Bound on the fifth derivative of the polynomial over the phase.
     #[inline(never)]
-    fn fourth(&self, reach: f64) -> f64 {
+    fn fifth(&self, reach: f64) -> f64 {
         let mut sum = 0.0;
-        for k in (4..=self.degree).rev() {
-            let factor = (k * (k - 1) * (k - 2) * (k - 3)) as f64;
+        for k in (5..=self.degree).rev() {
+            let factor = (k * (k - 1) * (k - 2) * (k - 3) * (k - 4)) as f64;
             sum = sum * reach + factor * self.poly[k].abs();
         }
         sum
@@ -160,22 +182,51 @@ impl Signal {
     ) {
         let blocks = basis.blocks;
         for b in 0..active {
-            for order in 0..4 {
+            for order in 0..ORDERS {
                 let at = 2 * order * blocks + b;
                 out.lane[order * blocks + b] =
                     e.re[b].fma::<A>(self.c[at], -(e.im[b] * self.c[at + blocks]));
             }
-            out.lane[4 * blocks + b] = self.size[b] * e.size[b];
+            out.lane[ORDERS * blocks + b] = self.size[b] * e.size[b];
         }
-        out.slow = self.slow::<A>(e.s);
+        out.slow = self.slow::<A>(e);
     }
 
-    /// Polynomial and arcs at s: value and three derivatives.
+    /// Polynomial and arcs at the instant of `e`: value and derivatives.
     #[inline(always)]
-    fn slow<A: Arith>(&self, s: f64) -> [f64; 4] {
+    fn slow<A: Arith>(&self, e: &Exponentials) -> [f64; ORDERS] {
+        let mut d = self.polynomial::<A>(e.s);
+        for arc in &self.arcs {
+            let w = arc.omega;
+            let Swing {
+                sin,
+                cos,
+                less_one,
+                less_x,
+            } = e.swings[arc.harmonic];
+            let (a, b) = (arc.alpha, arc.beta);
+            let sum = a + b;
+            d[0] += (a.re * less_one - a.im * less_x) + (b.re * less_one - b.im * sin);
+            d[1] -= w * ((a.re * sin + a.im * less_one) + (b.re * sin + b.im * cos));
+            d[2] -= w * w * (sum.re * cos - sum.im * sin);
+            d[3] += w * w * w * (sum.re * sin + sum.im * cos);
+            d[4] += (w * w) * (w * w) * (sum.re * cos - sum.im * sin);
+        }
+        d
+    }
+
+    /// The polynomial at s: value and derivatives.
+    #[inline(always)]
+    fn polynomial<A: Arith>(&self, s: f64) -> [f64; ORDERS] {
+        if self.degree <= 2 {
+            let [a, b, c] = [self.poly[0], self.poly[1], self.poly[2]];
+            let value = A::fma(A::fma(c, s, b), s, a);
+            return [value, A::fma(2.0 * c, s, b), 2.0 * c, 0.0, 0.0];
+        }
         let c = &self.poly[..=self.degree];
-        let mut d = [c[self.degree], 0.0, 0.0, 0.0];
+        let mut d = [c[self.degree], 0.0, 0.0, 0.0, 0.0];
         for k in (0..self.degree).rev() {
+            d[4] = A::fma(d[4], s, d[3]);
             d[3] = A::fma(d[3], s, d[2]);
             d[2] = A::fma(d[2], s, d[1]);
             d[1] = A::fma(d[1], s, d[0]);
@@ -183,45 +234,13 @@ impl Signal {
         }
         d[2] *= 2.0;
         d[3] *= 6.0;
-        for arc in &self.arcs {
-            let w = arc.omega;
-            let x = w * s;
-            let (sin, cos) = scalar_sin_cos::<A>(x);
-            let (c, l) = reduced::<A>(x, sin, cos);
-            let (a, b) = (arc.alpha, arc.beta);
-            let g = arc.gamma;
-            let rest = b + g;
-            let sum = a + rest;
-            d[0] += (a.re * c - a.im * l) + (b.re * c - b.im * sin) + (g.re * cos - g.im * sin);
-            d[1] -= w * ((a.re * sin + a.im * c) + (rest.re * sin + rest.im * cos));
-            d[2] -= w * w * (sum.re * cos - sum.im * sin);
-            d[3] += w * w * w * (sum.re * sin + sum.im * cos);
-        }
+        d[4] *= 24.0;
         d
     }
 
-    /// Value alone at the instant of `e`.
+    /// Bound on the fifth derivative of the polynomial and the arcs.
     #[inline(always)]
-    pub(crate) fn value<A: Arith>(&self, basis: &Basis, active: usize, e: &Exponentials) -> f64 {
-        let blocks = basis.blocks;
-        let mut sum = V::ZERO;
-        for b in 0..active {
-            sum = e.re[b].fma::<A>(self.c[b], sum) - e.im[b] * self.c[b + blocks];
-        }
-        sum.sum() + self.slow::<A>(e.s)[0]
-    }
-
-    /// Bound on the fourth derivative of the polynomial and the arcs.
-    #[inline(always)]
-    pub(crate) fn slow4(&self) -> f64 {
-        self.slow4
-    }
-
-    /// Greatest Ω of the arcs and whether they exist.
-    #[inline(always)]
-    pub(crate) fn swing(&self) -> f64 {
-        self.arcs
-            .iter()
-            .fold(0.0, |m, arc| if arc.omega > m { arc.omega } else { m })
+    pub(crate) fn slow5(&self) -> f64 {
+        self.slow5
     }
 }

@@ -1,6 +1,7 @@
 //! The states of the pairs just after t = 0.
 
 use super::functional::Functional;
+use super::lanes::Plain;
 use super::law::LAW_DEGREE;
 use super::pencil::C;
 use super::problem::{Flank, PairState, Refusal, TreeProblem};
@@ -110,7 +111,9 @@ fn leading(problem: &TreeProblem, i: usize, f: usize, d: &[Vec<f64>]) -> Option<
 fn derivatives(problem: &TreeProblem, states: &[PairState], orders: usize) -> Vec<Vec<f64>> {
     let n = problem.masses.len();
     let mut forcing = problem.law.forcing();
-    problem.law.start(0.0, 0.0, &mut None, &mut forcing);
+    problem
+        .law
+        .start::<Plain>(0.0, 0.0, &mut None, &mut forcing);
     let frequencies = problem.law.frequencies();
     let mut d = vec![problem.displacement.clone(), problem.speed.clone()];
     for order in 0..orders {

@@ -92,10 +92,13 @@ fn damped_reference_cases_agree_to_their_tolerance_with_exact_counts() {
         let run = tree
             .run(&Request {
                 figures: true,
+                audit: true,
                 ..Request::new(end, 40)
             })
             .expect("runs");
         let f = run.figures[0];
+        let audit = run.audit.expect("audit");
+        assert!(audit.error() < 1e-12, "{name}: {audit:?}");
         let scale = figure("delta_max_rad")
             .abs()
             .max(figure("delta_min_rad").abs());
@@ -242,19 +245,25 @@ fn starts_on_the_law_agree_with_quadruple_precision() {
         let tree = ExactTree::new(compared(case));
         let request = Request {
             figures: true,
+            audit: true,
             ..Request::new(case.3, 1000)
         };
         let run = tree.run(&request).expect("runs");
         let f = run.figures[0];
+        let audit = run.audit.expect("audit");
+        assert!(audit.error() < 1e-12, "{audit:?}");
         assert_eq!(run.switches.len(), switches);
         assert_eq!(run.samples.len(), 1000);
         let measured = f.delta_max.max(-f.delta_min);
         approx::assert_relative_eq!(measured, peak, max_relative = 1e-12);
         approx::assert_relative_eq!(f.sigma, sigma, max_relative = 1e-12);
         approx::assert_abs_diff_eq!(run.samples[999], end, epsilon = 1e-11 * peak);
-        let plain = run::run_plain(&tree.problem, &tree.functionals, &tree.first, &request);
+        let (problem, pairs) = (&tree.problem, &tree.functionals);
+        let plain = run::run_plain(problem, pairs, &tree.first, &request, &run::always);
         let plain = plain.expect("runs");
         assert_eq!(plain.switches.len(), switches);
+        let audit = plain.audit.expect("audit");
+        assert!(audit.error() < 1e-12, "{audit:?}");
         for (a, b) in plain.samples.iter().zip(&run.samples) {
             approx::assert_abs_diff_eq!(a, b, epsilon = 1e-11 * peak);
         }

@@ -8,9 +8,14 @@
 //! the same way. A step in which nothing can happen costs its bound.
 
 mod climb;
+mod walk;
 
+use climb::{Climb, Turns};
+use walk::{Halves, Walk};
+
+use super::asked::Asked;
 use super::basis::Basis;
-use super::hermite::{End, Piece, Point, enclose};
+use super::hermite::{Bounds, End, Piece, Point, enclose};
 use super::lanes::{Arith, V, WIDTH};
 use super::panel::{Panel, PanelPhase};
 use super::phase::{Exponentials, Phase};
@@ -39,6 +44,9 @@ const CUTS: usize = 64;
 
 /// Lanes are followed over up to this many radians of theirs.
 const FOLLOW: f64 = 4.5;
+
+/// Most times that a part is halved before its summits are climbed.
+const HALVINGS: u8 = 2;
 
 /// What the figures are taken from.
 #[derive(Clone, Copy)]
@@ -74,6 +82,7 @@ pub(crate) struct Track {
     pub(crate) area: f64,
     state: PanelPhase,
     engaged: bool,
+    asked: Asked,
     /// Cap on the clearance (half the gap).
     cap: f64,
     high: V,
@@ -92,7 +101,13 @@ pub(crate) struct Track {
 }
 
 impl Track {
-    pub(crate) fn new(blocks: usize, flights: usize, delta: f64, cap: f64) -> Self {
+    pub(crate) fn new(
+        (blocks, harmonics): (usize, usize),
+        flights: usize,
+        delta: f64,
+        cap: f64,
+        asked: Asked,
+    ) -> Self {
         Self {
             figures: TreeFigures {
                 delta_max: delta,
@@ -102,6 +117,7 @@ impl Track {
             area: 0.0,
             state: PanelPhase::new(blocks, flights),
             engaged: true,
+            asked,
             cap,
             high: V::ZERO,
             low: V::ZERO,
@@ -109,9 +125,9 @@ impl Track {
             turned: 0.0,
             roots: Vec::with_capacity(CUTS),
             pieces: Vec::with_capacity(2 * CUTS + 2),
-            e: Exponentials::new(blocks),
-            from: Exponentials::new(blocks),
-            to: Exponentials::new(blocks),
+            e: Exponentials::new(blocks, harmonics),
+            from: Exponentials::new(blocks, harmonics),
+            to: Exponentials::new(blocks, harmonics),
         }
     }
 
@@ -137,8 +153,16 @@ impl Track {
         if !engaged && f.max_lift >= self.cap {
             self.high.0[3] = f64::INFINITY;
         }
+        // What is not asked for can never pass.
+        for (k, asked) in self.asked.functionals(engaged).into_iter().enumerate() {
+            if !asked {
+                (self.high.0[k], self.low.0[k]) = (f64::INFINITY, f64::NEG_INFINITY);
+            }
+        }
         self.last = self.state.point::<A>(basis, panel, phase, e);
-        self.turned = self.state.primitive::<A>(basis, panel, phase, e);
+        if self.asked.mean {
+            self.turned = self.state.primitive::<A>(panel, phase, e);
+        }
     }
 
     /// Takes the step from `before` to `now` into the figures.
@@ -155,102 +179,35 @@ impl Track {
                 .point::<A>(scene.basis, scene.panel, scene.phase, now);
             self.span::<A>(scene, before, end);
         } else {
-            self.walk::<A>(scene, before, now);
+            A::apart(Walk {
+                track: self,
+                scene,
+                before,
+                now,
+            });
         }
-    }
-
-    /// Walks through a step over which some lanes turn far: parts on which
-    /// their envelopes rule everything out, and parts short enough to follow
-    /// every lane that matters.
-    #[inline(always)]
-    fn walk<A: Arith>(&mut self, scene: Scene, before: &Exponentials, now: &Exponentials) {
-        let active = scene.phase.active;
-        let mut from = std::mem::take(&mut self.from);
-        let mut to = std::mem::take(&mut self.to);
-        from.copy(before, active);
-        let mut length = now.s - from.s;
-        while from.s < now.s {
-            if from.s + length >= now.s {
-                to.copy(now, active);
-            } else {
-                scene
-                    .phase
-                    .exponentials::<A>(scene.basis, from.s + length, &mut to);
-            }
-            let h = to.s - from.s;
-            let end = self
-                .state
-                .point::<A>(scene.basis, scene.panel, scene.phase, &to);
-            let follow = scene.followed(h);
-            if follow < scene.lanes() && !self.ruled_out::<A>(scene, (&from, &to), &end, follow) {
-                let short = self.short(scene, &from);
-                if h > 1.01 * short {
-                    length = short.max(0.25 * h);
-                    continue;
-                }
-                self.span::<A>(scene, &from, end);
-            } else if follow == scene.lanes() {
-                self.span::<A>(scene, &from, end);
-            }
-            self.last = end;
-            std::mem::swap(&mut from, &mut to);
-            length = (4.0 * h).min(now.s - from.s);
-        }
-        self.from = from;
-        self.to = to;
-    }
-
-    /// Length over which the fastest lane that matters can be followed.
-    #[inline(always)]
-    fn short(&self, scene: Scene, e: &Exponentials) -> f64 {
-        let level = self.high.map(f64::abs).max(self.low.map(f64::abs));
-        let live = (0..scene.lanes()).rev().find(|&k| {
-            let size = self.state.lane_size(scene.panel, e, k);
-            (0..4).any(|f| size.0[f] > 1e-9 * level.0[f] && size.0[f] > 0.0)
-        });
-        live.map_or(f64::INFINITY, |k| 0.7 * FOLLOW / scene.basis.modulus[k])
-    }
-
-    /// True when between `from` and `to` nothing can pass the greatest values
-    /// and δ keeps its sign, whatever the lanes from `follow` on do within
-    /// their envelopes.
-    #[inline(always)]
-    fn ruled_out<A: Arith>(
-        &self,
-        scene: Scene,
-        (from, to): (&Exponentials, &Exponentials),
-        end: &Point,
-        follow: usize,
-    ) -> bool {
-        let Scene {
-            basis,
-            panel,
-            phase,
-        } = scene;
-        let (mut a, mut b) = (self.last, *end);
-        let mut loss = self
-            .state
-            .loss::<A>(basis, panel, (from, follow), b.s - a.s);
-        for k in follow..scene.lanes() {
-            loss.flat = loss.flat + self.state.lane_size(panel, from, k);
-            for (point, e) in [(&mut a, from), (&mut b, to)] {
-                let [value, slope] = panel.lane::<A>(phase, e, k);
-                point.value = point.value - value;
-                point.slope = point.slope - slope;
-            }
-        }
-        let bounds = enclose::<A>(&a, &b, &loss);
-        let worst = (bounds.high - self.high).max(self.low - bounds.low);
-        let margin = self.margin();
-        (0..4).all(|k| worst.0[k] <= margin.0[k]) && !mixed(bounds.low.0[0], bounds.high.0[0])
     }
 
     /// Takes the part from the last point to `b`, which begins at `before`.
     #[inline(always)]
     fn span<A: Arith>(&mut self, scene: Scene, before: &Exponentials, b: Point) {
-        let (basis, panel) = (scene.basis, scene.panel);
         let a = self.last;
         self.last = b;
+        self.between::<A>(scene, before, (a, b), HALVINGS);
+    }
+
+    /// Takes the part between two points. It may be cut in half so many times
+    /// first, which settles most of what a bound over the whole leaves open,
+    /// for all figures at once.
+    #[inline(always)]
+    fn between<A: Arith>(
+        &mut self,
+        scene: Scene,
+        before: &Exponentials,
+        (a, b): (Point, Point),
+        halvings: u8,
+    ) {
+        let (basis, panel) = (scene.basis, scene.panel);
         let h = b.s - a.s;
         let loss = self
             .state
@@ -258,24 +215,51 @@ impl Track {
         let bounds = enclose::<A>(&a, &b, &loss);
         let over = bounds.high - self.high;
         let under = self.low - bounds.low;
-        let worst = over.max(under);
         // Differences below rounding are not worth a climb.
         let margin = self.margin();
-        if (0..4).any(|k| worst.0[k] > margin.0[k]) {
+        let beyond = over.max(under) - margin;
+        if beyond.greatest() > 0.0 {
+            if halvings > 0 {
+                A::apart(Halves {
+                    track: self,
+                    scene,
+                    before,
+                    ends: (a, b),
+                    halvings: halvings - 1,
+                });
+                return;
+            }
             let noise = self.state.noise(basis, panel, b.s);
             for k in 0..4 {
                 let margin = margin.0[k].max(noise.0[k]);
-                if over.0[k] > margin {
-                    self.climb::<A>(scene, before, (&a, &b), (k, 1.0), margin);
-                }
-                if under.0[k] > margin {
-                    self.climb::<A>(scene, before, (&a, &b), (k, -1.0), margin);
+                for (beyond, sign) in [(over.0[k], 1.0), (under.0[k], -1.0)] {
+                    if beyond > margin {
+                        A::apart(Climb {
+                            track: self,
+                            scene,
+                            before,
+                            ends: (&a, &b),
+                            figure: (k, sign),
+                            margin,
+                        });
+                    }
                 }
             }
         }
-        if mixed(bounds.low.0[0], bounds.high.0[0]) {
-            self.turns::<A>(scene, before, (&a, &b));
+        if self.may_turn(&bounds) {
+            A::apart(Turns {
+                track: self,
+                scene,
+                before,
+                ends: (&a, &b),
+            });
         }
+    }
+
+    /// True when δ may change its sign, and that matters.
+    #[inline(always)]
+    pub(super) fn may_turn(&self, bounds: &Bounds) -> bool {
+        self.asked.mean && mixed(bounds.low.0[0], bounds.high.0[0])
     }
 
     #[inline(always)]
@@ -287,9 +271,10 @@ impl Track {
     /// Ends the phase at the instant of `e`.
     #[inline(always)]
     pub(crate) fn end<A: Arith>(&mut self, scene: Scene, e: &Exponentials) {
-        let last = self
-            .state
-            .primitive::<A>(scene.basis, scene.panel, scene.phase, e);
+        if !self.asked.mean {
+            return;
+        }
+        let last = self.state.primitive::<A>(scene.panel, scene.phase, e);
         self.area += (last - self.turned).abs();
     }
 

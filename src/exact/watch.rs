@@ -1,5 +1,6 @@
 //! What is watched in the present states of the pairs, and what a switch does to them.
 
+use super::functional::value;
 use super::lanes::Arith;
 use super::problem::PairState;
 use super::request::ExactSwitch;
@@ -80,16 +81,13 @@ impl Workspace<'_> {
             }
             let clear = watch.functional - 1;
             let entry = &self.regimes[regime];
-            let signal = &mut self.signals[clear];
-            signal.take::<A>(
-                &entry.basis,
-                &self.phase,
+            let (x, noise) = value::<A>(
                 &self.functionals[clear],
                 &entry.weights[clear],
-                1.0,
+                &self.phase,
+                &self.search.e,
             );
-            let x = signal.value::<A>(&entry.basis, self.phase.active, &self.search.e);
-            if x > signal.noise {
+            if x > noise {
                 self.states[watch.mass] = PairState::Free;
                 changed = true;
             }
@@ -113,11 +111,12 @@ impl Workspace<'_> {
             PairState::Pressed(_) if undamped => PairState::Free,
             target => target,
         };
-        match (before, after) {
-            (_, PairState::Free) => self.zeros[clear] = 1,
-            (_, PairState::Pressed(_)) | (PairState::Pressed(_), _) => self.zeros[clear + 1] = 1,
-            _ if undamped => self.zeros[clear + 1] = 1,
-            _ => {}
+        // The function that fired is zero; without damping so is the force where
+        // the flank is touched. (Coming over from the other flank's Pressed it is not.)
+        if after == PairState::Free {
+            self.zeros[clear] = 1;
+        } else if watch.functional > clear || undamped {
+            self.zeros[clear + 1] = 1;
         }
         self.states[i] = after;
         self.out.switches.push(ExactSwitch {

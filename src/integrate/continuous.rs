@@ -162,6 +162,22 @@ impl Output {
         }
     }
 
+    /// The motion itself: polynomials of a degree in Bernstein form.
+    pub(super) fn bernstein(&mut self, from: &End, to: &End, coefficients: &[f64], degree: usize) {
+        self.start = from.time;
+        self.length = to.time - from.time;
+        self.degree = degree;
+        let most = self.coefficients.len().max(coefficients.len());
+        self.coefficients.resize(most, 0.0);
+        self.coefficients[..coefficients.len()].copy_from_slice(coefficients);
+        let rows = self.coefficients.chunks_exact_mut(degree + 1);
+        for (row, (a, b)) in rows.zip(from.signals.iter().zip(&to.signals)) {
+            row[0] = a[0];
+            row[degree] = b[0];
+            row[degree - 1] = b[0] - self.length / degree as f64 * b[1];
+        }
+    }
+
     /// The quintic through (s, ṡ) of both ends and of the middle of the step.
     pub(super) fn through_middle<D: Dynamics>(
         &mut self,

@@ -107,6 +107,33 @@ pub trait Dynamics: Sync {
         out: &mut [f64],
     );
 
+    /// Derivatives of the accelerations along several directions at once, 2n
+    /// entries each, one after the other; n entries of `out` for each. Must not
+    /// allocate after the first call with a scratch. Default: one by one.
+    fn tangents(
+        &self,
+        time: f64,
+        y: &[f64],
+        modes: &Modes,
+        directions: &[f64],
+        scratch: &mut Self::Scratch,
+        out: &mut [f64],
+    ) {
+        let count = self.coordinates();
+        let mut product = vec![0.0; 2 * count];
+        let directions = directions.chunks_exact(2 * count);
+        for (direction, out) in directions.zip(out.chunks_exact_mut(count)) {
+            self.tangent(time, y, modes, direction, scratch, &mut product);
+            out.copy_from_slice(&product[count..]);
+        }
+    }
+
+    /// True when the right-hand side does not depend on time, in any modes.
+    /// Default: false.
+    fn is_autonomous(&self) -> bool {
+        false
+    }
+
     /// Derivative of `derivatives` with respect to time at a fixed state.
     fn time_tangent(
         &self,

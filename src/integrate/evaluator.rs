@@ -36,7 +36,19 @@ impl<'a, D: Dynamics> Evaluator<'a, D> {
         }
     }
 
+    /// Derivatives of the accelerations along directions, see
+    /// [`Dynamics::tangents`]; each counts as one evaluation.
+    pub(super) fn tangents(&self, time: f64, y: &[f64], directions: &[f64], out: &mut [f64]) {
+        let modes = self.modes.borrow();
+        let mut scratch = self.scratch.borrow_mut();
+        self.dynamics
+            .tangents(time, y, &modes, directions, &mut scratch, out);
+        let count = out.len() / self.dynamics.coordinates().max(1);
+        self.evaluations.set(self.evaluations.get() + count as u64);
+    }
+
     /// Jacobian times `direction`.
+    #[cfg(feature = "diffsol")]
     pub(super) fn tangent(&self, time: f64, y: &[f64], direction: &[f64], out: &mut [f64]) {
         let modes = self.modes.borrow();
         let mut scratch = self.scratch.borrow_mut();

@@ -12,12 +12,14 @@ mod diffsol_adapter;
 mod dynamics;
 mod edges;
 mod evaluator;
+mod linear;
 mod locate;
 mod ode_solvers_adapter;
 mod outcome;
 mod pace;
 #[cfg(test)]
 pub(crate) mod problems;
+mod radau;
 mod rosenbrock;
 mod run;
 mod stopping;
@@ -27,6 +29,8 @@ mod tests;
 
 pub use auto::{Situation, choose, fastest_rate};
 pub use dynamics::{Dynamics, Edge, Guard, Modes, PhysicalStop, Watch};
+pub use taylor::degree as series_degree;
+
 pub use outcome::{Limits, Method, Outcome, Settings, Sink, Statistics, Stop, SwitchEvent};
 
 use evaluator::Evaluator;
@@ -90,6 +94,7 @@ pub fn integrate<D: Dynamics>(
                 Method::Rk4 | Method::Dopri5 | Method::Dop853 => ode_solvers_adapter::leg(&mut run),
                 Method::Taylor => taylor::leg(&mut run),
                 Method::Rodas5p => rosenbrock::leg(&mut run),
+                Method::Radau => radau::leg(&mut run),
                 #[cfg(feature = "diffsol")]
                 Method::Bdf | Method::TrBdf2 | Method::Esdirk34 => diffsol_adapter::leg(&mut run),
                 Method::Exact => {

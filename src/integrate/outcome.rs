@@ -21,6 +21,8 @@ pub enum Method {
     Taylor,
     /// Rodas5P, a Rosenbrock method of order 5(4), L-stable.
     Rodas5p,
+    /// Radau IIA of order 5, 9 or 13, which follows the tolerance; L-stable.
+    Radau,
     /// Backward differentiation formulas of variable order (diffsol).
     Bdf,
     /// TR-BDF2, L-stable, order 2 (diffsol).
@@ -35,12 +37,13 @@ pub enum Method {
 impl Method {
     /// All methods of integration, in the order they are presented; `exact`
     /// is not among them.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 9] = [
         Self::Rk4,
         Self::Dopri5,
         Self::Dop853,
         Self::Taylor,
         Self::Rodas5p,
+        Self::Radau,
         Self::Bdf,
         Self::TrBdf2,
         Self::Esdirk34,
@@ -60,6 +63,7 @@ impl Method {
             Self::Dop853 => "dop853",
             Self::Taylor => "taylor",
             Self::Rodas5p => "rodas5p",
+            Self::Radau => "radau",
             Self::Bdf => "bdf",
             Self::TrBdf2 => "tr_bdf2",
             Self::Esdirk34 => "esdirk34",

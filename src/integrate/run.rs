@@ -5,6 +5,7 @@ use super::edges::Edges;
 use super::evaluator::Evaluator;
 use super::locate::{Located, Stretch};
 use super::pace::Pace;
+use super::radau;
 use super::rosenbrock::Stepper;
 use super::taylor::Series;
 use super::{
@@ -15,19 +16,28 @@ use std::time::Instant;
 /// Switches at one and the same instant after which a run is given up.
 const MOST_AT_ONCE: u32 = 64;
 
+/// A switch at these places of a step is located on a step that ends just behind
+/// it, by this share of it: the polynomial is best near the ends of the step.
+const AMIDST: std::ops::Range<f64> = 0.01..0.99;
+const BEHIND: f64 = 1e-3;
+const MOST_DRAWN_IN: u32 = 4;
+
 /// What a method has to do after an accepted step.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Verdict {
     /// Go on from the step's end.
     Continue,
     /// Begin anew from the run's present state: something has switched.
     Restart,
+    /// Take the step anew, this long (s): it ends just behind a switch then, where
+    /// the method is more accurate than the output in its midst.
+    Again(f64),
     /// The run is over.
     Stop,
 }
 
 /// What a method knows of a step between its ends.
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 pub(super) enum Given<'g> {
     /// Nothing: the right-hand side is to be asked.
     Nothing,
@@ -37,6 +47,8 @@ pub(super) enum Given<'g> {
     /// The motion itself: power series of all signals of a degree, over a time
     /// of which the step takes a share.
     Series(&'g [f64], usize, f64),
+    /// The motion itself: polynomials of all signals of a degree in Bernstein form.
+    Polynomial(&'g [f64], usize),
 }
 
 /// State of a run between the steps of a method.
@@ -63,10 +75,14 @@ pub(super) struct Run<'a, D: Dynamics> {
     watches: Vec<Watch>,
     zero_at_start: Vec<Guard>,
     switches_at_once: u32,
+    /// How often the step under way has been shortened to end just behind a switch.
+    drawn_in: u32,
     pub(super) begun: Instant,
     pub(super) pace: Pace,
     /// The own stiff method, with its memory, once it has been used.
     pub(super) rosenbrock: Option<Box<Stepper>>,
+    /// The own stiff method for fine tolerances, likewise.
+    pub(super) radau: Option<radau::Stepper>,
     /// Memory of the own method of Taylor series.
     pub(super) series: Series,
 }
@@ -101,9 +117,11 @@ impl<'a, D: Dynamics> Run<'a, D> {
             watches: Vec::new(),
             zero_at_start: Vec::new(),
             switches_at_once: 0,
+            drawn_in: 0,
             begun: Instant::now(),
             pace: Pace::default(),
             rosenbrock: None,
+            radau: None,
             series: Series::default(),
         }
     }
@@ -154,7 +172,7 @@ impl<'a, D: Dynamics> Run<'a, D> {
         let mut shorter = std::mem::take(&mut self.shorter_middle);
         let edge = self.look_at_edges(&mut shorter);
         let verdict = edge.map(|edge| match (given, edge) {
-            (Given::Middle(_), Some(edge)) => {
+            (Given::Middle(_) | Given::Polynomial(..), Some(edge)) => {
                 self.take_step(time, Given::Middle(&shorter), Some(edge))
             }
             (_, Some(edge)) => self.take_step(time, Given::Nothing, Some(edge)),
@@ -182,9 +200,23 @@ impl<'a, D: Dynamics> Run<'a, D> {
                     .series(&self.from, &self.to, series, degree, share);
                 self.earliest()
             }
+            Given::Polynomial(coefficients, degree) => {
+                self.output
+                    .bernstein(&self.from, &self.to, coefficients, degree);
+                self.earliest()
+            }
         };
         // Trial points beyond a switch may leave the domain; that is no failure.
         self.evaluator.take_not_finite();
+        if let (Some(found), None, Given::Polynomial(..)) = (found, edge, given)
+            && self.is_to_draw_in(found.s)
+        {
+            self.drawn_in += 1;
+            self.steps -= 1;
+            self.rejected += 1;
+            return Verdict::Again(found.s * (1.0 + BEHIND) * (self.to.time - self.from.time));
+        }
+        self.drawn_in = 0;
         match (found, edge) {
             (Some(found), _) => self.cut(found),
             (None, None) => match self.pass() {
@@ -195,6 +227,17 @@ impl<'a, D: Dynamics> Run<'a, D> {
                 Verdict::Stop => Verdict::Stop,
                 _ => self.end_at(&edge),
             },
+        }
+    }
+
+    /// True when a switch at a place of the step is to be located more closely, on
+    /// a step that ends just behind it.
+    fn is_to_draw_in(&self, s: f64) -> bool {
+        match self.drawn_in {
+            0 => AMIDST.contains(&s),
+            MOST_DRAWN_IN.. => false,
+            // It has moved by more than the margin.
+            _ => s > AMIDST.start && s < 1.0 - 2.0 * BEHIND,
         }
     }
 

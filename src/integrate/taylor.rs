@@ -26,7 +26,7 @@ const MOST_CUT: f64 = 0.25;
 
 /// Degree for a tolerance: the work of a series grows with the square of its
 /// degree, its reach with tolerance^(1/degree).
-fn degree(tolerance: f64) -> usize {
+pub fn degree(tolerance: f64) -> usize {
     let digits = -tolerance.log10();
     (6.0 + 1.25 * digits)
         .round()
@@ -48,7 +48,7 @@ pub(super) struct Series {
 pub(super) fn leg<D: Dynamics>(run: &mut Run<'_, D>) {
     if !run.evaluator.dynamics.expands() {
         let reason = "a motor's torque over a table of speeds has no power series; \
-                      use dop853 or rodas5p"
+                      use dop853, rodas5p or radau"
             .to_owned();
         let method = run.settings.method;
         run.end(Stop::Method { method, reason });

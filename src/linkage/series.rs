@@ -66,6 +66,13 @@ impl<const N: usize> Series<N> {
         self
     }
 
+    /// The same with another value.
+    #[inline(always)]
+    pub(crate) fn with_value(mut self, value: f64) -> Self {
+        self.0[0] = value;
+        self
+    }
+
     /// The same plus `rate` times the variable, without changing the value.
     #[inline(always)]
     pub(crate) fn tilt(mut self, rate: f64) -> Self {

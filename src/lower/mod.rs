@@ -17,7 +17,9 @@ pub use chain::ChainParameters;
 
 use crate::breaks::Breaks;
 use crate::fault::{Fault, Faults};
-use crate::model::{ExplicitStart, Model, NodeIndex, OUTPUT, ObjectPart, Start, Track, TrackSource};
+use crate::model::{
+    ExplicitStart, Model, NodeIndex, OUTPUT, ObjectPart, Start, Track, TrackSource,
+};
 use crate::object::Description;
 use crate::scene::{Scene, StartSpec};
 use std::collections::BTreeMap;

@@ -1,10 +1,12 @@
 //! Cam followers: turning or sliding, held to the cam by a closing force.
 
+use super::cam_geometry;
 use super::chain::{self, Rules};
 use super::geometry::Beam;
 use super::position;
 use super::spec::{ChainSpec, InertiaSplit};
 use super::{Description, Kind, Object, no_outputs};
+use crate::cam::CamGeometry;
 use crate::model::{Closure, Coordinate};
 use crate::read::Node;
 
@@ -17,11 +19,13 @@ use crate::read::Node;
 /// Parameters: `motion` (`turning` or `sliding`), inertia (kg·m² or kg),
 /// stiffness (N·m/rad or N/m) and the rest of a chain. The pair is
 /// force-closed unless said otherwise: the follower lifts off where the
-/// closing load is too weak. Equation: the chain's. Limits: a flank rigid in
+/// closing load is too weak. `cam` holds the geometry of cam and follower, for
+/// `dam cam`. Equation: the chain's. Limits: a flank rigid in
 /// shape; the contact's softness is part of link 1.
 #[derive(Debug)]
 pub struct CamFollower {
     chain: ChainSpec,
+    cam: Option<CamGeometry>,
 }
 
 const MOTIONS: [(&str, Coordinate); 2] = [
@@ -63,8 +67,12 @@ pub(super) const KIND: Kind = Kind {
         let coordinate = fields.need("motion", "Whether the follower turns or slides.", |slot| {
             slot.choice(&MOTIONS)
         });
-        let chain = chain::read(fields, context, &rules(coordinate))?;
-        Some(Box::new(CamFollower { chain }))
+        let chain = chain::read(fields, context, &rules(coordinate));
+        let cam = cam_geometry::read(fields, coordinate, context);
+        Some(Box::new(CamFollower {
+            chain: chain?,
+            cam: cam?,
+        }))
     },
 };
 
@@ -79,5 +87,9 @@ impl Object for CamFollower {
 
     fn description(&self) -> Description<'_> {
         Description::Chain(&self.chain)
+    }
+
+    fn cam(&self) -> Option<&CamGeometry> {
+        self.cam.as_ref()
     }
 }

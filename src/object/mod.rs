@@ -5,6 +5,7 @@
 mod body;
 mod cam;
 mod cam_follower;
+mod cam_geometry;
 mod chain;
 mod crank;
 mod drive;
@@ -22,6 +23,7 @@ mod shaft;
 mod slider;
 pub mod spec;
 
+use crate::cam::CamGeometry;
 use crate::model::Coordinate;
 use crate::read::{Fields, Node};
 use spec::{ChainSpec, DriveSpec, DrivenLinkage};
@@ -46,6 +48,11 @@ pub trait Object: fmt::Debug + Send + Sync {
 
     /// What it lowers to.
     fn description(&self) -> Description<'_>;
+
+    /// The disc cam that realises its position function, if the scene tells of one.
+    fn cam(&self) -> Option<&CamGeometry> {
+        None
+    }
 }
 
 /// The things an object can be underneath.
@@ -59,6 +66,9 @@ pub enum Description<'a> {
     Linkage(&'a DrivenLinkage),
 }
 
+/// Outputs by name, with whether they turn or slide; `None`: not known.
+pub type Outputs = Vec<(String, Option<Coordinate>)>;
+
 /// A kind of object: how it is read from a scene.
 #[derive(Clone, Copy, Debug)]
 pub struct Kind {
@@ -70,7 +80,7 @@ pub struct Kind {
     pub driven: bool,
     /// Its outputs besides its own displacement, as far as the text tells: their
     /// names, and whether they turn or slide.
-    pub outputs: fn(&Node) -> Vec<(String, Option<Coordinate>)>,
+    pub outputs: fn(&Node) -> Outputs,
     /// Whether it turns or slides, as far as the text tells.
     pub coordinate: fn(&Node) -> Option<Coordinate>,
     /// Reads its properties, those common to all kinds excepted.
@@ -78,7 +88,7 @@ pub struct Kind {
 }
 
 /// Most kinds have no outputs but their own displacement.
-fn no_outputs(_: &Node) -> Vec<(String, Option<Coordinate>)> {
+fn no_outputs(_: &Node) -> Outputs {
     Vec::new()
 }
 

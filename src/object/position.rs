@@ -157,9 +157,11 @@ fn check(fields: &mut Fields<'_>, function: &PositionSpec, ends: Ends, allowed: 
         let message = format!("`{name}` needs a driver that turns, but this one slides");
         fields.refuse(name, "contradiction", message);
     }
-    let by_block = matches!(function, PositionSpec::SlottedLink(spec) if spec.driver == SlottedDriver::Block);
+    let by_block =
+        matches!(function, PositionSpec::SlottedLink(spec) if spec.driver == SlottedDriver::Block);
     if by_block && ends.driver.0 == Some(Turning) {
-        let message = "the block of a `slotted_link` needs a driver that slides, but this one turns";
+        let message =
+            "the block of a `slotted_link` needs a driver that slides, but this one turns";
         let fault = fields.refuse(name, "contradiction", message);
         let hint = "set its `driver` to \"crank\", or drive it by a cylinder: a `drive` with \"coordinate\": \"sliding\"";
         fault.hints.push(hint.to_owned());

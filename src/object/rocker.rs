@@ -1,10 +1,12 @@
 //! Rockers: turning levers that go round.
 
+use super::cam_geometry;
 use super::chain::{self, Rules};
 use super::geometry::Beam;
 use super::position;
 use super::spec::{ChainSpec, InertiaSplit};
 use super::{Description, Kind, Object, no_outputs};
+use crate::cam::CamGeometry;
 use crate::model::{Closure, Coordinate};
 
 /// A rocker: a lever that swings about a fixed axis, as far as its position
@@ -20,6 +22,7 @@ use crate::model::{Closure, Coordinate};
 #[derive(Debug)]
 pub struct Rocker {
     chain: ChainSpec,
+    cam: Option<CamGeometry>,
 }
 
 const RULES: Rules = Rules {
@@ -38,8 +41,12 @@ pub(super) const KIND: Kind = Kind {
     outputs: no_outputs,
     coordinate: |_| Some(Coordinate::Turning),
     read: |fields, context| {
-        let chain = chain::read(fields, context, &RULES)?;
-        Some(Box::new(Rocker { chain }))
+        let chain = chain::read(fields, context, &RULES);
+        let cam = cam_geometry::read(fields, RULES.coordinate, context);
+        Some(Box::new(Rocker {
+            chain: chain?,
+            cam: cam?,
+        }))
     },
 };
 
@@ -54,5 +61,9 @@ impl Object for Rocker {
 
     fn description(&self) -> Description<'_> {
         Description::Chain(&self.chain)
+    }
+
+    fn cam(&self) -> Option<&CamGeometry> {
+        self.cam.as_ref()
     }
 }

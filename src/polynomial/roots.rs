@@ -5,7 +5,7 @@
 //! without variation there is no root, with one there is exactly one. Intervals
 //! with more are halved (de Casteljau) until one of the two cases holds.
 
-use super::{MAX_DEGREE, evaluate};
+use super::{MAX_DEGREE, evaluate, parts};
 
 /// Coefficients of one polynomial on a part of the interval.
 type Coefficients = [f64; MAX_DEGREE + 1];
@@ -140,12 +140,7 @@ fn only_root(coefficients: &[f64], rising: bool) -> f64 {
 fn halve(coefficients: &Coefficients, degree: usize) -> (Coefficients, Coefficients) {
     let mut left = [0.0; MAX_DEGREE + 1];
     let mut right = *coefficients;
-    for (level, first) in left[..=degree].iter_mut().enumerate() {
-        *first = right[0];
-        for i in 0..degree - level {
-            right[i] = 0.5 * (right[i] + right[i + 1]);
-        }
-    }
+    parts::halve(&mut left[..=degree], &mut right[..=degree]);
     (left, right)
 }
 

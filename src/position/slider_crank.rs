@@ -4,7 +4,7 @@ use super::reach::{ForbiddenArcs, OutOfReach, half_width};
 use crate::fault::{Fault, Faults};
 use crate::jet::Jet;
 use crate::linkage::series::Series;
-use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
+use std::f64::consts::FRAC_PI_2;
 
 /// U = r·cos θ ± √(l² − (r·sin θ − e)²), θ = φ + phase: the slide's distance
 /// from the crank's axis along the guide (m).
@@ -82,14 +82,20 @@ impl SliderCrank {
             offset: e,
             ..
         } = *self;
-        let theta = phi + self.phase;
-        let (_, cos) = Series::<4>::sin_cos(theta, 1.0);
-        // 1 ∓ sin θ = 2·sin²(π/4 ∓ θ/2): both factors of the difference of
-        // squares stay exact where the rod stands nearly across the guide.
-        let (down, _) = Series::sin_cos(FRAC_PI_4 - 0.5 * theta, -0.5);
-        let (up, _) = Series::sin_cos(FRAC_PI_4 + 0.5 * theta, 0.5);
-        let above = (down * down).scale(2.0 * r).shift(l + e - r);
-        let below = (up * up).scale(2.0 * r).shift(l - e - r);
+        let (sin, cos) = Series::<4>::sin_cos(phi + self.phase, 1.0);
+        // Both factors of the difference of squares stay exact where the rod
+        // stands nearly across the guide: of 1 − sin θ and 1 + sin θ the lesser
+        // one is taken from their product, cos² θ.
+        let (s, c) = (sin.value(), cos.value());
+        let greater = 1.0 + s.abs();
+        let lesser = c * c / greater;
+        let (down, up) = if s < 0.0 {
+            (greater, lesser)
+        } else {
+            (lesser, greater)
+        };
+        let above = sin.scale(-r).with_value(r * down + (l + e - r));
+        let below = sin.scale(r).with_value(r * up + (l - e - r));
         (cos.scale(r) + Series::closing_root(above, below, self.branch)).jet()
     }
 

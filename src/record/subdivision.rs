@@ -6,7 +6,7 @@
 //! dozen halvings around the place in question give the result to rounding,
 //! and nothing is overlooked on the way.
 
-use crate::polynomial::MAX_DEGREE;
+use crate::polynomial::{MAX_DEGREE, divide};
 
 /// Halvings after which a piece is taken as it is: the enclosure is then as
 /// tight as the square of 2⁻²⁷, below rounding.
@@ -58,14 +58,8 @@ impl Piece {
         let (mut left, mut right) = (*self, *self);
         left.depth += 1;
         right.depth += 1;
-        let n = self.degree;
-        for level in 1..=n {
-            for i in 0..=n - level {
-                let next = right.coefficients[i + 1];
-                right.coefficients[i] += s * (next - right.coefficients[i]);
-            }
-            left.coefficients[level] = right.coefficients[0];
-        }
+        let all = ..=self.degree;
+        divide(&mut left.coefficients[all], &mut right.coefficients[all], s);
         (left, right)
     }
 

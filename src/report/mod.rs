@@ -1,12 +1,15 @@
 //! Pictures and texts of models and runs, as pure functions: data in, text out.
 //!
 //! * [`html`]: the page of a run; [`compare`]: the page of several runs over each other.
+//! * [`cam`]: disc cams: text, tables, drawings, DXF, the page on which they turn.
 //! * [`csv`]: the samples as a table.
 //! * [`law`]: laws of motion and synthesised strokes.
+//! * [`steady`]: the steady motion of a machine.
 //! * [`svg`]: the object graph and line charts as stand-alone pictures.
 //! * [`show`]: the three models of a scene as text: graph, masses and links, equations.
 //! * [`math`]: formulas, written as Unicode text or as LaTeX.
 
+pub mod cam;
 pub mod compare;
 pub mod csv;
 pub mod diagram;
@@ -22,6 +25,7 @@ pub mod mechanism;
 pub mod methods;
 pub mod quantity;
 pub mod show;
+pub mod steady;
 pub mod svg;
 pub mod ticks;
 pub mod verdict;

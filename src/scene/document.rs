@@ -90,6 +90,7 @@ impl Document {
                     name: read.name,
                     objects: read.objects,
                     run: read.run,
+                    steady: read.steady,
                     expect: read.expect,
                     hash: hash(&canonical),
                 },
@@ -275,6 +276,11 @@ fn write_sorted(value: &serde_json::Value, out: &mut String) {
 }
 
 impl Places {
+    /// The tree that was decoded.
+    pub(super) fn into_root(self) -> Node {
+        self.root
+    }
+
     /// Where the property at an address stands; the nearest part of the
     /// address that exists.
     pub fn locate(&self, path: &str) -> Place {

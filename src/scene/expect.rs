@@ -5,7 +5,7 @@ use super::{Expectation, Expected};
 use crate::model::owner_of;
 use crate::object::Measures;
 use crate::read::{Bounds, Fields, Slot, Wanted, closest, quoted_list};
-use crate::units::quantities as q;
+use crate::units::{Quantity, quantities as q};
 
 /// Reasons for which a run may be expected to stop.
 const STOPS: [&str; 7] = [
@@ -51,6 +51,26 @@ const RUN_FIGURES: &[&str] = &[
     "switches",
     "energy_error",
     "complete",
+];
+
+/// Figures of the steady motion, judged by `dam steady`.
+pub(crate) const STEADY_FIGURES: &[(&str, Quantity)] = &[
+    ("mean_time", q::ANGULAR_SPEED),
+    ("mean_angle", q::ANGULAR_SPEED),
+    ("mean_midrange", q::ANGULAR_SPEED),
+    ("period", q::TIME),
+    ("least_speed", q::ANGULAR_SPEED),
+    ("greatest_speed", q::ANGULAR_SPEED),
+    ("speed_at_start", q::ANGULAR_SPEED),
+    ("fluctuation", q::NUMBER),
+    ("energy_at_start", q::MOMENT),
+    ("reference_energy", q::MOMENT),
+    ("energy_fluctuation", q::MOMENT),
+    ("cycle_work", q::MOMENT),
+    ("balance", q::MOMENT),
+    ("multiplier", q::NUMBER),
+    ("periods", q::NUMBER),
+    ("flywheel", q::INERTIA),
 ];
 
 /// What an expectation is about.
@@ -202,6 +222,14 @@ fn figure(mut slot: Slot<'_>, known: &Known) -> Option<About> {
             return Some(About::Figure(address, wanted.into()));
         }
         unknown(&mut slot, "run", name, RUN_FIGURES.iter().copied());
+        return None;
+    }
+    if owner == "steady" {
+        if let Some((_, quantity)) = STEADY_FIGURES.iter().find(|figure| figure.0 == name) {
+            return Some(About::Figure(address, (*quantity).into()));
+        }
+        let names = STEADY_FIGURES.iter().map(|figure| figure.0);
+        unknown(&mut slot, "steady", name, names);
         return None;
     }
     let Some(object) = known.objects.get(owner) else {

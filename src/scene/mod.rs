@@ -9,14 +9,18 @@ mod overrides;
 mod root;
 mod run;
 mod schema;
+mod steady;
+mod variation;
 
 pub use catalogue::{BuiltIn, Catalogue, Layered};
 pub use document::{Document, Places, Reading};
 pub use overrides::Overrides;
 pub use schema::{schema, schema_text};
+pub use variation::Variation;
 
 use crate::graph::MechanismGraph;
 use crate::object::Object;
+use crate::steady::Mean;
 use std::collections::BTreeMap;
 
 /// A scene, read and checked.
@@ -28,6 +32,8 @@ pub struct Scene {
     pub objects: BTreeMap<String, SceneObject>,
     /// How it is to be run.
     pub run: RunSpec,
+    /// What is asked of its steady motion.
+    pub steady: Option<SteadySpec>,
     /// What is expected of it.
     pub expect: Vec<Expectation>,
     /// SHA-256 (hex) of the canonical scene: defaults filled in, SI, keys sorted.
@@ -95,6 +101,42 @@ pub struct RunSpec {
     pub max_switches: u64,
 }
 
+/// The `steady` block: what is asked of the steady motion of a drive.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SteadySpec {
+    /// Id of the drive; `None`: the only one.
+    pub drive: Option<String>,
+    /// Required mean speed (rad/s).
+    pub mean_speed: Option<f64>,
+    /// What is meant by it; default: the mean over time.
+    pub mean: Mean,
+    /// Angle after which the machine repeats (rad); default: one turn.
+    pub cycle: f64,
+    /// True: a constant moment balances the cycle.
+    pub balance: bool,
+    /// Required coefficient of fluctuation.
+    pub fluctuation: Option<f64>,
+    /// How far the mean speed may be off, relative; default 1e-12.
+    pub tolerance: f64,
+    /// Elastic scenes: most turns after which the motion may repeat; default 1.
+    pub periods: usize,
+}
+
+impl Default for SteadySpec {
+    fn default() -> Self {
+        Self {
+            drive: None,
+            mean_speed: None,
+            mean: Mean::Time,
+            cycle: std::f64::consts::TAU,
+            balance: false,
+            fluctuation: None,
+            tolerance: 1e-12,
+            periods: 1,
+        }
+    }
+}
+
 /// The `start` property.
 #[derive(Clone, Debug, PartialEq)]
 pub enum StartSpec {
@@ -121,7 +163,8 @@ pub struct Expectation {
 #[derive(Clone, Debug, PartialEq)]
 pub enum Expected {
     /// A figure, by its address (`rocker.delta_max`, `rocker.pair.separations`,
-    /// `rocker.final.speed`, `run.switches`), within an absolute bound.
+    /// `rocker.final.speed`, `run.switches`), within an absolute bound. Those
+    /// of the steady motion (`steady.period`) are judged by `dam steady`.
     Figure {
         /// Address.
         figure: String,

@@ -19,7 +19,7 @@ pub(super) struct Known {
 }
 
 /// What is known of one object; `None`: not known.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct KnownObject {
     pub(super) coordinate: Option<Coordinate>,
     /// Number of coordinates that a start state has: its masses, 1 for a
@@ -63,7 +63,8 @@ fn kind(fields: &mut Fields<'_>) -> Option<Kind> {
     fields.need("kind", "What the object is.", |slot| slot.choice(&kinds))
 }
 
-fn object(mut slot: Slot<'_>, id: &str, known: &mut Known) -> Option<SceneObject> {
+/// Reads one object; notes in `known` how many masses it has.
+pub(super) fn object(mut slot: Slot<'_>, id: &str, known: &mut Known) -> Option<SceneObject> {
     let sound = check_id(&mut slot, id);
     let object = slot.record(|fields| {
         fields.remark("description", "Remarks for people.");

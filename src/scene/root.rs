@@ -1,7 +1,7 @@
 //! The top level of a scene.
 
 use super::objects::{self, Known};
-use super::{Expectation, RunSpec, SceneObject, expect, run};
+use super::{Expectation, RunSpec, SceneObject, SteadySpec, expect, run, steady};
 use crate::read::Slot;
 use serde_json::json;
 use std::collections::BTreeMap;
@@ -11,6 +11,7 @@ pub(super) struct Root {
     pub(super) name: String,
     pub(super) objects: BTreeMap<String, SceneObject>,
     pub(super) run: RunSpec,
+    pub(super) steady: Option<SteadySpec>,
     pub(super) expect: Vec<Expectation>,
 }
 
@@ -28,6 +29,8 @@ pub(super) fn read(slot: Slot<'_>) -> Option<Root> {
         let run = fields.need("run", "How the scene is run.", |slot| {
             run::read(slot, &known)
         });
+        let doc = "What is asked of the steady motion of the drive (`dam steady`).";
+        let steady = fields.maybe("steady", doc, |slot| steady::read(slot, &known));
         let expect = fields.or(
             "expect",
             "What is expected of the run.",
@@ -39,6 +42,7 @@ pub(super) fn read(slot: Slot<'_>) -> Option<Root> {
             name: name?,
             objects: objects?,
             run: run?,
+            steady: steady?,
             expect: expect?,
         })
     })

@@ -190,7 +190,9 @@ impl<'a> Builder<'a> {
         let frozen = &mut self.frozen;
         for (linkage, body) in self.model.linkages.iter().enumerate() {
             let node = frozen.internal[body.node];
-            frozen.linkages.push(FrozenLinkage::new(node, &body.linkage));
+            frozen
+                .linkages
+                .push(FrozenLinkage::new(node, &body.linkage));
             for (output, &node) in body.outputs.iter().enumerate() {
                 let node = frozen.internal[node];
                 let rigid = frozen.rigids.iter().find(|rigid| rigid.node == node);
@@ -289,14 +291,22 @@ impl<'a> Builder<'a> {
                 && frozen.constant_force[rigid.node] == 0.0
                 && !watched.contains(&rigid.node)
         };
-        frozen.rigids.iter().filter(idle).map(|rigid| rigid.node).collect()
+        frozen
+            .rigids
+            .iter()
+            .filter(idle)
+            .map(|rigid| rigid.node)
+            .collect()
     }
 
     /// Takes apart what hangs on a prescribed drive alone.
     fn separate(&mut self) {
         let idle = self.idle_outputs();
         let frozen = &mut self.frozen;
-        let needed = frozen.rigids.iter().filter(|rigid| !idle.contains(&rigid.node));
+        let needed = frozen
+            .rigids
+            .iter()
+            .filter(|rigid| !idle.contains(&rigid.node));
         frozen.needed_rigids = needed.copied().collect();
         for number in 0..frozen.linkages.len() {
             let asked = |rigid: &Rigid| {

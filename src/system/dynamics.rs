@@ -1,11 +1,11 @@
 //! The system as the integrators see it.
 
-use super::frozen::Frozen;
+use super::frozen::{Frozen, Step};
 use super::passes::{Extent, Work};
 use super::taylor::{Start, Taylor};
-use super::{Scratch, System};
+use super::{Bundle, DIRECTIONS, Scratch, System};
 use crate::integrate::{Dynamics, Edge, Modes, PhysicalStop, Watch};
-use crate::number::Dual;
+use crate::number::{Dual, Duals};
 
 impl Scratch {
     pub(super) fn new(frozen: &Frozen) -> Self {
@@ -16,7 +16,19 @@ impl Scratch {
             dual_work: Work::new(frozen),
             dual_state: vec![Dual::default(); 2 * coordinates],
             dual_accelerations: vec![Dual::default(); coordinates],
+            bundle: None,
             taylor: None,
+        }
+    }
+}
+
+impl Bundle {
+    fn new(frozen: &Frozen) -> Self {
+        let zero = Duals::from(0.0);
+        Self {
+            work: Work::new(frozen),
+            state: vec![zero; 2 * frozen.coordinates],
+            accelerations: vec![zero; frozen.coordinates],
         }
     }
 }
@@ -76,6 +88,50 @@ impl Dynamics for System {
         for (out, dual) in accelerations.iter_mut().zip(&scratch.dual_accelerations) {
             *out = dual.derivative;
         }
+    }
+
+    fn tangents(
+        &self,
+        time: f64,
+        y: &[f64],
+        modes: &Modes,
+        directions: &[f64],
+        scratch: &mut Scratch,
+        out: &mut [f64],
+    ) {
+        let count = self.frozen.coordinates;
+        let bundle = scratch
+            .bundle
+            .get_or_insert_with(|| Box::new(Bundle::new(&self.frozen)));
+        let directions = directions.chunks(DIRECTIONS * 2 * count);
+        for (directions, out) in directions.zip(out.chunks_mut(DIRECTIONS * count)) {
+            for (state, &value) in bundle.state.iter_mut().zip(y) {
+                *state = Duals::from(value);
+            }
+            for (k, direction) in directions.chunks_exact(2 * count).enumerate() {
+                for (state, &entry) in bundle.state.iter_mut().zip(direction) {
+                    state.derivatives[k] = entry;
+                }
+            }
+            self.frozen.evaluate(
+                Duals::from(time),
+                &bundle.state,
+                &modes.0,
+                Extent::Needed,
+                &mut bundle.work,
+                &mut bundle.accelerations,
+            );
+            for (k, out) in out.chunks_exact_mut(count).enumerate() {
+                for (out, acceleration) in out.iter_mut().zip(&bundle.accelerations) {
+                    *out = acceleration.derivatives[k];
+                }
+            }
+        }
+    }
+
+    fn is_autonomous(&self) -> bool {
+        let timed = |step: &Step| matches!(step, Step::Prescribed(_));
+        !self.frozen.steps.iter().any(timed) && self.frozen.tracks.iter().all(|t| t.node.is_some())
     }
 
     fn time_tangent(

@@ -125,8 +125,7 @@ impl System {
     /// scales: numbers of one size, and no less exact.
     fn engaged_jacobian(&self) -> DMatrix<f64> {
         let n = self.frozen.coordinates;
-        let modes = Modes(self.start_modes());
-        let y = self.frozen.law_state();
+        let (y, modes) = self.engaged_start();
         let mut scratch = self.scratch();
         let mut jacobian = DMatrix::zeros(2 * n, 2 * n);
         let (mut direction, mut column) = (vec![0.0; 2 * n], vec![0.0; 2 * n]);
@@ -139,6 +138,11 @@ impl System {
             }
         }
         jacobian
+    }
+
+    /// State on the law at t = 0, and modes with every pair engaged.
+    pub(super) fn engaged_start(&self) -> (Vec<f64>, Modes) {
+        (self.frozen.law_state(), Modes(self.start_modes()))
     }
 
     /// Modes at t = 0 with every pair engaged on its first flank.
@@ -155,7 +159,7 @@ impl System {
 }
 
 /// Eigenvalues of a real matrix; `None` when the iteration does not converge.
-fn eigenvalues(matrix: DMatrix<f64>) -> Option<Vec<[f64; 2]>> {
+pub(super) fn eigenvalues(matrix: DMatrix<f64>) -> Option<Vec<[f64; 2]>> {
     let schur = Schur::try_new(matrix, f64::EPSILON, 10_000)?;
     let values = schur.complex_eigenvalues();
     Some(values.iter().map(|value| [value.re, value.im]).collect())

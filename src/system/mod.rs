@@ -6,7 +6,7 @@
 //! `check` and `build` make the `frozen` layout of a model; `passes` and
 //! `links` are the equations of motion; `pairs`, `loads`, `linkages` and
 //! `switches` what enters them; `balance`, `placing`, `start` and `onset` the state at t = 0;
-//! `observe` and `energy` what is read off; `scales` and `frequencies` what the
+//! `observe`, `energy` and `reduce` what is read off; `scales` and `frequencies` what the
 //! methods are chosen and steered by.
 
 mod balance;
@@ -16,6 +16,7 @@ mod dynamics;
 mod energy;
 mod frequencies;
 mod frozen;
+mod growth;
 mod kappa;
 mod linkages;
 mod links;
@@ -27,6 +28,7 @@ mod passes;
 mod pattern;
 mod placing;
 mod quantity;
+mod reduce;
 mod scales;
 mod series;
 mod start;
@@ -43,11 +45,12 @@ mod testing_random;
 mod tests;
 
 pub use frequencies::{Regime, VibrationMode};
+pub use reduce::Reduced;
 
 use crate::fault::Fault;
 use crate::integrate::Modes;
 use crate::model::Model;
-use crate::number::Dual;
+use crate::number::{Dual, Duals};
 use frozen::Frozen;
 use observe::{Body, ObjectPlace};
 use passes::Work;
@@ -74,8 +77,21 @@ pub struct Scratch {
     dual_work: Work<Dual>,
     dual_state: Vec<Dual>,
     dual_accelerations: Vec<Dual>,
+    /// Derivatives along many directions, once they have been asked for.
+    bundle: Option<Box<Bundle>>,
     /// Series of the motion, once they have been asked for.
     taylor: Option<Box<Taylor>>,
+}
+
+/// Directions that the equations are differentiated along at once.
+const DIRECTIONS: usize = 8;
+
+/// Working memory of an evaluation with its derivatives along [`DIRECTIONS`].
+#[derive(Clone, Debug)]
+struct Bundle {
+    work: Work<Duals<DIRECTIONS>>,
+    state: Vec<Duals<DIRECTIONS>>,
+    accelerations: Vec<Duals<DIRECTIONS>>,
 }
 
 /// What one object is doing at an instant.

@@ -50,7 +50,8 @@ impl System {
 }
 
 impl Frozen {
-    /// The motion that leaves a state, as series: [u, u̇].
+    /// The motion that leaves a state, as series: [u, u̇]; no further than it
+    /// takes to tell what every pair does.
     fn develop(&self, state: &[f64], noise: &[f64], modes: &[i64]) -> Vec<Series> {
         let n = self.coordinates;
         let mut motion: Vec<Series> = vec![Series::constant(0.0, 0.0); 2 * n];
@@ -78,8 +79,26 @@ impl Frozen {
                 motion[index].set(power + 2, value, factor * acceleration.magnitude(power));
                 motion[n + index] = motion[index].rate();
             }
+            if self.tells(&motion, power + 1) {
+                break;
+            }
         }
         motion
+    }
+
+    /// True when a motion of which the powers up to `known` of displacements and
+    /// rates are known decides every pair: what is not known yet comes after the
+    /// first derivative that does not vanish.
+    fn tells(&self, motion: &[Series], known: usize) -> bool {
+        self.pairs.iter().all(|&chain| {
+            let chain = &self.chains[chain];
+            let (u, v) = self.deviations(chain, motion);
+            let mut guards = chain.contact.sides().iter().flat_map(|&side| {
+                let presses = chain.contact.presses(side, u[0], v[0]);
+                presses.map(|guard| guard.leading())
+            });
+            guards.all(|power| power.is_some_and(|power| power <= known))
+        })
     }
 
     /// The mode that a pair has by its state alone, without looking ahead;

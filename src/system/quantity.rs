@@ -6,7 +6,7 @@
 //! take from it what it needs.
 
 use crate::jet::Jet;
-use crate::number::{Dual, Number};
+use crate::number::{Dual, Duals, Number};
 
 /// A number on which the equations of motion can be evaluated.
 pub(super) trait Quantity: Number {
@@ -36,6 +36,21 @@ impl Quantity for f64 {
 }
 
 impl Quantity for Dual {
+    const DERIVATIVES: usize = 3;
+
+    #[inline(always)]
+    fn lift(self, jet: impl Fn(f64) -> Jet) -> [Self; 3] {
+        jet(self.value).lift(self)
+    }
+
+    #[inline(always)]
+    fn apply(self, function: impl Fn(f64) -> (f64, f64)) -> Self {
+        let (value, derivative) = function(self.value);
+        self.compose(value, derivative)
+    }
+}
+
+impl<const K: usize> Quantity for Duals<K> {
     const DERIVATIVES: usize = 3;
 
     #[inline(always)]

@@ -74,10 +74,14 @@ impl Series {
     /// Sign just after t = 0: that of the first coefficient that is not zero
     /// beyond rounding; 0 when there is none.
     pub(super) fn sign(&self) -> f64 {
-        let both = self.coefficients.iter().zip(&self.magnitudes);
-        both.map(|(&value, &size)| (value, ROUNDING * size))
-            .find(|(value, noise)| value.abs() > *noise)
-            .map_or(0.0, |(value, _)| value.signum())
+        let leading = self.leading();
+        leading.map_or(0.0, |power| self.coefficients[power].signum())
+    }
+
+    /// The power of that coefficient.
+    pub(super) fn leading(&self) -> Option<usize> {
+        let mut both = self.coefficients.iter().zip(&self.magnitudes);
+        both.position(|(value, size)| value.abs() > ROUNDING * size)
     }
 
     /// f(self) from the derivatives of f at its start, each with the size of

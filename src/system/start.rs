@@ -14,6 +14,28 @@ impl System {
     /// No static balance, a start outside the reach of a position function, an
     /// explicit state that does not fit its objects or is not finite.
     pub fn initial_state(&self) -> Result<InitialState, Vec<Fault>> {
+        let mut state = self.place()?;
+        let (y, modes) = (&state.y, &mut state.modes.0);
+        let noise = self.start_noise(y, modes);
+        self.settle_pairs(y, &noise, modes);
+        // A rotor at rest on an edge leaves it by its acceleration, which the
+        // pairs have a say in.
+        self.frozen.locate_tracks(y, modes);
+        Ok(state)
+    }
+
+    /// The state y at t = 0 alone, for methods that find out by themselves
+    /// what pairs that just touch do next: developing the motion for it costs
+    /// more than many a run.
+    ///
+    /// # Errors
+    /// Those of [`Self::initial_state`].
+    pub fn initial_place(&self) -> Result<Vec<f64>, Vec<Fault>> {
+        Ok(self.place()?.y)
+    }
+
+    /// State at t = 0 with the modes that were supposed in finding it.
+    fn place(&self) -> Result<InitialState, Vec<Fault>> {
         let mut warnings = Vec::new();
         let mut modes = self.frozen.no_modes();
         let y = match &self.model.start {
@@ -27,16 +49,21 @@ impl System {
             Start::Kinetostatic => self.kinetostatic(&mut modes)?,
         };
         self.check_start(&y, &modes)?;
-        let noise = self.start_noise(&y, &modes);
-        self.settle_pairs(&y, &noise, &mut modes);
-        // A rotor at rest on an edge leaves it by its acceleration, which the
-        // pairs have a say in.
-        self.frozen.locate_tracks(&y, &mut modes);
         Ok(InitialState {
             y,
             modes: Modes(modes),
             warnings,
         })
+    }
+
+    /// The modes in which a state at t = 0 moves on.
+    pub fn modes_at_start(&self, y: &[f64]) -> Modes {
+        let mut modes = self.frozen.no_modes();
+        self.frozen.locate_tracks(y, &mut modes);
+        let noise: Vec<f64> = y.iter().map(|entry| entry.abs()).collect();
+        self.settle_pairs(y, &noise, &mut modes);
+        self.frozen.locate_tracks(y, &mut modes);
+        Modes(modes)
     }
 
     /// The quiet start.

@@ -213,7 +213,11 @@ impl Mechanism<'_> {
                 } => {
                     let point = self.point(point, state);
                     let angle = self.angle(point.link, &state.place);
-                    let force = if *follows { turned(*force, angle) } else { *force };
+                    let force = if *follows {
+                        turned(*force, angle)
+                    } else {
+                        *force
+                    };
                     act(&point, force);
                 }
                 _ => {}

@@ -1,18 +1,11 @@
-//! diffsol on the press: its own location of roots, its own interpolation, the
-//! right-hand side and its derivative from the system.
+//! diffsol on the press: the right-hand side and its derivative from the system.
 
 use super::scene::Press;
+use crate::diffsol_drive::{Drive, MOST_FAILURES, Matrix, run_by_name, text};
 use crate::solution::Solution;
 use dam::integrate::Dynamics;
-use diffsol::error::DiffsolError;
-use diffsol::{
-    NalgebraLU, NalgebraMat, NalgebraVec, OdeBuilder, OdeEquations, OdeSolverMethod,
-    OdeSolverStopReason,
-};
+use diffsol::OdeBuilder;
 use std::cell::{Cell, RefCell};
-
-type Matrix = NalgebraMat<f64>;
-type Lu = NalgebraLU<f64>;
 
 /// Solves for `samples` samples of δ. The unknowns are in units of their scales.
 ///
@@ -70,81 +63,13 @@ pub(crate) fn solve(
         .reset(|z: &[f64], _: &[f64], _: f64, out: &mut [f64]| out.copy_from_slice(z))
         .build()
         .map_err(text)?;
-    problem.ode_options.max_nonlinear_solver_failures = 1_000_000;
+    problem.ode_options.max_nonlinear_solver_failures = MOST_FAILURES;
+    let (delta, rate) = (press.delta, count / 2 + press.delta);
     let drive = Drive {
-        press,
-        engaged: &engaged,
+        end: press.duration,
         samples,
+        engaged: &engaged,
+        delta: &|z| [delta, rate].map(|index| z[index] * scales[index]),
     };
-    match method {
-        "tsit45" => drive.run(&mut problem.tsit45().map_err(text)?),
-        "bdf" => drive.run(&mut problem.bdf::<Lu>().map_err(text)?),
-        "tr_bdf2" => drive.run(&mut problem.tr_bdf2::<Lu>().map_err(text)?),
-        "esdirk34" => drive.run(&mut problem.esdirk34::<Lu>().map_err(text)?),
-        other => Err(format!("no method {other}")),
-    }
-}
-
-struct Drive<'a> {
-    press: &'a Press,
-    engaged: &'a Cell<bool>,
-    samples: usize,
-}
-
-impl Drive<'_> {
-    fn run<'p, E, S>(&self, solver: &mut S) -> Result<Solution, String>
-    where
-        E: OdeEquations<T = f64, V = NalgebraVec<f64>> + 'p,
-        S: OdeSolverMethod<'p, E>,
-    {
-        let (delta, end) = (self.press.delta, self.press.duration);
-        let scale = self.press.system.scales()[delta];
-        let mut solution = Solution {
-            switches: Some(0),
-            ..Solution::default()
-        };
-        let mut between = solver.state().y.clone();
-        solver.set_stop_time(end).map_err(text)?;
-        loop {
-            let reason = solver.step().map_err(text)?;
-            solution.steps += 1;
-            let reached = match reason {
-                OdeSolverStopReason::RootFound(time, _) => time,
-                OdeSolverStopReason::TstopReached => end,
-                OdeSolverStopReason::InternalTimestep => solver.state().t,
-            };
-            while solution.samples.len() < self.samples {
-                let time = end * (solution.samples.len() + 1) as f64 / self.samples as f64;
-                if time > reached {
-                    break;
-                }
-                let time = time.min(solver.state().t);
-                solver
-                    .interpolate_inplace(time, &mut between)
-                    .map_err(text)?;
-                solution
-                    .samples
-                    .push(between.batch_as_slice(0)[delta] * scale);
-            }
-            if let OdeSolverStopReason::RootFound(time, _) = reason {
-                solver.state_mut_back(time).map_err(text)?;
-                self.engaged.set(!self.engaged.get());
-                solution.switches = solution.switches.map(|count| count + 1);
-                if solution.switches > Some(10_000) {
-                    return Err("too many switches".to_owned());
-                }
-                solver.apply_reset().map_err(text)?;
-                if time < end {
-                    solver.set_stop_time(end).map_err(text)?;
-                }
-            }
-            if reason == OdeSolverStopReason::TstopReached {
-                return Ok(solution);
-            }
-        }
-    }
-}
-
-fn text(error: DiffsolError) -> String {
-    error.to_string()
+    run_by_name!(drive, problem, method)
 }

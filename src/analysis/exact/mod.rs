@@ -1,11 +1,16 @@
 //! Exact propagation of whole scenes.
 
+mod clock;
+#[cfg(test)]
+mod mixed_tests;
 mod quick;
+#[cfg(test)]
+mod tests;
 
 pub use quick::{Quick, QuickObject, QuickRun};
 
-use crate::exact::Parts;
-use crate::exact::playback::{Piece, play};
+use crate::exact::playback::{Beside, Piece, play, play_beside};
+use crate::exact::{Parts, Rest};
 use crate::fault::Fault;
 use crate::integrate::{Dynamics, Limits, Outcome, Sink};
 use crate::record::drive_cycle;
@@ -66,6 +71,23 @@ fn fault(object: &str, reason: &str) -> Fault {
     )
 }
 
+/// A system of which some branches are propagated exactly, and the rest is not.
+#[derive(Debug)]
+pub struct Mixed {
+    /// The branches, and why the rest is not among them.
+    pub parts: Parts,
+    /// The rest.
+    pub rest: Rest,
+}
+
+/// Takes a system apart into branches that can be propagated exactly and a
+/// rest; `None` where there is no such branch, or nothing but branches.
+pub fn mixed(system: &System) -> Option<Mixed> {
+    let parts = Parts::of(system).with_sound_trees(system);
+    let rest = Rest::of(system, &parts)?;
+    Some(Mixed { parts, rest })
+}
+
 /// Plays a whole system to `duration` (s).
 pub(super) fn follow(
     system: &System,
@@ -75,11 +97,40 @@ pub(super) fn follow(
     limits: &Limits<'_>,
     sink: &mut dyn Sink,
 ) -> Outcome {
+    play(
+        system,
+        parts,
+        initial,
+        piece(system, duration),
+        limits,
+        sink,
+    )
+}
+
+/// Plays the branches of a system beside its rest, which `integrate` integrates.
+pub(super) fn follow_beside(
+    system: &System,
+    (parts, rest): (&Parts, &Rest),
+    initial: &InitialState,
+    duration: f64,
+    limits: &Limits<'_>,
+    sink: &mut dyn Sink,
+    integrate: impl FnOnce(&InitialState, &mut dyn Sink) -> Outcome,
+) -> Outcome {
+    let beside = Beside {
+        system,
+        parts,
+        rest,
+    };
+    let piece = piece(system, duration);
+    play_beside(beside, initial, piece, limits, sink, integrate)
+}
+
+fn piece(system: &System, duration: f64) -> Piece {
     let cycle = drive_cycle(system.model()).ok();
     let in_cycle = cycle.map_or(f64::INFINITY, |cycle| cycle / STEPS_IN_CYCLE);
-    let piece = Piece {
+    Piece {
         end: duration,
         step: in_cycle.min(duration / STEPS_IN_RUN),
-    };
-    play(system, parts, initial, piece, limits, sink)
+    }
 }

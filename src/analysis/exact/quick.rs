@@ -1,10 +1,12 @@
 //! Exact propagation without a recorder: for maps and charts, which want the
 //! figures of many runs and no columns.
 
+use super::clock::Clock;
 use crate::exact::{
-    ExactRun, ExactSwitch, ExactTree, PairState, Parts, Refusal, Request, TreeFigures,
+    Asked, ExactRun, ExactSwitch, ExactTree, PairState, Parts, Refusal, Request, TreeFigures,
 };
 use crate::fault::Fault;
+use crate::integrate::{Limits, Stop};
 use crate::record::{FinalState, ObjectFigures, PairFigures, choose_window_of};
 use crate::system::System;
 
@@ -40,13 +42,13 @@ struct Watched {
 }
 
 /// What a quick run leaves.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct QuickRun {
     /// The elastic objects, in the order of the model.
     pub objects: Vec<QuickObject>,
-    /// False when there were more switches than allowed.
-    pub complete: bool,
-    /// Time reached (s).
+    /// Why it ended: [`Stop::Complete`], or a limit.
+    pub stop: Stop,
+    /// Time reached (s), by the tree that stopped first.
     pub time: f64,
     /// Switches of all pairs.
     pub switches: u64,
@@ -80,8 +82,8 @@ impl Quick {
     /// there is no start.
     pub fn new(system: &System) -> Result<Self, Vec<Fault>> {
         let parts = super::whole(system)?;
-        let initial = system.initial_state()?;
-        Ok(Self::of(system, &parts, &initial.y))
+        let initial = system.initial_place()?;
+        Ok(Self::of(system, &parts, &initial))
     }
 
     /// The parts of a system from the state y at t = 0.
@@ -115,8 +117,12 @@ impl Quick {
         self
     }
 
-    /// Runs to `end` (s) with `samples` equal sample intervals and at most
-    /// `switches` switches of each tree.
+    /// Runs to `end` (s) with `samples` equal sample intervals. Of the figures,
+    /// those are found that `asked` names for the object of that index in the
+    /// model (and others of its tree); `None`: no figures at all.
+    ///
+    /// The limits on switches and steps (of the search) hold for each tree by
+    /// itself. What stops one ends the run: later trees are left out.
     ///
     /// # Errors
     /// Modes that cannot be separated, or numbers that are no longer finite.
@@ -124,35 +130,36 @@ impl Quick {
         &self,
         end: f64,
         samples: usize,
-        figures: bool,
-        switches: u64,
+        asked: Option<&dyn Fn(usize) -> Asked>,
+        limits: &Limits<'_>,
     ) -> Result<QuickRun, Refusal> {
-        let mut out = QuickRun {
-            complete: true,
-            time: end,
-            ..QuickRun::default()
-        };
+        let mut out = QuickRun::new(end);
+        let clock = Clock::new(limits);
         for branch in &self.trees {
             let all_masses = !branch.last_alone();
-            let run = branch.tree.run(&Request {
+            let request = Request {
                 all_masses,
-                switches,
-                figures,
+                switches: limits.switches,
+                all_steps: limits.steps,
+                figures: asked.is_some(),
+                asked: branch.asked(asked),
                 ..Request::new(end, samples)
-            })?;
-            out.complete &= run.complete;
-            out.time = out.time.min(run.time);
-            out.switches += run.switches.len() as u64;
-            out.phases += run.phases;
-            out.evaluations += run.evaluations;
-            out.grazing += run.grazing;
+            };
+            let run = branch
+                .tree
+                .run_while(&request, &|| clock.stop().is_none())?;
+            out.add(&run);
             for (index, watched) in branch.objects.iter().enumerate() {
                 out.objects.push(QuickObject {
                     object: watched.object,
                     delta: watched.deltas(&run, all_masses),
                     switch_times: watched.switches(&run).map(|switch| switch.time).collect(),
-                    figures: figures.then(|| self.figures(branch, index, &run)),
+                    figures: asked.map(|_| self.figures(branch, index, &run)),
                 });
+            }
+            if let Some(halt) = run.halt {
+                out.stop = clock.why(halt);
+                break;
             }
         }
         out.objects.sort_by_key(|object| object.object);
@@ -194,7 +201,43 @@ impl Quick {
     }
 }
 
+impl QuickRun {
+    fn new(end: f64) -> Self {
+        Self {
+            objects: Vec::new(),
+            stop: Stop::Complete,
+            time: end,
+            switches: 0,
+            phases: 0,
+            evaluations: 0,
+            grazing: 0,
+        }
+    }
+
+    /// True when it reached its end.
+    pub fn is_complete(&self) -> bool {
+        self.stop == Stop::Complete
+    }
+
+    fn add(&mut self, run: &ExactRun) {
+        self.time = self.time.min(run.time);
+        self.switches += run.switches.len() as u64;
+        self.phases += run.phases;
+        self.evaluations += run.evaluations;
+        self.grazing += run.grazing;
+    }
+}
+
 impl Branch {
+    /// The figures that its objects are asked for, together.
+    fn asked(&self, asked: Option<&dyn Fn(usize) -> Asked>) -> Asked {
+        let all = asked.into_iter().flat_map(|asked| {
+            let objects = self.objects.iter();
+            objects.map(move |watched| asked(watched.object))
+        });
+        all.reduce(Asked::with).unwrap_or(Asked::ALL)
+    }
+
     /// True when the tree's last mass is all that is sampled.
     fn last_alone(&self) -> bool {
         let last = self.tree.problem().masses.len() - 1;

@@ -62,7 +62,9 @@ fn extreme<S: PositionSource>(
     let values = rows.iter().enumerate();
     let values = values.filter_map(|(index, row)| Some((index, column.value(row)?)));
     // Of equal values the first.
-    let (index, value) = values.rev().max_by(|(_, a), (_, b)| (sign * a).total_cmp(&(sign * b)))?;
+    let (index, value) = values
+        .rev()
+        .max_by(|(_, a), (_, b)| (sign * a).total_cmp(&(sign * b)))?;
     let here = Extreme {
         value,
         at: course.parameter(index),

@@ -4,6 +4,7 @@ use super::figure::read;
 use super::judge::{Evidence, judge};
 use super::quick;
 use super::rigid::{RigidMotion, rigid_motion};
+use super::scenes::Scenes;
 use super::study::Study;
 use super::verdict::Verdict;
 use crate::analysis::run::{RunResult, run};
@@ -13,7 +14,7 @@ use crate::fault::Fault;
 use crate::integrate::{Method, Stop};
 use crate::lower::lower;
 use crate::record::{Record, drive_cycle};
-use crate::scene::Reading;
+use crate::scene::Scene;
 use crate::system::System;
 
 /// Most steps of the run of one cell: where a general method would crawl, a
@@ -57,27 +58,26 @@ impl Cell {
 /// Works out one cell; `None` when interrupted.
 pub(super) fn evaluate(
     study: &Study<'_>,
-    panel: usize,
-    cell: usize,
+    scenes: &Scenes<'_>,
+    (panel, cell): (usize, usize),
     control: &Control<'_>,
 ) -> Option<Cell> {
-    let refused = |cause: String| Some(Cell::without_value(Verdict::Refused, cause));
-    let reading = match study.read(panel, cell) {
-        Ok(reading) => reading,
+    let prepared = scenes.show(panel, cell, |scene| match scene {
+        Ok(scene) => prepare(scene).map_err(|faults| in_words(&faults)),
         Err(diagnostics) => {
             let errors = diagnostics.items.iter();
             let first = errors.map(|item| item.message.as_str()).next();
-            return refused(first.unwrap_or("the scene is wrong").to_owned());
+            Err(first.unwrap_or("the scene is wrong").to_owned())
         }
-    };
-    let (system, settings) = match prepare(&reading) {
+    });
+    let (system, settings) = match prepared {
         Ok(ready) => ready,
-        Err(faults) => return refused(in_words(&faults)),
+        Err(cause) => return Some(Cell::without_value(Verdict::Refused, cause)),
     };
     let rigid = rigid_motion(system.model(), settings.duration);
-    let exact = quick::answer(study, &system, &settings, &rigid);
+    let exact = quick::answer(study, &system, &settings, &rigid, control);
     let found = match exact {
-        Some(found) => found.map(Some),
+        Some(found) => found,
         None => answer(study, &system, &settings, &rigid, control),
     };
     let cell = match found {
@@ -91,9 +91,9 @@ pub(super) fn evaluate(
 }
 
 /// A system and how to run it within a map.
-fn prepare(reading: &Reading) -> Result<(System, RunSettings), Vec<Fault>> {
-    let system = System::new(lower(&reading.scene)?)?;
-    let mut settings = RunSettings::of(&reading.scene).map_err(|fault| vec![fault])?;
+fn prepare(scene: &Scene) -> Result<(System, RunSettings), Vec<Fault>> {
+    let system = System::new(lower(scene)?)?;
+    let mut settings = RunSettings::of(scene).map_err(|fault| vec![fault])?;
     settings.max_steps = settings.max_steps.min(MOST_STEPS);
     settings.switch_rows = false;
     Ok((system, settings))

@@ -1,6 +1,7 @@
 //! The figure that a map shows.
 
 use crate::analysis::document::blank;
+use crate::exact::Asked;
 use crate::fault::Fault;
 use crate::model::{Coordinate, Model, owner_of};
 use crate::record::{AddressError, Figures, ObjectFigures};
@@ -78,6 +79,21 @@ pub(super) fn quick_read(figures: &ObjectFigures, name: &str) -> Option<f64> {
         "pair.max_contact_force" => pair?.max_contact_force,
         _ => return None,
     })
+}
+
+/// What a run must find for a figure that [`quick_read`] knows, and for its
+/// scale; extremes of δ in any case.
+pub(super) fn quick_needs(name: &str) -> Asked {
+    let mut asked = Asked::DEVIATION;
+    match name {
+        "sigma" => asked.mean = true,
+        "peak_speed" | "final.speed" => asked.speed = true,
+        "peak_acceleration" => asked.acceleration = true,
+        "peak_reaction" | "pair.max_contact_force" => asked.force = true,
+        "pair.max_lift" => asked.lift = true,
+        _ => {}
+    }
+    asked
 }
 
 /// What a difference in a figure that [`quick_read`] knows is measured against:

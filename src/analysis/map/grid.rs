@@ -1,12 +1,14 @@
 //! The cells of a study, worked out side by side.
 
 use super::cell::{Cell, evaluate};
+use super::scenes::Scenes;
 use super::study::Study;
 use crate::analysis::Control;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::sync::Mutex;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::AtomicBool;
+use std::sync::atomic::Ordering::Relaxed;
 
 /// Listens to a map while it is worked out; called from any thread.
 pub trait Listener: Sync {
@@ -57,12 +59,32 @@ pub fn map(
     let rows = Mutex::new(known);
     let trouble = Mutex::new(None);
     let stop = AtomicBool::new(false);
+    let scenes = Scenes::new(study);
     let work = |&row: &usize| {
-        let Some(cells) = work_out(study, row, control, listener, &stop) else {
+        let one = |panel, cell| {
+            let interrupted = control.interrupt.is_some_and(|flag| flag.load(Relaxed));
+            if interrupted || stop.load(Relaxed) {
+                return None;
+            }
+            let found = evaluate(study, &scenes, (panel, cell), control)?;
+            listener.cell();
+            Some(found)
+        };
+        let (panel, cells) = study.row(row);
+        let cells = match threads {
+            Some(1) => cells.map(|cell| one(panel, cell)).collect(),
+            // Cells of a row are shared out too: the last rows are then done by
+            // all threads together.
+            _ => cells
+                .into_par_iter()
+                .map(|cell| one(panel, cell))
+                .collect::<Option<Vec<Cell>>>(),
+        };
+        let Some(cells) = cells else {
             return;
         };
         if let Err(message) = listener.row(row, &cells) {
-            stop.store(true, Ordering::Relaxed);
+            stop.store(true, Relaxed);
             *lock(&trouble) = Some(message);
         }
         lock(&rows).insert(row, cells);
@@ -89,29 +111,6 @@ fn lock<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
         .unwrap_or_else(std::sync::PoisonError::into_inner)
 }
 
-/// The cells of a row; `None` when interrupted before the last.
-fn work_out(
-    study: &Study<'_>,
-    row: usize,
-    control: &Control<'_>,
-    listener: &dyn Listener,
-    stop: &AtomicBool,
-) -> Option<Vec<Cell>> {
-    let (panel, cells) = study.row(row);
-    let mut found = Vec::with_capacity(cells.len());
-    for cell in cells {
-        let interrupted = control
-            .interrupt
-            .is_some_and(|flag| flag.load(Ordering::Relaxed));
-        if interrupted || stop.load(Ordering::Relaxed) {
-            return None;
-        }
-        found.push(evaluate(study, panel, cell, control)?);
-        listener.cell();
-    }
-    Some(found)
-}
-
 fn assemble(study: &Study<'_>, mut rows: BTreeMap<usize, Vec<Cell>>) -> MapResult {
     let complete = rows.len() == study.rows();
     let panels = study.panels.panels.iter().enumerate().map(|(panel, _)| {
@@ -129,5 +128,77 @@ fn assemble(study: &Study<'_>, mut rows: BTreeMap<usize, Vec<Cell>>) -> MapResul
     MapResult {
         panels: panels.collect(),
         complete,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Silent, map};
+    use crate::analysis::Control;
+    use crate::analysis::axis::Axis;
+    use crate::analysis::map::{Panels, Question, Study};
+    use crate::scene::{BuiltIn, Document};
+    use std::collections::BTreeMap;
+    use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
+    use std::time::{Duration, Instant};
+
+    const TWO_MASSES: &[u8] = include_bytes!("../../../scenarios/rocker/two_masses.json");
+
+    fn question(overrides: &[&str]) -> Question {
+        Question {
+            overrides: overrides.iter().map(|&text| text.to_owned()).collect(),
+            x: Axis::parse("rocker.inertia=0.05:1:4").unwrap(),
+            y: Some(Axis::parse("rocker.stiffness=0.25e7:5e7:3").unwrap()),
+            panels: Panels::default(),
+            figure: None,
+            check_determined: true,
+        }
+    }
+
+    #[test]
+    fn cells_without_end_stop_at_once_when_interrupted() {
+        let document = Document::parse("two_masses.json", TWO_MASSES).unwrap();
+        let endless = ["run.duration=1e9", "run.max_switches=1000000000"];
+        let study = Study::new(&document, &BuiltIn, question(&endless)).unwrap();
+        for threads in [1, 2] {
+            let told = AtomicBool::new(false);
+            let control = Control {
+                interrupt: Some(&told),
+                ..Control::default()
+            };
+            let begun = Instant::now();
+            let found = std::thread::scope(|scope| {
+                scope.spawn(|| {
+                    std::thread::sleep(Duration::from_millis(50));
+                    told.store(true, Relaxed);
+                });
+                map(&study, BTreeMap::new(), Some(threads), &control, &Silent).unwrap()
+            });
+            assert!(!found.complete && found.panels[0].iter().all(Option::is_none));
+            // It would take hours; a second is for machines with other work.
+            assert!(
+                begun.elapsed() < Duration::from_secs(5),
+                "{:?}",
+                begun.elapsed()
+            );
+        }
+    }
+
+    #[test]
+    fn cells_do_not_depend_on_who_worked_out_the_one_before() {
+        let document = Document::parse("two_masses.json", TWO_MASSES).unwrap();
+        let study = Study::new(&document, &BuiltIn, question(&["run.duration=0.2"])).unwrap();
+        let control = Control::default();
+        let all = |known, threads| map(&study, known, Some(threads), &control, &Silent).unwrap();
+        let whole = all(BTreeMap::new(), 1);
+        assert!(whole.complete);
+        assert_eq!(all(BTreeMap::new(), 3), whole);
+        // The last row alone, by a scene that has seen no other.
+        let known = (0..study.rows() - 1).map(|row| {
+            let (panel, cells) = study.row(row);
+            let cells = cells.map(|cell| whole.panels[panel][cell].clone().unwrap());
+            (row, cells.collect())
+        });
+        assert_eq!(all(known.collect(), 1), whole);
     }
 }

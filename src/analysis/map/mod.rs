@@ -2,9 +2,9 @@
 //! for every point.
 //!
 //! A [`Study`] is a scene, one or two [axes](crate::analysis::axis::Axis), a figure,
-//! and the panels, one map each. Every cell is a scene of its own: the text is
-//! read with the cell's values set, lowered, frozen, run and judged
-//! ([`Verdict`]). Cells depend on nothing but their values, so that the results
+//! and the panels, one map each. Every cell is a scene of its own, decoded
+//! with the cell's values set (objects that do not change from cell to cell once only),
+//! lowered, frozen, run and judged ([`Verdict`]). Cells depend on nothing but their values, so that the results
 //! are the same for any number of threads and in any order.
 
 mod cell;
@@ -15,6 +15,7 @@ mod judge;
 mod panels;
 mod quick;
 mod rigid;
+mod scenes;
 mod study;
 mod summary;
 mod verdict;

@@ -2,19 +2,21 @@
 //! microseconds each, where a recorded run takes milliseconds.
 
 use super::cell::{Cell, mark, share};
-use super::figure::{quick_read, quick_scale};
+use super::figure::{quick_needs, quick_read, quick_scale};
 use super::judge::{Evidence, judge};
 use super::rigid::RigidMotion;
 use super::study::Study;
 use super::verdict::Verdict;
-use crate::analysis::RunSettings;
 use crate::analysis::exact::{Quick, QuickRun, whole};
 use crate::analysis::spread::{CHANGE, DETERMINED, changed_loads};
+use crate::analysis::{Control, RunSettings};
+use crate::exact::Asked;
 use crate::fault::Fault;
-use crate::integrate::Method;
+use crate::integrate::{Method, Stop};
 use crate::model::{Closure, ObjectPart};
 use crate::record::{ObjectFigures, drive_cycle};
 use crate::system::System;
+use std::sync::atomic::Ordering::Relaxed;
 
 /// Samples in a cycle where the last cycles are looked at.
 const SAMPLES: f64 = 256.0;
@@ -23,7 +25,7 @@ const SAMPLES: f64 = 256.0;
 const MOST_SAMPLES: f64 = 1e6;
 
 /// Works out a cell by exact propagation; `None` when the system or the figure
-/// asks for a recorded run.
+/// asks for a recorded run. No cell in the answer: interrupted.
 ///
 /// # Errors
 /// The system has no start.
@@ -32,13 +34,20 @@ pub(super) fn answer(
     system: &System,
     settings: &RunSettings,
     rigid: &RigidMotion,
-) -> Option<Result<Cell, Vec<Fault>>> {
+    control: &Control<'_>,
+) -> Option<Result<Option<Cell>, Vec<Fault>>> {
     let (object, name) = qualifies(study, system, settings)?;
-    let run = match propagate(system, settings, 0)? {
+    let task = Task {
+        system,
+        settings,
+        control,
+        figure: (object, name),
+    };
+    let run = match task.propagate(0)? {
         Ok(run) => run,
         Err(faults) => return Some(Err(faults)),
     };
-    if let Some(cell) = failed(&run, settings) {
+    if let Some(cell) = failed(&run) {
         return Some(Ok(cell));
     }
     let nothing = ObjectFigures::default();
@@ -50,7 +59,7 @@ pub(super) fn answer(
         rigid,
         cycle,
         time: run.time,
-        steady: &mut |object| steady(system, settings, object, cycle?),
+        steady: &mut |object| task.steady(object, cycle?),
     });
     if run.grazing > 0 {
         cause.push_str("; a pair grazes, its switches are not certain");
@@ -64,13 +73,14 @@ pub(super) fn answer(
         && let Some(value) = value
     {
         let scale = quick_scale(figures[object], name, run.time);
-        mark(
-            &mut cell,
-            moves(system, settings, object, name, value, scale),
-            DETERMINED,
-        );
+        match task.moves(value, scale) {
+            Some(moved) => mark(&mut cell, moved, DETERMINED),
+            None => return Some(Ok(None)),
+        }
     }
-    Some(Ok(cell))
+    // What was interrupted in between may have been judged by half of it.
+    let interrupted = control.interrupt.is_some_and(|flag| flag.load(Relaxed));
+    Some(Ok((!interrupted).then_some(cell)))
 }
 
 /// The object and the figure asked for, if exact propagation without a recorder
@@ -101,32 +111,108 @@ fn qualifies<'s>(
     quick_read(&known, name).map(|_| (object, name))
 }
 
-/// Runs the system; `None` when it cannot be propagated exactly as a whole.
-fn propagate(
-    system: &System,
-    settings: &RunSettings,
-    samples: usize,
-) -> Option<Result<QuickRun, Vec<Fault>>> {
-    let parts = whole(system).ok()?;
-    let initial = match system.initial_state() {
-        Ok(initial) => initial,
-        Err(faults) => return Some(Err(faults)),
-    };
-    let quick = Quick::of(system, &parts, &initial.y).with_window(settings.window);
-    // Modes that cannot be separated: a general method does not need them.
-    let run = quick.run(settings.duration, samples, true, settings.max_switches);
-    run.ok().map(Ok)
+/// What is run, and what is asked of it.
+struct Task<'t> {
+    system: &'t System,
+    settings: &'t RunSettings,
+    control: &'t Control<'t>,
+    /// Object and name of the figure.
+    figure: (usize, &'t str),
 }
 
-/// The cell of a run that did not come to its end.
-fn failed(run: &QuickRun, settings: &RunSettings) -> Option<Cell> {
-    (!run.complete).then(|| {
-        let cause = format!(
-            "exact gave up at {:.6e} s: more than {} switches",
-            run.time, settings.max_switches
+impl Task<'_> {
+    /// Runs the system; `None` when it cannot be propagated exactly as a whole.
+    fn propagate(&self, samples: usize) -> Option<Result<QuickRun, Vec<Fault>>> {
+        let parts = whole(self.system).ok()?;
+        let place = match self.system.initial_place() {
+            Ok(place) => place,
+            Err(faults) => return Some(Err(faults)),
+        };
+        let settings = self.settings;
+        let quick = Quick::of(self.system, &parts, &place).with_window(settings.window);
+        let limits = self.control.limits(settings);
+        // Modes that cannot be separated: a general method does not need them.
+        let run = quick.run(
+            settings.duration,
+            samples,
+            Some(&|o| self.asked(o)),
+            &limits,
         );
-        Cell::without_value(Verdict::NumericalFailure, cause)
-    })
+        run.ok().map(Ok)
+    }
+
+    /// The figures wanted of an object: the one asked for, and the extremes
+    /// of δ, by which a mechanism is judged.
+    fn asked(&self, object: usize) -> Asked {
+        match object == self.figure.0 {
+            true => quick_needs(self.figure.1),
+            false => Asked::DEVIATION,
+        }
+    }
+
+    /// Greatest |δ| over the last whole cycle but one and over the last, from
+    /// samples; run again for it, since few cells ask.
+    fn steady(&self, object: usize, cycle: f64) -> Option<[f64; 2]> {
+        let end = self.settings.duration;
+        let samples = (end / cycle * SAMPLES).ceil().clamp(SAMPLES, MOST_SAMPLES);
+        let run = self.propagate(samples as usize)?.ok()?;
+        let found = run.objects.iter().find(|found| found.object == object)?;
+        let last = (end / cycle * (1.0 + 1e-12)).floor() * cycle;
+        let over = |from: f64, to: f64| {
+            let timed = found.delta.iter().enumerate();
+            timed
+                .map(|(index, delta)| (end * (index + 1) as f64 / samples, delta.abs()))
+                .filter(|&(time, _)| from <= time && time <= to)
+                .map(|(_, delta)| delta)
+                .reduce(f64::max)
+        };
+        Some([
+            over(last - 2.0 * cycle, last - cycle)?,
+            over(last - cycle, last)?,
+        ])
+    }
+
+    /// How far the figure moves when loads and gaps change by [`CHANGE`], as a
+    /// share of `scale`; infinite when it is gone. `None`: interrupted.
+    fn moves(&self, value: f64, scale: f64) -> Option<f64> {
+        let model = self.system.model();
+        let changed = System::new(changed_loads(model.clone(), 1.0 + CHANGE)).ok();
+        let run = changed.and_then(|changed| {
+            let task = Task {
+                system: &changed,
+                ..*self
+            };
+            task.propagate(0)?.ok()
+        });
+        if run
+            .as_ref()
+            .is_some_and(|run| run.stop == Stop::Interrupted)
+        {
+            return None;
+        }
+        let nothing = ObjectFigures::default();
+        let other = run.filter(QuickRun::is_complete).and_then(|run| {
+            let all = figures(&run, model.objects.len(), &nothing);
+            quick_read(all[self.figure.0], self.figure.1)
+        });
+        Some(other.map_or(f64::INFINITY, |other| share(other - value, scale)))
+    }
+}
+
+/// The cell of a run that did not come to its end; none when it was interrupted.
+fn failed(run: &QuickRun) -> Option<Option<Cell>> {
+    let why = match &run.stop {
+        Stop::Complete => return None,
+        Stop::Interrupted => return Some(None),
+        Stop::TooManySwitches { bound } => format!("more than {bound} switches"),
+        Stop::TooManySteps { bound } => {
+            format!("more than {bound} steps in the search for switches")
+        }
+        Stop::WallClock { limit } => format!("it took longer than {limit:?}"),
+        other => format!("{other:?}"),
+    };
+    let cause = format!("exact gave up at {:.6e} s: {why}", run.time);
+    Some(Some(Cell::without_value(Verdict::NumericalFailure, cause)))
 }
 
 /// Figures of all objects of the model, `nothing` for those without any.
@@ -142,49 +228,4 @@ fn figures<'r>(
         }
     }
     all
-}
-
-/// Greatest |δ| over the last whole cycle but one and over the last, from
-/// samples; run again for it, since few cells ask.
-fn steady(system: &System, settings: &RunSettings, object: usize, cycle: f64) -> Option<[f64; 2]> {
-    let end = settings.duration;
-    let samples = (end / cycle * SAMPLES).ceil().clamp(SAMPLES, MOST_SAMPLES);
-    let run = propagate(system, settings, samples as usize)?.ok()?;
-    let found = run.objects.iter().find(|found| found.object == object)?;
-    let last = (end / cycle * (1.0 + 1e-12)).floor() * cycle;
-    let over = |from: f64, to: f64| {
-        let timed = found.delta.iter().enumerate();
-        timed
-            .map(|(index, delta)| (end * (index + 1) as f64 / samples, delta.abs()))
-            .filter(|&(time, _)| from <= time && time <= to)
-            .map(|(_, delta)| delta)
-            .reduce(f64::max)
-    };
-    Some([
-        over(last - 2.0 * cycle, last - cycle)?,
-        over(last - cycle, last)?,
-    ])
-}
-
-/// How far the figure moves when loads and gaps change by [`CHANGE`], as a share
-/// of `scale`; infinite when it is gone.
-fn moves(
-    system: &System,
-    settings: &RunSettings,
-    object: usize,
-    name: &str,
-    value: f64,
-    scale: f64,
-) -> f64 {
-    let changed = changed_loads(system.model().clone(), 1.0 + CHANGE);
-    let changed = System::new(changed);
-    let run = changed
-        .ok()
-        .and_then(|changed| propagate(&changed, settings, 0)?.ok());
-    let nothing = ObjectFigures::default();
-    let other = run.filter(|run| run.complete).and_then(|run| {
-        let all = figures(&run, system.model().objects.len(), &nothing);
-        quick_read(all[object], name)
-    });
-    other.map_or(f64::INFINITY, |other| share(other - value, scale))
 }

@@ -6,7 +6,7 @@ use crate::analysis::RunSettings;
 use crate::analysis::axis::Axis;
 use crate::diagnostics::Diagnostics;
 use crate::lower::lower;
-use crate::scene::{Catalogue, Document, Overrides, Reading};
+use crate::scene::{Catalogue, Document, Overrides, Reading, Variation};
 use crate::system::System;
 use serde_json::json;
 use sha2::{Digest, Sha256};
@@ -209,13 +209,28 @@ impl<'a> Study<'a> {
 
     /// Settings of a cell, counted along the x axis first.
     pub fn settings(&self, panel: usize, cell: usize) -> Vec<String> {
-        let (x, y) = self.place(cell);
         let mut settings = self.panels.panels[panel].settings.clone();
-        settings.push(self.x.setting(x));
-        if let (Some(axis), Some(y)) = (&self.y, y) {
-            settings.push(axis.setting(y));
-        }
+        settings.extend(self.varied(cell));
         settings
+    }
+
+    /// Those of them that vary from cell to cell.
+    pub(super) fn varied(&self, cell: usize) -> Vec<String> {
+        let (x, y) = self.place(cell);
+        let second = self.y.as_ref().zip(y);
+        let second = second.map(|(axis, y)| axis.setting(y));
+        std::iter::once(self.x.setting(x)).chain(second).collect()
+    }
+
+    /// A panel's scene with the first settings of what varies.
+    pub(super) fn variation(
+        &self,
+        panel: usize,
+        settings: &[String],
+    ) -> Result<Variation, Diagnostics> {
+        let own = &self.panels.panels[panel].settings;
+        let fixed: Vec<String> = self.overrides.iter().chain(own).cloned().collect();
+        Variation::new(&self.bare, self.catalogue, &fixed, settings)
     }
 
     /// Values of the parameters at a cell, in the units of the axes.

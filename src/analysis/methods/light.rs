@@ -162,7 +162,7 @@ pub(super) fn light_run(
 ) -> Result<Timed, String> {
     let method = settings.method.ok_or("no method was named")?;
     if method == Method::Exact {
-        return exact_run(system, tracks, initial, settings);
+        return exact_run(system, tracks, initial, settings, control);
     }
     let plan = Settings {
         method,
@@ -201,19 +201,26 @@ fn exact_run(
     tracks: &[Track],
     initial: &InitialState,
     settings: &RunSettings,
+    control: &Control<'_>,
 ) -> Result<Timed, String> {
     let begun = Instant::now();
     let parts = exact::whole(system).map_err(|faults| reasons(&faults))?;
     let ready = exact::Quick::of(system, &parts, &initial.y);
     let samples = settings.samples.max(1);
-    let most = settings.max_switches;
+    let limits = control.limits(settings);
     let found = ready
-        .run(settings.duration, samples, false, most)
+        .run(settings.duration, samples, None, &limits)
         .map_err(|refusal| format!("{}: {}", refusal.object, refusal.reason))?;
     let seconds = begun.elapsed().as_secs_f64();
     let mut trace = Trace::EMPTY;
     for track in tracks {
         let own = found.objects.iter().find(|o| o.object == track.object);
+        if own.is_none() && !found.is_complete() {
+            // Its tree had not begun when another one was stopped.
+            trace.greatest.push(0.0);
+            trace.samples.push(Vec::new());
+            continue;
+        }
         let own = own.ok_or("an object is not part of it")?;
         // The sample at t = 0 is the start.
         let mut samples = vec![initial.y[track.coordinate]];
@@ -224,10 +231,6 @@ fn exact_run(
         trace.switches.extend_from_slice(&own.switch_times);
     }
     trace.switches.sort_by(f64::total_cmp);
-    let stop = match found.complete {
-        true => Stop::Complete,
-        false => Stop::TooManySwitches { bound: most },
-    };
     let statistics = Statistics {
         steps: found.phases,
         rejected: 0,
@@ -236,7 +239,7 @@ fn exact_run(
     };
     let outcome = Outcome {
         time: found.time,
-        stop,
+        stop: found.stop,
         statistics,
     };
     Ok(Timed {

@@ -3,10 +3,11 @@
 use super::attempt::{Attempt, Effort, Problem};
 use super::reference::Truth;
 use super::setting::Setting;
-use super::stability::Bound;
+use super::stability::{Bound, SERIES_SLACK};
 use super::verdict::{Verdict, axis, judge};
 use crate::analysis::RunSettings;
-use crate::integrate::Method;
+use crate::integrate::{Dynamics, Method};
+use crate::system::System;
 use serde::Serialize;
 
 /// The stable and the unstable step are brought this close to each other.
@@ -25,6 +26,15 @@ const BELOW: f64 = 0.8;
 /// A motion that goes on beyond the scene's end has grown when it exceeds the
 /// true one within it by this factor.
 const GROWN_BEYOND: f64 = 1e3;
+
+/// Steps of a series that are tried, in units of 1/|λ|: the first, the factor to
+/// the next, and the farthest.
+const FIRST_LEAP: f64 = 0.5;
+const COARSE: f64 = 1.05;
+const FARTHEST: f64 = 60.0;
+
+/// Most coordinates for which the growth in a step of a series is measured.
+const MOST_COORDINATES: usize = 30;
 
 /// True when a point has failed because its step is too long.
 pub(super) fn too_long(verdict: Verdict) -> bool {
@@ -49,6 +59,9 @@ pub struct StabilityLimit {
     pub measured_step: Option<f64>,
     /// What there is to say where there is no limit.
     pub remark: Option<&'static str>,
+    /// Degree of the series at the accuracy asked for, of a method of power
+    /// series; the limits are those of this degree.
+    pub degree: Option<usize>,
 }
 
 impl StabilityLimit {
@@ -62,7 +75,19 @@ impl StabilityLimit {
             measured: None,
             measured_step: None,
             remark,
+            degree: None,
         }
+    }
+
+    /// The same for power series, whose steps the tolerance keeps short: what
+    /// is measured is by how much a single step multiplies a deviation.
+    pub(super) fn of_series(system: &System, bound: Option<&Bound>, degree: usize) -> Self {
+        let mut limit = Self::by_theory(bound, None);
+        limit.degree = Some(degree);
+        limit.measured_step = bound.and_then(|bound| stable_leap(system, degree, bound.rate()));
+        let measured = bound.zip(limit.measured_step);
+        limit.measured = measured.map(|(bound, step)| bound.rate() * step);
+        limit
     }
 
     /// Adds what is measured: the steps between the greatest stable and the
@@ -114,6 +139,36 @@ impl StabilityLimit {
         self.measured_step = Some(low);
         self.measured = bound.map(|bound| bound.rate() * low);
     }
+}
+
+/// The greatest step at which a series of a degree multiplies no deviation: the
+/// end of those from zero on, found without the theory from the rate of the
+/// system alone.
+fn stable_leap(system: &System, degree: usize, rate: f64) -> Option<f64> {
+    if Dynamics::coordinates(system) > MOST_COORDINATES {
+        return None;
+    }
+    let grows = |step: f64| Some(system.growth_in_step(degree, step)? > 1.0 + SERIES_SLACK);
+    let mut low = FIRST_LEAP / rate;
+    if grows(low)? {
+        return None;
+    }
+    let mut high = COARSE * low;
+    while !grows(high)? {
+        (low, high) = (high, COARSE * high);
+        if high * rate > FARTHEST {
+            return None;
+        }
+    }
+    while high > RATIO * low {
+        let middle = (low * high).sqrt();
+        if grows(middle)? {
+            high = middle;
+        } else {
+            low = middle;
+        }
+    }
+    Some(low)
 }
 
 /// Runs with a step: the longest one taken, and whether the motion grew.

@@ -29,6 +29,6 @@ pub use point::{FigureError, Point};
 pub use recommend::{Recommendation, recommend};
 pub use reference::{AGREE, Distance, HORIZON, Reference};
 pub use setting::{Setting, all_methods, is_exact, is_fixed_step};
-pub use stability::stability_limit;
+pub use stability::{series_limit, stability_limit};
 pub use study::{MethodLine, Now, Plan, Study, study};
 pub use verdict::{GROWN, INACCURATE, Verdict};

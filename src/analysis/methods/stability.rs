@@ -10,11 +10,16 @@
 //! classical method). The polynomial of dop853 is worked out from its tableau,
 //! R(z) = 1 + z·bᵀ(I − zA)⁻¹·1.
 
-use crate::integrate::Method;
+use crate::integrate::{Method, series_degree};
 use crate::system::System;
 
 /// Growth a step that counts as none: rounding.
 const SLACK: f64 = 1e-9;
+
+/// The same of power series. Some degrees grow on the imaginary axis at any step,
+/// by as little as the step is short: what takes a million steps to grow
+/// threefold is no instability.
+pub(super) const SERIES_SLACK: f64 = 1e-6;
 
 /// An undamped eigenvalue has a real part of rounding only: this share of its size.
 const ROUNDING: f64 = 1e-9;
@@ -61,10 +66,15 @@ fn polynomial(method: Method) -> Option<&'static [f64]> {
     }
 }
 
+/// Degree of a method of power series at a tolerance.
+pub(super) fn degree(method: Method, tolerance: f64) -> Option<usize> {
+    (method == Method::Taylor).then(|| series_degree(tolerance))
+}
+
 /// What theory says of a method's stability, in words, where there is no limit.
 pub(super) fn remark(method: Method) -> Option<&'static str> {
     match method.name() {
-        "tr_bdf2" | "esdirk34" | "rodas5p" => Some("L-stable: no limit on the step"),
+        "tr_bdf2" | "esdirk34" | "rodas5p" | "radau" => Some("L-stable: no limit on the step"),
         "bdf" => Some(
             "no limit for damped motions; orders above 2 lose stability near the imaginary axis",
         ),
@@ -77,16 +87,62 @@ pub(super) fn remark(method: Method) -> Option<&'static str> {
 /// (real and imaginary part): the end of the ray from 0 along which |R| ≤ 1.
 /// `None`: no such limit, or an eigenvalue that grows by itself.
 pub fn stability_limit(method: Method, eigenvalue: [f64; 2]) -> Option<f64> {
+    let coefficients = polynomial(method)?;
+    let slack = SLACK;
+    limit(slack, eigenvalue, |x, y| growth(coefficients, x, y))
+}
+
+/// The same for power series of the displacements to a degree d: their rates are
+/// then known to the degree d − 1. A mode is multiplied by the exponential
+/// series of its two equations, cut off behind that power in either row, which
+/// is no polynomial in hλ alone. (On the real axis it is: the exponential cut
+/// off behind the power d − 1, since the slow partner of a fast rate counts for
+/// nothing beside it.)
+pub fn series_limit(degree: usize, eigenvalue: [f64; 2]) -> Option<f64> {
+    limit(SERIES_SLACK, eigenvalue, |x, y| series_growth(degree, x, y))
+}
+
+/// Spectral radius of a step of a power series for a mode with hλ = x ± iy, in
+/// displacement and h times its rate: u″ = −ω²u + 2x·u′ with ω² = x² + y², or
+/// u″ = x·u′ where y = 0.
+fn series_growth(degree: usize, x: f64, y: f64) -> f64 {
+    let spring = if y == 0.0 { 0.0 } else { -(x * x + y * y) };
+    let damper = if y == 0.0 { x } else { 2.0 * x };
+    // Columns of the power of the equations' matrix over its factorial.
+    let mut term = [[1.0, 0.0], [0.0, 1.0]];
+    let mut step = term;
+    for power in 1..=degree {
+        for column in &mut term {
+            let [u, v] = *column;
+            *column = [v, spring * u + damper * v].map(|x| x / power as f64);
+        }
+        for (sum, [u, v]) in step.iter_mut().zip(term) {
+            sum[0] += u;
+            if power < degree {
+                sum[1] += v;
+            }
+        }
+    }
+    let trace = step[0][0] + step[1][1];
+    let determinant = step[0][0] * step[1][1] - step[1][0] * step[0][1];
+    let square = 0.25 * trace * trace - determinant;
+    if square > 0.0 {
+        0.5 * trace.abs() + square.sqrt()
+    } else {
+        determinant.sqrt()
+    }
+}
+
+fn limit(slack: f64, eigenvalue: [f64; 2], growth: impl Fn(f64, f64) -> f64) -> Option<f64> {
     const STEP: f64 = 1e-2;
     const FARTHEST: usize = 4000;
-    let coefficients = polynomial(method)?;
     let size = eigenvalue[0].hypot(eigenvalue[1]);
     let [re, im] = eigenvalue.map(|part| part / size);
     let re = if re.abs() < ROUNDING { 0.0 } else { re };
     if !(size > 0.0 && size.is_finite() && re <= 0.0) {
         return None;
     }
-    let grows = |r: f64| growth(coefficients, r * re, r * im) > 1.0 + SLACK;
+    let grows = |r: f64| growth(r * re, r * im) > 1.0 + slack;
     let first = (1..FARTHEST).find(|&k| grows(STEP * k as f64))?;
     let (mut low, mut high) = (STEP * (first - 1) as f64, STEP * first as f64);
     for _ in 0..40 {
@@ -153,10 +209,24 @@ impl Spectrum {
         Self { values, fastest }
     }
 
-    /// What bounds the step of a method; `None`: nothing does, or it is not known.
+    /// What bounds the step of a method; `None`: nothing does, or it is not
+    /// known, or depends on the tolerance.
     pub(super) fn bound(&self, method: Method) -> Option<Bound> {
+        self.least(|eigenvalue| stability_limit(method, eigenvalue))
+    }
+
+    /// The same at a tolerance, which the degree of series follows.
+    pub(super) fn bound_at(&self, method: Method, tolerance: f64) -> Option<Bound> {
+        match degree(method, tolerance) {
+            Some(degree) => self.least(|eigenvalue| series_limit(degree, eigenvalue)),
+            None => self.bound(method),
+        }
+    }
+
+    /// The bound by the eigenvalue that bears the least step.
+    fn least(&self, limit: impl Fn([f64; 2]) -> Option<f64>) -> Option<Bound> {
         let bounds = self.values.iter().flatten().filter_map(|&eigenvalue| {
-            let limit = stability_limit(method, eigenvalue)?;
+            let limit = limit(eigenvalue)?;
             Some(Bound { eigenvalue, limit })
         });
         bounds.min_by(|a, b| a.step().total_cmp(&b.step()))
@@ -173,7 +243,7 @@ fn by_iteration(system: &System) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{polynomial, stability_limit};
+    use super::{polynomial, series_limit, stability_limit};
     use crate::integrate::Method;
 
     #[test]
@@ -185,6 +255,24 @@ mod tests {
         approx::assert_abs_diff_eq!(limit(Method::Dop853, -1.0, 0.0), 6.393_6, epsilon = 1e-3);
         // Rounding in the real part of an undamped eigenvalue does not matter.
         approx::assert_abs_diff_eq!(limit(Method::Rk4, 1e-12, 1.0), 8f64.sqrt(), epsilon = 1e-6);
+    }
+
+    #[test]
+    fn series_bear_steps_that_grow_with_their_degree() {
+        // Rates to the fourth power are those of the classical Runge–Kutta method.
+        let own = series_limit(5, [-1.0, 0.0]).unwrap();
+        let classical = stability_limit(Method::Rk4, [-1.0, 0.0]).unwrap();
+        approx::assert_abs_diff_eq!(own, classical, epsilon = 1e-4);
+        // To the second power: u + hv − h²u/2, v − hu. Its determinant is
+        // 1 + h²/2, so that it grows at every step worth the name.
+        let own = series_limit(2, [0.0, 1.0]).unwrap();
+        approx::assert_abs_diff_eq!(own * own / 4.0, 1e-6, epsilon = 1e-9);
+        // Szegő (1924): on the real axis the limits grow by 1/e a degree.
+        let real = |degree| series_limit(degree, [-1.0, 0.0]).unwrap();
+        for degree in [10, 14, 20] {
+            let slope = 0.5 * (real(degree + 2) - real(degree));
+            approx::assert_abs_diff_eq!(slope, (-1f64).exp(), epsilon = 0.03);
+        }
     }
 
     #[test]

@@ -7,7 +7,7 @@ use super::point::Point;
 use super::recommend::{Recommendation, recommend};
 use super::reference::{Distance, Reference, Truth, find};
 use super::setting::{Setting, all_methods, is_fixed_step, ladder};
-use super::stability::{Spectrum, remark};
+use super::stability::{Spectrum, degree, remark};
 use super::verdict::{INACCURATE, judge};
 use crate::analysis::{Control, RunSettings};
 use crate::fault::Fault;
@@ -147,7 +147,7 @@ pub fn study(
         ..effort
     };
     let found = find(&problem, &attempts, &effort);
-    let mut methods = lines(plan, &spectrum, &attempts, found.as_ref().ok());
+    let mut methods = lines(system, plan, &spectrum, &attempts, found.as_ref().ok());
     if let (Ok(truth), true) = (&found, complete) {
         measure_limits(&problem, &spectrum, truth, &mut methods, &effort);
     }
@@ -231,15 +231,22 @@ fn attempts(
 
 /// Judges all points.
 fn lines(
+    system: &System,
     plan: &Plan,
     spectrum: &Spectrum,
     attempts: &[Attempt],
     truth: Option<&Truth>,
 ) -> Vec<MethodLine> {
     let line = |&method: &Method| {
-        let bound = spectrum.bound(method);
-        let bound = bound.as_ref();
+        let bound = spectrum.bound_at(method, plan.accuracy);
+        let stability = match degree(method, plan.accuracy) {
+            Some(degree) => StabilityLimit::of_series(system, bound.as_ref(), degree),
+            None => StabilityLimit::by_theory(bound.as_ref(), remark(method)),
+        };
         let point = |(index, attempt): (usize, &Attempt)| {
+            let tolerance = attempt.setting.tolerance().unwrap_or(plan.accuracy);
+            let bound = spectrum.bound_at(method, tolerance);
+            let bound = bound.as_ref();
             let judged = judge(attempt, truth, plan.accuracy, bound);
             let is_reference = truth.is_some_and(|truth| truth.index == index);
             Point::new(attempt, judged, truth, bound, is_reference)
@@ -248,7 +255,7 @@ fn lines(
         MethodLine {
             method,
             fixed_step: is_fixed_step(method),
-            stability: StabilityLimit::by_theory(bound, remark(method)),
+            stability,
             points: own
                 .filter(|(_, attempt)| attempt.method == method)
                 .map(point)

@@ -354,24 +354,5 @@ pub(super) fn axis([re, im]: [f64; 2]) -> &'static str {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::{Verdict, axis, switches};
-
-    #[test]
-    fn counts_of_switches_are_told_apart() {
-        let verdict = |found, truth| switches(found, truth).map(|judged| judged.0);
-        assert_eq!(verdict(130, 130), None);
-        assert_eq!(verdict(128, 130), Some(Verdict::SwitchesMissed));
-        assert_eq!(verdict(132, 130), Some(Verdict::SwitchesMissed));
-        assert_eq!(verdict(300, 130), Some(Verdict::Chatter));
-        assert_eq!(verdict(30, 2), Some(Verdict::Chatter));
-        assert_eq!(verdict(10, 0), Some(Verdict::SwitchesMissed));
-    }
-
-    #[test]
-    fn eigenvalues_lie_somewhere() {
-        assert_eq!(axis([-1e-9, 1.0]), "on the imaginary axis");
-        assert_eq!(axis([-1.0, 0.0]), "on the real axis");
-        assert_eq!(axis([-1.0, 1.0]), "in the direction of λ");
-    }
-}
+#[path = "verdict_tests.rs"]
+mod tests;

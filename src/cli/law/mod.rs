@@ -122,7 +122,7 @@ fn show(args: &ShowArgs) -> Result<(), Failure> {
 }
 
 /// Faults of arguments; their paths are names of options after `prefix`.
-fn told(faults: &[Fault], prefix: &str) -> Failure {
+pub(crate) fn told(faults: &[Fault], prefix: &str) -> Failure {
     let lines = faults.iter().map(|fault| {
         let place = match fault.path.as_str() {
             "" => String::new(),

@@ -5,10 +5,11 @@ use super::{PICTURE, told};
 use crate::cli::console;
 use crate::cli::failure::Failure;
 use dam::fault::Fault;
-use dam::motion::stroke::{Criterion, Skewness, Stroke, StrokeSpec};
+use dam::motion::stroke::{Criterion, Skewness, Stroke, StrokeFigures, StrokeSpec};
 use dam::object::law::{read_argument, run_up_law};
 use dam::read::{Bounds, Wanted};
 use dam::report::law::{stroke_chart, stroke_csv, stroke_text};
+use dam::report::quantity::significant;
 use dam::units::{Quantity, parse, quantities as q};
 use serde_json::{Value, json};
 
@@ -47,6 +48,9 @@ pub(super) fn command(args: &SynthesizeArgs) -> Result<(), Failure> {
     match args.form.form {
         Form::Text => {
             console::data(&format!("{words}\n{}", stroke_text(&stroke, unit)));
+            if let Some(changes) = against_none(&spec, &stroke) {
+                console::data(&changes_text(changes));
+            }
             if let Skewness::Optimum(criterion) = spec.skewness {
                 let value = criterion.of(stroke.figures());
                 console::data(&format!("  {:<28} {value:>16e}\n", "criterion"));
@@ -81,6 +85,56 @@ fn document(stroke: &Stroke, words: &str, unit: &str, skewness: Skewness) -> Val
     json!({
         "dam": 1, "laws": words, "unit": unit, "figures": stroke.figures(), "criterion": criterion
     })
+}
+
+/// What a uniform section changes of the greatest Π′, |Π″| and |Π′Π″|, as shares of a
+/// stroke without one (same stroke, span and skewness); `None` without one.
+fn against_none(spec: &StrokeSpec, stroke: &Stroke) -> Option<[(&'static str, f64); 3]> {
+    let with = stroke.figures();
+    let plain = StrokeSpec {
+        stroke: Some(with.stroke),
+        span: Some(with.span),
+        skewness: Skewness::Given(with.skewness),
+        uniform_stroke: Some(0.0),
+        uniform_span: None,
+        uniform_optimum: false,
+        peak_speed: None,
+        ..spec.clone()
+    };
+    if with.uniform_stroke <= 0.0 {
+        return None;
+    }
+    let plain = Stroke::new(&plain).ok()?;
+    let none = plain.figures();
+    let change = |f: fn(&StrokeFigures) -> f64| f(with) / f(none) - 1.0;
+    Some([
+        ("greatest Π′", change(|s| s.peak_speed.abs())),
+        (
+            "greatest |Π″|",
+            change(|s| {
+                s.acceleration_run_up
+                    .abs()
+                    .max(s.acceleration_run_out.abs())
+            }),
+        ),
+        (
+            "greatest |Π′Π″|",
+            change(|s| s.product_run_up.abs().max(s.product_run_out.abs())),
+        ),
+    ])
+}
+
+fn changes_text(changes: [(&'static str, f64); 3]) -> String {
+    let mut text = String::from("  against no uniform section:\n");
+    for (name, change) in changes {
+        let sign = if change < 0.0 { "−" } else { "+" };
+        let percent = significant(100.0 * change.abs(), 8);
+        text.push_str(&format!(
+            "    {name:<26} {:>16} %\n",
+            format!("{sign}{percent}")
+        ));
+    }
+    text
 }
 
 fn quantity(

@@ -135,6 +135,9 @@ fn limits(text: &mut String, study: &Study) {
             limit.place.unwrap_or(""),
             limit.theory_step.unwrap_or(f64::NAN),
         );
+        if let Some(degree) = limit.degree {
+            let _ = write!(text, " (degree {degree})");
+        }
         match (limit.measured, limit.measured_step) {
             (Some(measured), Some(step)) => {
                 let _ = writeln!(text, "; measured {measured:.3}, {step:.2e} s");

@@ -1,7 +1,7 @@
 //! Objects, drivers first, to trees.
 
 use super::course::{Course, straight};
-use super::{MassPlace, Part, Parts, law, load};
+use super::{Holder, MassPlace, Part, Parts, law, load};
 use crate::exact::{Law, Refusal, TimeLoad, TreeMass, TreeObject, TreePair, TreeProblem};
 use crate::model::{
     Closure, DampingLaw, Law as ModelLaw, LinkBase, Load, LoadLaw, Model, NodeMotion, ObjectPart,
@@ -348,6 +348,7 @@ impl<'m> Builder<'m> {
             _ => None,
         });
         let spans = spans.collect();
+        let holders = self.holders();
         let sound = self.trees.into_iter().zip(&self.spoiled);
         let course = |role: Role<'_>| match role {
             Role::Prescribed(course, _) => Some(course),
@@ -361,7 +362,19 @@ impl<'m> Builder<'m> {
             refusals: self.refusals,
             courses: self.roles.into_iter().map(course).collect(),
             spans,
+            holders,
         }
+    }
+
+    /// Who moves each object, trees numbered without the spoiled ones.
+    fn holders(&self) -> Vec<Holder> {
+        let number = |tree: usize| self.spoiled[..tree].iter().filter(|s| !**s).count();
+        let holder = |part: &ObjectPart| match &self.roles[part.nodes[0]] {
+            Role::Prescribed(..) => Holder::Drive,
+            Role::Moved(on) if !self.spoiled[on.tree] => Holder::Tree(number(on.tree)),
+            Role::Moved(_) | Role::Unfit => Holder::Other,
+        };
+        self.model.objects.iter().map(holder).collect()
     }
 }
 

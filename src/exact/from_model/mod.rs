@@ -14,11 +14,13 @@ mod course;
 mod fit;
 mod law;
 mod load;
+mod rest;
 #[cfg(test)]
 mod tests;
 
 pub(crate) use course::{Course, within};
 pub(crate) use fit::{Target, fit};
+pub use rest::Rest;
 
 use super::{ExactTree, PairState, Refusal, SpanSource, TreeProblem};
 use crate::system::System;
@@ -35,6 +37,19 @@ pub struct Parts {
     pub(crate) courses: Vec<Option<Course>>,
     /// Prescribed motions of rigid objects that are made of spans.
     pub(crate) spans: Vec<Arc<dyn SpanSource>>,
+    /// What each object of the model is.
+    holders: Vec<Holder>,
+}
+
+/// Who moves an object.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Holder {
+    /// Its motion is prescribed.
+    Drive,
+    /// A tree, by its number.
+    Tree(usize),
+    /// Nothing that is known here.
+    Other,
 }
 
 /// A tree of masses behind one prescribed law.
@@ -67,6 +82,32 @@ impl Parts {
         builder::build(system)
     }
 
+    /// Gives up trees whose modes cannot be separated, with the reason.
+    #[must_use]
+    pub(crate) fn with_sound_trees(mut self, system: &System) -> Self {
+        let still = vec![0.0; 2 * crate::integrate::Dynamics::coordinates(system)];
+        let mut sound = Vec::new();
+        for (number, part) in std::mem::take(&mut self.trees).into_iter().enumerate() {
+            let now = match part.tree(&still).check() {
+                Ok(()) => Holder::Tree(sound.len()),
+                Err(refusal) => {
+                    let id = &system.model().objects[part.objects[0]].id;
+                    self.refusals.push(Refusal::new(id, refusal.reason));
+                    Holder::Other
+                }
+            };
+            let own = self.holders.iter_mut();
+            // Numbers only fall: a tree that has been seen is not met again.
+            own.filter(|holder| **holder == Holder::Tree(number))
+                .for_each(|holder| *holder = now);
+            if now != Holder::Other {
+                sound.push(part);
+            }
+        }
+        self.trees = sound;
+        self
+    }
+
     /// True when every coordinate of the system is in a tree, and there is one.
     pub fn is_whole(&self) -> bool {
         self.refusals.is_empty() && !self.trees.is_empty()
@@ -89,6 +130,40 @@ impl Part {
             problem.speed[mass] = v;
         }
         ExactTree::new(problem)
+    }
+
+    /// The state of the tree, q and q̇ of every mass, that belongs to a state y =
+    /// [u, u̇] of the system.
+    pub fn own_state(&self, y: &[f64]) -> (Vec<f64>, Vec<f64>) {
+        let tree = self.tree(y);
+        let problem = tree.problem();
+        (problem.displacement.clone(), problem.speed.clone())
+    }
+
+    /// The coordinate of the system of every mass.
+    pub fn coordinates(&self) -> impl Iterator<Item = usize> + '_ {
+        self.masses.iter().map(|place| place.coordinate)
+    }
+
+    /// The tree with given q and q̇ at t = 0.
+    pub fn tree_at(&self, displacement: &[f64], speed: &[f64]) -> ExactTree {
+        let mut problem = self.problem.clone();
+        problem.displacement.copy_from_slice(displacement);
+        problem.speed.copy_from_slice(speed);
+        ExactTree::new(problem)
+    }
+
+    /// Writes q and q̇ of the tree into a state y = [u, u̇] of the system.
+    pub fn put_state(&self, displacement: &[f64], speed: &[f64], y: &mut [f64]) {
+        let n = y.len() / 2;
+        for (mass, place) in self.masses.iter().enumerate() {
+            let (mut u, mut v) = (displacement[mass], speed[mass]);
+            if let Some((base, ratio)) = place.base {
+                u -= ratio * displacement[base];
+                v -= ratio * speed[base];
+            }
+            (y[place.coordinate], y[n + place.coordinate]) = (u, v);
+        }
     }
 
     /// The tree's description; displacements and speeds are zero.

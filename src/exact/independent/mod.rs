@@ -14,10 +14,13 @@ fn compare(problem: TreeProblem, law: &LawAt, end: f64, steps: usize, tolerance:
     let tree = ExactTree::new(problem.clone());
     let request = Request {
         figures: true,
+        audit: true,
         ..Request::new(end, 0)
     };
     let run = tree.run(&request).expect("runs");
     assert!(run.complete);
+    let audit = run.audit.expect("audit");
+    assert!(audit.error() < 1e-10, "{audit:?}");
     let other = integrate(&problem, law, &run.start, end, steps);
     let own: Vec<f64> = run
         .switches
@@ -166,6 +169,24 @@ fn a_floating_part_dragged_by_dampers_to_the_ground() {
         1e-7,
     );
     assert!(run.switches.len() >= 4, "{}", run.switches.len());
+}
+
+#[test]
+fn a_floating_part_drifts_against_its_damper_under_a_constant_load() {
+    let mut mass = TreeMass::new(0.5, None, 800.0, 2.0);
+    mass.pair = TreePair::Force { opens: 1.0 };
+    mass.ground_damping = 3.0;
+    mass.loads.push(TimeLoad::Constant(-5.0));
+    let still = |_: f64, _: f64| [0.0; 3];
+    let law = Law::Harmonic {
+        mean: 0.0,
+        slope: 0.0,
+        sines: Vec::new(),
+    };
+    let mut problem = tree(vec![mass], law);
+    problem.displacement[0] = 0.4;
+    let run = compare(problem, &still, 1.0, 20_000, 1e-7);
+    assert!(!run.switches.is_empty());
 }
 
 /// Accelerations ±40 and a ramp in turn, every 0.1 s.

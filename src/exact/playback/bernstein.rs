@@ -1,16 +1,14 @@
 //! The polynomials of a step from derivatives at its ends.
 
 use super::branch::Branch;
+use super::given::Given;
 use crate::exact::MOST_ORDERS;
 use crate::integrate::Dynamics;
-use crate::polynomial::Step;
+use crate::polynomial::{Step, raise};
 use crate::system::System;
 
-/// Degree of the polynomials: eight derivatives at either end.
+/// Degree of the trees' polynomials: eight derivatives at either end.
 pub(super) const DEGREE: usize = 2 * MOST_ORDERS - 1;
-
-/// Coefficients of a signal.
-const WIDTH: usize = DEGREE + 1;
 
 /// Derivatives at one end, of coordinates and extra signals.
 #[derive(Clone, Debug, Default)]
@@ -23,6 +21,7 @@ struct End {
 #[derive(Clone, Debug)]
 pub(super) struct Output {
     count: usize,
+    degree: usize,
     left: End,
     right: End,
     /// Extra signals at the instant last looked at.
@@ -41,12 +40,13 @@ impl Output {
         };
         Self {
             count,
+            degree: DEGREE,
             extra: end.extra.clone(),
             left: end.clone(),
             right: end,
             start: 0.0,
             length: 1.0,
-            coefficients: vec![0.0; signals * WIDTH],
+            coefficients: vec![0.0; signals * (DEGREE + 1)],
         }
     }
 
@@ -61,17 +61,34 @@ impl Output {
         self.left.extra.copy_from_slice(&self.extra);
     }
 
-    /// The same for the right end, and makes the polynomials from `from` to `to`.
-    pub(super) fn take_right(&mut self, branches: &[Branch<'_>], (from, to): (f64, f64)) {
+    /// The same for the right end, and makes the polynomials from `from` to
+    /// `to`: of the trees, and of what is `given` beside them.
+    pub(super) fn take_right(
+        &mut self,
+        branches: &[Branch<'_>],
+        (from, to): (f64, f64),
+        given: Option<&Given<'_>>,
+    ) {
         take(&mut self.right, branches);
         self.right.extra.copy_from_slice(&self.extra);
         (self.start, self.length) = (from, to - from);
-        let rows = self.coefficients.chunks_exact_mut(WIDTH);
+        self.degree = given.map_or(DEGREE, |given| given.step.degree.max(DEGREE));
+        let width = self.degree + 1;
+        let signals = self.count + self.extra.len();
+        self.coefficients.resize(signals * width, 0.0);
+        let rows = self.coefficients.chunks_exact_mut(width);
         let ends = self.left.coordinates.iter().zip(&self.right.coordinates);
         for (row, (left, right)) in rows.zip(ends) {
-            hermite(row, left, right, self.length);
+            hermite(&mut row[..=DEGREE], left, right, self.length);
+            raise(row, DEGREE);
         }
-        let rows = self.coefficients.chunks_exact_mut(WIDTH).skip(self.count);
+        if let Some(given) = given {
+            for (number, &coordinate) in given.coordinates.iter().enumerate() {
+                let row = &mut self.coefficients[coordinate * width..][..width];
+                given.part(number, (from, to), row);
+            }
+        }
+        let rows = self.coefficients.chunks_exact_mut(width).skip(self.count);
         for (row, (left, right)) in rows.zip(self.left.extra.iter().zip(&self.right.extra)) {
             hermite(&mut row[..6], left, right, self.length);
             raise(row, 5);
@@ -90,7 +107,7 @@ impl Output {
             length: self.length,
             end: 1.0,
             coordinates: self.count,
-            degree: DEGREE,
+            degree: self.degree,
             coefficients: &self.coefficients,
         }
     }
@@ -134,21 +151,9 @@ fn hermite(out: &mut [f64], left: &[f64], right: &[f64], h: f64) {
     }
 }
 
-/// Raises a polynomial of the given degree to that of the whole row.
-fn raise(row: &mut [f64], from: usize) {
-    for degree in from..row.len() - 1 {
-        let last = row[degree];
-        for i in (1..=degree).rev() {
-            let share = i as f64 / (degree + 1) as f64;
-            row[i] = share * row[i - 1] + (1.0 - share) * row[i];
-        }
-        row[degree + 1] = last;
-    }
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{MOST_ORDERS, WIDTH, hermite, raise};
+    use super::{DEGREE, MOST_ORDERS, hermite};
     use crate::polynomial::evaluate;
 
     #[test]
@@ -160,7 +165,7 @@ mod tests {
                 rate.powi(k as i32) * (rate * t + turn).sin()
             })
         };
-        let mut row = [0.0; WIDTH];
+        let mut row = [0.0; DEGREE + 1];
         hermite(&mut row, &derivatives(from), &derivatives(from + h), h);
         for i in 0..=20 {
             let s = f64::from(i) / 20.0;
@@ -168,18 +173,6 @@ mod tests {
             let t = rate * (from + s * h);
             approx::assert_abs_diff_eq!(value, t.sin(), epsilon = 1e-14);
             approx::assert_abs_diff_eq!(slope / h, rate * t.cos(), epsilon = 1e-12);
-        }
-    }
-
-    #[test]
-    fn a_raised_polynomial_is_the_same() {
-        let mut row = [0.0; WIDTH];
-        row[..6].copy_from_slice(&[1.0, -2.0, 0.5, 3.0, 0.0, 4.0]);
-        let low = row;
-        raise(&mut row, 5);
-        for s in [0.0, 0.2, 0.7, 1.0] {
-            let expected = evaluate(&low[..6], s).0;
-            approx::assert_abs_diff_eq!(evaluate(&row, s).0, expected, epsilon = 1e-14);
         }
     }
 }

@@ -9,21 +9,26 @@
 //! alive.
 
 mod bernstein;
+mod beside;
 mod branch;
+mod given;
 mod paces;
 mod tracks;
 
-use super::{Parts, Refusal};
+use super::{ExactTree, Parts, Refusal};
 use crate::integrate::{
     Dynamics, Limits, Method, Modes, Outcome, Sink, Statistics, Stop, SwitchEvent, Watch,
 };
 use crate::system::{InitialState, Scratch, System};
 use bernstein::{DEGREE, Output};
 use branch::Branch;
+use given::Given;
 use paces::Paces;
 use std::sync::atomic::Ordering;
 use std::time::Instant;
 use tracks::Tracks;
+
+pub(crate) use beside::{Beside, play_beside};
 
 /// Two instants closer than this, in units of the clock, are one.
 const RESOLUTION: f64 = 16.0 * f64::EPSILON;
@@ -49,46 +54,28 @@ pub(crate) fn play(
     limits: &Limits<'_>,
     sink: &mut dyn Sink,
 ) -> Outcome {
-    let trees: Vec<_> = parts
-        .trees
-        .iter()
-        .map(|part| part.tree(&initial.y))
-        .collect();
-    let mut branches = Vec::with_capacity(trees.len());
-    for (part, tree) in parts.trees.iter().zip(&trees) {
-        match Branch::new(part, tree, piece.end) {
-            Ok(branch) => branches.push(branch),
-            Err(refusal) => {
-                sink.start(0.0, &initial.y, &initial.modes);
-                return Outcome {
-                    time: 0.0,
-                    stop: gave_up(system, part.objects[0], refusal),
-                    statistics: Statistics::default(),
-                };
+    let trees = trees(parts, initial);
+    match Player::new(system, parts, &trees, initial, piece, limits) {
+        Ok(mut player) => {
+            player.begin(sink);
+            player.play_to(piece.end, None, sink);
+            player.outcome()
+        }
+        Err(stop) => {
+            sink.start(0.0, &initial.y, &initial.modes);
+            Outcome {
+                time: 0.0,
+                stop,
+                statistics: Statistics::default(),
             }
         }
     }
-    let mut player = Player {
-        system,
-        branches,
-        tracks: Tracks::new(system, parts, piece.end),
-        paces: Paces::new(&parts.spans),
-        modes: initial.modes.clone(),
-        y: initial.y.clone(),
-        dy: vec![0.0; initial.y.len()],
-        scratch: system.scratch(),
-        output: Output::new(system),
-        watches: Vec::new(),
-        time: 0.0,
-        piece,
-        limits,
-        steps: 0,
-        switches: 0,
-        begun: Instant::now(),
-        stop: None,
-    };
-    player.run(sink);
-    player.outcome()
+}
+
+/// The trees at their start.
+fn trees(parts: &Parts, initial: &InitialState) -> Vec<ExactTree> {
+    let trees = parts.trees.iter();
+    trees.map(|part| part.tree(&initial.y)).collect()
 }
 
 struct Player<'a> {
@@ -111,8 +98,44 @@ struct Player<'a> {
     stop: Option<Stop>,
 }
 
-impl Player<'_> {
-    fn run(&mut self, sink: &mut dyn Sink) {
+impl<'a> Player<'a> {
+    /// A player before its start; why there is none, where a tree has none.
+    fn new(
+        system: &'a System,
+        parts: &'a Parts,
+        trees: &'a [ExactTree],
+        initial: &InitialState,
+        piece: Piece,
+        limits: &'a Limits<'a>,
+    ) -> Result<Self, Stop> {
+        let mut branches = Vec::with_capacity(trees.len());
+        for (part, tree) in parts.trees.iter().zip(trees) {
+            let branch = Branch::new(part, tree, piece.end);
+            branches.push(branch.map_err(|refusal| gave_up(system, part.objects[0], refusal))?);
+        }
+        Ok(Self {
+            system,
+            branches,
+            tracks: Tracks::new(system, parts, piece.end),
+            paces: Paces::new(&parts.spans),
+            modes: initial.modes.clone(),
+            y: initial.y.clone(),
+            dy: vec![0.0; initial.y.len()],
+            scratch: system.scratch(),
+            output: Output::new(system),
+            watches: Vec::new(),
+            time: 0.0,
+            piece,
+            limits,
+            steps: 0,
+            switches: 0,
+            begun: Instant::now(),
+            stop: None,
+        })
+    }
+
+    /// Tells the start and goes into the first phases.
+    fn begin(&mut self, sink: &mut dyn Sink) {
         for branch in &self.branches {
             branch.take_modes(&mut self.modes);
         }
@@ -121,26 +144,30 @@ impl Player<'_> {
         for index in 0..self.branches.len() {
             self.go_on(index);
         }
-        while self.stop.is_none() && self.time < self.piece.end {
+    }
+
+    /// Plays up to `end` (s), with what is `given` beside the trees.
+    fn play_to(&mut self, end: f64, given: Option<&Given<'_>>, sink: &mut dyn Sink) {
+        while self.stop.is_none() && self.time < end {
             let ends = self.branches.iter().map(|branch| branch.cursor.time());
-            let cut = ends.fold(self.piece.end, f64::min);
+            let cut = ends.fold(end, f64::min);
             let cut = cut.min(self.tracks.next(self.system, self.time, &self.modes));
             let cut = cut.min(self.paces.next(self.time));
-            self.steps_to(cut, sink);
+            self.steps_to(cut, given, sink);
             if self.stop.is_none() {
                 self.time = cut;
-                self.advance(sink);
-                self.pass_tracks(sink);
+                self.advance(given, sink);
+                self.pass_tracks(given, sink);
             }
         }
     }
 
     /// Steps from where the player stands to `cut`.
-    fn steps_to(&mut self, cut: f64, sink: &mut dyn Sink) {
+    fn steps_to(&mut self, cut: f64, given: Option<&Given<'_>>, sink: &mut dyn Sink) {
         let mut open = false;
         while self.stop.is_none() && cut - self.time > RESOLUTION * cut.abs() {
             if !open {
-                self.look_at(self.time);
+                self.look_at(self.time, given);
                 self.output.take_left(&self.branches);
                 open = true;
             }
@@ -155,8 +182,9 @@ impl Player<'_> {
             } else {
                 self.time + length
             };
-            self.look_at(to);
-            self.output.take_right(&self.branches, (self.time, to));
+            self.look_at(to, given);
+            let span = (self.time, to);
+            self.output.take_right(&self.branches, span, given);
             if let Some(what) = self.not_finite() {
                 self.stop = Some(Stop::NotFinite { what });
                 return;
@@ -171,7 +199,10 @@ impl Player<'_> {
 
     /// Puts state and derivatives of all branches, and the extra signals, at
     /// an instant.
-    fn look_at(&mut self, time: f64) {
+    fn look_at(&mut self, time: f64, given: Option<&Given<'_>>) {
+        if let Some(given) = given {
+            given.put(time, &mut self.y, &mut self.dy);
+        }
         for branch in &mut self.branches {
             branch.look_at(time);
             branch.put(&mut self.y, &mut self.dy);
@@ -194,11 +225,11 @@ impl Player<'_> {
     }
 
     /// Takes the switches due now and goes on to the next phases.
-    fn advance(&mut self, sink: &mut dyn Sink) {
+    fn advance(&mut self, given: Option<&Given<'_>>, sink: &mut dyn Sink) {
         let due = self.time + 0.5 * RESOLUTION * self.time.abs();
         for index in 0..self.branches.len() {
             while self.stop.is_none() && self.branches[index].cursor.time() <= due {
-                self.take_switch(index, sink);
+                self.take_switch(index, given, sink);
                 self.check_limits();
                 if self.stop.is_some() || !self.go_on(index) {
                     break;
@@ -221,7 +252,7 @@ impl Player<'_> {
     }
 
     /// Tells the switch that ended the present phase of a branch.
-    fn take_switch(&mut self, index: usize, sink: &mut dyn Sink) {
+    fn take_switch(&mut self, index: usize, given: Option<&Given<'_>>, sink: &mut dyn Sink) {
         let Some((component, mode)) = self.branches[index].switched() else {
             return;
         };
@@ -229,15 +260,15 @@ impl Player<'_> {
         if before.0[component] == mode {
             return;
         }
-        self.look_at(self.time);
+        self.look_at(self.time, given);
         self.switches += 1;
         self.change(component, mode, sink);
     }
 
-    fn pass_tracks(&mut self, sink: &mut dyn Sink) {
+    fn pass_tracks(&mut self, given: Option<&Given<'_>>, sink: &mut dyn Sink) {
         let changes = self.tracks.due(self.system, self.time, &self.modes);
         for (component, mode) in changes {
-            self.look_at(self.time);
+            self.look_at(self.time, given);
             self.change(component, mode, sink);
         }
     }

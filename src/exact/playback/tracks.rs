@@ -21,6 +21,8 @@ struct Follower<'a> {
 /// All tracks of a system.
 pub(super) struct Tracks<'a> {
     followers: Vec<Follower<'a>>,
+    /// Number of pairs, whose components come before those of the tracks.
+    pairs: usize,
     end: f64,
 }
 
@@ -48,6 +50,7 @@ impl<'a> Tracks<'a> {
             });
         Self {
             followers: followers.collect(),
+            pairs,
             end,
         }
     }
@@ -62,6 +65,16 @@ impl<'a> Tracks<'a> {
             modes.0[follower.component] = follower.breaks.locate(within(limits), 1.0);
             follower.look(0.0, self.end);
         }
+    }
+
+    /// True for the component of a track that is followed here: over time or
+    /// over a prescribed displacement.
+    pub(super) fn follows(&self, system: &System, component: usize) -> bool {
+        let tracks = &system.model().tracks;
+        let over_time = |track: usize| tracks[track].source == TrackSource::Time;
+        let prescribed = |follower: &Follower<'_>| follower.component == component;
+        let track = component.checked_sub(self.pairs);
+        track.is_some_and(over_time) || self.followers.iter().any(prescribed)
     }
 
     /// The next change of any track after `time` (s).

@@ -4,8 +4,52 @@
 use super::{CUTS, Scene, Track, piece};
 use crate::exact::bound::reversed;
 use crate::exact::hermite::{End, Piece, Point};
-use crate::exact::lanes::Arith;
+use crate::exact::lanes::{Arith, Task};
 use crate::exact::phase::Exponentials;
+
+/// [`Track::climb`], out of line.
+pub(super) struct Climb<'a> {
+    pub(super) track: &'a mut Track,
+    pub(super) scene: Scene<'a>,
+    pub(super) before: &'a Exponentials,
+    pub(super) ends: (&'a Point, &'a Point),
+    pub(super) figure: (usize, f64),
+    pub(super) margin: f64,
+}
+
+impl Task for Climb<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<A: Arith>(self) {
+        let Self {
+            track,
+            scene,
+            before,
+            ends,
+            figure,
+            margin,
+        } = self;
+        track.climb::<A>(scene, before, ends, figure, margin);
+    }
+}
+
+/// [`Track::turns`], out of line.
+pub(super) struct Turns<'a> {
+    pub(super) track: &'a mut Track,
+    pub(super) scene: Scene<'a>,
+    pub(super) before: &'a Exponentials,
+    pub(super) ends: (&'a Point, &'a Point),
+}
+
+impl Task for Turns<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<A: Arith>(self) {
+        self.track.turns::<A>(self.scene, self.before, self.ends);
+    }
+}
 
 impl Track {
     /// Finds the greatest value of sign·(functional k) in the step, where it
@@ -74,7 +118,7 @@ impl Track {
                 f: f[0],
                 g: f[1],
             });
-            let x = reversed([f[1], f[2], f[3], 0.0]);
+            let (x, _) = reversed([f[1], f[2], f[3], 0.0, 0.0], 0.0);
             let target = s + x;
             if !(f[2] < 0.0 && target > piece.a.s && target < piece.b.s) {
                 return plain;
@@ -127,7 +171,7 @@ impl Track {
                 continue;
             }
             cuts += 1;
-            let cut = self.root::<A>(scene, &piece, noise);
+            let cut = self.root::<A>(scene, before, &piece, noise);
             self.pieces.push(Piece { a: cut, b: piece.b });
             self.pieces.push(Piece { a: piece.a, b: cut });
         }
@@ -138,9 +182,56 @@ impl Track {
         }
     }
 
+    /// The root of δ about `near` behind the start of the step (up to `most`),
+    /// where Taylor's polynomial there is good enough for it: the integral of
+    /// |δ| may be off by `allowed`. Nothing has to be evaluated for it.
+    #[inline(always)]
+    fn root_from<A: Arith>(
+        &mut self,
+        scene: Scene,
+        before: &Exponentials,
+        (near, most): (f64, f64),
+        allowed: f64,
+    ) -> Option<End> {
+        let Scene {
+            basis,
+            panel,
+            phase,
+        } = scene;
+        let (f, rest) = self.state.jet::<A>(basis, panel, phase, before, 0);
+        let off = |x: f64| rest * (x * x) * (x * x) * (1.0 / 24.0);
+        if !harmless((near, off(near)), f[1] + near * f[2], allowed) {
+            return None;
+        }
+        let value = |x: f64| f[0] + x * (f[1] + x * (f[2] * 0.5 + x * f[3] * (1.0 / 6.0)));
+        let slope = |x: f64| f[1] + x * (f[2] + x * f[3] * 0.5);
+        let mut x = near;
+        for _ in 0..3 {
+            x -= value(x) / slope(x);
+        }
+        let settled = value(x).abs() <= off(x).max(f64::EPSILON * f[0].abs());
+        if !(x > 0.0 && x < most && settled && harmless((x, off(x)), slope(x), allowed)) {
+            return None;
+        }
+        let start = self.state.primitive::<A>(panel, phase, before);
+        let more = x * (f[0] + x * (f[1] * 0.5 + x * (f[2] / 6.0 + x * (f[3] / 24.0))));
+        self.roots.push((before.s + x, start + more));
+        Some(End {
+            s: before.s + x,
+            f: 0.0,
+            g: slope(x),
+        })
+    }
+
     /// A root of δ in the piece (noted, value exactly zero), or a point to cut at.
     #[inline(always)]
-    fn root<A: Arith>(&mut self, scene: Scene, piece: &Piece, noise: f64) -> End {
+    fn root<A: Arith>(
+        &mut self,
+        scene: Scene,
+        before: &Exponentials,
+        piece: &Piece,
+        noise: f64,
+    ) -> End {
         let crosses = (piece.a.f > 0.0 && piece.b.f < 0.0) || (piece.a.f < 0.0 && piece.b.f > 0.0);
         let share = if crosses {
             piece.crossing()
@@ -161,6 +252,13 @@ impl Track {
             }
             .summit()
         };
+        if crosses && piece.a.s == before.s {
+            let allowed = noise * piece.length();
+            let near = share * piece.length();
+            if let Some(end) = self.root_from::<A>(scene, before, (near, piece.length()), allowed) {
+                return end;
+            }
+        }
         let mut s = piece.a.s + share * piece.length();
         let mut first = None;
         for _ in 0..8 {
@@ -170,16 +268,18 @@ impl Track {
                 f: f[0],
                 g: f[1],
             });
-            let x = reversed(f);
+            let (x, _) = reversed([f[0], f[1], f[2], f[3], 0.0], 0.0);
             let target = s + x;
             if !(crosses && target > piece.a.s && target < piece.b.s) {
                 return plain;
             }
-            let lost = rest * (x * x * x).abs() * x.abs().max(1e-3 * piece.length());
-            if lost <= 24.0 * noise || x.abs() <= 1e-15 * target {
-                let primitive =
-                    self.state
-                        .primitive::<A>(scene.basis, scene.panel, scene.phase, &self.e);
+            // Of Taylor's polynomial, and of the reversed series.
+            let bend = 0.5 * f[2] * x / f[1];
+            let off = rest * (x * x) * (x * x) * (1.0 / 24.0)
+                + 14.0 * (f[1] * x).abs() * (bend * bend) * (bend * bend);
+            let allowed = noise * piece.length();
+            if harmless((x, off), f[1], allowed) || x.abs() <= 1e-15 * target {
+                let primitive = self.state.primitive::<A>(scene.panel, scene.phase, &self.e);
                 let more = x * (f[0] + x * (f[1] * 0.5 + x * (f[2] / 6.0 + x * (f[3] / 24.0))));
                 self.roots.push((target, primitive + more));
                 return End {
@@ -192,4 +292,12 @@ impl Track {
         }
         first.unwrap_or_default()
     }
+}
+
+/// True when an error `off` of δ at a root a length x away moves ∫|δ| by less
+/// than `allowed`: by half its square over the slope, and by what the integral
+/// up to there is off.
+#[inline(always)]
+fn harmless((x, off): (f64, f64), slope: f64, allowed: f64) -> bool {
+    off * off < allowed * slope.abs() && 0.2 * off * x.abs() < allowed
 }

@@ -1,18 +1,13 @@
 //! Rodas5P: the own method for stiff systems.
 //!
-//! A Rosenbrock method: eight linear systems a step, all with one matrix, and no
-//! iteration that might fail. The order of the system is halved: of
-//! (κ·I − J)·[k_u; k_v] = [r_u; r_v] with J = [0, I; J_u, J_v] remains
-//! (κ²·I − κ·J_v − J_u)·k_u = r_v + κ·r_u − J_v·r_u, and k_v = κ·k_u − r_u.
+//! A Rosenbrock method: eight linear systems a step, all with one matrix (see
+//! [`super::linear`]), and no iteration that might fail.
 
-mod jacobian;
-mod sparse;
 mod tableau;
 
 use super::Dynamics;
+use super::linear::{Jacobian, SparseLu};
 use super::run::{Run, Verdict};
-use jacobian::Jacobian;
-use sparse::SparseLu;
 use tableau::{COUPLINGS, GAMMA, OUTPUT, STAGES, STATES, TIME_RATES, TIMES};
 
 /// Local error allowed per step, relative to the tolerance asked for.
@@ -40,7 +35,9 @@ pub(super) fn leg<D: Dynamics>(run: &mut Run<'_, D>) {
 #[derive(Debug)]
 pub(super) struct Stepper {
     jacobian: Jacobian,
-    matrix: SparseLu,
+    /// ∂f/∂t of the accelerations.
+    time: Vec<f64>,
+    matrix: SparseLu<f64>,
     /// k_i, one after the other (2n each).
     stages: Vec<f64>,
     /// The state of a stage, in the end the new one.
@@ -65,6 +62,7 @@ impl Stepper {
         Self {
             matrix: SparseLu::new(&jacobian.pattern),
             jacobian,
+            time: vec![0.0; count],
             stages: vec![0.0; STAGES * 2 * count],
             y: state(),
             dy: state(),
@@ -82,6 +80,10 @@ impl Stepper {
         loop {
             let (time, target) = (run.from.time, run.target);
             self.jacobian.evaluate(run.evaluator, time, &run.from.y);
+            if !run.evaluator.dynamics.is_autonomous() {
+                run.evaluator.time_tangent(time, &run.from.y, &mut self.dy);
+                self.time.copy_from_slice(&self.dy[self.dy.len() / 2..]);
+            }
             let floor = 4.0 * f64::EPSILON * time.abs().max(target.abs());
             let (length, error) = loop {
                 // The last two steps before the target are made alike.
@@ -155,7 +157,7 @@ impl Stepper {
             }
             if TIME_RATES[stage] != 0.0 {
                 let weight = TIME_RATES[stage] * length;
-                add(&mut self.right[width / 2..], weight, &self.jacobian.time);
+                add(&mut self.right[width / 2..], weight, &self.time);
             }
             self.solve(stage, kappa);
         }
@@ -178,14 +180,7 @@ impl Stepper {
     }
 
     fn factorise(&mut self, kappa: f64) -> bool {
-        let jacobian = &self.jacobian;
-        let rows = jacobian.pattern.iter().enumerate();
-        let diagonal = rows.flat_map(|(row, columns)| columns.iter().map(move |&c| c == row));
-        let known = jacobian.displacement.iter().zip(&jacobian.speed);
-        let entries = diagonal.zip(known).map(|(diagonal, (stiffness, damping))| {
-            let own = if diagonal { kappa * kappa } else { 0.0 };
-            own - kappa * damping - stiffness
-        });
+        let entries = self.jacobian.shifted(kappa, |entry| entry);
         self.matrix.factorise(entries)
     }
 
@@ -193,12 +188,10 @@ impl Stepper {
     fn solve(&mut self, stage: usize, kappa: f64) {
         let count = self.reduced.len();
         let (of_u, of_v) = self.right.split_at(count);
-        let mut next = 0;
-        for (row, columns) in self.jacobian.pattern.iter().enumerate() {
-            let damping = &self.jacobian.speed[next..next + columns.len()];
-            next += columns.len();
-            let product = damping.iter().zip(columns).map(|(d, &c)| d * of_u[c]);
-            self.reduced[row] = of_v[row] + kappa * of_u[row] - product.sum::<f64>();
+        let products = self.jacobian.damping_times(of_u);
+        let rows = of_u.iter().zip(of_v).zip(products);
+        for (reduced, ((u, v), product)) in self.reduced.iter_mut().zip(rows) {
+            *reduced = v + kappa * u - product;
         }
         self.matrix.solve(&mut self.reduced);
         let out = &mut self.stages[stage * 2 * count..(stage + 1) * 2 * count];

@@ -5,7 +5,7 @@ use super::*;
 
 /// Error at the end after steps of a fixed length: the scales are so great
 /// that the error control never speaks.
-fn error_of_fixed_steps(method: Method, damping: f64, steps: u32) -> f64 {
+fn error_of_fixed_steps(method: Method, tolerance: f64, damping: f64, steps: u32) -> f64 {
     let system = Oscillator {
         damping,
         amplitude: 1.0,
@@ -15,7 +15,7 @@ fn error_of_fixed_steps(method: Method, damping: f64, steps: u32) -> f64 {
     };
     let end = 4.0;
     // First steps are estimated: not greater than the limit, so equal to it.
-    let fixed = settings(method, 0.5, Some(end / f64::from(steps)));
+    let fixed = settings(method, tolerance, Some(end / f64::from(steps)));
     let (outcome, keeper) = run(&system, end, &[1.0, 0.0], &[], &fixed);
     assert_eq!(outcome.stop, Stop::Complete);
     assert_eq!(outcome.statistics.steps, u64::from(steps), "{method}");
@@ -24,8 +24,12 @@ fn error_of_fixed_steps(method: Method, damping: f64, steps: u32) -> f64 {
 }
 
 fn slope(method: Method, damping: f64, steps: u32) -> f64 {
-    let coarse = error_of_fixed_steps(method, damping, steps);
-    let fine = error_of_fixed_steps(method, damping, 2 * steps);
+    slope_at(method, 0.5, damping, steps)
+}
+
+fn slope_at(method: Method, tolerance: f64, damping: f64, steps: u32) -> f64 {
+    let coarse = error_of_fixed_steps(method, tolerance, damping, steps);
+    let fine = error_of_fixed_steps(method, tolerance, damping, 2 * steps);
     (coarse / fine).log2()
 }
 
@@ -83,6 +87,17 @@ fn rodas5p_is_of_order_five_also_where_the_right_hand_side_depends_on_time() {
     }
 }
 
+/// The number of stages follows the tolerance.
+#[test]
+fn radau_is_of_order_five_nine_or_thirteen() {
+    for (tolerance, steps, expected) in [(0.5, 20, 5.0), (1e-2, 4, 9.0), (1e-3, 2, 13.0)] {
+        for damping in [0.0, 0.1] {
+            let order = slope_at(Method::Radau, tolerance, damping, steps);
+            assert!((order - expected).abs() < 0.4, "{damping}: {order}");
+        }
+    }
+}
+
 /// The series has degree 10 at this tolerance, that of the speed one less: so is
 /// the order.
 #[test]
@@ -104,6 +119,7 @@ fn the_error_follows_the_tolerance() {
         (Method::Dop853, 1.0, 1.0),
         (Method::Taylor, 1.0, 0.9),
         (Method::Rodas5p, 10.0, 0.9),
+        (Method::Radau, 10.0, 0.9),
         (Method::Bdf, 20.0, 0.9),
         (Method::TrBdf2, 2000.0, 0.6),
         (Method::Esdirk34, 200.0, 0.7),
@@ -141,6 +157,7 @@ fn the_continuous_output_keeps_the_tolerance_too() {
         (Method::Dop853, 2.0),
         (Method::Taylor, 2.0),
         (Method::Rodas5p, 10.0),
+        (Method::Radau, 10.0),
         (Method::Bdf, 50.0),
         (Method::Esdirk34, 500.0),
     ] {

@@ -106,7 +106,11 @@ fn at_a_tight_tolerance_the_rocker_agrees_to_ten_digits() {
 /// Ten masses are stiff: overdamped modes of 10⁷ 1/s beside a lever of 10⁴ rad/s.
 #[test]
 fn ten_masses_agree_with_an_implicit_method() {
-    for (method, tolerance) in [(Method::Bdf, 1e-8), (Method::Rodas5p, 1e-9)] {
+    for (method, tolerance) in [
+        (Method::Bdf, 1e-8),
+        (Method::Rodas5p, 1e-9),
+        (Method::Radau, 1e-9),
+    ] {
         let (end, late) = errors(&TEN, method, tolerance);
         assert!(end < 1e-8, "{method}: {end:e}");
         assert!(late < 1e-8, "{method}: {late:e}");
@@ -121,6 +125,7 @@ fn every_method_finds_all_switches_at_an_ordinary_tolerance() {
             Method::Dop853,
             Method::Taylor,
             Method::Rodas5p,
+            Method::Radau,
             Method::Bdf,
             Method::Esdirk34,
         ] {

@@ -65,6 +65,7 @@ fn scene(parts: Vec<(&str, Option<&str>, Part)>) -> Scene {
             window: None,
             max_switches: 1000,
         },
+        steady: None,
         expect: Vec::new(),
         hash: String::new(),
     }

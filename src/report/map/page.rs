@@ -223,7 +223,7 @@ fn cause(report: &MapReport<'_>, panel: usize, index: usize, cell: &Cell) -> Str
     }
     format!(
         "<tr><td>{}</td><td class=\"left\">{}</td><td class=\"left\">{}</td>\
-         <td class=\"left\">{}</td></tr>\n",
+         <td class=\"words\">{}</td></tr>\n",
         panel + 1,
         escape(&place),
         cell.verdict.words(),

@@ -98,6 +98,10 @@ fn limit_row(line: &MethodLine) -> Option<String> {
     let real = |value: Option<f64>| value.map_or("–".to_owned(), |v| significant(v, 4));
     let step = |value: Option<f64>| value.map_or("–".to_owned(), |v| with_unit(v, "s", 3));
     let words = limit.place.or(limit.remark)?;
+    let degree = limit
+        .degree
+        .map(|degree| format!(", series of degree {degree}"));
+    let words = words.to_owned() + &degree.unwrap_or_default();
     Some(format!(
         "<tr><th>{}</th><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td class=\"left\">{}</td></tr>\n",
         line.method.name(),
@@ -105,6 +109,6 @@ fn limit_row(line: &MethodLine) -> Option<String> {
         step(limit.theory_step),
         real(limit.measured),
         step(limit.measured_step),
-        escape(words)
+        escape(&words)
     ))
 }

@@ -2,7 +2,9 @@
 
 use super::table::Table;
 use super::{equations, load_word, units};
-use crate::model::{Closure, Coordinate, DampingLaw, LinkBase, Model, NodeMotion, OUTPUT, ObjectPart, Pair};
+use crate::model::{
+    Closure, Coordinate, DampingLaw, LinkBase, Model, NodeMotion, OUTPUT, ObjectPart, Pair,
+};
 use crate::report::diagram::{drivers_first, pair};
 use crate::report::quantity::{significant, with_unit};
 use std::f64::consts::TAU;
@@ -96,7 +98,10 @@ fn linkages(model: &Model) -> String {
         let turning = part.coordinate == Coordinate::Turning;
         let range = linkage.range().describe(linkage.structure(), turning);
         out.push_str(&format!("  input {range}\n"));
-        let outputs = model.objects.iter().filter(|one| one.driver == Some(body.object));
+        let outputs = model
+            .objects
+            .iter()
+            .filter(|one| one.driver == Some(body.object));
         let outputs: Vec<String> = (outputs.filter(|one| one.kind == OUTPUT))
             .map(|one| format!("{} ({})", one.id, units(one.coordinate).displacement))
             .collect();

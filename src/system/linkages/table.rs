@@ -80,9 +80,7 @@ impl Table {
         if !span.is_finite() || (periodic && !repeats(linkage, start, span)) {
             return None;
         }
-        let damped = |law: &ForceLaw| {
-            matches!(law, ForceLaw::Strut { damping, .. } | ForceLaw::Torsion { damping, .. } if *damping > 0.0)
-        };
+        let damped = |law: &ForceLaw| matches!(law, ForceLaw::Strut { damping, .. } | ForceLaw::Torsion { damping, .. } if *damping > 0.0);
         let mut table = Self {
             start,
             span,
@@ -106,7 +104,9 @@ impl Table {
         if !(slot >= 0.0) {
             return None;
         }
-        let piece = self.pieces.get(usize::from(*self.index.get(slot as usize)?))?;
+        let piece = self
+            .pieces
+            .get(usize::from(*self.index.get(slot as usize)?))?;
         let x = (place - piece.centre) * piece.scale;
         let scale = piece.scale;
         let mut local = Local::default();
@@ -191,9 +191,7 @@ impl<'a> Builder<'a> {
             workspace: linkage.workspace(),
             table,
             points: std::array::from_fn(|j| angle(j).cos()),
-            values: std::array::from_fn(|k| {
-                std::array::from_fn(|j| (k as f64 * angle(j)).cos())
-            }),
+            values: std::array::from_fn(|k| std::array::from_fn(|j| (k as f64 * angle(j)).cos())),
             sizes: [0.0; 3],
             positions: 0,
         }
@@ -256,18 +254,19 @@ impl<'a> Builder<'a> {
         Some(sampled)
     }
 
-    fn interpolated(
-        &self,
-        depth: u32,
-        piece: u32,
-        sampled: &[Coefficients; 3],
-    ) -> Option<Piece> {
+    fn interpolated(&self, depth: u32, piece: u32, sampled: &[Coefficients; 3]) -> Option<Piece> {
         let (centre, half) = self.place(depth, piece);
         let mut found = [[0.0; POINTS]; 3];
         for (k, values) in sampled.iter().enumerate() {
-            let own = values.iter().fold(0.0f64, |size, value| size.max(value.abs()));
+            let own = values
+                .iter()
+                .fold(0.0f64, |size, value| size.max(value.abs()));
             // The inertia divides: it counts by itself.
-            let size = if k == 0 { own } else { own.max(SMALL * self.sizes[k]) };
+            let size = if k == 0 {
+                own
+            } else {
+                own.max(SMALL * self.sizes[k])
+            };
             let coefficients = self.chebyshev(values);
             let tail = &coefficients[POINTS - TAIL..];
             if !tail.iter().all(|c| c.abs() <= NEGLIGIBLE * size) {
@@ -288,7 +287,9 @@ impl<'a> Builder<'a> {
     /// Coefficients of T_k.
     fn chebyshev(&self, values: &Coefficients) -> Coefficients {
         std::array::from_fn(|k| {
-            let sum: f64 = (self.values[k].iter().zip(values)).map(|(t, f)| t * f).sum();
+            let sum: f64 = (self.values[k].iter().zip(values))
+                .map(|(t, f)| t * f)
+                .sum();
             sum * if k == 0 { 1.0 } else { 2.0 } / POINTS as f64
         })
     }
@@ -385,13 +386,24 @@ mod tests {
             };
             known += 1;
             let [i0, i1, i2] = local.inertia;
-            let found = [i0, i1, i2, local.force[0], local.force[1], local.damping[0], local.damping[1]];
+            let found = [
+                i0,
+                i1,
+                i2,
+                local.force[0],
+                local.force[1],
+                local.damping[0],
+                local.damping[1],
+            ];
             for (k, wanted) in [j0, j1, j2, w0, w1, d0, d1].into_iter().enumerate() {
                 miss[k] = miss[k].max((found[k] - wanted).abs());
                 size[k] = size[k].max(wanted.abs());
             }
         }
-        (std::array::from_fn(|k| miss[k] / size[k]), f64::from(known) / f64::from(count))
+        (
+            std::array::from_fn(|k| miss[k] / size[k]),
+            f64::from(known) / f64::from(count),
+        )
     }
 
     #[test]
@@ -401,7 +413,10 @@ mod tests {
         for shift in [0.0, 6.0 * std::f64::consts::PI] {
             let (miss, known) = compared(&linkage, shift, shift + 6.28);
             assert_eq!(known, 1.0);
-            for (miss, bound) in miss.into_iter().zip([1e-13, 1e-11, 1e-8, 1e-13, 1e-11, 1e-13, 1e-11]) {
+            for (miss, bound) in miss
+                .into_iter()
+                .zip([1e-13, 1e-11, 1e-8, 1e-13, 1e-11, 1e-13, 1e-11])
+            {
                 assert!(miss < bound, "{miss:e} against {bound:e}");
             }
         }

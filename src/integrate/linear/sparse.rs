@@ -7,17 +7,18 @@
 //! degree the last coordinate first: along a tree from its leaves, where nothing
 //! fills in, so that the cost is linear in the number of masses.
 
+use super::Entry;
 use std::collections::BTreeSet;
 
 /// A pivot below this share of the greatest entry of its row has cancelled.
 const SMALLEST_PIVOT: f64 = 1e-12;
 
 /// Rows of column indices, one row for each unknown, the diagonal among them.
-pub(super) type Rows = Vec<Vec<usize>>;
+pub(crate) type Rows = Vec<Vec<usize>>;
 
 /// The factors L·U of a matrix of fixed pattern.
 #[derive(Debug)]
-pub(super) struct SparseLu {
+pub(crate) struct SparseLu<E> {
     /// The unknown eliminated at each place.
     order: Vec<usize>,
     /// Beginning of each row in `columns` and `values`, by place; one more at the end.
@@ -26,17 +27,18 @@ pub(super) struct SparseLu {
     columns: Vec<usize>,
     /// Where each row's diagonal is.
     diagonal: Vec<usize>,
-    /// Factors: L without its unit diagonal, then U.
-    values: Vec<f64>,
+    /// Factors: L without its unit diagonal, then U with the reciprocals of its
+    /// diagonal.
+    values: Vec<E>,
     /// For every entry of the matrix, row by row of its pattern: its index in `values`.
     targets: Vec<usize>,
     /// One row or one right-hand side, by place.
-    row: Vec<f64>,
+    row: Vec<E>,
 }
 
-impl SparseLu {
+impl<E: Entry> SparseLu<E> {
     /// Orders and analyses a pattern; every row contains its diagonal.
-    pub(super) fn new(pattern: &Rows) -> Self {
+    pub(crate) fn new(pattern: &Rows) -> Self {
         let order = least_degree(pattern);
         let count = order.len();
         let mut place = vec![0; count];
@@ -67,8 +69,8 @@ impl SparseLu {
             }
         }
         Self {
-            values: vec![0.0; columns.len()],
-            row: vec![0.0; count],
+            values: vec![E::ZERO; columns.len()],
+            row: vec![E::ZERO; count],
             order,
             starts,
             columns,
@@ -79,54 +81,65 @@ impl SparseLu {
 
     /// Factorises the matrix with the given entries, in the order of the
     /// pattern's rows. False when a pivot has vanished or is not a number.
-    pub(super) fn factorise(&mut self, entries: impl Iterator<Item = f64>) -> bool {
-        self.values.fill(0.0);
+    pub(crate) fn factorise(&mut self, entries: impl Iterator<Item = E>) -> bool {
+        self.values.fill(E::ZERO);
         for (&target, entry) in self.targets.iter().zip(entries) {
-            self.values[target] += entry;
+            self.values[target] = self.values[target].plus(entry);
         }
         for position in 0..self.order.len() {
             let (start, end) = (self.starts[position], self.starts[position + 1]);
-            let mut largest = 0.0f64;
-            for index in start..end {
-                largest = largest.max(self.values[index].abs());
-                self.row[self.columns[index]] = self.values[index];
+            let mut largest = E::ZERO;
+            let here = self.columns[start..end]
+                .iter()
+                .zip(&self.values[start..end]);
+            for (&column, &value) in here {
+                largest = value.greatest(largest);
+                self.row[column] = value;
             }
-            for index in start..self.diagonal[position] {
-                let pivot = self.columns[index];
-                let factor = self.row[pivot] / self.values[self.diagonal[pivot]];
+            for &pivot in &self.columns[start..self.diagonal[position]] {
+                let diagonal = self.diagonal[pivot];
+                let factor = self.row[pivot].times(self.values[diagonal]);
                 self.row[pivot] = factor;
-                for above in self.diagonal[pivot] + 1..self.starts[pivot + 1] {
-                    self.row[self.columns[above]] -= factor * self.values[above];
+                let above = diagonal + 1..self.starts[pivot + 1];
+                let above = self.columns[above.clone()].iter().zip(&self.values[above]);
+                for (&column, &value) in above {
+                    self.row[column] = self.row[column].less_product(factor, value);
                 }
             }
-            for index in start..end {
-                self.values[index] = self.row[self.columns[index]];
+            let here = self.columns[start..end].iter();
+            for (&column, value) in here.zip(&mut self.values[start..end]) {
+                *value = self.row[column];
             }
-            let pivot = self.values[self.diagonal[position]].abs();
-            // False for what is not a number, too.
-            if !(pivot > SMALLEST_PIVOT * largest && pivot.is_finite()) {
+            let pivot = self.row[position];
+            if !pivot.stands_out(SMALLEST_PIVOT, largest) {
                 return false;
             }
+            self.values[self.diagonal[position]] = pivot.reciprocal();
         }
         true
     }
 
     /// Solves for one right-hand side, in place.
-    pub(super) fn solve(&mut self, unknowns: &mut [f64]) {
+    pub(crate) fn solve(&mut self, unknowns: &mut [E]) {
         let count = self.order.len();
         for position in 0..count {
             let lower = self.starts[position]..self.diagonal[position];
-            let known: f64 = lower
-                .map(|index| self.values[index] * self.row[self.columns[index]])
-                .sum();
-            self.row[position] = unknowns[self.order[position]] - known;
+            let lower = self.columns[lower.clone()].iter().zip(&self.values[lower]);
+            let mut rest = unknowns[self.order[position]];
+            for (&column, &value) in lower {
+                rest = rest.less_product(value, self.row[column]);
+            }
+            self.row[position] = rest;
         }
         for position in (0..count).rev() {
-            let upper = self.diagonal[position] + 1..self.starts[position + 1];
-            let known: f64 = upper
-                .map(|index| self.values[index] * self.row[self.columns[index]])
-                .sum();
-            let value = (self.row[position] - known) / self.values[self.diagonal[position]];
+            let diagonal = self.diagonal[position];
+            let upper = diagonal + 1..self.starts[position + 1];
+            let upper = self.columns[upper.clone()].iter().zip(&self.values[upper]);
+            let mut rest = self.row[position];
+            for (&column, &value) in upper {
+                rest = rest.less_product(value, self.row[column]);
+            }
+            let value = rest.times(self.values[diagonal]);
             self.row[position] = value;
             unknowns[self.order[position]] = value;
         }
@@ -134,7 +147,7 @@ impl SparseLu {
 
     /// Multiplications of one factorisation and of one solution.
     #[cfg(test)]
-    pub(super) fn operations(&self) -> [usize; 2] {
+    pub(crate) fn operations(&self) -> [usize; 2] {
         let mut factorisation = 0;
         for position in 0..self.order.len() {
             for index in self.starts[position]..self.diagonal[position] {
@@ -239,7 +252,7 @@ mod tests {
             }
             let right = DVector::from_fn(count, |row, _| (row as f64 + 0.3).cos());
             let expected = dense.lu().solve(&right).unwrap();
-            let mut lu = SparseLu::new(&pattern);
+            let mut lu = SparseLu::<f64>::new(&pattern);
             // Twice: the second time over what the first has left.
             for _ in 0..2 {
                 assert!(lu.factorise(entries.iter().copied()));
@@ -254,7 +267,7 @@ mod tests {
 
     #[test]
     fn a_pivot_that_cancels_or_is_no_number_is_refused() {
-        let mut lu = SparseLu::new(&full(2));
+        let mut lu = SparseLu::<f64>::new(&full(2));
         assert!(!lu.factorise([1.0, 2.0, 2.0, 4.0].into_iter()));
         assert!(!lu.factorise([1.0, f64::NAN, 2.0, 5.0].into_iter()));
         assert!(lu.factorise([1.0, 2.0, 2.0, 5.0].into_iter()));
@@ -264,7 +277,7 @@ mod tests {
     fn trees_and_chains_behind_a_rotor_do_not_fill_and_cost_in_proportion() {
         for make in [arrow, tree] {
             let [small, great] = [make(10), make(1000)].map(|pattern| {
-                let lu = SparseLu::new(&pattern);
+                let lu = SparseLu::<f64>::new(&pattern);
                 let entries: usize = pattern.iter().map(Vec::len).sum();
                 assert!(
                     lu.columns.len() <= entries,

@@ -1,0 +1,148 @@
+use super::{Quick, QuickRun};
+use crate::exact::Asked;
+use crate::integrate::{Limits, Stop};
+use crate::lower::lower;
+use crate::record::ObjectFigures;
+use crate::scene::{BuiltIn, Document, Overrides};
+use crate::system::System;
+use std::sync::atomic::AtomicBool;
+use std::time::Duration;
+
+const TWO_MASSES: &[u8] = include_bytes!("../../../scenarios/rocker/two_masses.json");
+
+const UNLIMITED: Limits<'static> = Limits {
+    switches: u64::MAX,
+    steps: u64::MAX,
+    wall_clock: None,
+    interrupt: None,
+};
+
+fn quick(overrides: &[&str]) -> Quick {
+    let document = Document::parse("two_masses.json", TWO_MASSES).unwrap();
+    let overrides = Overrides::new(overrides.iter().copied());
+    let reading = document.scene(&BuiltIn, &overrides).unwrap();
+    Quick::new(&System::new(lower(&reading.scene).unwrap()).unwrap()).unwrap()
+}
+
+fn run(quick: &Quick, end: f64, asked: Asked, limits: &Limits<'_>) -> QuickRun {
+    quick.run(end, 0, Some(&|_| asked), limits).unwrap()
+}
+
+#[test]
+fn the_figures_asked_for_are_those_of_a_run_that_finds_all() {
+    type Read = fn(&ObjectFigures) -> f64;
+    let lift: Read = |f| f.pair.as_ref().unwrap().max_lift;
+    let cases: [(Asked, &[Read]); 6] = [
+        (Asked::DEVIATION, &[|f| f.delta_max, |f| f.delta_min]),
+        (only(|asked| asked.mean = true), &[|f| f.sigma]),
+        (only(|asked| asked.speed = true), &[|f| f.peak_speed]),
+        (
+            only(|asked| asked.acceleration = true),
+            &[|f| f.peak_acceleration],
+        ),
+        (only(|asked| asked.force = true), &[|f| f.peak_reaction]),
+        (only(|asked| asked.lift = true), &[lift]),
+    ];
+    let quick = quick(&[]);
+    let all = run(&quick, 0.5, Asked::ALL, &UNLIMITED);
+    let whole = all.objects[0].figures.clone().unwrap();
+    for (asked, reads) in cases {
+        let found = run(&quick, 0.5, asked, &UNLIMITED);
+        assert_eq!(found.objects[0].switch_times, all.objects[0].switch_times);
+        let own = found.objects[0].figures.as_ref().unwrap();
+        for read in reads {
+            assert_ne!(read(own), 0.0, "{asked:?}");
+            approx::assert_relative_eq!(read(own), read(&whole), max_relative = 1e-12);
+        }
+        // The others are left alone.
+        let found = [
+            own.sigma,
+            own.peak_speed,
+            own.peak_acceleration,
+            own.peak_reaction,
+            lift(own),
+        ];
+        let zeros = found.iter().filter(|value| **value == 0.0).count();
+        assert_eq!(
+            zeros,
+            if asked == Asked::DEVIATION { 5 } else { 4 },
+            "{asked:?}"
+        );
+    }
+}
+
+fn only(set: impl Fn(&mut Asked)) -> Asked {
+    let mut asked = Asked::DEVIATION;
+    set(&mut asked);
+    asked
+}
+
+#[test]
+fn a_run_without_end_stops_when_it_is_told() {
+    let quick = quick(&[]);
+    let told = AtomicBool::new(true);
+    let limits = Limits {
+        interrupt: Some(&told),
+        ..UNLIMITED
+    };
+    let found = run(&quick, 1e9, Asked::ALL, &limits);
+    assert_eq!(found.stop, Stop::Interrupted);
+    assert!(found.time < 1e9);
+    // From another thread, in the middle of it.
+    let told = AtomicBool::new(false);
+    let limits = Limits {
+        interrupt: Some(&told),
+        ..UNLIMITED
+    };
+    let found = std::thread::scope(|scope| {
+        scope.spawn(|| {
+            std::thread::sleep(Duration::from_millis(30));
+            told.store(true, std::sync::atomic::Ordering::Relaxed);
+        });
+        run(&quick, 1e9, Asked::ALL, &limits)
+    });
+    assert_eq!(found.stop, Stop::Interrupted);
+    assert!(found.time > 0.0 && found.switches > 0);
+}
+
+#[test]
+fn limits_of_time_steps_and_switches_end_a_run() {
+    let quick = quick(&[]);
+    let limit = Duration::from_millis(20);
+    let limits = Limits {
+        wall_clock: Some(limit),
+        ..UNLIMITED
+    };
+    let begun = std::time::Instant::now();
+    let found = run(&quick, 1e9, Asked::ALL, &limits);
+    assert_eq!(found.stop, Stop::WallClock { limit });
+    assert!(begun.elapsed() < 100 * limit, "{:?}", begun.elapsed());
+    let steps = Limits {
+        steps: 500,
+        ..UNLIMITED
+    };
+    let found = run(&quick, 1e9, Asked::ALL, &steps);
+    assert_eq!(found.stop, Stop::TooManySteps { bound: 500 });
+    // What was done until then is that of a run that goes on.
+    let whole = run(&quick, found.time, Asked::ALL, &UNLIMITED);
+    assert!(whole.is_complete());
+    let times = |run: &QuickRun| run.objects[0].switch_times.clone();
+    let (wanted, times) = (times(&whole), times(&found));
+    assert!(wanted.len() > 50 && wanted.len().abs_diff(times.len()) <= 1);
+    for (time, wanted) in times.iter().zip(&wanted) {
+        approx::assert_relative_eq!(time, wanted, max_relative = 1e-12);
+    }
+    let [own, other] = [&found, &whole].map(|run| run.objects[0].figures.as_ref().unwrap());
+    approx::assert_relative_eq!(own.delta_max, other.delta_max, max_relative = 1e-12);
+    approx::assert_relative_eq!(
+        own.end.displacement,
+        other.end.displacement,
+        max_relative = 1e-12
+    );
+    let switches = Limits {
+        switches: 7,
+        ..UNLIMITED
+    };
+    let found = run(&quick, 1e9, Asked::ALL, &switches);
+    assert_eq!(found.stop, Stop::TooManySwitches { bound: 7 });
+}

@@ -1,0 +1,328 @@
+//! The map of the state over a period of the drive, and its derivative.
+
+use super::sink::{Grid, Last};
+use crate::exact::{Cursor, PairState, Part, Request, TreeProblem};
+use crate::integrate::{Dynamics, Limits, Method, Settings, Sink, Stop, integrate};
+use crate::system::System;
+use nalgebra::DMatrix;
+
+/// Carries a state over a time that starts at t = 0.
+pub(super) trait Map {
+    /// The state after `time` (s).
+    ///
+    /// # Errors
+    /// Why it does not get there.
+    fn apply(&self, state: &[f64], time: f64) -> Result<Vec<f64>, String>;
+
+    /// The derivative of the state after `time` by the state at t = 0.
+    ///
+    /// # Errors
+    /// As [`Map::apply`].
+    fn monodromy(&self, state: &[f64], time: f64) -> Result<DMatrix<f64>, String>;
+
+    /// Displacements at `count` equal steps over a time from t = 0 on, t = 0
+    /// left out: one list a coordinate.
+    ///
+    /// # Errors
+    /// As [`Map::apply`].
+    fn orbit(&self, state: &[f64], time: f64, count: usize) -> Result<Vec<Vec<f64>>, String>;
+
+    /// Sizes of the state's entries, for differences and misses.
+    fn scales(&self) -> &[f64];
+
+    /// How its derivative is found, in words.
+    fn how(&self) -> &'static str;
+}
+
+/// A tree that is propagated exactly; its state is q, then q̇ of every mass.
+#[derive(Debug)]
+pub(super) struct TreeMap<'a> {
+    part: &'a Part,
+    scales: Vec<f64>,
+}
+
+impl<'a> TreeMap<'a> {
+    /// The map of a tree; sizes are those met in a period from a state.
+    pub(super) fn new(part: &'a Part, state: &[f64], period: f64) -> Result<Self, String> {
+        let n = part.problem().masses.len();
+        let tree = part.tree_at(&state[..n], &state[n..]);
+        let request = Request {
+            all_masses: true,
+            ..Request::new(period, 256)
+        };
+        let run = tree.run(&request).map_err(|refusal| refusal.reason)?;
+        let mut scales: Vec<f64> = state.iter().map(|entry| entry.abs()).collect();
+        for row in run.samples.chunks_exact(2 * n) {
+            for (scale, value) in scales.iter_mut().zip(row) {
+                *scale = scale.max(value.abs());
+            }
+        }
+        scales
+            .iter_mut()
+            .for_each(|scale| *scale = scale.max(1e-12));
+        Ok(Self { part, scales })
+    }
+
+    fn masses(&self) -> usize {
+        self.part.problem().masses.len()
+    }
+}
+
+impl Map for TreeMap<'_> {
+    fn apply(&self, state: &[f64], time: f64) -> Result<Vec<f64>, String> {
+        let n = self.masses();
+        let tree = self.part.tree_at(&state[..n], &state[n..]);
+        let run = tree
+            .run(&Request::new(time, 0))
+            .map_err(|refusal| refusal.reason)?;
+        if !run.complete {
+            return Err(format!("too many switches before t = {} s", run.time));
+        }
+        Ok(run.displacement.into_iter().chain(run.speed).collect())
+    }
+
+    fn monodromy(&self, state: &[f64], time: f64) -> Result<DMatrix<f64>, String> {
+        let n = self.masses();
+        let tree = self.part.tree_at(&state[..n], &state[n..]);
+        let problem = tree.problem();
+        let mut cursor = Cursor::new(&tree, time).map_err(|refusal| refusal.reason)?;
+        let mut product = DMatrix::identity(2 * n, 2 * n);
+        while cursor.advance().map_err(|refusal| refusal.reason)? {
+            let phase = (rates(problem, cursor.states()) * cursor.length()).exp();
+            product = phase * product;
+            if let Some(switch) = cursor.switch()
+                && (switch.before, switch.after.engaged()) == (PairState::Free, true)
+            {
+                impact(problem, switch.mass, &mut product);
+            }
+        }
+        match product.iter().all(|entry| entry.is_finite()) {
+            true => Ok(product),
+            false => Err("the derivative of the motion is no finite number".to_owned()),
+        }
+    }
+
+    fn orbit(&self, state: &[f64], time: f64, count: usize) -> Result<Vec<Vec<f64>>, String> {
+        let n = self.masses();
+        let tree = self.part.tree_at(&state[..n], &state[n..]);
+        let request = Request {
+            all_masses: true,
+            ..Request::new(time, count)
+        };
+        let run = tree.run(&request).map_err(|refusal| refusal.reason)?;
+        let column = |mass: usize| {
+            run.samples
+                .iter()
+                .skip(mass)
+                .step_by(2 * n)
+                .copied()
+                .collect()
+        };
+        Ok((0..n).map(column).collect())
+    }
+
+    fn scales(&self) -> &[f64] {
+        &self.scales
+    }
+
+    fn how(&self) -> &'static str {
+        "exact propagation of the variations through every switch"
+    }
+}
+
+/// The matrix of the variations between switches: (δq, δq̇)′ = A·(δq, δq̇).
+fn rates(problem: &TreeProblem, states: &[PairState]) -> DMatrix<f64> {
+    let n = problem.masses.len();
+    let mut rates = DMatrix::zeros(2 * n, 2 * n);
+    for (i, mass) in problem.masses.iter().enumerate() {
+        rates[(i, n + i)] = 1.0;
+        rates[(n + i, i)] -= mass.ground_stiffness / mass.inertia;
+        rates[(n + i, n + i)] -= mass.ground_damping / mass.inertia;
+        let bilateral = mass.pair.flanks().1 == 0;
+        if bilateral || states[i].engaged() {
+            link(problem, i, [mass.stiffness, mass.damping], n, &mut rates);
+        }
+    }
+    rates
+}
+
+/// Adds the force of a link, c·x + b·ẋ with x = q − lever·q_parent.
+fn link(
+    problem: &TreeProblem,
+    i: usize,
+    [stiffness, damping]: [f64; 2],
+    n: usize,
+    rates: &mut DMatrix<f64>,
+) {
+    let mass = &problem.masses[i];
+    let ends: [Option<(usize, f64)>; 2] = [
+        Some((i, 1.0)),
+        mass.parent.map(|parent| (parent, -mass.lever)),
+    ];
+    for (row, weight) in ends.into_iter().flatten() {
+        let factor = weight / problem.masses[row].inertia;
+        for (column, share) in ends.into_iter().flatten() {
+            rates[(n + row, column)] -= factor * stiffness * share;
+            rates[(n + row, n + column)] -= factor * damping * share;
+        }
+    }
+}
+
+/// A free mass meets a flank: its damper's force sets in at once, so that a
+/// variation that arrives earlier by δt feels it for δt longer. (All other
+/// switches happen at zero force and leave variations as they are.) The speed
+/// of approach cancels: δq̇ changes by −(b/J)·δx.
+fn impact(problem: &TreeProblem, i: usize, product: &mut DMatrix<f64>) {
+    let n = problem.masses.len();
+    let mass = &problem.masses[i];
+    let mut jump = DMatrix::zeros(2 * n, 2 * n);
+    link(problem, i, [mass.damping, 0.0], n, &mut jump);
+    *product += &jump * &*product;
+}
+
+/// Any system, integrated; its state is y = [u, u̇].
+#[derive(Debug)]
+pub(super) struct SystemMap<'a> {
+    system: &'a System,
+    method: Method,
+}
+
+/// Tolerance of the integration.
+const TOLERANCE: f64 = 1e-12;
+/// Steps of the differences, relative to the scales.
+const DIFFERENCE: f64 = 1e-5;
+
+impl<'a> SystemMap<'a> {
+    pub(super) fn new(system: &'a System, method: Method) -> Self {
+        Self { system, method }
+    }
+
+    fn differences(&self, state: &[f64], time: f64, step: f64) -> Result<DMatrix<f64>, String> {
+        let n = state.len();
+        let mut matrix = DMatrix::zeros(n, n);
+        for column in 0..n {
+            let h = step * self.scales()[column];
+            let mut shifted = state.to_vec();
+            shifted[column] = state[column] + h;
+            let above = self.apply(&shifted, time)?;
+            shifted[column] = state[column] - h;
+            let below = self.apply(&shifted, time)?;
+            for row in 0..n {
+                matrix[(row, column)] = (above[row] - below[row]) / (2.0 * h);
+            }
+        }
+        Ok(matrix)
+    }
+}
+
+impl Map for SystemMap<'_> {
+    fn apply(&self, state: &[f64], time: f64) -> Result<Vec<f64>, String> {
+        let mut last = Last::default();
+        self.follow(state, time, &mut last)?;
+        Ok(last.y)
+    }
+
+    fn orbit(&self, state: &[f64], time: f64, count: usize) -> Result<Vec<Vec<f64>>, String> {
+        let mut grid = Grid::new(time / count as f64, state.len() / 2);
+        self.follow(state, time, &mut grid)?;
+        Ok(grid.columns)
+    }
+
+    /// Central differences with two steps, extrapolated.
+    fn monodromy(&self, state: &[f64], time: f64) -> Result<DMatrix<f64>, String> {
+        let coarse = self.differences(state, time, 2.0 * DIFFERENCE)?;
+        let fine = self.differences(state, time, DIFFERENCE)?;
+        Ok((fine * 4.0 - coarse) / 3.0)
+    }
+
+    fn scales(&self) -> &[f64] {
+        self.system.scales()
+    }
+
+    fn how(&self) -> &'static str {
+        "central differences of the integrated motion, extrapolated from two steps"
+    }
+}
+
+impl SystemMap<'_> {
+    fn follow(&self, state: &[f64], time: f64, sink: &mut dyn Sink) -> Result<(), String> {
+        let modes = self.system.modes_at_start(state);
+        let settings = Settings {
+            method: self.method,
+            tolerance: TOLERANCE,
+            step: None,
+        };
+        let limits = Limits {
+            switches: 1_000_000,
+            steps: 10_000_000,
+            wall_clock: None,
+            interrupt: None,
+        };
+        let outcome = integrate(
+            self.system,
+            0.0,
+            time,
+            state,
+            &modes,
+            &settings,
+            &limits,
+            sink,
+        );
+        match outcome.stop {
+            Stop::Complete => Ok(()),
+            stop => Err(format!("it stopped at t = {} s: {stop:?}", outcome.time)),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Map, SystemMap, TreeMap};
+    use crate::exact::Parts;
+    use crate::integrate::Method;
+    use crate::lower::lower;
+    use crate::scene::{BuiltIn, Document, Overrides};
+    use crate::system::System;
+
+    /// A lever that leaves its cam and meets it again, damped.
+    const SCENE: &str = r#"{ "dam": 1, "name": "test", "objects": {
+        "shaft": { "kind": "drive", "motion": { "speed": "1900 rpm" } },
+        "valve": { "kind": "rocker", "input": "shaft", "masses": 2, "inertia": 0.1,
+            "stiffness": 3e5, "damping_capacity": 0.5, "pair": { "closure": "force" },
+            "position": { "sine": { "amplitude": "8 deg" } },
+            "loads": { "closing": { "constant": -450 } } } },
+        "run": { "duration": 1, "start": "static" } }"#;
+
+    #[test]
+    fn exact_propagation_and_integration_give_the_same_map_and_multipliers() {
+        let document = Document::parse("test", SCENE.as_bytes()).unwrap();
+        let reading = document.scene(&BuiltIn, &Overrides::none()).unwrap();
+        let system = System::new(lower(&reading.scene).unwrap()).unwrap();
+        let parts = Parts::of(&system);
+        let start = system.initial_state().unwrap().y;
+        let turn = 60.0 / 1900.0;
+        let tree = TreeMap::new(&parts.trees[0], &start, turn).unwrap();
+        let general = SystemMap::new(&system, Method::Dop853);
+        // One tree: its q are the system's u.
+        let (one, other) = (tree.apply(&start, turn), general.apply(&start, turn));
+        let (one, other) = (one.unwrap(), other.unwrap());
+        for ((a, b), scale) in one.iter().zip(&other).zip(tree.scales()) {
+            approx::assert_abs_diff_eq!(a / scale, b / scale, epsilon = 1e-8);
+        }
+        let [one, other] = [&tree as &dyn Map, &general].map(|map| {
+            let moduli = map.monodromy(&start, turn).unwrap().complex_eigenvalues();
+            let mut moduli: Vec<f64> = moduli.iter().map(|z| z.re.hypot(z.im)).collect();
+            moduli.sort_by(|a, b| b.total_cmp(a));
+            moduli
+        });
+        assert!(one[0] > 1e-4, "the test must see something: {one:?}");
+        for (a, b) in one.iter().zip(&other) {
+            approx::assert_abs_diff_eq!(*a, *b, epsilon = 1e-5);
+        }
+        let orbits = [&tree as &dyn Map, &general].map(|map| map.orbit(&start, turn, 50).unwrap());
+        for (a, b) in orbits[0].iter().zip(&orbits[1]) {
+            assert_eq!((a.len(), b.len()), (50, 50));
+            approx::assert_abs_diff_eq!(a[17], b[17], epsilon = 1e-8);
+        }
+    }
+}

@@ -1,0 +1,68 @@
+//! The steady motion of a scene.
+//!
+//! Rigid objects behind a motor or a prescribed drive: the energy-mass method
+//! where forces depend on the position alone, the cycle map where a moment
+//! depends on the speed. Elastic objects behind a prescribed drive: the periodic
+//! motion, by shooting.
+
+pub mod csv;
+mod expectations;
+mod machine;
+mod map;
+mod periodic;
+mod rigid;
+mod shooting;
+mod simulate;
+mod sink;
+
+pub use expectations::{check, figure};
+pub use machine::{Machine, constant_speed, drive_of, is_elastic};
+pub use periodic::{LongRun, Multiplier, PartMotion, PeriodicAnswer, Stability};
+pub use rigid::{Agreement, Forces, ROWS, RigidAnswer, by_energy};
+pub use simulate::Simulation;
+
+use crate::analysis::RunSettings;
+use crate::fault::Fault;
+use crate::model::{Node, NodeMotion};
+use crate::scene::SteadySpec;
+use crate::system::System;
+use serde::Serialize;
+
+/// The steady motion of a scene.
+#[derive(Clone, Debug, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Answer {
+    /// Of a machine with rigid objects.
+    Rigid(Box<RigidAnswer>),
+    /// Of elastic objects.
+    Periodic(Box<PeriodicAnswer>),
+}
+
+/// Finds the steady motion that a scene asks for.
+///
+/// # Errors
+/// Every fault of the question, or why there is no steady motion, in words and
+/// numbers.
+pub fn steady_motion(
+    system: &System,
+    settings: &RunSettings,
+    spec: &SteadySpec,
+) -> Result<Answer, Vec<Fault>> {
+    let model = system.model();
+    // Where every drive is prescribed, all that is elastic moves with them.
+    let is_free = |node: &Node| matches!(node.motion, NodeMotion::Rotor { .. });
+    let is_mass = |node: &Node| matches!(node.motion, NodeMotion::Mass { .. });
+    let elastic = model.nodes.iter().any(is_mass) && !model.nodes.iter().any(is_free);
+    if spec.drive.is_none() && elastic {
+        let answer = periodic::answer(system, settings, spec)?;
+        return Ok(Answer::Periodic(Box::new(answer)));
+    }
+    let drive = drive_of(model, spec.drive.as_deref())?;
+    let speed = constant_speed(model, drive);
+    if is_elastic(model, drive) && system.last_coordinate(drive).is_none() {
+        let answer = periodic::answer(system, settings, spec)?;
+        return Ok(Answer::Periodic(Box::new(answer)));
+    }
+    let answer = rigid::answer(model, drive, spec, speed)?;
+    Ok(Answer::Rigid(Box::new(answer)))
+}

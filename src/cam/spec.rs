@@ -1,0 +1,133 @@
+//! Geometry of a disc cam and its follower, as plain numbers.
+
+/// A disc cam and the follower that touches it.
+///
+/// The law of motion U(φ) says where the follower is; the geometry says how
+/// it touches the cam. Lengths in metres, angles in radians.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CamGeometry {
+    /// Radius of the base circle, > 0: the smallest circle about the axis that
+    /// the working profile touches (of a groove: its inner flank). There the
+    /// follower is innermost.
+    pub base_radius: f64,
+    /// How the follower is guided.
+    pub guide: Guide,
+    /// What of the follower touches the cam.
+    pub contact: Contact,
+    /// Which side of the cam is touched.
+    pub surface: Surface,
+    /// +1: positive displacement takes the follower outwards, away from the
+    /// axis; −1: inwards.
+    pub outward: f64,
+    /// +1: the cam turns counter-clockwise as its angle φ grows; −1: clockwise.
+    pub sense: f64,
+    /// For drawings. Translating: the direction of outward motion; turning:
+    /// the direction from the cam's axis to the follower's.
+    pub direction: f64,
+    /// Interval of φ that the profile covers; `None`: a whole turn, closed.
+    pub range: Option<(f64, f64)>,
+}
+
+/// How a follower is guided.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Guide {
+    /// Along a straight line.
+    Translating {
+        /// Distance of the line from the cam's axis, positive to the side on
+        /// which the cam's surface moves outwards: a positive offset lowers
+        /// the pressure angle while the follower moves outwards.
+        offset: f64,
+    },
+    /// About a fixed axis.
+    Turning {
+        /// Distance between the axes of cam and follower, > 0.
+        centre_distance: f64,
+        /// From the follower's axis to the centre of the roller (the edge),
+        /// > 0; without meaning for a flat face.
+        arm: f64,
+        /// +1: the follower moves outwards against the sense in which the cam
+        /// turns; −1: with it.
+        against: f64,
+    },
+}
+
+/// What of the follower touches the cam.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Contact {
+    /// A roller, or a round face of that radius fixed to the follower.
+    Roller {
+        /// Its radius, > 0.
+        radius: f64,
+    },
+    /// A sharp edge.
+    KnifeEdge,
+    /// A flat face.
+    Flat {
+        /// Translating: angle between the face's normal and the direction of
+        /// motion, |inclination| < π/2; positive where the normal is turned
+        /// against the cam's sense of turning out of the direction of motion. Turning: not used.
+        inclination: f64,
+        /// Turning: distance of the face from the follower's axis, positive
+        /// when the face lies between that axis and the cam. Translating: not used.
+        face_offset: f64,
+        /// Width of the face, to be compared with what is needed.
+        width: Option<f64>,
+    },
+}
+
+/// Which side of the cam is touched.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Surface {
+    /// The outside of a disc.
+    Disc,
+    /// The inside of a hollow cam.
+    Hollow,
+    /// Both flanks of a groove.
+    Groove,
+}
+
+impl CamGeometry {
+    /// Radius of the roller; 0 of an edge, `None` of a flat face.
+    pub fn roller(&self) -> Option<f64> {
+        match self.contact {
+            Contact::Roller { radius } => Some(radius),
+            Contact::KnifeEdge => Some(0.0),
+            Contact::Flat { .. } => None,
+        }
+    }
+
+    /// Distance of the roller's centre (of the flat face) from the cam's axis
+    /// when the follower is innermost: the prime circle.
+    pub fn prime_radius(&self) -> f64 {
+        let roller = self.roller().unwrap_or(0.0);
+        match self.surface {
+            Surface::Hollow => self.base_radius - roller,
+            Surface::Disc | Surface::Groove => self.base_radius + roller,
+        }
+    }
+
+    /// The same geometry with another prime circle.
+    #[must_use]
+    pub fn with_prime_radius(&self, radius: f64) -> Self {
+        let roller = self.roller().unwrap_or(0.0);
+        let base_radius = match self.surface {
+            Surface::Hollow => radius + roller,
+            Surface::Disc | Surface::Groove => radius - roller,
+        };
+        Self {
+            base_radius,
+            ..self.clone()
+        }
+    }
+
+    /// Offsets of the working profiles from the pitch curve, along the normal
+    /// that points away from the axis.
+    pub fn flanks(&self) -> Vec<f64> {
+        let roller = self.roller().unwrap_or(0.0);
+        match self.surface {
+            Surface::Disc => vec![-roller],
+            Surface::Hollow => vec![roller],
+            Surface::Groove => vec![-roller, roller],
+        }
+    }
+}

@@ -1,0 +1,97 @@
+//! What the arguments of `dam cam` ask.
+
+use crate::cli::args::CamArgs;
+use crate::cli::failure::Failure;
+use dam::analysis::cam::{Question, Reserve};
+use dam::cam::sizing::PressureLimits;
+use dam::cam::{DiscCam, Guide};
+use dam::object::law::read_argument;
+use dam::read::{Bounds, Wanted};
+use dam::units::{parse, quantities as q};
+use std::f64::consts::FRAC_PI_2;
+
+/// The question, and what the curves are to be like.
+pub(super) struct Asked {
+    pub(super) question: Question,
+    /// Speed of the cam (rad/s).
+    pub(super) speed: Option<f64>,
+    /// Chord tolerance (m).
+    pub(super) tolerance: f64,
+    /// Radius of a cutter (m).
+    pub(super) cutter: Option<f64>,
+}
+
+/// Customary greatest pressure angle (rad): sliding followers jam sooner.
+fn usual(cam: &DiscCam) -> f64 {
+    match cam.geometry().guide {
+        Guide::Translating { .. } => 30f64.to_radians(),
+        Guide::Turning { .. } => 45f64.to_radians(),
+    }
+}
+
+/// Reads the arguments.
+pub(super) fn read(args: &CamArgs, cam: &DiscCam) -> Result<Asked, Failure> {
+    let angle = Bounds {
+        lower: Some((0.0, false)),
+        upper: Some((FRAC_PI_2, false)),
+        not_zero: false,
+    };
+    let outward = quantity("--pressure-angle", &args.pressure_angle, q::ANGLE, angle)?;
+    let inward = quantity(
+        "--return-pressure-angle",
+        &args.return_pressure_angle,
+        q::ANGLE,
+        angle,
+    )?;
+    let outward = outward.unwrap_or_else(|| usual(cam));
+    let length =
+        |name: &str, text: &Option<String>, bounds| quantity(name, text, q::LENGTH, bounds);
+    let least = length("--least-radius", &args.least_radius, Bounds::NOT_NEGATIVE)?;
+    let tolerance = Some(args.tolerance.clone());
+    let tolerance = length("--tolerance", &tolerance, Bounds::POSITIVE)?;
+    Ok(Asked {
+        question: Question {
+            pressure: PressureLimits {
+                outward,
+                inward: inward.unwrap_or(outward),
+            },
+            roller_factor: args.roller_factor,
+            least_radius: least.unwrap_or(0.0),
+            reserve: reserve(&args.reserve)?,
+        },
+        speed: quantity("--speed", &args.speed, q::ANGULAR_SPEED, Bounds::NOT_ZERO)?,
+        tolerance: tolerance.unwrap_or(1e-6),
+        cutter: length("--cutter", &args.cutter, Bounds::POSITIVE)?,
+    })
+}
+
+/// A share without, a force or moment with unit.
+fn reserve(text: &str) -> Result<Reserve, Failure> {
+    let forces = Wanted::either(q::FORCE, q::MOMENT);
+    let share = text.trim().parse::<f64>().is_ok();
+    let wanted = if share || parse(text).is_err() {
+        q::NUMBER.into()
+    } else {
+        forces
+    };
+    let read = |slot: dam::read::Slot<'_>| slot.quantity(wanted, Bounds::NOT_NEGATIVE);
+    let value = read_argument("--reserve", text, read)?;
+    Ok(match share {
+        true => Reserve::Share(value),
+        false => Reserve::Force(value),
+    })
+}
+
+fn quantity(
+    name: &str,
+    text: &Option<String>,
+    wanted: impl Into<Wanted>,
+    bounds: Bounds,
+) -> Result<Option<f64>, Failure> {
+    let Some(text) = text else {
+        return Ok(None);
+    };
+    let wanted = wanted.into();
+    let value = read_argument(name, text, |slot| slot.quantity(wanted, bounds))?;
+    Ok(Some(value))
+}

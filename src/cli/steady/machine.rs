@@ -1,0 +1,138 @@
+//! Machines that are no scene: tables and expressions.
+
+use super::args::SteadyArgs;
+use super::{Answered, asked, folder, machine_document, tell};
+use crate::cli::failure::{Failure, Status};
+use dam::analysis::steady::{ROWS, by_energy, csv};
+use dam::report::steady::Shown;
+use dam::scene::SteadySpec;
+use dam::steady::{Formula, Given, Profile, Question, Refusal};
+use std::io::Read;
+use std::path::Path;
+
+/// Largest file that is read at all.
+const LARGEST: u64 = 65 << 20;
+
+pub(super) fn command(args: &SteadyArgs) -> Result<Status, Failure> {
+    let mut spec = SteadySpec::default();
+    asked(&args.question, &mut spec)?;
+    let Some(mean_speed) = spec.mean_speed else {
+        return Err(Failure::Other(
+            "no mean speed is asked for; for example --mean-speed \"300 rpm\"".to_owned(),
+        ));
+    };
+    let question = Question {
+        mean: spec.mean,
+        tolerance: spec.tolerance,
+        balance: spec.balance,
+        ..Question::new(mean_speed)
+    };
+    match &args.machine.table {
+        Some(path) => table(args, path, &spec, &question),
+        None => formulas(args, &spec, &question),
+    }
+}
+
+/// A refusal in terms of the options.
+fn refused(refusal: &Refusal) -> Failure {
+    let line = |message: &str, hint: &str| match hint {
+        "" => message.to_owned(),
+        hint => format!("{message}; {hint}"),
+    };
+    Failure::Other(match refusal {
+        Refusal::Input { faults } => {
+            let one = |f: &dam::steady::Field| {
+                let name = f.field.replace('_', "-");
+                line(&format!("--{name}: {}", f.message), &f.hint)
+            };
+            faults.iter().map(one).collect::<Vec<_>>().join("\nerror: ")
+        }
+        refusal => line(
+            &refusal.message(),
+            &refusal.hint().replace("`balance`", "--balance"),
+        ),
+    })
+}
+
+fn table(
+    args: &SteadyArgs,
+    path: &Path,
+    spec: &SteadySpec,
+    question: &Question,
+) -> Result<Status, Failure> {
+    let shown = path.display().to_string();
+    if spec.fluctuation.is_some() {
+        let why = "--fluctuation: a flywheel is sized for scenes and expressions, not for tables";
+        return Err(Failure::Other(why.to_owned()));
+    }
+    let mut text = String::new();
+    std::fs::File::open(path)
+        .and_then(|file| file.take(LARGEST).read_to_string(&mut text))
+        .map_err(|error| format!("cannot read the table `{shown}`: {error}"))?;
+    let table = csv::table(&text, spec.cycle).map_err(|refusal| refused(&refusal))?;
+    let motion = table
+        .steady(question)
+        .map_err(|refusal| refused(&refusal))?;
+    let folder = folder(args, &shown)?;
+    let rows = motion.rows();
+    let answered = Answered {
+        title: &shown,
+        hash: "",
+        scene: None,
+        document: machine_document(&shown, &motion.figures),
+        rigid: Some(Shown {
+            title: &shown,
+            cycle: table.cycle(),
+            figures: &motion.figures.steady,
+            rows: &rows,
+            regime: None,
+            flywheel: None,
+            agreement: None,
+            halving: motion.figures.halving.as_ref(),
+        }),
+        periodic: None,
+    };
+    tell(args, &answered, folder.as_ref())?;
+    Ok(Status::Answered)
+}
+
+fn formulas(args: &SteadyArgs, spec: &SteadySpec, question: &Question) -> Result<Status, Failure> {
+    let read =
+        |name: &str, text: &str| Formula::new(name, text).map_err(|refusal| refused(&refusal));
+    let machine = &args.machine;
+    let inertia = read("inertia", machine.inertia.as_deref().unwrap_or_default())?;
+    let (given, other, symbol) = match (&machine.work, &machine.moment) {
+        (Some(work), None) => (Given::Work, read("work", work)?, "A"),
+        (None, Some(moment)) => (Given::Moment, read("moment", moment)?, "M"),
+        _ => {
+            let why = "--inertia needs --work or --moment beside it";
+            return Err(Failure::Other(why.to_owned()));
+        }
+    };
+    let title = format!("J = {}, {symbol} = {}", inertia.text(), other.text());
+    let mut at = |_: usize, position: f64| [inertia.at(position), other.at(position)];
+    let answer = Profile::new(spec.cycle, &[], given, &mut at)
+        .and_then(|profile| by_energy(&profile, question, spec.fluctuation))
+        .map_err(|refusal| refused(&refusal))?;
+    let folder = folder(args, &title)?;
+    let rows = answer.motion.rows(ROWS);
+    let answered = Answered {
+        title: &title,
+        hash: "",
+        scene: None,
+        document: machine_document(&title, &answer),
+        rigid: Some(Shown {
+            title: &title,
+            cycle: spec.cycle,
+            figures: &answer.figures,
+            rows: &rows,
+            regime: None,
+            flywheel: answer.flywheel.as_ref(),
+            agreement: Some(&answer.agreement),
+            halving: None,
+        }),
+        periodic: None,
+    };
+    tell(args, &answered, folder.as_ref())?;
+    Ok(Status::Answered)
+}

@@ -1,0 +1,254 @@
+//! The energy audit of a run: does what went in equal what is there and what
+//! was lost?
+//!
+//! Work and dissipation are integrals of products of two sums of lanes and
+//! polynomials, and as such known in closed form over every phase
+//! ([`form`], [`moments`]); nothing is sampled. A pair stores c·X²/2, X < 0 the
+//! clearance to its flank, engaged or open. It loses b·Ẋ² while engaged, and
+//! while open behind its flank what it stores, −c·X·Ẋ.
+
+mod form;
+mod forms;
+mod moments;
+mod moving;
+
+pub(super) use forms::Forms;
+
+use super::lanes::Arith;
+use super::law::LAW_DEGREE;
+use super::phase::{Exponentials, Phase};
+use super::problem::{PairState, TimeLoad, TreeMass, TreeProblem};
+use super::regime::Regime;
+use moving::Room;
+
+/// Elastic energy counts as a scale with this share: a mechanism at rest under
+/// load has a balance of rounding errors only.
+const ELASTIC_SHARE: f64 = 1e-6;
+
+/// The energies of a run (J).
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct TreeAudit {
+    /// Work of the law on the tree.
+    pub drives: f64,
+    /// Work of the loads on the masses, springs and dampers to the ground included.
+    pub loads: f64,
+    /// Energy lost in links and pairs.
+    pub dissipated: f64,
+    /// Kinetic energy, and elastic energy of links and pairs, at the end less
+    /// that at the start.
+    pub change: f64,
+    /// What the balance is measured against: the greatest of the work put in by
+    /// the law, that put in by loads (sums over the phases in which it is
+    /// positive), the greatest kinetic energy at the ends of phases, and a
+    /// millionth of the greatest elastic energy there.
+    pub scale: f64,
+}
+
+impl TreeAudit {
+    /// |drives + loads − change − dissipated| / scale; 0 when nothing moved.
+    pub fn error(&self) -> f64 {
+        let difference = (self.drives + self.loads - self.change - self.dissipated).abs();
+        if difference == 0.0 {
+            0.0
+        } else {
+            difference / self.scale
+        }
+    }
+}
+
+/// The state at one instant, the law included.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Instant<'a> {
+    pub(super) q: &'a [f64],
+    pub(super) v: &'a [f64],
+    /// L and L̇.
+    pub(super) law: (f64, f64),
+}
+
+/// Collects the energies phase by phase.
+#[derive(Clone, Debug)]
+pub(super) struct Ledger {
+    drives: f64,
+    loads: f64,
+    dissipated: f64,
+    put_in: [f64; 2],
+    /// Kinetic and elastic energy, and work of constant loads and springs up to
+    /// a place, at t = 0.
+    start: Option<([f64; 2], f64)>,
+    greatest: [f64; 2],
+    /// Energy stored in open pairs at the start of the phase.
+    held: f64,
+    /// L and L̇ at the end of the last phase.
+    law: (f64, f64),
+    room: Room,
+}
+
+/// True when a mass has a load that changes.
+pub(super) fn varying(mass: &TreeMass) -> bool {
+    !mass
+        .loads
+        .iter()
+        .all(|load| matches!(load, TimeLoad::Constant(_)))
+}
+
+/// L and L̇ in the phase at the instant of `e`.
+pub(super) fn law_at(phase: &Phase, harmonic: &[(usize, f64)], e: &Exponentials) -> (f64, f64) {
+    let forcing = &phase.forcing;
+    let (mut value, mut speed) = (0.0, 0.0);
+    for c in forcing.law[..=forcing.degree].iter().rev() {
+        speed = speed * e.s + value;
+        value = value * e.s + c;
+    }
+    for (z, &(lane, omega)) in forcing.harmonics.iter().zip(harmonic) {
+        let (b, i) = (lane / super::lanes::WIDTH, lane % super::lanes::WIDTH);
+        let (re, im) = (e.re[b].0[i], e.im[b].0[i]);
+        value += z.re * re - z.im * im;
+        speed -= omega * (z.re * im + z.im * re);
+    }
+    (value, speed)
+}
+
+impl Ledger {
+    pub(super) fn new() -> Self {
+        Self {
+            drives: 0.0,
+            loads: 0.0,
+            dissipated: 0.0,
+            put_in: [0.0; 2],
+            start: None,
+            greatest: [0.0; 2],
+            held: 0.0,
+            law: (0.0, 0.0),
+            room: Room::default(),
+        }
+    }
+
+    /// The start of a phase in the states `key`, with the displacements `q`;
+    /// `first` gives the state at the start of the run.
+    #[inline(always)]
+    pub(super) fn begin<'a>(
+        &mut self,
+        problem: &TreeProblem,
+        key: &[PairState],
+        q: &[f64],
+        first: impl FnOnce() -> Instant<'a>,
+    ) {
+        if self.start.is_none() {
+            let at = first();
+            self.start = Some((energy(problem, &at), potential(problem, &at)));
+            self.see(problem, &at);
+        }
+        self.held = held(problem, key, q);
+    }
+
+    #[inline(always)]
+    fn see(&mut self, problem: &TreeProblem, at: &Instant<'_>) {
+        for (most, now) in self.greatest.iter_mut().zip(energy(problem, at)) {
+            *most = now.max(*most);
+        }
+    }
+
+    /// The end of a phase, at the instant of `e`.
+    #[inline(always)]
+    pub(super) fn end<A: Arith>(
+        &mut self,
+        problem: &TreeProblem,
+        regime: &Regime,
+        phase: &Phase,
+        e: &Exponentials,
+        at: &Instant<'_>,
+    ) {
+        let Some(forms) = &regime.forms else {
+            return;
+        };
+        let work = forms.work::<A>(problem, &regime.basis, phase, e, &mut self.room);
+        self.drives += work.drives;
+        self.loads += work.loads;
+        self.dissipated += work.dissipated + self.held - held(problem, &regime.key, at.q);
+        self.law = at.law;
+        self.see(problem, at);
+        self.put_in[0] += work.drives.max(0.0);
+        self.put_in[1] += work.loads.max(0.0);
+    }
+
+    /// The end of the run.
+    pub(super) fn close(&self, problem: &TreeProblem, q: &[f64], v: &[f64]) -> TreeAudit {
+        let law = self.law;
+        let at = &Instant { q, v, law };
+        let end = (energy(problem, at), potential(problem, at));
+        let (energy, potential) = self.start.unwrap_or(end);
+        let fell = potential - end.1;
+        let total = |e: [f64; 2]| e[0] + e[1];
+        let [kinetic, elastic] = self.greatest;
+        let loads = self.put_in[1].max(self.put_in[1] + fell);
+        TreeAudit {
+            drives: self.drives,
+            loads: self.loads + fell,
+            dissipated: self.dissipated,
+            change: total(end.0) - total(energy),
+            scale: self.put_in[0]
+                .max(loads)
+                .max(kinetic)
+                .max(ELASTIC_SHARE * elastic),
+        }
+    }
+}
+
+/// Deformation of link i at an instant.
+fn deformation(problem: &TreeProblem, i: usize, q: &[f64]) -> f64 {
+    let mass = &problem.masses[i];
+    q[i] - mass.parent.map_or(0.0, |p| mass.lever * q[p])
+}
+
+/// Energy stored in the pair of link i.
+fn stored(mass: &TreeMass, x: f64) -> f64 {
+    let (flanks, count) = mass.pair.flanks();
+    if count == 0 {
+        return 0.5 * mass.stiffness * x * x;
+    }
+    let mut sum = 0.0;
+    for flank in &flanks[..count] {
+        let clear = (flank.sign * x + flank.offset).min(0.0);
+        sum += 0.5 * mass.stiffness * clear * clear;
+    }
+    sum
+}
+
+/// Kinetic energy, and elastic energy of links and pairs.
+fn energy(problem: &TreeProblem, at: &Instant<'_>) -> [f64; 2] {
+    let mut out = [0.0; 2];
+    for (i, mass) in problem.masses.iter().enumerate() {
+        let speed = at.v[i] + mass.ratio * at.law.1;
+        out[0] += 0.5 * mass.inertia * speed * speed;
+        out[1] += stored(mass, deformation(problem, i, at.q));
+    }
+    out
+}
+
+/// Energy stored in the open pairs.
+fn held(problem: &TreeProblem, key: &[PairState], q: &[f64]) -> f64 {
+    let mut sum = 0.0;
+    for (i, mass) in problem.masses.iter().enumerate() {
+        if !key[i].engaged() && mass.pair.flanks().1 > 0 {
+            sum += stored(mass, deformation(problem, i, q));
+        }
+    }
+    sum
+}
+
+/// Potential energy of constant loads and springs to the ground.
+fn potential(problem: &TreeProblem, at: &Instant<'_>) -> f64 {
+    let mut sum = 0.0;
+    for (i, mass) in problem.masses.iter().enumerate() {
+        let place = at.q[i] + mass.ratio * at.law.0 + mass.offset;
+        sum += 0.5 * mass.ground_stiffness * place * place;
+        if !varying(mass) {
+            let mut force = [0.0; LAW_DEGREE + 1];
+            for load in &mass.loads {
+                load.add(0.0, 0.0, &mut force);
+            }
+            sum -= force[0] * place;
+        }
+    }
+    sum
+}

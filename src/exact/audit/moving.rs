@@ -1,0 +1,145 @@
+//! What polynomials (laws in spans, loads that change, drifts) add to work and
+//! dissipation over a phase.
+
+use super::forms::{Forms, Work};
+use super::moments::{against, moments, product};
+use super::varying;
+use crate::exact::basis::{Basis, LaneKind};
+use crate::exact::lanes::{Arith, Task, WIDTH};
+use crate::exact::law::LAW_DEGREE;
+use crate::exact::pencil::C;
+use crate::exact::phase::{POLY, Phase};
+use crate::exact::problem::TreeProblem;
+
+/// What polynomials add over a phase of length h.
+pub(super) struct Moving<'a> {
+    pub(super) forms: &'a Forms,
+    pub(super) problem: &'a TreeProblem,
+    pub(super) basis: &'a Basis,
+    pub(super) phase: &'a Phase,
+    pub(super) room: &'a mut Room,
+    pub(super) h: f64,
+}
+
+/// Working memory: polynomials of the present phase.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Room {
+    /// Speed of every damper.
+    speeds: Vec<[f64; POLY]>,
+    /// Loads that change, with their masses.
+    forces: Vec<(usize, [f64; POLY])>,
+}
+
+impl Task for Moving<'_> {
+    type Output = Work;
+
+    #[inline(always)]
+    fn run<A: Arith>(mut self) -> Work {
+        let Self {
+            forms, phase, h, ..
+        } = self;
+        let mut law = [0.0; POLY];
+        for k in 1..=phase.forcing.degree {
+            law[k - 1] = k as f64 * phase.forcing.law[k];
+        }
+        let constant = forms.constant(self.problem, phase);
+        let mut work = Work {
+            drives: -product(&constant, &law, h),
+            ..Work::default()
+        };
+        self.room.speeds.clear();
+        for (number, damper) in forms.dampers.iter().enumerate() {
+            let own = damper.polynomial(phase);
+            self.room.speeds.push(own);
+            let lost = damper.rate * product(&own, &own, h);
+            if number < forms.grounded {
+                work.dissipated += lost;
+            } else {
+                work.loads -= lost;
+            }
+        }
+        self.loads(&law, &mut work);
+        let mut at = [C::default(); POLY];
+        for k in 0..self.basis.lanes.len() {
+            self.lane(k, (&law, &constant), &mut at, &mut work);
+        }
+        work
+    }
+}
+
+impl Moving<'_> {
+    /// Loads that change over the phase, and their work on its polynomials.
+    fn loads(&mut self, law: &[f64; POLY], work: &mut Work) {
+        let (phase, h) = (self.phase, self.h);
+        self.room.forces.clear();
+        for (i, mass) in self.problem.masses.iter().enumerate() {
+            if !varying(mass) {
+                continue;
+            }
+            let mut force = [0.0; POLY];
+            for load in &mass.loads {
+                load.add(phase.start, phase.low, &mut force[..=LAW_DEGREE]);
+            }
+            let mut speed = law.map(|c| c * mass.ratio);
+            for k in 1..=phase.degree {
+                speed[k - 1] += k as f64 * phase.poly[i * POLY + k];
+            }
+            // The constant part of a flight's speed: Re(−iΩ·amplitude).
+            for flight in &phase.flights {
+                let shape = self.basis.rigid[flight.rigid].shape[i];
+                speed[0] += shape * flight.omega * flight.amplitude.im;
+            }
+            work.loads += product(&force, &speed, h);
+            self.room.forces.push((i, force));
+        }
+    }
+
+    /// What lane k and the polynomials do together.
+    fn lane(
+        &self,
+        k: usize,
+        (law, constant): (&[f64; POLY], &[f64; POLY]),
+        at: &mut [C; POLY],
+        work: &mut Work,
+    ) {
+        let (forms, phase, h) = (self.forms, self.phase, self.h);
+        let lane = &self.basis.lanes[k];
+        let z = C::new(
+            phase.re[k / WIDTH].0[k % WIDTH],
+            phase.im[k / WIDTH].0[k % WIDTH],
+        );
+        if z.norm_sqr() == 0.0 {
+            return;
+        }
+        moments(lane.lambda * h, at);
+        work.drives -= (z * forms.moment[k] * against(law, at, h)).re;
+        if let LaneKind::Harmonic(_) = lane.kind {
+            work.drives -= (z * lane.lambda * against(constant, at, h)).re;
+        }
+        let dampers = forms.dampers.iter().zip(&self.room.speeds);
+        for (number, (damper, own)) in dampers.enumerate() {
+            let both = (z * damper.speed(lane) * against(own, at, h)).re;
+            let lost = 2.0 * damper.rate * both;
+            if number < forms.grounded {
+                work.dissipated += lost;
+            } else {
+                work.loads -= lost;
+            }
+        }
+        for (i, force) in &self.room.forces {
+            let integral = against(force, at, h);
+            let mut shape = lane.shape[*i];
+            if let LaneKind::Harmonic(_) = lane.kind {
+                shape += self.problem.masses[*i].ratio;
+            }
+            work.loads += (z * lane.lambda * shape * integral).re;
+            if let LaneKind::Harmonic(j) = lane.kind {
+                for flight in phase.flights.iter().filter(|f| f.harmonic == j) {
+                    let shape = self.basis.rigid[flight.rigid].shape[*i];
+                    let speed = flight.amplitude * lane.lambda * shape;
+                    work.loads += (speed * integral).re;
+                }
+            }
+        }
+    }
+}

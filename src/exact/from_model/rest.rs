@@ -1,0 +1,314 @@
+//! What of a system is left beside its trees, as a system of its own.
+
+use super::{Holder, Parts};
+use crate::integrate::{Dynamics, Modes};
+use crate::model::{
+    Law, Link, LinkBase, Load, LoadLaw, Model, Node, NodeIndex, NodeMotion, ObjectPart, Start,
+    TrackSource,
+};
+use crate::system::{InitialState, System};
+
+/// The objects that no tree holds, with the drives that move them, and where
+/// they are in the whole system.
+#[derive(Debug)]
+pub struct Rest {
+    /// The objects as a system.
+    pub system: System,
+    /// Coordinate of the whole system of each of its coordinates.
+    pub(crate) coordinates: Vec<usize>,
+    /// Component of the whole system's modes of each of its own.
+    pub(crate) components: Vec<usize>,
+}
+
+impl Rest {
+    /// The rest of a system. `None` where there are no trees or nothing is left,
+    /// or what is left looks at what a tree moves, or a prescribed motion leads
+    /// to a dead position, at which everything ends.
+    pub fn of(system: &System, parts: &Parts) -> Option<Self> {
+        let model = system.model();
+        let held = |holder| parts.holders.contains(&holder);
+        if parts.trees.is_empty() || !held(Holder::Other) || dead_positions(model, parts) {
+            return None;
+        }
+        let kept = needed(model, parts)?;
+        let (model, tracks) = cut_out(model, &kept)?;
+        let own = System::new(model).ok()?;
+        let places = Places { system, own: &own };
+        let (coordinates, components) = (
+            places.coordinates(&kept),
+            places.components(&kept, &tracks)?,
+        );
+        Some(Self {
+            system: own,
+            coordinates,
+            components,
+        })
+    }
+
+    /// Its part of a state at t = 0.
+    pub(crate) fn initial(&self, whole: &InitialState) -> InitialState {
+        let n = whole.y.len() / 2;
+        let places = || self.coordinates.iter();
+        let speeds = places().map(|place| whole.y[n + place]);
+        let modes = self.components.iter();
+        InitialState {
+            y: places()
+                .map(|&place| whole.y[place])
+                .chain(speeds)
+                .collect(),
+            modes: Modes(modes.map(|&component| whole.modes.0[component]).collect()),
+            warnings: Vec::new(),
+        }
+    }
+}
+
+/// True when a prescribed motion can meet a place beyond which there is none.
+fn dead_positions(model: &Model, parts: &Parts) -> bool {
+    let prescribed = |source| match source {
+        TrackSource::Time => true,
+        TrackSource::Node(node) => parts.courses[node].is_some(),
+    };
+    let mut tracks = model.tracks.iter();
+    tracks.any(|track| track.stops && prescribed(track.source))
+}
+
+/// The objects that no tree holds, with all that they look at, in the order of
+/// the model; `None` when a tree is among it.
+fn needed(model: &Model, parts: &Parts) -> Option<Vec<usize>> {
+    let holds = |node: NodeIndex| model.objects.iter().position(|o| o.nodes.contains(&node));
+    let mut kept: Vec<bool> = parts.holders.iter().map(|h| *h == Holder::Other).collect();
+    loop {
+        let mut wanted = Vec::new();
+        for (object, part) in model.objects.iter().enumerate() {
+            if kept[object] {
+                wanted.extend(part.driver);
+            }
+        }
+        for load in &model.loads {
+            if let LoadLaw::Pieces { track, .. } = &load.law
+                && let TrackSource::Node(source) = model.tracks[*track].source
+                && kept[holds(load.node)?]
+            {
+                wanted.push(holds(source)?);
+            }
+        }
+        wanted.retain(|&object| !kept[object]);
+        if wanted.is_empty() {
+            break;
+        }
+        wanted.into_iter().for_each(|object| kept[object] = true);
+    }
+    let all: Vec<usize> = (0..kept.len()).filter(|&object| kept[object]).collect();
+    let free = |&object: &usize| !matches!(parts.holders[object], Holder::Tree(_));
+    all.iter().all(free).then_some(all)
+}
+
+/// New numbers of what is kept.
+#[derive(Default)]
+struct Numbers {
+    nodes: Vec<Option<usize>>,
+    tracks: Vec<Option<usize>>,
+    links: Vec<Option<usize>>,
+}
+
+/// The model of some objects (ascending) alone, and the tracks it keeps;
+/// `None` when they look at others.
+fn cut_out(model: &Model, kept: &[usize]) -> Option<(Model, Vec<usize>)> {
+    let mut numbers = Numbers {
+        nodes: vec![None; model.nodes.len()],
+        tracks: vec![None; model.tracks.len()],
+        links: vec![None; model.links.len()],
+    };
+    let owned = |node: &usize| {
+        kept.iter()
+            .any(|&object| model.objects[object].nodes.contains(node))
+    };
+    let nodes: Vec<usize> = (0..model.nodes.len()).filter(owned).collect();
+    number(&mut numbers.nodes, &nodes);
+    let here = |node: usize| numbers.nodes[node].is_some();
+    let loads: Vec<&Load> = model.loads.iter().filter(|load| here(load.node)).collect();
+    let links: Vec<usize> = (0..model.links.len())
+        .filter(|&l| here(model.links[l].mass))
+        .collect();
+    number(&mut numbers.links, &links);
+    let tracks = tracks(model, kept, &nodes, &loads);
+    number(&mut numbers.tracks, &tracks);
+    let mut out = Model::default();
+    for &node in &nodes {
+        out.nodes.push(numbers.node(&model.nodes[node])?);
+    }
+    for &link in &links {
+        out.links.push(numbers.link(&model.links[link])?);
+    }
+    for load in loads {
+        out.loads.push(numbers.load(load)?);
+    }
+    for &track in &tracks {
+        let mut copy = model.tracks[track].clone();
+        if let TrackSource::Node(node) = copy.source {
+            copy.source = TrackSource::Node(numbers.nodes[node]?);
+        }
+        // Shared tracks never stop a run: whose they are does not matter.
+        copy.object = kept.iter().position(|&own| own == copy.object).unwrap_or(0);
+        out.tracks.push(copy);
+    }
+    for &object in kept {
+        out.objects
+            .push(numbers.object(&model.objects[object], kept)?);
+    }
+    out.start = start(&model.start, kept);
+    Some((out, tracks))
+}
+
+fn number(numbers: &mut [Option<usize>], kept: &[usize]) {
+    for (new, &old) in kept.iter().enumerate() {
+        numbers[old] = Some(new);
+    }
+}
+
+/// The tracks that the nodes, loads and objects kept look at, ascending.
+fn tracks(model: &Model, kept: &[usize], nodes: &[usize], loads: &[&Load]) -> Vec<usize> {
+    let mut used = vec![false; model.tracks.len()];
+    let by_nodes = nodes
+        .iter()
+        .filter_map(|&node| match &model.nodes[node].motion {
+            NodeMotion::Prescribed { track, .. } => *track,
+            NodeMotion::Mass { law } | NodeMotion::Rigid { law } => law.track,
+            NodeMotion::Rotor { .. } => None,
+        });
+    let by_loads = loads.iter().filter_map(|load| match load.law {
+        LoadLaw::Pieces { track, .. } => Some(track),
+        _ => None,
+    });
+    by_nodes
+        .chain(by_loads)
+        .for_each(|track| used[track] = true);
+    for (used, track) in used.iter_mut().zip(&model.tracks) {
+        *used |= track.stops && kept.contains(&track.object);
+    }
+    (0..used.len()).filter(|&track| used[track]).collect()
+}
+
+impl Numbers {
+    fn node(&self, node: &Node) -> Option<Node> {
+        let motion = match &node.motion {
+            NodeMotion::Prescribed { motion, track } => NodeMotion::Prescribed {
+                motion: motion.clone(),
+                track: self.track(*track)?,
+            },
+            rotor @ NodeMotion::Rotor { .. } => rotor.clone(),
+            NodeMotion::Mass { law } => NodeMotion::Mass {
+                law: self.law(law)?,
+            },
+            NodeMotion::Rigid { law } => NodeMotion::Rigid {
+                law: self.law(law)?,
+            },
+        };
+        Some(Node { motion, ..*node })
+    }
+
+    fn track(&self, track: Option<usize>) -> Option<Option<usize>> {
+        match track {
+            Some(track) => self.tracks[track].map(Some),
+            None => Some(None),
+        }
+    }
+
+    fn law(&self, law: &Law) -> Option<Law> {
+        Some(Law {
+            driver: self.nodes[law.driver]?,
+            track: self.track(law.track)?,
+            ..law.clone()
+        })
+    }
+
+    fn link(&self, link: &Link) -> Option<Link> {
+        let base = match &link.base {
+            LinkBase::Mass(node) => LinkBase::Mass(self.nodes[*node]?),
+            law => law.clone(),
+        };
+        let mass = self.nodes[link.mass]?;
+        Some(Link {
+            mass,
+            base,
+            ..*link
+        })
+    }
+
+    fn load(&self, load: &Load) -> Option<Load> {
+        let mut copy = load.clone();
+        copy.node = self.nodes[load.node]?;
+        if let LoadLaw::Pieces { track, .. } = &mut copy.law {
+            *track = self.tracks[*track]?;
+        }
+        Some(copy)
+    }
+
+    fn object(&self, part: &ObjectPart, kept: &[usize]) -> Option<ObjectPart> {
+        let mut copy = part.clone();
+        for node in &mut copy.nodes {
+            *node = self.nodes[*node]?;
+        }
+        for link in &mut copy.links {
+            *link = self.links[*link]?;
+        }
+        copy.driver = match part.driver {
+            Some(driver) => Some(kept.iter().position(|&own| own == driver)?),
+            None => None,
+        };
+        Some(copy)
+    }
+}
+
+fn start(start: &Start, kept: &[usize]) -> Start {
+    let Start::Explicit(all) = start else {
+        return start.clone();
+    };
+    let own = all.iter().filter_map(|given| {
+        let object = kept.iter().position(|&own| own == given.object)?;
+        let mut given = given.clone();
+        given.object = object;
+        Some(given)
+    });
+    Start::Explicit(own.collect())
+}
+
+/// A system and a part of it.
+struct Places<'a> {
+    system: &'a System,
+    own: &'a System,
+}
+
+impl Places<'_> {
+    fn coordinates(&self, kept: &[usize]) -> Vec<usize> {
+        let mut places = vec![0; self.own.coordinates()];
+        for (new, &old) in kept.iter().enumerate() {
+            let count = self.own.model().objects[new].nodes.len();
+            let ends = self
+                .own
+                .last_coordinate(new)
+                .zip(self.system.last_coordinate(old));
+            if let Some((own, whole)) = ends {
+                // The masses of a chain, or a rotor, one after the other.
+                for k in 0..count {
+                    places[own - k] = whole - k;
+                }
+            }
+        }
+        places
+    }
+
+    /// `None`: a pair is not found again.
+    fn components(&self, kept: &[usize], tracks: &[usize]) -> Option<Vec<usize>> {
+        let pairs = |system: &System| (0..).take_while(|&c| system.is_pair(c)).count();
+        let (own, whole) = (pairs(self.own), pairs(self.system));
+        let mut places = vec![0; own];
+        for (new, &old) in kept.iter().enumerate() {
+            if let Some(component) = self.own.pair_component(new) {
+                places[component] = self.system.pair_component(old)?;
+            }
+        }
+        places.extend(tracks.iter().map(|track| whole + track));
+        Some(places)
+    }
+}

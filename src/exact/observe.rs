@@ -1,0 +1,161 @@
+//! What a run hands to its figures and its energy audit.
+
+use super::audit::{Instant, law_at};
+use super::lanes::{Arith, Task};
+use super::phase::{Exponentials, Phase};
+use super::problem::{TreeObject, TreePair, TreeProblem};
+use super::regime::Regime;
+use super::request::Request;
+use super::run::Workspace;
+use super::search::Witness;
+use super::track::{Scene, Track};
+
+/// Hands every step of the search to the tracks.
+pub(super) struct Tracks<'a> {
+    pub(super) tracks: &'a mut [Track],
+    pub(super) variants: &'a [(usize, bool)],
+    pub(super) regime: &'a Regime,
+    pub(super) phase: &'a Phase,
+}
+
+impl Witness for Tracks<'_> {
+    #[inline(always)]
+    fn looks(&self) -> bool {
+        !self.tracks.is_empty()
+    }
+
+    #[inline(always)]
+    fn see<A: Arith>(&mut self, before: &Exponentials, now: &Exponentials) {
+        A::apart(See {
+            tracks: self,
+            before,
+            now,
+        });
+    }
+}
+
+/// A step of the search taken into the figures.
+struct See<'a, 'b> {
+    tracks: &'a mut Tracks<'b>,
+    before: &'a Exponentials,
+    now: &'a Exponentials,
+}
+
+impl Task for See<'_, '_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<A: Arith>(self) {
+        let Tracks {
+            tracks,
+            variants,
+            regime,
+            phase,
+        } = self.tracks;
+        for (o, track) in tracks.iter_mut().enumerate() {
+            let scene = scene(regime, phase, o, variants);
+            track.step::<A>(scene, self.before, self.now);
+        }
+    }
+}
+
+/// What the figures of object `o` are taken from.
+#[inline(always)]
+fn scene<'a>(
+    regime: &'a Regime,
+    phase: &'a Phase,
+    o: usize,
+    variants: &[(usize, bool)],
+) -> Scene<'a> {
+    Scene {
+        basis: &regime.basis,
+        panel: &regime.panels[o][variants[o].0],
+        phase,
+    }
+}
+
+/// One track an object, when figures are asked for.
+pub(super) fn tracks(problem: &TreeProblem, request: &Request, blocks: usize) -> Vec<Track> {
+    let harmonics = problem.law.frequencies().len();
+    if !request.figures {
+        return Vec::new();
+    }
+    let flights = problem.masses.len() * harmonics;
+    let make = |object: &TreeObject| {
+        let base = object
+            .driver
+            .map_or(0.0, |(d, ratio)| ratio * problem.displacement[d]);
+        let cap = match problem.masses[object.first].pair {
+            TreePair::Form { gap } => gap / 2.0,
+            _ => f64::INFINITY,
+        };
+        Track::new(
+            (blocks, harmonics),
+            flights,
+            problem.displacement[object.last] - base,
+            cap,
+            request.asked,
+        )
+    };
+    problem.objects.iter().map(make).collect()
+}
+
+impl Workspace<'_> {
+    /// Takes the tracks into the phase: engaged, or open near the flank that is
+    /// nearer at its start.
+    #[inline(always)]
+    pub(super) fn begin_tracks<A: Arith>(&mut self, regime: usize) {
+        for (o, track) in self.tracks.iter_mut().enumerate() {
+            let first = self.problem.objects[o].first;
+            let count = self.problem.masses[first].pair.flanks().1;
+            let engaged = count == 0 || self.states[first].engaged();
+            let variant = match (engaged, count) {
+                (false, 2) => {
+                    let x = |f: usize| {
+                        self.functionals[self.first[first] + 2 * f].value(&self.q_end, &self.v_end)
+                    };
+                    usize::from(x(1) < x(0))
+                }
+                _ => 0,
+            };
+            self.variants[o] = (variant, engaged);
+            let scene = scene(&self.regimes[regime], &self.phase, o, &self.variants);
+            track.begin::<A>(scene, &self.search.e, engaged);
+        }
+    }
+
+    #[inline(always)]
+    pub(super) fn end_tracks<A: Arith>(&mut self, regime: usize) {
+        for (o, track) in self.tracks.iter_mut().enumerate() {
+            let scene = scene(&self.regimes[regime], &self.phase, o, &self.variants);
+            track.end::<A>(scene, &self.search.e);
+        }
+    }
+
+    #[inline(always)]
+    pub(super) fn begin_ledger(&mut self, regime: usize) {
+        let entry = &self.regimes[regime];
+        if let (Some(ledger), Some(forms)) = (&mut self.ledger, &entry.forms) {
+            let first = || Instant {
+                q: &self.q_end,
+                v: &self.v_end,
+                law: law_at(&self.phase, &forms.harmonic, &self.search.e),
+            };
+            ledger.begin(self.problem, &entry.key, &self.q_end, first);
+        }
+    }
+
+    #[inline(always)]
+    pub(super) fn end_ledger<A: Arith>(&mut self, regime: usize) {
+        let entry = &self.regimes[regime];
+        if let (Some(ledger), Some(forms)) = (&mut self.ledger, &entry.forms) {
+            let (phase, e) = (&self.phase, &self.search.e);
+            let at = Instant {
+                q: &self.q_end,
+                v: &self.v_end,
+                law: law_at(phase, &forms.harmonic, e),
+            };
+            ledger.end::<A>(self.problem, entry, phase, e, &at);
+        }
+    }
+}

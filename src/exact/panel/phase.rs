@@ -1,0 +1,349 @@
+//! Four functionals over the present phase.
+
+use super::Panel;
+use crate::exact::basis::Basis;
+use crate::exact::hermite::{Loss, Point};
+use crate::exact::lanes::{Arith, V, WIDTH};
+use crate::exact::pencil::C;
+use crate::exact::phase::{Exponentials, POLY, Phase, Swing};
+
+/// A flight seen by the four functionals.
+#[derive(Clone, Copy, Debug)]
+struct Arc {
+    harmonic: usize,
+    omega: f64,
+    /// α, β: re, im each.
+    c: [V; 4],
+}
+
+/// The panel over the present phase.
+#[derive(Clone, Debug)]
+pub(crate) struct PanelPhase {
+    poly: [V; POLY],
+    degree: usize,
+    arcs: Vec<Arc>,
+    /// |fourth derivative| of polynomial and arcs.
+    slow4: V,
+    /// |amplitude| of the lanes at the start.
+    size: Vec<V>,
+}
+
+impl PanelPhase {
+    pub(crate) fn new(blocks: usize, flights: usize) -> Self {
+        Self {
+            poly: [V::ZERO; POLY],
+            degree: 0,
+            arcs: Vec::with_capacity(flights),
+            slow4: V::ZERO,
+            size: vec![V::ZERO; blocks],
+        }
+    }
+
+    /// Takes up the phase.
+    #[inline(always)]
+    pub(crate) fn take<A: Arith>(&mut self, basis: &Basis, panel: &Panel, phase: &Phase) {
+        for b in 0..basis.blocks {
+            let (re, im) = (phase.re[b], phase.im[b]);
+            self.size[b] = re.fma::<A>(re, im * im).map(f64::sqrt);
+        }
+        self.take_polynomials::<A>(panel, phase);
+        self.slow4 = if self.degree > 3 {
+            self.fourth(phase.reach)
+        } else {
+            V::ZERO
+        };
+        self.arcs.clear();
+        for flight in &phase.flights {
+            let [x, y, folded] = panel.rigid[flight.rigid];
+            let drive = C::new(0.0, flight.omega);
+            let (a, b) = (flight.amplitude, flight.amplitude * drive);
+            let (re, im) = (y * V::splat(b.re), y * V::splat(b.im));
+            self.poly[0] = self.poly[0] - re * folded;
+            let whole = V::splat(1.0) - folded;
+            let c = [
+                x * V::splat(a.re),
+                x * V::splat(a.im),
+                re * whole,
+                im * whole,
+            ];
+            let (re, im) = (c[0] + c[2], c[1] + c[3]);
+            let square = flight.omega * flight.omega;
+            let size = (re * re + im * im).map(f64::sqrt);
+            self.slow4 = self.slow4 + size * V::splat(square * square);
+            self.arcs.push(Arc {
+                harmonic: flight.harmonic,
+                omega: flight.omega,
+                c,
+            });
+        }
+    }
+
+    #[inline(always)]
+    fn take_polynomials<A: Arith>(&mut self, panel: &Panel, phase: &Phase) {
+        self.degree = phase.degree.max(phase.forcing.degree);
+        if self.degree <= 2 {
+            self.poly[..3].copy_from_slice(&[panel.constant, V::ZERO, V::ZERO]);
+            for &(i, factors) in &panel.terms {
+                self.accumulate::<A>(&phase.poly[i * POLY..i * POLY + 3], factors);
+            }
+            let mut law = [0.0; 3];
+            let count = phase.forcing.degree + 1;
+            law[..count].copy_from_slice(&phase.forcing.law[..count]);
+            self.accumulate::<A>(&law, panel.law);
+            return;
+        }
+        let mut work = [0.0; POLY];
+        self.poly[..=self.degree].fill(V::ZERO);
+        for (f, functional) in panel.functionals.iter().enumerate() {
+            let degree = functional.polynomial(phase, &mut work);
+            for (lanes, value) in self.poly.iter_mut().zip(&work[..=degree]) {
+                lanes.0[f] = *value;
+            }
+        }
+    }
+
+    /// Adds a·p + b·ṗ + c·p̈ for a polynomial of degree 2.
+    #[inline(always)]
+    fn accumulate<A: Arith>(&mut self, p: &[f64], [a, b, c]: [V; 3]) {
+        let [p0, p1, p2] = [V::splat(p[0]), V::splat(p[1]), V::splat(p[2])];
+        let twice = p2 + p2;
+        self.poly[0] = a.fma::<A>(p0, b.fma::<A>(p1, c.fma::<A>(twice, self.poly[0])));
+        self.poly[1] = a.fma::<A>(p1, b.fma::<A>(twice, self.poly[1]));
+        self.poly[2] = a.fma::<A>(p2, self.poly[2]);
+    }
+
+    #[inline(never)]
+    fn fourth(&self, reach: f64) -> V {
+        let mut sum = V::ZERO;
+        for k in (4..=self.degree).rev() {
+            let factor = (k * (k - 1) * (k - 2) * (k - 3)) as f64;
+            sum = sum * V::splat(reach) + V::splat(factor) * self.poly[k].map(f64::abs);
+        }
+        sum
+    }
+
+    /// Values and slopes at the instant of `e`.
+    #[inline(always)]
+    pub(crate) fn point<A: Arith>(
+        &self,
+        basis: &Basis,
+        panel: &Panel,
+        phase: &Phase,
+        e: &Exponentials,
+    ) -> Point {
+        let [mut value, mut slope] = self.slow_two::<A>(e);
+        let lanes = basis.lanes.len().min(phase.active * WIDTH);
+        for b in 0..phase.active {
+            let (zr, zi) = (phase.re[b], phase.im[b]);
+            let re = zr.fma::<A>(e.re[b], -(zi * e.im[b]));
+            let im = zr.fma::<A>(e.im[b], zi * e.re[b]);
+            for i in 0..WIDTH.min(lanes - b * WIDTH) {
+                let w = &panel.weights[8 * (b * WIDTH + i)..][..4];
+                let (pr, pi) = (V::splat(re.0[i]), V::splat(-im.0[i]));
+                value = w[0].fma::<A>(pr, w[1].fma::<A>(pi, value));
+                slope = w[2].fma::<A>(pr, w[3].fma::<A>(pi, slope));
+            }
+        }
+        Point {
+            s: e.s,
+            value,
+            slope,
+        }
+    }
+
+    /// What Hermite's cubic may miss over a length h from the instant of `e`,
+    /// of the first `follow` lanes.
+    ///
+    /// A lane of size z (decaying) misses at most z·(|λ|h)⁴/144 on the middle
+    /// coefficient. Where it turns fast its own cubic is bounded instead: by
+    /// its values, and |λ|h/4 for its slopes.
+    #[inline(always)]
+    pub(crate) fn loss<A: Arith>(
+        &self,
+        basis: &Basis,
+        panel: &Panel,
+        (e, follow): (&Exponentials, usize),
+        h: f64,
+    ) -> Loss {
+        let square = h * h;
+        let mut middle = self.slow4 * V::splat(square * square * (1.0 / 144.0));
+        let mut flat = V::ZERO;
+        for b in 0..follow.div_ceil(WIDTH) {
+            let size = self.size[b] * e.size[b];
+            let level = basis.moduli[b].fma::<A>(V::splat(0.25 * h), V::splat(2.0));
+            let fourth = basis.fourth[b] * V::splat(square * square * (1.0 / 144.0));
+            let (bent, level_part) = (size * fourth, size * level);
+            for i in 0..WIDTH.min(follow - b * WIDTH) {
+                let own = panel.sizes[b * WIDTH + i][0];
+                if fourth.0[i] < level.0[i] {
+                    middle = own.fma::<A>(V::splat(bent.0[i]), middle);
+                } else {
+                    flat = own.fma::<A>(V::splat(level_part.0[i]), flat);
+                }
+            }
+        }
+        Loss { middle, flat }
+    }
+
+    /// Envelope of lane k from the instant of `e` on.
+    #[inline(always)]
+    pub(crate) fn lane_size(&self, panel: &Panel, e: &Exponentials, k: usize) -> V {
+        let (b, i) = (k / WIDTH, k % WIDTH);
+        panel.sizes[k][0] * V::splat(self.size[b].0[i] * e.size[b].0[i])
+    }
+
+    /// Functional f and three derivatives at the instant of `e`, and a bound
+    /// on its fourth from there on.
+    #[inline(always)]
+    pub(crate) fn jet<A: Arith>(
+        &self,
+        basis: &Basis,
+        panel: &Panel,
+        phase: &Phase,
+        e: &Exponentials,
+        f: usize,
+    ) -> ([f64; 4], f64) {
+        let mut a = self.slow::<A>(e).map(|v| v.0[f]);
+        let mut r = self.slow4.0[f];
+        for k in 0..basis.lanes.len().min(phase.active * WIDTH) {
+            let (b, i) = (k / WIDTH, k % WIDTH);
+            let (zr, zi) = (phase.re[b].0[i], phase.im[b].0[i]);
+            let (er, ei) = (e.re[b].0[i], e.im[b].0[i]);
+            let (pr, pi) = (zr * er - zi * ei, zr * ei + zi * er);
+            let w = &panel.weights[8 * k..8 * k + 8];
+            for (order, sum) in a.iter_mut().enumerate() {
+                *sum += w[2 * order].0[f] * pr - w[2 * order + 1].0[f] * pi;
+            }
+            r += panel.sizes[k][1].0[f] * self.size[b].0[i] * e.size[b].0[i];
+        }
+        (a, r)
+    }
+
+    /// Rounding of the four up to the local time s.
+    pub(crate) fn noise(&self, basis: &Basis, panel: &Panel, s: f64) -> V {
+        let mut sum = V::ZERO;
+        for k in (0..=self.degree).rev() {
+            sum = sum * V::splat(s) + self.poly[k].map(f64::abs);
+        }
+        for k in 0..basis.lanes.len() {
+            sum = sum + panel.sizes[k][0] * V::splat(self.size[k / WIDTH].0[k % WIDTH]);
+        }
+        for arc in &self.arcs {
+            let x = (arc.omega * s).min(2.0);
+            let [ar, ai, br, bi] = arc.c.map(|v| v.map(f64::abs));
+            sum = sum + ((ar + ai) * V::splat(x) + (br + bi)) * V::splat(x);
+        }
+        sum * V::splat(8.0 * f64::EPSILON)
+    }
+
+    /// Value and slope of polynomial and arcs.
+    #[inline(always)]
+    fn slow_two<A: Arith>(&self, e: &Exponentials) -> [V; 2] {
+        let time = V::splat(e.s);
+        let (mut value, mut slope) = (self.poly[self.degree], V::ZERO);
+        if self.degree <= 2 {
+            let [a, b, c] = [self.poly[0], self.poly[1], self.poly[2]];
+            value = c.fma::<A>(time, b).fma::<A>(time, a);
+            slope = (c + c).fma::<A>(time, b);
+        } else {
+            for k in (0..self.degree).rev() {
+                slope = slope.fma::<A>(time, value);
+                value = value.fma::<A>(time, self.poly[k]);
+            }
+        }
+        for arc in &self.arcs {
+            let f = V::splat;
+            let w = arc.omega;
+            let Swing {
+                sin,
+                cos,
+                less_one: c,
+                less_x: l,
+            } = e.swings[arc.harmonic];
+            let [ar, ai, br, bi] = arc.c;
+            value = value + (ar * f(c) - ai * f(l)) + (br * f(c) - bi * f(sin));
+            slope = slope - f(w) * (ar * f(sin) + ai * f(c) + br * f(sin) + bi * f(cos));
+        }
+        [value, slope]
+    }
+
+    #[inline(always)]
+    fn slow<A: Arith>(&self, e: &Exponentials) -> [V; 4] {
+        let time = V::splat(e.s);
+        let mut d = [self.poly[self.degree], V::ZERO, V::ZERO, V::ZERO];
+        for k in (0..self.degree).rev() {
+            d[3] = d[3].fma::<A>(time, d[2]);
+            d[2] = d[2].fma::<A>(time, d[1]);
+            d[1] = d[1].fma::<A>(time, d[0]);
+            d[0] = d[0].fma::<A>(time, self.poly[k]);
+        }
+        d[2] = d[2] * V::splat(2.0);
+        d[3] = d[3] * V::splat(6.0);
+        for arc in &self.arcs {
+            let f = V::splat;
+            let w = arc.omega;
+            let Swing {
+                sin,
+                cos,
+                less_one: c,
+                less_x: l,
+            } = e.swings[arc.harmonic];
+            let [ar, ai, br, bi] = arc.c;
+            let (sr, si) = (ar + br, ai + bi);
+            d[0] = d[0] + (ar * f(c) - ai * f(l)) + (br * f(c) - bi * f(sin));
+            d[1] = d[1] - f(w) * (ar * f(sin) + ai * f(c) + br * f(sin) + bi * f(cos));
+            d[2] = d[2] - f(w * w) * (sr * f(cos) - si * f(sin));
+            d[3] = d[3] + f(w * w * w) * (sr * f(sin) + si * f(cos));
+        }
+        d
+    }
+
+    /// Primitive of the first functional at the instant of `e`.
+    #[inline(always)]
+    pub(crate) fn primitive<A: Arith>(
+        &self,
+        panel: &Panel,
+        phase: &Phase,
+        e: &Exponentials,
+    ) -> f64 {
+        let mut lanes = V::ZERO;
+        for b in 0..phase.active {
+            let (zr, zi) = (phase.re[b], phase.im[b]);
+            let re = zr.fma::<A>(e.re[b], -(zi * e.im[b]));
+            let im = zr.fma::<A>(e.im[b], zi * e.re[b]);
+            let [wr, wi] = panel.primitive[b];
+            lanes = wr.fma::<A>(re, lanes) - wi * im;
+        }
+        let mut sum = lanes.sum();
+        for &k in &panel.resting {
+            let (b, i) = (k / WIDTH, k % WIDTH);
+            let w = &panel.weights[8 * k..];
+            sum += (w[0].0[0] * phase.re[b].0[i] - w[1].0[0] * phase.im[b].0[i]) * e.s;
+        }
+        let poly = |k: usize| self.poly[k].0[0];
+        if self.degree <= 2 {
+            let high = A::fma(poly(2) * (1.0 / 3.0), e.s, 0.5 * poly(1));
+            sum += A::fma(high, e.s, poly(0)) * e.s;
+        } else {
+            let mut value = 0.0;
+            for k in (0..=self.degree).rev() {
+                value = A::fma(value, e.s, poly(k) / (k + 1) as f64);
+            }
+            sum += value * e.s;
+        }
+        for arc in &self.arcs {
+            let x = arc.omega * e.s;
+            let Swing {
+                less_one: c,
+                less_x: l,
+                ..
+            } = e.swings[arc.harmonic];
+            let [ar, ai, br, bi] = arc.c.map(|v| v.0[0]);
+            // ∫E_k ds = E_{k+1}/(iΩ).
+            let third = c + 0.5 * x * x;
+            sum += (ar * l + ai * third) / arc.omega;
+            sum += (br * l + bi * c) / arc.omega;
+        }
+        sum
+    }
+}

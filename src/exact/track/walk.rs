@@ -1,0 +1,153 @@
+//! Parts of a step: through lanes that turn far, and halves before a climb.
+
+use super::{FOLLOW, Scene, Track};
+use crate::exact::hermite::{Point, enclose};
+use crate::exact::lanes::{Arith, Task};
+use crate::exact::phase::Exponentials;
+
+/// Parts over which every lane is followed before a longer one is tried again.
+const PATIENCE: i32 = 4;
+
+/// [`Track::walk`], out of line.
+pub(super) struct Walk<'a> {
+    pub(super) track: &'a mut Track,
+    pub(super) scene: Scene<'a>,
+    pub(super) before: &'a Exponentials,
+    pub(super) now: &'a Exponentials,
+}
+
+impl Task for Walk<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<A: Arith>(self) {
+        self.track.walk::<A>(self.scene, self.before, self.now);
+    }
+}
+
+/// A part of a step taken in two halves.
+pub(super) struct Halves<'a> {
+    pub(super) track: &'a mut Track,
+    pub(super) scene: Scene<'a>,
+    pub(super) before: &'a Exponentials,
+    pub(super) ends: (Point, Point),
+    pub(super) halvings: u8,
+}
+
+impl Task for Halves<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<A: Arith>(self) {
+        let Self {
+            track,
+            scene,
+            before,
+            ends: (a, b),
+            halvings,
+        } = self;
+        let Scene {
+            basis,
+            panel,
+            phase,
+        } = scene;
+        phase.exponentials::<A>(basis, 0.5 * (a.s + b.s), &mut track.e);
+        let middle = track.state.point::<A>(basis, panel, phase, &track.e);
+        for ends in [(a, middle), (middle, b)] {
+            track.between::<A>(scene, before, ends, halvings);
+        }
+    }
+}
+
+impl Track {
+    /// Walks through a step over which some lanes turn far: parts on which
+    /// their envelopes rule everything out, and parts short enough to follow
+    /// every lane that matters.
+    #[inline(always)]
+    fn walk<A: Arith>(&mut self, scene: Scene, before: &Exponentials, now: &Exponentials) {
+        let active = scene.phase.active;
+        let mut from = std::mem::take(&mut self.from);
+        let mut to = std::mem::take(&mut self.to);
+        from.copy(before, active);
+        let mut length = now.s - from.s;
+        // Parts as short as the last before a longer one is tried again.
+        let mut patience = 0;
+        while from.s < now.s {
+            if from.s + length >= now.s {
+                to.copy(now, active);
+            } else {
+                scene
+                    .phase
+                    .exponentials::<A>(scene.basis, from.s + length, &mut to);
+            }
+            let h = to.s - from.s;
+            let end = self
+                .state
+                .point::<A>(scene.basis, scene.panel, scene.phase, &to);
+            let follow = scene.followed(h);
+            if follow < scene.lanes() && !self.ruled_out::<A>(scene, (&from, &to), &end, follow) {
+                let short = self.short(scene, &from);
+                patience = PATIENCE;
+                if h > 1.01 * short {
+                    length = short.max(0.25 * h);
+                    continue;
+                }
+                self.span::<A>(scene, &from, end);
+            } else if follow == scene.lanes() {
+                self.span::<A>(scene, &from, end);
+            }
+            self.last = end;
+            std::mem::swap(&mut from, &mut to);
+            let growth = if patience > 0 { 1.0 } else { 4.0 };
+            patience = i32::max(patience - 1, 0);
+            length = (growth * h).min(now.s - from.s);
+        }
+        self.from = from;
+        self.to = to;
+    }
+
+    /// Length over which the fastest lane that matters can be followed.
+    #[inline(always)]
+    fn short(&self, scene: Scene, e: &Exponentials) -> f64 {
+        let level = self.high.map(f64::abs).max(self.low.map(f64::abs));
+        let live = (0..scene.lanes()).rev().find(|&k| {
+            let size = self.state.lane_size(scene.panel, e, k);
+            (0..4).any(|f| size.0[f] > 1e-9 * level.0[f] && size.0[f] > 0.0)
+        });
+        live.map_or(f64::INFINITY, |k| 0.7 * FOLLOW / scene.basis.modulus[k])
+    }
+
+    /// True when between `from` and `to` nothing can pass the greatest values
+    /// and δ keeps its sign, whatever the lanes from `follow` on do within
+    /// their envelopes.
+    #[inline(always)]
+    fn ruled_out<A: Arith>(
+        &self,
+        scene: Scene,
+        (from, to): (&Exponentials, &Exponentials),
+        end: &Point,
+        follow: usize,
+    ) -> bool {
+        let Scene {
+            basis,
+            panel,
+            phase,
+        } = scene;
+        let (mut a, mut b) = (self.last, *end);
+        let mut loss = self
+            .state
+            .loss::<A>(basis, panel, (from, follow), b.s - a.s);
+        for k in follow..scene.lanes() {
+            loss.flat = loss.flat + self.state.lane_size(panel, from, k);
+            for (point, e) in [(&mut a, from), (&mut b, to)] {
+                let [value, slope] = panel.lane::<A>(phase, e, k);
+                point.value = point.value - value;
+                point.slope = point.slope - slope;
+            }
+        }
+        let bounds = enclose::<A>(&a, &b, &loss);
+        let worst = (bounds.high - self.high).max(self.low - bounds.low);
+        let margin = self.margin();
+        (0..4).all(|k| worst.0[k] <= margin.0[k]) && !self.may_turn(&bounds)
+    }
+}

@@ -1,0 +1,184 @@
+//! Diagrams of a cam over its turn.
+
+use super::page::sampled;
+use crate::analysis::cam::{CamFigures, CamForce};
+use crate::cam::{CamState, DiscCam};
+use crate::report::svg::chart::{Axis, Chart, Curve};
+
+/// Radii beyond this multiple of the prime circle are not drawn.
+const FAR: f64 = 6.0;
+
+/// Lift, speed, acceleration, pressure angle, radius of curvature, and with a
+/// known contact its force and the cam's torque.
+pub(super) fn charts(
+    cam: &DiscCam,
+    figures: &CamFigures,
+    force: Option<&CamForce<'_>>,
+) -> Vec<Chart> {
+    let places = sampled(cam);
+    let states: Vec<CamState> = places
+        .iter()
+        .map(|&(piece, phi)| cam.at(&cam.motion().pieces()[piece], phi))
+        .collect();
+    let curve = |label: &str, f: &dyn Fn(&CamState) -> f64| Curve {
+        label: label.to_owned(),
+        points: states.iter().map(|s| (s.phi.to_degrees(), f(s))).collect(),
+    };
+    let unit = figures.unit;
+    let speed = force.map(CamForce::speed);
+    let mut list = vec![over(
+        "Displacement outwards",
+        unit,
+        vec![curve("", &|s| s.lift)],
+    )];
+    match speed {
+        Some(speed) => {
+            list.push(over(
+                "Speed",
+                &format!("{unit}/s"),
+                vec![curve("", &|s| s.first * speed)],
+            ));
+            let rate = format!("{unit}/s²");
+            let square = speed * speed;
+            list.push(over(
+                "Acceleration",
+                &rate,
+                vec![curve("", &|s| s.second * square)],
+            ));
+        }
+        None => {
+            list.push(over(
+                "U′",
+                &format!("{unit}/rad"),
+                vec![curve("", &|s| s.first)],
+            ));
+            list.push(over(
+                "U″",
+                &format!("{unit}/rad²"),
+                vec![curve("", &|s| s.second)],
+            ));
+        }
+    }
+    // The pressure angle of a flat face says little; where it touches says much.
+    match cam.geometry().roller() {
+        Some(_) => list.push(pressure(cam, figures, &curve)),
+        None => list.push(over(
+            "Contact on the face",
+            "m",
+            vec![curve("", &|s| s.face)],
+        )),
+    }
+    list.push(radii(cam, &curve));
+    if let Some(force) = force {
+        let column = |index: usize| -> Vec<(f64, f64)> {
+            let at = |&(piece, phi): &(usize, f64)| {
+                let piece = &cam.motion().pieces()[piece];
+                (
+                    phi.to_degrees(),
+                    force.beside(phi, piece.from, piece.to)[index],
+                )
+            };
+            places.iter().map(at).collect()
+        };
+        let plain = |points| Curve {
+            label: String::new(),
+            points,
+        };
+        list.push(over("Contact force", "N", vec![plain(column(1))]));
+        list.push(over("Torque of the cam", "N m", vec![plain(column(2))]));
+    }
+    list
+}
+
+fn over(title: &str, unit: &str, curves: Vec<Curve>) -> Chart {
+    Chart {
+        title: title.to_owned(),
+        unit: unit.to_owned(),
+        curves,
+        shaded: Vec::new(),
+        horizontal: Axis {
+            symbol: "φ".to_owned(),
+            unit: "deg".to_owned(),
+        },
+    }
+}
+
+type Drawn<'a> = dyn Fn(&str, &dyn Fn(&CamState) -> f64) -> Curve + 'a;
+
+fn pressure(cam: &DiscCam, figures: &CamFigures, curve: &Drawn<'_>) -> Chart {
+    let (from, to) = cam.motion().range();
+    let line = |label: &str, angle: f64| Curve {
+        label: label.to_owned(),
+        points: vec![
+            (from.to_degrees(), angle.to_degrees()),
+            (to.to_degrees(), angle.to_degrees()),
+        ],
+    };
+    let limits = figures.limits;
+    let mut curves = vec![curve("pressure angle", &|s| s.pressure_angle.to_degrees())];
+    curves.push(line("limit outwards", limits.outward));
+    curves.push(line("limit inwards", -limits.inward));
+    over("Pressure angle", "deg", curves)
+}
+
+fn radii(cam: &DiscCam, curve: &Drawn<'_>) -> Chart {
+    let far = FAR * cam.geometry().prime_radius();
+    let near = |radius: f64| {
+        if radius.abs() <= far {
+            radius
+        } else {
+            f64::NAN
+        }
+    };
+    let mut curves = vec![curve("profile", &|s| near(s.profile_radius))];
+    if cam.geometry().roller().is_some_and(|roller| roller > 0.0) {
+        curves.push(curve("pitch curve", &|s| near(s.pitch_radius)));
+    }
+    over("Radius of curvature (convex: above zero)", "m", curves)
+}
+
+/// The least preload over the rate, and the spring of the scene.
+pub(super) fn springs(figures: &CamFigures) -> Option<Chart> {
+    let force = figures.force.as_ref()?;
+    let answer = force.closing.as_ref()?;
+    let points = |list: &[[f64; 2]]| {
+        list.iter()
+            .map(|&[rate, preload]| (rate, preload))
+            .collect()
+    };
+    let spring = force.spring;
+    let size = answer.boundary.last().map_or(1.0, |last| last[0]) / 60.0;
+    let height = answer
+        .boundary
+        .iter()
+        .fold(spring.preload.abs(), |most, p| most.max(p[1].abs()))
+        / 30.0;
+    let (c, p) = (spring.rate, spring.preload);
+    let cross = vec![
+        (c - size, p),
+        (c + size, p),
+        (f64::NAN, f64::NAN),
+        (c, p - height),
+        (c, p + height),
+    ];
+    let unit = if force.unit == "N" { "N/m" } else { "N m/rad" };
+    Some(Chart {
+        title: "Least preload".to_owned(),
+        unit: force.unit.to_owned(),
+        curves: vec![
+            Curve {
+                label: "least preload with the reserve".to_owned(),
+                points: points(&answer.boundary),
+            },
+            Curve {
+                label: "spring of the scene".to_owned(),
+                points: cross,
+            },
+        ],
+        shaded: Vec::new(),
+        horizontal: Axis {
+            symbol: "rate".to_owned(),
+            unit: unit.to_owned(),
+        },
+    })
+}

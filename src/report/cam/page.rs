@@ -1,0 +1,241 @@
+//! The page of a cam: the cam turning with its follower, figures, diagrams.
+
+use super::picture::{drawing, drawn, style};
+use super::remarks::remarks;
+use super::tables::rows;
+use super::text::{describe, facts as cam_facts};
+use super::view::{mover, view};
+use super::{NamedCurve, charts};
+use crate::analysis::cam::{CamFigures, CamForce};
+use crate::cam::DiscCam;
+use crate::report::html::data::PlotData;
+use crate::report::html::{facts, header, scene, shell};
+use crate::report::quantity::escape;
+use crate::report::verdict::{Sort, Verdict};
+use serde_json::json;
+use std::fmt::Write as _;
+
+const SCRIPT: &str = include_str!("turning.js");
+
+/// Places of the cam that the page's script knows.
+const PLACES: usize = 720;
+
+/// Everything that goes into the page of a cam.
+#[derive(Clone, Copy, Debug)]
+pub struct CamReport<'a> {
+    /// Name of the scene.
+    pub name: &'a str,
+    /// Id of the object.
+    pub id: &'a str,
+    /// The cam.
+    pub cam: &'a DiscCam,
+    /// What was found.
+    pub figures: &'a CamFigures,
+    /// The contact, if there is one to be known.
+    pub force: Option<&'a CamForce<'a>>,
+    /// Its curves.
+    pub curves: &'a [NamedCurve],
+    /// Chord tolerance of the curves (m).
+    pub tolerance: f64,
+    /// The scene's text, shown as it is.
+    pub scene: &'a str,
+    /// SHA-256 of the canonical scene.
+    pub hash: &'a str,
+    /// Version of `dam`.
+    pub version: &'a str,
+}
+
+/// The page.
+pub fn page(report: &CamReport<'_>) -> String {
+    let title = format!("{}: the cam of {}", report.name, report.id);
+    let subtitle = describe(report.cam.geometry());
+    let mut body = header(&title, &subtitle, Some(&verdict(report)));
+    let _ = write!(
+        body,
+        "<style>\n{}\n.turning{{display:flex;flex-wrap:wrap;gap:12px 28px;align-items:flex-start}}\
+         .turning svg{{max-width:100%;height:auto}}.turning>div{{flex:1;min-width:260px;max-width:440px}}\
+         .turning .bar input{{flex:1;min-width:180px}}.now{{stroke:#8a1c1c;stroke-width:1;fill:none}}\n\
+         .charts{{display:grid;grid-template-columns:repeat(auto-fit,minmax(420px,1fr));gap:8px 20px}}\
+         .charts svg{{width:100%;height:auto}}</style>\n<main>\n",
+        style()
+    );
+    body.push_str(&notes(report));
+    body.push_str(&turning(report));
+    let rows: Vec<(&str, String)> = cam_facts(report.cam, report.figures);
+    let _ = write!(body, "<h2>Figures</h2>\n{}", facts(&rows));
+    body.push_str(&diagrams(report));
+    body.push_str(&scene(report.scene));
+    let points: usize = report
+        .curves
+        .iter()
+        .map(|curve| curve.polygon.points.len())
+        .sum();
+    let rows = [
+        ("Scene", report.name.to_owned()),
+        ("SHA-256 of the canonical scene", report.hash.to_owned()),
+        ("Program", format!("dam {}", report.version)),
+        (
+            "Curves",
+            format!(
+                "{points} points, the curves within {} of their chords",
+                super::text::length(report.tolerance)
+            ),
+        ),
+    ];
+    let _ = write!(
+        body,
+        "</main>\n<footer>\n<h2>Provenance</h2>\n{}</footer>\n\
+         <script id=\"turning\" type=\"application/json\">{}</script>\n<script>\n{SCRIPT}</script>\n",
+        facts(&rows),
+        data(report)
+    );
+    shell(&title, &body, &PlotData::new(&[]).json())
+}
+
+fn verdict(report: &CamReport<'_>) -> Verdict {
+    let grave: Vec<String> = remarks(report.figures)
+        .into_iter()
+        .filter_map(|(grave, text)| grave.then_some(text))
+        .collect();
+    match grave.first() {
+        None => Verdict {
+            sort: Sort::Good,
+            headline: "The cam is sound.".to_owned(),
+            text: "No undercut, no corner; pressure angle, face and closing force are as asked."
+                .to_owned(),
+        },
+        Some(first) => Verdict {
+            sort: Sort::Mechanism,
+            headline: format!("{}{}.", first[..1].to_uppercase(), &first[1..]),
+            text: match grave.len() {
+                1 => String::new(),
+                count => format!("And {} more, listed below.", count - 1),
+            },
+        },
+    }
+}
+
+fn notes(report: &CamReport<'_>) -> String {
+    let list = remarks(report.figures);
+    if list.is_empty() {
+        return String::new();
+    }
+    let items: String = list
+        .iter()
+        .map(|(_, text)| format!("<li>{}</li>\n", escape(text)))
+        .collect();
+    format!("<h2>Remarks</h2>\n<ul class=\"warnings\">\n{items}</ul>\n")
+}
+
+/// The drawing with its controls.
+fn turning(report: &CamReport<'_>) -> String {
+    let curves = drawn(report.cam);
+    let view = view(report.cam, &curves);
+    let [w, h] = view.size.map(|size| format!("{size:.0}"));
+    format!(
+        "<h2>Cam and follower</h2>\n<div class=\"turning\">\n<svg viewBox=\"0 0 {w} {h}\" \
+         width=\"{w}\" height=\"{h}\" role=\"img\" aria-label=\"cam and follower\">\n{}</svg>\n\
+         <div>\n<div class=\"bar\"><button id=\"cam-play\" type=\"button\">Turn</button>\
+         <label for=\"cam-angle\">φ</label><input id=\"cam-angle\" type=\"range\" min=\"0\" \
+         max=\"{PLACES}\" step=\"1\" value=\"0\"></div>\n<dl class=\"facts\" id=\"cam-reading\"></dl>\n\
+         <p class=\"soft\">Dotted: base circle; dashed: pitch curve. The mark on the cam points along \
+         the follower at φ = 0.</p>\n</div>\n</div>\n",
+        drawing(report.cam, &curves, &view, report.cam.motion().range().0)
+    )
+}
+
+fn diagrams(report: &CamReport<'_>) -> String {
+    let (from, to) = report.cam.motion().range();
+    let pictures: String = charts::charts(report.cam, report.figures, report.force)
+        .into_iter()
+        .map(|chart| {
+            let svg = chart.svg(560.0, 300.0);
+            format!("<div class=\"over-angle\">{svg}</div>\n")
+        })
+        .collect();
+    let springs = charts::springs(report.figures).map_or(String::new(), |chart| {
+        format!(
+            "<h2>Closing spring</h2>\n<div class=\"graph scroll\">{}</div>\n<p class=\"soft\">Springs \
+             above the line leave the reserve in contact at this speed.</p>\n",
+            chart.svg(760.0, 340.0)
+        )
+    });
+    format!(
+        "<h2>Over the turn</h2>\n<div class=\"charts\" data-from=\"{}\" data-to=\"{}\">\n{pictures}</div>\n{springs}",
+        from.to_degrees(),
+        to.to_degrees()
+    )
+}
+
+/// What the script turns: places of the follower and readings over the turn.
+fn data(report: &CamReport<'_>) -> String {
+    let cam = report.cam;
+    let (from, to) = cam.motion().range();
+    let view = view(cam, &drawn(cam));
+    let mover = mover(cam, &view);
+    let places: Vec<f64> = (0..=PLACES)
+        .map(|step| from + (to - from) * step as f64 / PLACES as f64)
+        .collect();
+    let mut columns: Vec<(&str, &str, Vec<f64>)> = vec![(
+        "angle φ",
+        "deg",
+        places.iter().map(|phi| phi.to_degrees()).collect(),
+    )];
+    let column = |f: &dyn Fn(f64) -> f64| places.iter().map(|&phi| f(phi)).collect::<Vec<f64>>();
+    let state = |phi: f64| {
+        let (piece, phi) = cam.motion().locate(phi);
+        cam.at(piece, phi)
+    };
+    let lift = column(&|phi| state(phi).lift);
+    let (factor, unit) = match report.figures.unit {
+        "rad" => (1f64.to_degrees(), "deg"),
+        _ => (1e3, "mm"),
+    };
+    columns.push((
+        "displacement",
+        unit,
+        lift.iter().map(|s| s * factor).collect(),
+    ));
+    columns.push((
+        "pressure angle",
+        "deg",
+        column(&|phi| state(phi).pressure_angle.to_degrees()),
+    ));
+    columns.push((
+        "radius of curvature",
+        "mm",
+        column(&|phi| 1e3 * state(phi).profile_radius),
+    ));
+    if let Some(force) = report.force {
+        let at = |phi: f64| {
+            let (piece, phi) = cam.motion().locate(phi);
+            force.beside(phi, piece.from, piece.to)
+        };
+        columns.push(("contact force", "N", column(&|phi| at(phi)[1])));
+        columns.push(("torque of the cam", "N m", column(&|phi| at(phi)[2])));
+    }
+    // Numbers for reading: six digits, nothing for what is not finite.
+    let plain = |value: &f64| match value.is_finite() {
+        true => json!(format!("{value:.5e}").parse::<f64>().unwrap_or(0.0)),
+        false => json!(null),
+    };
+    let columns: Vec<_> = columns
+        .iter()
+        .map(|(name, unit, values)| {
+            json!({ "name": name, "unit": unit, "values": values.iter().map(plain).collect::<Vec<_>>() })
+        })
+        .collect();
+    let document = json!({
+        "from": from, "to": to, "closed": cam.motion().is_closed(),
+        "lift": lift.iter().map(|s| json!(s)).collect::<Vec<_>>(),
+        "shift": mover.shift, "turn": mover.turn, "about": mover.about,
+        "cam": mover.cam, "axis": mover.axis, "columns": columns,
+    });
+    // A closing tag within a text must not end the element.
+    document.to_string().replace('<', "\\u003c")
+}
+
+/// Angles of the diagrams (rad), with the piece of each.
+pub(super) fn sampled(cam: &DiscCam) -> Vec<(usize, f64)> {
+    rows(cam, PLACES)
+}

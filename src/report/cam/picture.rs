@@ -1,0 +1,224 @@
+//! The cam with its follower as a drawing: stand-alone, and with named groups
+//! that the page's script turns and moves.
+
+use super::NamedCurve;
+use super::view::{Mover, View, mover, parts, rim_radius, view};
+use crate::cam::{Contact, DiscCam, Guide, Surface};
+use crate::report::quantity::escape;
+use std::fmt::Write as _;
+
+const STYLE: &str = "\
+.cam-body{fill:#dfe7f0;stroke:#1d5a9e;stroke-width:1.8;stroke-linejoin:round;fill-rule:evenodd}\
+.cam-open{fill:none;stroke:#1d5a9e;stroke-width:1.8}\
+.cam-pitch{fill:none;stroke:#7d8893;stroke-width:1;stroke-dasharray:6 4}\
+.cam-base{fill:none;stroke:#a9b2bb;stroke-width:1;stroke-dasharray:2 4}\
+.cam-mark{fill:none;stroke:#1d5a9e;stroke-width:1.4}\
+.cam-axis{fill:#fff;stroke:#17202a;stroke-width:1.4}\
+.cam-line{fill:none;stroke:#a9b2bb;stroke-width:1;stroke-dasharray:10 4 2 4}\
+.follower{fill:#f6e3d6;stroke:#c04f15;stroke-width:1.8;stroke-linejoin:round}\
+.follower-arm{fill:none;stroke:#c04f15;stroke-width:7;stroke-linecap:round;stroke-opacity:.75}\
+.follower-pin{fill:#fff;stroke:#c04f15;stroke-width:1.6}";
+
+/// Chord tolerance of drawn curves, of the prime circle: a tenth of a pixel.
+const FINE: f64 = 3e-4;
+
+/// The curves as they are drawn: no finer than can be seen.
+pub(super) fn drawn(cam: &DiscCam) -> Vec<NamedCurve> {
+    super::curves(cam, FINE * cam.geometry().prime_radius(), None).unwrap_or_default()
+}
+
+/// The drawing at φ (rad) as a complete SVG document on white ground.
+pub fn picture(title: &str, cam: &DiscCam, phi: f64) -> String {
+    let curves = drawn(cam);
+    let view = view(cam, &curves);
+    let [w, h] = view.size.map(short);
+    format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {w} {h}\" width=\"{w}\" \
+         height=\"{h}\" role=\"img\" aria-label=\"{}\">\n<style>{STYLE}</style>\n\
+         <rect width=\"{w}\" height=\"{h}\" fill=\"#fff\"/>\n{}</svg>\n",
+        escape(title),
+        drawing(cam, &curves, &view, phi)
+    )
+}
+
+/// Cam and follower as groups `cam-turning` and `cam-follower`.
+pub(super) fn drawing(cam: &DiscCam, curves: &[NamedCurve], view: &View, phi: f64) -> String {
+    let mover = mover(cam, view);
+    let (piece, at) = cam.motion().locate(phi);
+    let lift = cam.motion().jet(piece, at).value;
+    let mut out = String::new();
+    let base = cam.geometry().base_radius;
+    let [x, y] = mover.axis.map(short);
+    let _ = writeln!(
+        out,
+        "<g id=\"cam-turning\" transform=\"{}\">\n{}</g>",
+        cam_transform(&mover, phi),
+        body(cam, curves, view)
+    );
+    let _ = writeln!(
+        out,
+        "<circle class=\"cam-base\" cx=\"{x}\" cy=\"{y}\" r=\"{}\"/>",
+        short(view.scale * base)
+    );
+    let _ = writeln!(
+        out,
+        "<circle class=\"cam-axis\" cx=\"{x}\" cy=\"{y}\" r=\"6\"/><path class=\"cam-mark\" d=\"M{x} {y}m-9 0h18m-9 -9v18\"/>"
+    );
+    let _ = writeln!(
+        out,
+        "<g id=\"cam-follower\" transform=\"{}\">\n{}</g>",
+        follower_transform(&mover, lift),
+        follower(cam, view)
+    );
+    if let Guide::Turning { .. } = cam.geometry().guide {
+        let [x, y] = mover.about.map(short);
+        let _ = writeln!(
+            out,
+            "<circle class=\"follower-pin\" cx=\"{x}\" cy=\"{y}\" r=\"6\"/>"
+        );
+    }
+    out
+}
+
+fn cam_transform(mover: &Mover, phi: f64) -> String {
+    let [x, y] = mover.axis.map(short);
+    format!("rotate({} {x} {y})", short(mover.cam * phi))
+}
+
+fn follower_transform(mover: &Mover, lift: f64) -> String {
+    let [x, y] = mover.about.map(short);
+    let [dx, dy] = mover.shift.map(|shift| short(shift * lift));
+    format!(
+        "translate({dx} {dy}) rotate({} {x} {y})",
+        short(mover.turn * lift)
+    )
+}
+
+/// The cam's body in its own frame.
+fn body(cam: &DiscCam, curves: &[NamedCurve], view: &View) -> String {
+    let path = |name: &str| {
+        let curve = curves.iter().find(|curve| curve.name == name)?;
+        let mut text = String::new();
+        for (index, &point) in curve.polygon.points.iter().enumerate() {
+            let command = if index == 0 { 'M' } else { 'L' };
+            let _ = write!(text, "{command}{}", view.text(point));
+        }
+        if curve.polygon.closed {
+            text.push('z');
+        }
+        Some(text)
+    };
+    let mut out = String::new();
+    let closed = cam.motion().is_closed();
+    let class = if closed { "cam-body" } else { "cam-open" };
+    let rim = rim(cam, curves, view);
+    let profile = path("profile").unwrap_or_default();
+    let body = match cam.geometry().surface {
+        Surface::Disc => profile,
+        Surface::Hollow => format!("{rim}{profile}"),
+        Surface::Groove => {
+            let (inner, outer) = (path("inner_flank"), path("outer_flank"));
+            format!(
+                "{rim}{}{}",
+                outer.unwrap_or_default(),
+                inner.unwrap_or_default()
+            )
+        }
+    };
+    let _ = writeln!(out, "<path class=\"{class}\" d=\"{body}\"/>");
+    if let Some(pitch) = path("pitch") {
+        let _ = writeln!(out, "<path class=\"cam-pitch\" d=\"{pitch}\"/>");
+    }
+    // A mark that shows how far the cam has turned.
+    let direction = [
+        cam.geometry().direction.cos(),
+        cam.geometry().direction.sin(),
+    ];
+    let mark = 0.62 * cam.geometry().base_radius;
+    let [x, y] = view.point([mark * direction[0], mark * direction[1]]);
+    let _ = writeln!(
+        out,
+        "<circle class=\"cam-mark\" cx=\"{}\" cy=\"{}\" r=\"4\"/>",
+        short(x),
+        short(y)
+    );
+    out
+}
+
+fn rim(cam: &DiscCam, curves: &[NamedCurve], view: &View) -> String {
+    let radius = view.scale * rim_radius(cam, curves);
+    let [x, y] = view.origin;
+    format!(
+        "M{} {}a{r} {r} 0 1 0 {} 0a{r} {r} 0 1 0 {} 0z",
+        short(x - radius),
+        short(y),
+        short(2.0 * radius),
+        short(-2.0 * radius),
+        r = short(radius)
+    )
+}
+
+/// The follower where it is innermost.
+fn follower(cam: &DiscCam, view: &View) -> String {
+    let parts = parts(cam);
+    let mut out = String::new();
+    let arm_end = match parts.face {
+        Some([_, far]) if matches!(cam.geometry().guide, Guide::Turning { .. }) => far,
+        _ => parts.tip,
+    };
+    let start = match (cam.geometry().guide, parts.face) {
+        (Guide::Turning { .. }, Some([near, _])) => {
+            let _ = write!(
+                out,
+                "<path class=\"follower-arm\" d=\"M{}L{}\"/>",
+                view.text(parts.end),
+                view.text(near)
+            );
+            near
+        }
+        _ => parts.end,
+    };
+    let _ = writeln!(
+        out,
+        "<path class=\"follower-arm\" d=\"M{}L{}\"/>",
+        view.text(start),
+        view.text(arm_end)
+    );
+    let [x, y] = view.point(parts.tip).map(short);
+    match cam.geometry().contact {
+        Contact::Roller { radius } => {
+            let _ = writeln!(
+                out,
+                "<circle class=\"follower\" cx=\"{x}\" cy=\"{y}\" r=\"{}\"/>\
+                 <circle class=\"follower-pin\" cx=\"{x}\" cy=\"{y}\" r=\"2.5\"/>",
+                short(view.scale * radius)
+            );
+        }
+        Contact::KnifeEdge => {
+            let _ = writeln!(
+                out,
+                "<circle class=\"follower\" cx=\"{x}\" cy=\"{y}\" r=\"1.5\"/>"
+            );
+        }
+        Contact::Flat { .. } => {
+            if let Some([a, b]) = parts.face {
+                let _ = writeln!(
+                    out,
+                    "<path class=\"follower\" d=\"M{}L{}\" stroke-width=\"4\"/>",
+                    view.text(a),
+                    view.text(b)
+                );
+            }
+        }
+    }
+    out
+}
+
+/// The style of the drawing, for pages.
+pub(super) fn style() -> &'static str {
+    STYLE
+}
+
+pub(super) fn short(value: f64) -> String {
+    crate::report::svg::coordinate(value)
+}

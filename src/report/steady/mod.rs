@@ -1,0 +1,37 @@
+//! The steady motion as text, table, pictures and page.
+
+mod charts;
+mod page;
+mod periodic;
+mod text;
+
+pub use charts::{charts, wittenbauer};
+pub use page::{SteadyReport, page};
+pub use periodic::periodic_text;
+pub use text::{rigid_text, rows_csv};
+
+use crate::analysis::steady::Agreement;
+use crate::steady::cycle_map::Regime;
+use crate::steady::flywheel::Flywheel;
+use crate::steady::{Halving, Row, SteadyFigures};
+
+/// The steady motion of a machine reduced to its drive, as it is shown.
+#[derive(Clone, Copy, Debug)]
+pub struct Shown<'a> {
+    /// What machine it is: the scene's name, or where the functions come from.
+    pub title: &'a str,
+    /// Φ (rad).
+    pub cycle: f64,
+    /// The figures.
+    pub figures: &'a SteadyFigures,
+    /// The motion, both ends of the cycle included.
+    pub rows: &'a [Row],
+    /// The fixed point of the cycle map.
+    pub regime: Option<&'a Regime>,
+    /// The flywheel.
+    pub flywheel: Option<&'a Flywheel>,
+    /// How independent ways agree.
+    pub agreement: Option<&'a Agreement>,
+    /// Of a table: what leaving out every second sample changes.
+    pub halving: Option<&'a Halving>,
+}

@@ -1,0 +1,110 @@
+//! The page of a steady motion.
+
+use super::charts::{charts, wittenbauer};
+use super::text::{Line, agreement, figures, flywheel};
+use super::{Shown, periodic};
+use crate::analysis::steady::PeriodicAnswer;
+use crate::report::html::data::PlotData;
+use crate::report::html::{facts, header, scene, shell, warnings};
+use crate::report::quantity::significant;
+use crate::report::svg::chart::Chart;
+use std::fmt::Write as _;
+
+/// Everything that goes into the page of a steady motion.
+#[derive(Clone, Copy, Debug)]
+pub struct SteadyReport<'a> {
+    /// The scene's name, or what machine it is.
+    pub title: &'a str,
+    /// The motion of a machine reduced to its drive.
+    pub rigid: Option<Shown<'a>>,
+    /// The periodic motion of elastic objects.
+    pub periodic: Option<&'a PeriodicAnswer>,
+    /// The scene's text, shown as it is.
+    pub scene: Option<&'a str>,
+    /// SHA-256 of the canonical scene.
+    pub hash: &'a str,
+    /// Version of `dam`.
+    pub version: &'a str,
+}
+
+/// Size of the pictures (pixels).
+const PICTURE: (f64, f64) = (900.0, 340.0);
+const DIAGRAM: (f64, f64) = (900.0, 520.0);
+
+/// The page.
+pub fn page(report: &SteadyReport<'_>) -> String {
+    let subtitle = match (&report.rigid, report.periodic) {
+        (Some(shown), _) => format!(
+            "Steady motion, mean speed {} rad/s, δ = {}",
+            significant(shown.figures.mean_speed, 6),
+            significant(shown.figures.fluctuation, 5)
+        ),
+        (None, Some(_)) => "Periodic motion behind the drive and its stability".to_owned(),
+        (None, None) => "Steady motion".to_owned(),
+    };
+    let mut body = header(report.title, &subtitle, None);
+    body.push_str("<main>\n");
+    if let Some(shown) = &report.rigid {
+        body.push_str(&rigid(shown));
+    }
+    if let Some(answer) = report.periodic {
+        body.push_str(&periodic::section(answer));
+    }
+    if let Some(text) = report.scene {
+        body.push_str(&scene(text));
+    }
+    body.push_str("</main>\n");
+    let mut rows = vec![("Machine", report.title.to_owned())];
+    if !report.hash.is_empty() {
+        rows.push(("SHA-256 of the canonical scene", report.hash.to_owned()));
+    }
+    rows.push(("Program", format!("dam {}", report.version)));
+    let _ = write!(
+        body,
+        "<footer>\n<h2>Provenance</h2>\n{}</footer>\n",
+        facts(&rows)
+    );
+    shell(report.title, &body, &PlotData::new(&[]).json())
+}
+
+pub(super) fn list(lines: &[Line]) -> String {
+    let rows: Vec<(&str, String)> = lines
+        .iter()
+        .map(|(name, text)| (name.as_str(), text.clone()))
+        .collect();
+    facts(&rows)
+}
+
+pub(super) fn picture(chart: &Chart, (width, height): (f64, f64)) -> String {
+    format!(
+        "<div class=\"graph scroll\">\n{}</div>\n",
+        chart.svg(width, height)
+    )
+}
+
+fn rigid(shown: &Shown<'_>) -> String {
+    let mut body = warnings(&shown.figures.warnings);
+    let _ = write!(body, "<h2>Figures</h2>\n{}", list(&figures(shown)));
+    let wheel = flywheel(shown);
+    if !wheel.is_empty() {
+        let _ = write!(
+            body,
+            "<h2>Flywheel</h2>\n{}<p class=\"soft\">The motion on this page is the one with the \
+             flywheel.</p>\n",
+            list(&wheel)
+        );
+    }
+    body.push_str("<h2>Motion over a cycle</h2>\n");
+    for chart in charts(shown) {
+        body.push_str(&picture(&chart, PICTURE));
+    }
+    body.push_str("<h2>Energy-mass diagram</h2>\n");
+    body.push_str(&picture(&wittenbauer(shown), DIAGRAM));
+    body.push_str(
+        "<p class=\"soft\">A straight line from O₂ with the slope ω²/2 meets the curve where the \
+         drive has the speed ω: the tangents touch it at the greatest and the least speed. O₂ lies \
+         T(0) below the start of the curve.</p>\n",
+    );
+    let _ = write!(body, "<h2>Agreement</h2>\n{}", list(&agreement(shown)));
+    body
+}

@@ -1,0 +1,170 @@
+//! The periodic motion of elastic objects as text, table and pictures.
+
+use super::page::picture;
+use crate::analysis::steady::{LongRun, PartMotion, PeriodicAnswer, Stability};
+use crate::report::html::facts;
+use crate::report::quantity::{escape, significant};
+use crate::report::svg::chart::{Axis, Chart, Curve};
+use std::fmt::Write as _;
+
+/// Multipliers listed.
+const LISTED: usize = 12;
+
+fn long_run(run: &LongRun) -> String {
+    match &run.missing {
+        Some(why) => format!("none: {why}"),
+        None if run.settles => format!(
+            "{} turns from the scene's start settle on it, {:.1e} of its size away",
+            run.turns, run.distance
+        ),
+        None => format!(
+            "{} turns from the scene's start do NOT settle on it: {:.1e} of its size away",
+            run.turns, run.distance
+        ),
+    }
+}
+
+fn lines(part: &PartMotion) -> Vec<(&'static str, String)> {
+    let turns = match part.periods {
+        1 => "one turn of the drive".to_owned(),
+        count => format!("{count} turns of the drive"),
+    };
+    let stability = match part.stability {
+        Stability::Attracts => "attracts: every small disturbance dies away",
+        Stability::Neutral => "neutral: small disturbances stay, nothing damps them",
+        Stability::Repels => "repels: some small disturbances grow",
+    };
+    let shown = part.multipliers.iter().take(LISTED).map(|multiplier| {
+        let re = significant(multiplier.re, 8);
+        match multiplier.im {
+            0.0 => re,
+            im if im > 0.0 => format!("{re} + {}i", significant(im, 8)),
+            im => format!("{re} − {}i", significant(-im, 8)),
+        }
+    });
+    let mut multipliers = shown.collect::<Vec<_>>().join(", ");
+    if part.multipliers.len() > LISTED {
+        let _ = write!(
+            multipliers,
+            " and {} smaller",
+            part.multipliers.len() - LISTED
+        );
+    }
+    vec![
+        (
+            "period",
+            format!("{} s, {turns}", significant(part.period, 10)),
+        ),
+        ("stability", stability.to_owned()),
+        ("Floquet multipliers", multipliers),
+        ("derivative by", part.how.clone()),
+        (
+            "comes back to",
+            format!(
+                "{:.1e} of its size, {} periods followed",
+                part.miss, part.iterations
+            ),
+        ),
+        ("long run", long_run(&part.long_run)),
+    ]
+}
+
+/// All that is known of the motion.
+pub fn periodic_text(title: &str, answer: &PeriodicAnswer) -> String {
+    let mut text = format!("{title}\n");
+    for part in &answer.parts {
+        let _ = writeln!(text, "\nPeriodic motion of {}", part.objects.join(", "));
+        for (name, value) in lines(part) {
+            let _ = writeln!(text, "  {name:<20}  {value}");
+        }
+    }
+    let _ = writeln!(text, "\nState at t = 0");
+    let width = answer
+        .state_names
+        .iter()
+        .map(|name| name.chars().count())
+        .max();
+    let width = width.unwrap_or(0);
+    for (name, value) in answer.state_names.iter().zip(&answer.state) {
+        let _ = writeln!(text, "  {name:<width$}  {}", significant(*value, 14));
+    }
+    text
+}
+
+/// Size of the picture of the unit circle, in which it is round (pixels).
+const CIRCLE: (f64, f64) = (384.0, 436.0);
+
+/// The multipliers in the unit circle.
+fn circle(part: &PartMotion) -> Chart {
+    let points = (0..=180).map(|i| (f64::from(i) * 2.0f64.to_radians()).sin_cos());
+    let cross = |re: f64, im: f64| {
+        let (a, gap) = (0.03, (f64::NAN, f64::NAN));
+        [
+            (re - a, im),
+            (re + a, im),
+            gap,
+            (re, im - a),
+            (re, im + a),
+            gap,
+        ]
+    };
+    Chart {
+        title: format!("Floquet multipliers of {}", part.objects.join(", ")),
+        unit: String::new(),
+        curves: vec![
+            Curve {
+                label: "multipliers".to_owned(),
+                points: part
+                    .multipliers
+                    .iter()
+                    .flat_map(|m| cross(m.re, m.im))
+                    .collect(),
+            },
+            Curve {
+                label: "unit circle".to_owned(),
+                points: points.map(|(sin, cos)| (cos, sin)).collect(),
+            },
+        ],
+        horizontal: Axis {
+            symbol: "real part".to_owned(),
+            unit: String::new(),
+        },
+        ..Chart::default()
+    }
+}
+
+/// Deviations over a period.
+fn orbit(part: &PartMotion) -> Chart {
+    Chart {
+        title: format!(
+            "Deviation from the law over a period: {}",
+            part.objects.join(", ")
+        ),
+        unit: part.unit.clone(),
+        curves: part
+            .orbit
+            .iter()
+            .map(|(label, points)| Curve {
+                label: label.clone(),
+                points: points.clone(),
+            })
+            .collect(),
+        ..Chart::default()
+    }
+}
+
+/// The section of a page.
+pub(super) fn section(answer: &PeriodicAnswer) -> String {
+    let mut body = String::new();
+    for part in &answer.parts {
+        let _ = write!(
+            body,
+            "<h2>{}</h2>\n{}",
+            escape(&part.objects.join(", ")),
+            facts(&lines(part))
+        );
+        body.push_str(&picture(&orbit(part), (900.0, 360.0)));
+        body.push_str(&picture(&circle(part), CIRCLE));
+    }
+    body
+}

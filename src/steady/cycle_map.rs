@@ -1,0 +1,399 @@
+//! Moments that depend on speed: the motion that comes back to its speed.
+//!
+//! The energy theorem dT/dφ = M(φ, √(2T/J)) carries the kinetic energy over a
+//! cycle; a steady motion is a fixed point of T(0) → T(Φ). Its multiplier says
+//! how much of a small disturbance is left after a cycle: below 1 others
+//! settle on it.
+
+use super::extrapolation::{attempt, follow};
+use super::motion::SteadyMotion;
+use super::profile::{Given, Profile};
+use super::refusal::Refusal;
+use super::root::bracketed;
+use super::{Question, motion};
+use serde::Serialize;
+
+/// The machine at a position and speed.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Load {
+    /// J (kg·m²).
+    pub inertia: f64,
+    /// M (N·m).
+    pub moment: f64,
+    /// ∂M/∂ω.
+    pub moment_by_speed: f64,
+}
+
+/// A machine whose moment depends on position and speed.
+pub struct Machine<'a> {
+    /// Φ (rad).
+    pub cycle: f64,
+    /// Places inside the cycle at which a formula changes, ascending.
+    pub breaks: Vec<f64>,
+    /// Speeds at which the moment has a kink, ascending.
+    pub kinks: Vec<f64>,
+    /// J and M at a position and a speed ≥ 0; the piece between two breaks by
+    /// its number.
+    pub at: &'a dyn Fn(usize, f64, f64) -> Load,
+}
+
+/// What a cycle leaves.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct CycleEnd {
+    /// T after the cycle (J).
+    pub energy: f64,
+    /// How long it took (s).
+    pub period: f64,
+    /// dT(Φ)/dT(0).
+    pub multiplier: f64,
+}
+
+/// The steady motion of a machine with a characteristic.
+#[derive(Clone, Debug, Serialize)]
+pub struct Regime {
+    /// T at φ = 0 (J).
+    pub energy: f64,
+    /// ω at φ = 0 (rad/s).
+    pub speed: f64,
+    /// Duration of a cycle (s).
+    pub period: f64,
+    /// Mean over time (rad/s).
+    pub mean_speed: f64,
+    /// What is left of a small disturbance of T after a cycle.
+    pub multiplier: f64,
+    /// True when a small disturbance dies away.
+    pub attracts: bool,
+    /// Cycles followed in finding it.
+    pub cycles: u32,
+    /// |T(Φ)/T(0) − 1| left.
+    pub miss: f64,
+    /// Means of other steady motions found (rad/s), descending.
+    pub others: Vec<f64>,
+}
+
+/// Relative tolerance of the integration.
+const TOLERANCE: f64 = 1e-13;
+/// Cycles followed at most.
+const MOST_CYCLES: u32 = 200;
+/// Change of T over a cycle that counts as none.
+const CLOSED: f64 = 2e-13;
+
+/// T, t and ln ∂T/∂T(0) along the cycle.
+type State = [f64; 3];
+
+impl Machine<'_> {
+    fn pieces(&self) -> impl Iterator<Item = (usize, [f64; 2])> + '_ {
+        let ends = (std::iter::once(0.0))
+            .chain(self.breaks.iter().copied())
+            .chain([self.cycle]);
+        let last = ends.clone().skip(1);
+        ends.zip(last).map(|(from, to)| [from, to]).enumerate()
+    }
+
+    fn rates(&self, piece: usize, position: f64, state: &State) -> Option<State> {
+        let energy = state[0];
+        if !(energy > 0.0) {
+            return None;
+        }
+        let speed = self.speed(piece, position, energy);
+        let load = (self.at)(piece, position, speed);
+        let sound = load.moment.is_finite() && load.inertia > 0.0;
+        let slope = load.moment_by_speed / (load.inertia * speed);
+        sound.then_some([load.moment, 1.0 / speed, slope])
+    }
+
+    fn speed(&self, piece: usize, position: f64, energy: f64) -> f64 {
+        (2.0 * energy / (self.at)(piece, position, 0.0).inertia).sqrt()
+    }
+
+    /// Follows a stretch of a piece, broken where the speed meets a kink.
+    fn stretch(&self, piece: usize, ends: [f64; 2], state: &mut State) -> Result<(), f64> {
+        let mut f = |position: f64, state: &State| self.rates(piece, position, state);
+        let [mut at, to] = ends;
+        let mut crossings = 0;
+        while at < to {
+            let mut next = *state;
+            follow(&mut f, [at, to], &mut next, TOLERANCE)?;
+            let before = self.band(self.speed(piece, at, state[0]));
+            let after = self.band(self.speed(piece, to, next[0]));
+            // A speed that stays on a kink crosses it by rounding without end.
+            if before == after || crossings >= MOST_CROSSINGS {
+                *state = next;
+                return Ok(());
+            }
+            // The first kink on the way: to its place, and on behind it.
+            let kink = self.kinks[if after > before { before } else { before - 1 }];
+            let miss = |position: f64| match attempt(&mut f, at, position - at, state, TOLERANCE) {
+                Some((found, _)) => self.speed(piece, position, found[0]) - kink,
+                None => f64::NAN,
+            };
+            let found = bracketed(miss, [at, to], 1e-14 * kink.abs());
+            let place = match found.miss.is_finite() {
+                true if found.at > at => found.at,
+                _ => 0.5 * (at + to),
+            };
+            follow(&mut f, [at, place.min(to)], state, TOLERANCE)?;
+            // Just behind the kink, so that it is not met again at once.
+            let behind = (place + 1e-13 * self.cycle).min(to);
+            follow(&mut f, [place.min(to), behind], state, TOLERANCE)?;
+            at = behind;
+            crossings += 1;
+        }
+        Ok(())
+    }
+
+    fn band(&self, speed: f64) -> usize {
+        self.kinks.partition_point(|&kink| kink < speed)
+    }
+
+    /// Stretches that a piece is followed in.
+    fn stretches(&self, [from, to]: [f64; 2]) -> impl Iterator<Item = [f64; 2]> + use<> {
+        let count = (STRETCHES * (to - from) / self.cycle).ceil().max(1.0) as usize;
+        let place = move |i: usize| match i {
+            i if i == count => to,
+            i => from + (to - from) * i as f64 / count as f64,
+        };
+        (0..count).map(move |i| [place(i), place(i + 1)])
+    }
+
+    /// Follows a cycle from T(0) = `energy`; `seen` hears the state at the start
+    /// of every stretch.
+    ///
+    /// # Errors
+    /// The machine stalls.
+    fn follow(
+        &self,
+        energy: f64,
+        mut seen: impl FnMut(usize, [f64; 2], f64),
+    ) -> Result<CycleEnd, Refusal> {
+        let mut state = [energy, 0.0, 0.0];
+        let start = self.speed(0, 0.0, energy);
+        for (piece, ends) in self.pieces() {
+            for ends in self.stretches(ends) {
+                seen(piece, ends, state[0]);
+                self.stretch(piece, ends, &mut state)
+                    .map_err(|position| Refusal::Stalls {
+                        position,
+                        speed: start,
+                    })?;
+            }
+        }
+        Ok(CycleEnd {
+            energy: state[0],
+            period: state[1],
+            multiplier: state[2].exp(),
+        })
+    }
+
+    /// One cycle from T(0) = `energy` (J).
+    ///
+    /// # Errors
+    /// The machine stalls, at a position.
+    pub fn cycle(&self, energy: f64) -> Result<CycleEnd, Refusal> {
+        self.follow(energy, |_, _, _| {})
+    }
+
+    /// ∮ M(φ, ω) dφ at a constant speed, roughly.
+    fn work_at(&self, speed: f64) -> f64 {
+        let mut sum = 0.0;
+        for (piece, [from, to]) in self.pieces() {
+            let count = (SCAN * (to - from) / self.cycle).ceil().max(4.0) as usize;
+            let step = (to - from) / count as f64;
+            let moments =
+                (0..count).map(|i| (self.at)(piece, from + (i as f64 + 0.5) * step, speed).moment);
+            sum += step * moments.sum::<f64>();
+        }
+        sum
+    }
+
+    /// Speeds at which the forces of a cycle at constant speed balance and do
+    /// less work above: guesses of steady motions that attract, descending.
+    fn guesses(&self) -> Vec<f64> {
+        let speeds: Vec<f64> = (0..=240)
+            .map(|i| 10f64.powf(-3.0 + i as f64 / 30.0))
+            .collect();
+        let works: Vec<f64> = speeds.iter().map(|&speed| self.work_at(speed)).collect();
+        let mut found = Vec::new();
+        for i in (1..speeds.len()).rev() {
+            if works[i - 1] > 0.0 && works[i] <= 0.0 {
+                let ends = [speeds[i - 1], speeds[i]];
+                found.push(bracketed(|speed| self.work_at(speed), ends, 0.0).at);
+            }
+        }
+        found
+    }
+
+    /// The mean of J over the cycle, roughly.
+    fn mean_inertia(&self) -> f64 {
+        let (mut sum, mut count) = (0.0, 0.0);
+        for (piece, [from, to]) in self.pieces() {
+            for i in 0..32 {
+                let position = from + (to - from) * (f64::from(i) + 0.5) / 32.0;
+                sum += (self.at)(piece, position, 0.0).inertia;
+                count += 1.0;
+            }
+        }
+        sum / count
+    }
+
+    /// The fixed point that a guess of the mean speed leads to.
+    fn settle(&self, guess: f64) -> Result<(f64, CycleEnd, u32), Refusal> {
+        let mut energy = 0.5 * self.mean_inertia() * guess * guess;
+        let mut end = self.cycle(energy);
+        let mut cycles = 1;
+        // A cycle that begins too slowly proves nothing.
+        for _ in 0..4 {
+            if end.is_err() {
+                energy *= 2.0;
+                end = self.cycle(energy);
+                cycles += 1;
+            }
+        }
+        let mut end = end?;
+        while cycles < MOST_CYCLES {
+            let miss = end.energy - energy;
+            if miss.abs() <= CLOSED * energy {
+                return Ok((energy, end, cycles));
+            }
+            let newton = energy - miss / (end.multiplier - 1.0);
+            // (A multiplier of 1 makes it infinite.)
+            let near = newton > 0.2 * energy && newton < 5.0 * energy;
+            let mut next = if near && cycles > 2 {
+                newton
+            } else {
+                end.energy
+            };
+            let mut after = self.cycle(next);
+            cycles += 1;
+            if after.is_err() && next != end.energy {
+                next = end.energy;
+                after = self.cycle(next);
+                cycles += 1;
+            }
+            let after = after?;
+            let settled = (after.energy - next).abs() >= miss.abs() && miss.abs() < 1e-11 * energy;
+            if settled {
+                return Ok((energy, end, cycles));
+            }
+            (energy, end) = (next, after);
+        }
+        Err(Refusal::NoCycle {
+            why: format!(
+                "after {MOST_CYCLES} cycles from a mean of {guess:.4} rad/s the energy still \
+                 changes by {:.1e} of itself in a cycle",
+                (end.energy / energy - 1.0).abs()
+            ),
+        })
+    }
+
+    /// The steady motion that attracts; of several the fastest.
+    ///
+    /// # Errors
+    /// The machine stalls, or no speed is held.
+    pub fn regime(&self) -> Result<Regime, Refusal> {
+        let guesses = self.guesses();
+        let mut found: Vec<(f64, CycleEnd, u32)> = Vec::new();
+        let mut refusal = None;
+        for guess in guesses {
+            match self.settle(guess) {
+                Ok(one) => {
+                    let known = |other: &(f64, CycleEnd, u32)| (other.0 / one.0 - 1.0).abs() < 1e-6;
+                    if !found.iter().any(known) {
+                        found.push(one);
+                    }
+                }
+                Err(other) => refusal = refusal.or(Some(other)),
+            }
+        }
+        let mean = |end: &CycleEnd| self.cycle / end.period;
+        let best = found
+            .iter()
+            .position(|one| one.1.multiplier < 1.0)
+            .unwrap_or(0);
+        let Some(&(energy, end, cycles)) = found.get(best) else {
+            return Err(refusal.unwrap_or_else(|| Refusal::NoCycle {
+                why: "at no constant speed from 0.001 to 100 000 rad/s do the forces balance over \
+                      a cycle and brake above it"
+                    .to_owned(),
+            }));
+        };
+        found.remove(best);
+        Ok(Regime {
+            energy,
+            speed: self.speed(0, 0.0, energy),
+            period: end.period,
+            mean_speed: mean(&end),
+            multiplier: end.multiplier,
+            attracts: end.multiplier < 1.0,
+            cycles,
+            miss: (end.energy / energy - 1.0).abs(),
+            others: found.iter().map(|one| mean(&one.1)).collect(),
+        })
+    }
+
+    /// T at a position, from the states kept along a regime.
+    fn energy(&self, grid: &[(usize, f64, f64)], position: f64) -> Option<f64> {
+        let below = grid.partition_point(|entry| entry.1 <= position).max(1) - 1;
+        let (piece, from, energy) = grid[below];
+        let mut state = [energy, 0.0, 0.0];
+        let reached = position <= from || self.stretch(piece, [from, position], &mut state).is_ok();
+        reached.then_some(state[0])
+    }
+
+    /// Piece, place and T at the start of every stretch of a regime.
+    fn grid(&self, regime: &Regime) -> Result<Vec<(usize, f64, f64)>, Refusal> {
+        let mut grid = Vec::new();
+        self.follow(regime.energy, |piece, [from, _], energy| {
+            grid.push((piece, from, energy));
+        })?;
+        Ok(grid)
+    }
+
+    /// ω of a regime at `count` equal steps over the cycle, both ends included,
+    /// as the map itself gives them.
+    ///
+    /// # Errors
+    /// A stall.
+    pub fn speeds(&self, regime: &Regime, count: usize) -> Result<Vec<f64>, Refusal> {
+        let grid = self.grid(regime)?;
+        let speed = |i: usize| {
+            let position = self.cycle * i as f64 / count as f64;
+            let piece = self.breaks.partition_point(|&edge| edge <= position);
+            let energy = self.energy(&grid, position).unwrap_or(f64::NAN);
+            self.speed(piece, position, energy)
+        };
+        Ok((0..=count).map(speed).collect())
+    }
+
+    /// The machine with the moment of a regime as a function of the position
+    /// alone: M(φ, ω(φ)).
+    ///
+    /// # Errors
+    /// As [`Profile::new`]; a stall.
+    pub fn profile(&self, regime: &Regime) -> Result<Profile, Refusal> {
+        let grid = self.grid(regime)?;
+        let mut at = |piece: usize, position: f64| {
+            let energy = self.energy(&grid, position).unwrap_or(f64::NAN);
+            let speed = self.speed(piece, position, energy);
+            let load = (self.at)(piece, position, speed);
+            [load.inertia, load.moment]
+        };
+        Profile::new(self.cycle, &self.breaks, Given::Moment, &mut at)
+    }
+
+    /// The motion of a regime by the energy-mass method: its own moments as
+    /// functions of the position, its mean over time asked for.
+    ///
+    /// # Errors
+    /// As [`Machine::profile`] and [`motion::steady`].
+    pub fn motion(&self, regime: &Regime) -> Result<SteadyMotion, Refusal> {
+        motion::steady(&self.profile(regime)?, &Question::new(regime.mean_speed))
+    }
+}
+
+/// Kinks met in a stretch at most.
+const MOST_CROSSINGS: u32 = 16;
+/// Stretches in a cycle.
+const STRETCHES: f64 = 64.0;
+/// Places at which a cycle at constant speed is looked at.
+const SCAN: f64 = 256.0;

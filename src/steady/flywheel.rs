@@ -1,0 +1,206 @@
+//! The flywheel for a required coefficient of fluctuation.
+
+use super::law::Question;
+use super::motion::{SteadyMotion, steady};
+use super::profile::Profile;
+use super::refusal::Refusal;
+use super::root::bracketed;
+use serde::Serialize;
+
+/// A flywheel: the moment of inertia to add to the input link.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Flywheel {
+    /// δ asked for.
+    pub fluctuation: f64,
+    /// δ without a flywheel; `None` where the machine has no steady motion
+    /// without one.
+    pub fluctuation_without: Option<f64>,
+    /// The inertia to add (kg·m²), from the steady motion itself; 0 where none
+    /// is needed.
+    pub inertia: f64,
+    /// δ with it, as a check.
+    pub fluctuation_with: f64,
+    /// The approximations of the textbooks.
+    pub approximations: Vec<Approximation>,
+}
+
+/// A textbook's estimate of the inertia to add, and how wrong it is here.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Approximation {
+    /// What it is called.
+    pub name: &'static str,
+    /// In words.
+    pub words: &'static str,
+    /// The inertia to add (kg·m²).
+    pub inertia: f64,
+    /// Relative to the exact one, − 1; `None` where none is needed.
+    pub error: Option<f64>,
+    /// δ that it would give; `None` where there is no steady motion with it.
+    pub fluctuation: Option<f64>,
+}
+
+/// Flywheel by the fluctuation of energy: E/(δ·ω²) (kg·m²), E the greatest less
+/// the least energy (J). All other inertia is neglected.
+pub fn by_energy(energy: f64, fluctuation: f64, mean_speed: f64) -> f64 {
+    energy / (fluctuation * mean_speed * mean_speed)
+}
+
+/// Flywheel by Wittenbauer's tangents to the energy-mass curve, at the slopes
+/// ω_max²/2 and ω_min²/2, ω = ω_av·(1 ± δ/2): where they meet lies the origin.
+/// Exact when the mean is midway between the extremes.
+pub fn by_tangents(profile: &Profile, fluctuation: f64, mean_speed: f64) -> f64 {
+    let height = |sense: f64| {
+        let speed = mean_speed * (1.0 + sense * 0.5 * fluctuation);
+        let slope = 0.5 * speed * speed;
+        let above = profile.extreme(sense, |point| {
+            [
+                point.rise_signed - slope * point.inertia,
+                point.moment - slope * point.inertia_slope,
+            ]
+        });
+        above.value
+    };
+    (height(1.0) - height(-1.0)) / (fluctuation * mean_speed * mean_speed)
+}
+
+/// A motion with inertia added to the input link; `None` where the machine would
+/// stop.
+pub type WithInertia<'a> = &'a dyn Fn(f64) -> Result<Option<SteadyMotion>, Refusal>;
+
+/// The flywheel for a coefficient of fluctuation δ = (ω_max − ω_min)/ω_av.
+///
+/// # Errors
+/// δ is not between 0 and 2, or the steady motion is refused for another reason
+/// than for stopping.
+pub fn size(
+    profile: &Profile,
+    question: &Question,
+    fluctuation: f64,
+) -> Result<(Flywheel, SteadyMotion), Refusal> {
+    question.check()?;
+    let with = |inertia: f64| match steady(&profile.with_inertia(inertia)?, question) {
+        Ok(motion) => Ok(Some(motion)),
+        Err(Refusal::TooSlow { .. }) => Ok(None),
+        Err(refusal) => Err(refusal),
+    };
+    let first = by_energy(profile.range(), fluctuation, question.mean_speed);
+    size_of(&with, fluctuation, first + profile.least_inertia().value)
+}
+
+/// The same for any machine whose motion with a given inertia is known; `first`
+/// is a guess of the inertia (kg·m²), > 0.
+///
+/// # Errors
+/// As [`size`].
+pub fn size_of(
+    with: WithInertia<'_>,
+    fluctuation: f64,
+    first: f64,
+) -> Result<(Flywheel, SteadyMotion), Refusal> {
+    if !(fluctuation > 0.0 && fluctuation < 2.0) {
+        let message = format!("{fluctuation} is not between 0 and 2");
+        let hint = "δ = (ω_max − ω_min)/ω_av; machine tools 0.02 … 0.05";
+        return Err(Refusal::field("fluctuation", message, hint));
+    }
+    let own = with(0.0)?;
+    let without = own.as_ref().map(|motion| motion.figures.fluctuation);
+    let (inertia, motion) = match own {
+        Some(motion) if motion.figures.fluctuation <= fluctuation => (0.0, motion),
+        _ => {
+            let inertia = search(with, fluctuation, first, without)?;
+            let motion = with(inertia)?.ok_or_else(|| lost(fluctuation, without))?;
+            (inertia, motion)
+        }
+    };
+    let flywheel = Flywheel {
+        fluctuation,
+        fluctuation_without: without,
+        inertia,
+        fluctuation_with: motion.figures.fluctuation,
+        approximations: approximations(with, &motion, fluctuation, inertia)?,
+    };
+    Ok((flywheel, motion))
+}
+
+/// The textbooks' estimates, from the forces of the motion with the flywheel.
+fn approximations(
+    with: WithInertia<'_>,
+    motion: &SteadyMotion,
+    fluctuation: f64,
+    inertia: f64,
+) -> Result<Vec<Approximation>, Refusal> {
+    let speed = motion.figures.mean_speed;
+    let bare = motion.profile().with_inertia(-inertia)?;
+    let energy = by_energy(bare.range(), fluctuation, speed);
+    let least = bare.least_inertia().value;
+    let estimates = [
+        (
+            "energy",
+            "fluctuation of energy, all other inertia neglected",
+            energy,
+        ),
+        (
+            "energy_less_own",
+            "fluctuation of energy, less the machine's least own inertia",
+            (energy - least).max(0.0),
+        ),
+        (
+            "tangents",
+            "Wittenbauer's tangents to the energy-mass curve",
+            by_tangents(&bare, fluctuation, speed).max(0.0),
+        ),
+    ];
+    let judge = |(name, words, estimate): (&'static str, &'static str, f64)| {
+        Ok(Approximation {
+            name,
+            words,
+            inertia: estimate,
+            error: (inertia > 0.0).then(|| estimate / inertia - 1.0),
+            fluctuation: with(estimate)?.map(|motion| motion.figures.fluctuation),
+        })
+    };
+    estimates.into_iter().map(judge).collect()
+}
+
+/// Doublings of the first estimate at most.
+const DOUBLINGS: u32 = 200;
+
+fn lost(wanted: f64, without: Option<f64>) -> Refusal {
+    Refusal::Fluctuation {
+        wanted,
+        without,
+        why: "more inertia does not lower it".to_owned(),
+    }
+}
+
+fn search(
+    with: WithInertia<'_>,
+    wanted: f64,
+    first: f64,
+    without: Option<f64>,
+) -> Result<f64, Refusal> {
+    let excess = |inertia: f64| -> Result<f64, Refusal> {
+        // A machine that stops fluctuates by 2 at least in the limit.
+        Ok(with(inertia)?.map_or(2.0, |motion| motion.figures.fluctuation) - wanted)
+    };
+    let (mut low, mut high, mut tries) = (0.0, first, 0);
+    while excess(high)? > 0.0 {
+        (low, high, tries) = (high, 2.0 * high, tries + 1);
+        if tries > DOUBLINGS || !high.is_finite() {
+            return Err(lost(wanted, without));
+        }
+    }
+    let mut refused = None;
+    let found = bracketed(
+        |inertia| match excess(inertia) {
+            Ok(excess) => excess,
+            Err(refusal) => {
+                refused = Some(refusal);
+                f64::NAN
+            }
+        },
+        [low, high],
+        1e-12 * wanted,
+    );
+    refused.map_or(Ok(found.at), Err)
+}

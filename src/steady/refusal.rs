@@ -1,0 +1,197 @@
+//! Why there is no steady motion, in words and numbers.
+
+use super::Mean;
+use crate::fault::Fault;
+use serde::Serialize;
+
+/// Why a question for the steady motion has no answer. SI units, radians.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(tag = "reason", rename_all = "snake_case")]
+pub enum Refusal {
+    /// A number of the question is no good.
+    Input {
+        /// The field and what is wrong with it.
+        faults: Vec<Field>,
+    },
+    /// The work of a cycle is not zero: no motion repeats.
+    Surplus {
+        /// A(Φ), J: positive when the machine gains speed.
+        work: f64,
+        /// Greatest less least of A over the cycle.
+        range: f64,
+        /// The constant moment that would balance the cycle, −A(Φ)/Φ.
+        moment: f64,
+    },
+    /// The reduced moment of inertia is not above zero, or is no number.
+    Inertia {
+        /// Where.
+        position: f64,
+        /// J there.
+        inertia: f64,
+    },
+    /// The moment or the work is no number.
+    Moment {
+        /// Where.
+        position: f64,
+    },
+    /// J or M changes so roughly that no polynomials follow it.
+    Rough {
+        /// Where it is worst.
+        position: f64,
+    },
+    /// The mean asked for is below the lowest of all motions without a stop.
+    TooSlow {
+        /// The mean asked for.
+        wanted: f64,
+        /// Its reading.
+        mean: Mean,
+        /// The lowest mean.
+        lowest: f64,
+        /// Where the machine would stop.
+        position: f64,
+    },
+    /// The machine stops within a cycle.
+    Stalls {
+        /// Where its kinetic energy reaches zero.
+        position: f64,
+        /// The speed at φ = 0 of the cycle in which it does.
+        speed: f64,
+    },
+    /// No cycle was found that returns to its speed.
+    NoCycle {
+        /// What was tried and what came of it.
+        why: String,
+    },
+    /// The required coefficient of fluctuation cannot be had.
+    Fluctuation {
+        /// δ asked for.
+        wanted: f64,
+        /// δ without a flywheel; `None` where the machine would stop.
+        without: Option<f64>,
+        /// Why.
+        why: String,
+    },
+}
+
+/// A field of the question and what is wrong with it.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Field {
+    /// Its name.
+    pub field: String,
+    /// What is wrong.
+    pub message: String,
+    /// What would be right.
+    pub hint: String,
+}
+
+impl Refusal {
+    /// One bad field.
+    pub(crate) fn field(field: &str, message: impl Into<String>, hint: &str) -> Self {
+        let field = Field {
+            field: field.to_owned(),
+            message: message.into(),
+            hint: hint.to_owned(),
+        };
+        Self::Input {
+            faults: vec![field],
+        }
+    }
+
+    /// What is wrong, in a sentence.
+    pub fn message(&self) -> String {
+        match self {
+            Self::Input { faults } => {
+                let lines = faults.iter().map(|f| format!("{}: {}", f.field, f.message));
+                lines.collect::<Vec<_>>().join("; ")
+            }
+            Self::Surplus { work, range, .. } => {
+                let does = if *work > 0.0 { "gains" } else { "loses" };
+                let share = work.abs() / range.max(f64::MIN_POSITIVE);
+                let share = match share < 1e-3 {
+                    true => format!("{share:.1e}"),
+                    false => format!("{share:.4}"),
+                };
+                format!(
+                    "no steady motion: the forces do {work:.7} J of work in a cycle ({share} of \
+                     its range), so the machine {does} speed from cycle to cycle"
+                )
+            }
+            Self::Inertia { position, inertia } => format!(
+                "the reduced moment of inertia is {inertia} kg·m² at φ = {position:.6} rad; it \
+                 must be above zero"
+            ),
+            Self::Moment { position } => {
+                format!("the reduced moment is not a finite number at φ = {position:.6} rad")
+            }
+            Self::Rough { position } => format!(
+                "the reduced inertia or moment changes too roughly near φ = {position:.6} rad"
+            ),
+            Self::TooSlow {
+                wanted,
+                mean,
+                lowest,
+                position,
+            } => format!(
+                "no motion without a stop has the mean speed {wanted} rad/s ({}): the lowest mean \
+                 is {lowest:.7} rad/s, at which the machine stops at φ = {position:.6} rad",
+                mean.words()
+            ),
+            Self::Stalls { position, speed } => format!(
+                "the machine stalls at φ = {position:.6} rad in a cycle that begins with \
+                 {speed:.6} rad/s"
+            ),
+            Self::NoCycle { why } => format!("no cycle returns to its speed: {why}"),
+            Self::Fluctuation {
+                wanted,
+                without,
+                why,
+            } => {
+                let without = match without {
+                    Some(found) => format!("it is {found:.6}"),
+                    None => "the machine would stop".to_owned(),
+                };
+                format!(
+                    "no flywheel gives the coefficient of fluctuation {wanted} (without one \
+                     {without}): {why}"
+                )
+            }
+        }
+    }
+
+    /// What would be right; empty when there is nothing to say.
+    pub fn hint(&self) -> String {
+        match self {
+            Self::Surplus { moment, .. } => format!(
+                "`balance` adds the constant moment {moment:.7} N·m that makes the work zero"
+            ),
+            Self::TooSlow { mean, .. } if *mean != Mean::Time => {
+                "ask for a higher mean, or take the mean over time".to_owned()
+            }
+            Self::TooSlow { .. } => "ask for a higher mean, or add inertia".to_owned(),
+            Self::Inertia { .. } => {
+                "inertia on the drive itself: a motor's rotor, a flywheel".to_owned()
+            }
+            Self::Stalls { .. } => "a stronger motor, or more inertia".to_owned(),
+            _ => String::new(),
+        }
+    }
+
+    /// As faults of the properties under `path`.
+    pub fn faults(&self, path: &str) -> Vec<Fault> {
+        match self {
+            Self::Input { faults } => faults
+                .iter()
+                .map(|f| Fault::new(format!("{path}.{}", f.field), &f.message, &f.hint))
+                .collect(),
+            Self::TooSlow { .. } => {
+                let path = format!("{path}.mean_speed");
+                vec![Fault::new(path, self.message(), self.hint())]
+            }
+            Self::Fluctuation { .. } => {
+                let path = format!("{path}.fluctuation");
+                vec![Fault::new(path, self.message(), self.hint())]
+            }
+            _ => vec![Fault::new(path, self.message(), self.hint())],
+        }
+    }
+}

@@ -1,0 +1,135 @@
+//! `dam steady` as a program: its sources, forms, files and ends.
+
+use serde_json::Value;
+use std::path::Path;
+use std::process::{Command, Output};
+
+fn dam(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_dam"))
+        .arg("steady")
+        .args(arguments)
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .output()
+        .unwrap()
+}
+
+fn document(arguments: &[&str]) -> Value {
+    let output = dam(arguments);
+    let errors = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(output.status.success(), "{arguments:?}: {errors}");
+    serde_json::from_slice(&output.stdout).unwrap()
+}
+
+fn refused(arguments: &[&str], words: &str) {
+    let output = dam(arguments);
+    let errors = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(output.status.code(), Some(2), "{arguments:?}: {errors}");
+    assert!(errors.contains(words), "{arguments:?}: {errors}");
+    assert!(output.stdout.is_empty());
+}
+
+fn near(value: &Value, expected: f64) {
+    approx::assert_relative_eq!(value.as_f64().unwrap(), expected, max_relative = 1e-9);
+}
+
+const SINE: [&str; 6] = [
+    "--inertia",
+    "2",
+    "--work",
+    "30*sin(phi)",
+    "--mean-speed",
+    "10 rad/s",
+];
+
+#[test]
+fn expressions_and_tables_answer_as_documents() {
+    let found = document(&[&SINE[..], &["--json"]].concat());
+    near(
+        &found["rigid"]["figures"]["energy_at_start"],
+        103.342_352_430_808_92,
+    );
+    let folder = tempfile::tempdir().unwrap();
+    let table = folder.path().join("machine.csv");
+    let rows = (0..72).map(|k| {
+        let phi = f64::from(k) * 5.0;
+        format!("{phi},2,{}\n", 30.0 * phi.to_radians().sin())
+    });
+    let text = format!("phi [deg],J,A\n{}", rows.collect::<String>());
+    std::fs::write(&table, text).unwrap();
+    let path = table.to_str().unwrap();
+    let found = document(&[
+        "--table",
+        path,
+        "--mean-speed",
+        "10",
+        "--json",
+        "--mean",
+        "angle",
+    ]);
+    near(&found["rigid"]["energy_at_start"], 101.133_075_096_338_74);
+    assert!(found["rigid"]["halving"]["period"].is_number());
+}
+
+#[test]
+fn a_scene_keeps_its_expectations_and_writes_its_files() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("engine");
+    let scene = "scenarios/steady/engine.json";
+    let output = dam(&[scene, "--out", out.to_str().unwrap()]);
+    assert!(output.status.success());
+    let talk = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(talk.contains("expectations: 8 of 8 hold"), "{talk}");
+    let file = |name: &str| std::fs::read_to_string(Path::new(&out).join(name)).unwrap();
+    let summary: Value = serde_json::from_str(&file("steady.json")).unwrap();
+    near(&summary["rigid"]["figures"]["means"]["time"], 200.0);
+    assert_eq!(file("steady.csv").lines().count(), 362);
+    let report = file("report.html");
+    for word in ["Energy-mass diagram", "ω_max", "O₂", "Agreement"] {
+        assert!(report.contains(word), "{word}");
+    }
+    assert!(!report.contains("NaN"));
+    let csv = String::from_utf8(dam(&[scene, "--form", "csv", "-q"]).stdout).unwrap();
+    assert_eq!(csv, file("steady.csv"));
+    let svg = String::from_utf8(dam(&[scene, "--form", "svg", "-q"]).stdout).unwrap();
+    assert!(svg.starts_with("<svg"));
+}
+
+#[test]
+fn an_elastic_scene_answers_with_its_multipliers() {
+    let found = document(&["scenarios/valve_train/lift_off.json", "--json"]);
+    let part = &found["periodic"]["parts"][0];
+    assert_eq!(part["stability"], "attracts");
+    assert_eq!(part["long_run"]["settles"], true);
+    assert_eq!(part["orbit"][0][1].as_array().unwrap().len(), 721);
+}
+
+#[test]
+fn what_cannot_be_answered_ends_with_status_2_and_the_reason() {
+    let engine = "scenarios/steady/engine.json";
+    refused(&[engine, "--set", "steady.balance=false"], "gains speed");
+    refused(
+        &[engine, "--mean-speed", "120 rad/s", "--mean", "angle"],
+        "lowest mean is",
+    );
+    refused(&[engine, "--mean-speed", "10 Hz"], "angular speed");
+    refused(&[engine, "--fluctuation", "3"], "fluctuation");
+    refused(
+        &["--inertia", "2", "--mean-speed", "10"],
+        "--work or --moment",
+    );
+    refused(
+        &["--inertia", "2", "--work", "sin(psi)", "--mean-speed", "10"],
+        "psi",
+    );
+    refused(
+        &["--inertia", "cos(phi)", "--work", "0", "--mean-speed", "10"],
+        "above zero",
+    );
+    refused(&SINE[..4], "no mean speed");
+    refused(
+        &["--table", "no such file", "--mean-speed", "10"],
+        "cannot read",
+    );
+    refused(&["scenarios/press/punching.json"], "elastic");
+    refused(&[], "SCENE");
+}
