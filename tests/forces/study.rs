@@ -142,6 +142,26 @@ fn zones_of_self_locking() {
         assert!(forces.drive.abs() < 1e-9, "{inner}: {}", forces.drive);
     }
     assert!(before.to - before.from > 0.05 && after.to - after.from > 0.05);
+    // A range has the same zones from either end, also between its positions.
+    let case = case("paper-massless-mu0.1");
+    let linkage = spec("slider_crank", &case["data"]);
+    let range = |from: f64, to: f64| {
+        let course = Course::Even {
+            from,
+            to,
+            count: 5,
+            speed: 10.0,
+            acceleration: 0.0,
+            closed: false,
+        };
+        studied(&linkage, &case, course).zones
+    };
+    let (up, down) = (range(2.0, 4.0), range(4.0, 2.0));
+    assert_eq!((up.len(), down.len()), (1, 1), "{up:?} {down:?}");
+    for found in [up[0], down[0]] {
+        assert!((found.from - before.from).abs() < 1e-9, "{found:?}");
+        assert!((found.to - before.to).abs() < 1e-9, "{found:?}");
+    }
 }
 
 /// At μ = 1.3 nothing moves the slider-crank around 180°: a zone of its own.

@@ -155,7 +155,8 @@ fn marks<S: PositionSource>(
         if rest(b) && index + 2 == places.len() {
             reversals.push(high);
         }
-        let ends = [places[0].0, places[places.len() - 1].0];
+        let (first, last) = (places[0].0, places[places.len() - 1].0);
+        let ends = [first.min(last), first.max(last)];
         for place in reversals {
             for side in [-ASIDE, ASIDE] {
                 let near = place + side * (high - low);
