@@ -289,3 +289,93 @@ fn the_steps_of_the_own_methods_allocate_nothing() {
         assert_eq!(count(0.05), count(0.5), "{method}");
     }
 }
+
+/// A motor that drives a slider-crank with weights and a spring, on whose slide an
+/// elastic tool hangs.
+fn linkage_model(tool: bool) -> Model {
+    let tool_text = r#", "tool": { "kind": "slider", "input": "press.slide", "position": { "ratio": 1 },
+        "inertia": 3, "stiffness": 1e5, "damping_capacity": 0.1 }"#;
+    let text = format!(
+        r#"{{ "dam": 1, "name": "press", "objects": {{
+        "motor": {{ "kind": "drive", "motor": {{ "inertia": 0.01, "speed": 20, "torque": {{ "constant": 1 }} }} }},
+        "press": {{ "from": "linkage/slider-crank", "input": "motor", "gravity": true, "forces": {{
+            "spring": {{ "strut": {{ "from": "ground.O", "to": "slide.origin", "rate": 500, "free_length": 0.1, "damping": 2 }} }} }} }}{}
+      }}, "run": {{ "duration": 1, "start": "on_law" }} }}"#,
+        if tool { tool_text } else { "" }
+    );
+    let document = dam::scene::Document::parse("scene", text.as_bytes()).unwrap();
+    let reading = document
+        .scene(&dam::scene::BuiltIn, &dam::scene::Overrides::none())
+        .unwrap();
+    dam::lower::lower(&reading.scene).unwrap()
+}
+
+#[test]
+fn linkages_allocate_nothing_on_the_way() {
+    for tool in [true, false] {
+        let system = System::new(linkage_model(tool)).unwrap();
+        let start = system.initial_state().unwrap();
+        let (mut y, modes) = (start.y, start.modes);
+        let mut scratch = system.scratch();
+        let mut dy = vec![0.0; y.len()];
+        let direction = vec![0.5; y.len()];
+        let mut states = vec![ObjectState::default(); system.model().objects.len()];
+        let mut sum = 0.0;
+        let mut step = |time: f64| {
+            y[0] += 0.1;
+            system.derivatives(time, &y, &modes, &mut scratch, &mut dy);
+            system.tangent(time, &y, &modes, &direction, &mut scratch, &mut dy);
+            system.observe(time, &y, &modes, &mut scratch, &mut states);
+            sum += system.power(time, &y, &modes, &mut scratch).dissipated;
+            sum += system.energy(time, &y, &modes, &mut scratch).elastic;
+        };
+        step(0.0);
+        let before = ALLOCATIONS.with(Cell::get);
+        for index in 0..100 {
+            step(1e-3 * f64::from(index));
+        }
+        assert_eq!(ALLOCATIONS.with(Cell::get) - before, 0, "tool: {tool}");
+        assert!(sum.is_finite() && sum != 0.0);
+    }
+}
+
+/// A full turn of kinetostatics with friction, in both directions of the
+/// question: driving force of a motion, and motion under a driving force.
+#[test]
+fn kinetostatics_allocate_nothing() {
+    use dam::linkage::kinetostatics::{InputMotion, Kinetostatics, Options};
+    use dam::scene::{BuiltIn, Document, Overrides};
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+    for name in ["slider_crank", "slotted_lever"] {
+        let path = root.join(format!("scenarios/kinetostatics/{name}.json"));
+        let document = Document::parse(name, &std::fs::read(path).unwrap()).unwrap();
+        let reading = document.scene(&BuiltIn, &Overrides::none()).unwrap();
+        let model = dam::lower::lower(&reading.scene).unwrap();
+        let linkage = &model.linkages[0].linkage;
+        let solver = Kinetostatics::new(linkage.spec()).unwrap();
+        let (mut at, mut w) = (linkage.workspace(), solver.workspace());
+        let options = Options::default();
+        let now = || ALLOCATIONS.with(Cell::get);
+        let mut proved = 0;
+        for step in 0..36 {
+            let coordinate = f64::from(step) * 0.1745;
+            let before = now();
+            linkage.solve(coordinate, 3, &mut at).unwrap();
+            let motion = InputMotion {
+                coordinate,
+                speed: 10.0,
+                acceleration: 3.0,
+            };
+            let solved = solver.solve(&at, motion, &options, &mut w).unwrap();
+            assert!(solved.unique && now() == before, "{name} {coordinate}");
+            let (drive, before) = (w.drive(), now());
+            let back = solver.accelerate(&at, coordinate, 10.0, drive, &options, &mut w);
+            // Where uniqueness is not proved, others are looked for.
+            if back.unwrap().solved.is_some_and(|solved| solved.unique) {
+                assert_eq!(now(), before, "{name} {coordinate}");
+                proved += 1;
+            }
+        }
+        assert!(proved > 9, "{name}: {proved}");
+    }
+}

@@ -334,6 +334,13 @@ fn the_command_answers_in_every_form() {
     let json: Value = serde_json::from_str(&text(&["--json", "--speed", "470 rpm"])).unwrap();
     assert!(json["cam"]["force"]["margin"]["value"].as_f64().unwrap() < 0.0);
     assert_eq!(json["curves"][0]["name"], "profile");
+    let jump = scene_path("eccentric_jump");
+    let output = dam(&["cam", &jump, "--lift-off", "--json", "--quiet"]);
+    let json: Value = serde_json::from_slice(&output.stdout).unwrap();
+    let said = String::from_utf8(dam(&["cam", &jump]).stdout).unwrap();
+    assert!(said.contains("less than the reserve"), "{said}");
+    let elastic = json["cam"]["force"]["elastic"]["at"].as_f64().unwrap();
+    assert!((elastic / 30f64.sqrt() - 1.0).abs() < 1e-3, "{elastic}");
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().display().to_string();
     text(&["--out", &out]);
@@ -373,6 +380,16 @@ fn the_command_refuses_in_words() {
     refused(
         &["cam", &scene, "--set", "table.cam.positive=\"inward\""],
         "towards the cam",
+    );
+    refused(
+        &["cam", &scene, "--set", "table.cam.base_radius=1e300"],
+        "1e300 m",
+    );
+    let output = dam(&["cam", &scene, "--speed", "1e300 rad/s"]);
+    let said = String::from_utf8_lossy(&output.stdout).into_owned();
+    assert!(
+        said.contains("not known: the forces are no numbers"),
+        "{said}"
     );
     let without = root()
         .join("scenarios/rocker/two_masses.json")

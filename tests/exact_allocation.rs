@@ -72,6 +72,7 @@ fn switches_allocate_nothing() {
     let count = |end: f64| {
         let request = Request {
             figures: true,
+            audit: true,
             ..Request::new(end, 0)
         };
         let before = ALLOCATIONS.with(Cell::get);

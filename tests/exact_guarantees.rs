@@ -210,6 +210,27 @@ fn two_equal_branches_switch_together() {
 }
 
 #[test]
+fn a_pair_thrown_from_one_flank_onto_the_other_hits_it() {
+    // A narrow gap: the damper cuts the force off behind one flank, and the next
+    // that happens is the other flank.
+    let mut mass = TreeMass::new(0.1, None, 1e5, 60.0);
+    mass.pair = TreePair::Form { gap: 2e-4 };
+    mass.loads.push(TimeLoad::Constant(-20.0));
+    let mut p = problem(vec![mass], vec![sine(0.02, 300.0, 0.0)]);
+    p.displacement[0] = -3e-4;
+    p.speed[0] = 2.0;
+    let exact = compare(&p, vec![PairState::Pressed(0)], 0.05, 1e-5, 1e-8);
+    let over = |s: &&dam::exact::ExactSwitch| {
+        s.before == PairState::Pressed(0) && s.after == PairState::Engaged(1)
+    };
+    assert!(
+        exact.switches.iter().any(|s| over(&s)),
+        "{:?}",
+        exact.switches
+    );
+}
+
+#[test]
 fn chatter_ends_in_contact() {
     // Dropped onto its flank it bounces ever lower and stays: the law stands still.
     let mut mass = TreeMass::new(0.1, None, 1e5, 4.0);

@@ -174,6 +174,20 @@ fn the_block_of_a_slotted_link_moves_with_the_link_along_it_and_by_coriolis() {
     }
 }
 
+/// Lever below the crank: cos(half the return) = crank/distance.
+#[test]
+fn a_shaper_returns_faster_than_it_cuts() {
+    let text = include_str!("../scenarios/linkages/shaper.json");
+    let model = model(text);
+    let asked = Asked::new(&model, &question(None, 360)).unwrap();
+    let found = kinematics(&asked);
+    let stroke = found.strokes.iter().find(|s| s.owner == "ram").unwrap();
+    assert!(
+        (stroke.time_ratio - 1.41500555502).abs() < 1e-9,
+        "{stroke:?}"
+    );
+}
+
 fn dam(arguments: &[&str]) -> Output {
     let mut command = Command::new(env!("CARGO_BIN_EXE_dam"));
     command.args(arguments).output().unwrap()

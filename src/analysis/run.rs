@@ -114,7 +114,7 @@ fn attempt(
             samples: settings.samples,
             switch_rows: settings.switch_rows,
             window: window.as_ref().ok().copied(),
-            long_steps: choice.method == Method::Taylor,
+            long_steps: matches!(choice.method, Method::Taylor | Method::Radau),
         },
     );
     let mut all: Vec<&mut dyn Sink> = vec![&mut recorder];

@@ -1,9 +1,10 @@
 //! A disc cam made ready: law and geometry together.
 
+use super::check;
 use super::contact::{self, Touch, atan, plus, rotated, times};
 use super::motion::{FollowerMotion, Piece};
 use super::search::{At, extremes};
-use super::spec::{CamGeometry, Contact, Guide, Surface};
+use super::spec::{CamGeometry, Contact, Guide};
 use crate::fault::{Fault, Faults};
 use crate::number::{Dual, Number};
 use crate::position::Position;
@@ -76,7 +77,7 @@ impl DiscCam {
     /// the object (`cam.base_radius`, `position`).
     pub fn new(position: &Position, geometry: &CamGeometry) -> Result<Self, Vec<Fault>> {
         let mut faults = Faults::default();
-        check_numbers(geometry, &mut faults);
+        check::numbers(geometry, &mut faults);
         faults.check()?;
         let motion = FollowerMotion::new(position, geometry.outward, geometry.range)?;
         Self::of(Arc::new(motion), geometry)
@@ -86,7 +87,7 @@ impl DiscCam {
         let mut faults = Faults::default();
         let start = contact::start(geometry);
         let start = start.unwrap_or_else(|| {
-            refuse_start(geometry, &mut faults);
+            check::refuse_start(geometry, &mut faults);
             f64::NAN
         });
         faults.check()?;
@@ -97,6 +98,8 @@ impl DiscCam {
         };
         cam.check_reach(&mut faults);
         faults.check()?;
+        cam.check_finite(&mut faults);
+        faults.check()?;
         Ok(cam)
     }
 
@@ -105,6 +108,26 @@ impl DiscCam {
     pub(crate) fn with_prime_radius(&self, radius: f64) -> Option<Self> {
         let geometry = self.geometry.with_prime_radius(radius);
         Self::of(Arc::clone(&self.motion), &geometry).ok()
+    }
+
+    /// Every number of the contact exists, at all points of the search.
+    fn check_finite(&self, faults: &mut Faults) {
+        for piece in self.motion.pieces() {
+            for step in 0..=piece.intervals {
+                let phi = piece.place(step);
+                let touch: Touch<f64> = self.touch(piece, phi);
+                let sum = touch.point[0] + touch.point[1] + touch.pressure + touch.bend;
+                if !(sum + touch.rate + touch.lever).is_finite() || touch.rate == 0.0 {
+                    let message = format!(
+                        "at φ = {:.4} deg the follower touches no place of the cam that could be \
+                         computed",
+                        phi.to_degrees()
+                    );
+                    let hint = "give a geometry of the size of the stroke";
+                    return faults.add("cam", message, hint);
+                }
+            }
+        }
     }
 
     /// A turning follower must stay on one side of the line of centres, and the
@@ -322,107 +345,5 @@ impl DiscCam {
     /// bends: its curvature (roller), its radius of curvature (flat face).
     pub(crate) fn bends(&self) -> [At; 2] {
         extremes(&self.motion, |piece, phi| self.touch(piece, phi).bend)
-    }
-}
-
-fn check_numbers(geometry: &CamGeometry, faults: &mut Faults) {
-    faults.positive("cam.base_radius", geometry.base_radius);
-    faults.finite("cam.direction", geometry.direction);
-    match geometry.guide {
-        Guide::Translating { offset } => faults.finite("cam.offset", offset),
-        Guide::Turning {
-            centre_distance,
-            arm,
-            ..
-        } => {
-            faults.positive("cam.centre_distance", centre_distance);
-            if geometry.roller().is_some() {
-                faults.positive("cam.arm", arm);
-            }
-        }
-    }
-    match geometry.contact {
-        Contact::Roller { radius } => {
-            faults.positive("cam.contact.roller", radius);
-            if geometry.surface == Surface::Hollow && radius >= geometry.base_radius {
-                let message = "the roller does not fit into the hollow cam's base circle";
-                let hint = format!("give a radius below {} m", geometry.base_radius);
-                faults.add("cam.contact.roller", message, &hint);
-            }
-        }
-        Contact::KnifeEdge => {}
-        Contact::Flat {
-            inclination,
-            face_offset,
-            width,
-        } => {
-            faults.finite("cam.contact.flat.face_offset", face_offset);
-            if inclination.is_nan() || inclination.abs() >= FRAC_PI_2 {
-                let message = "a face along the direction of motion cannot be pushed";
-                let hint = "give an inclination between -90 and 90 deg";
-                faults.add("cam.contact.flat.inclination", message, hint);
-            }
-            if let Some(width) = width {
-                faults.positive("cam.contact.flat.width", width);
-            }
-        }
-    }
-    if geometry.surface != Surface::Disc && !matches!(geometry.contact, Contact::Roller { .. }) {
-        let message = "only a roller can run in a groove or inside a hollow cam";
-        faults.add(
-            "cam.surface",
-            message,
-            "give a roller, or the surface `disc`",
-        );
-    }
-}
-
-/// Says which base circles the follower can reach.
-fn refuse_start(geometry: &CamGeometry, faults: &mut Faults) {
-    let base = geometry.base_radius;
-    let shift = base - geometry.prime_radius();
-    match (geometry.guide, geometry.contact) {
-        (Guide::Translating { offset }, _) => {
-            let message = format!(
-                "with an offset of {offset} m the follower does not reach the base circle of {base} m"
-            );
-            let hint = format!(
-                "give a base radius above {:.6} m, or an offset below {:.6} m",
-                offset.abs() + shift,
-                geometry.prime_radius()
-            );
-            faults.add("cam.base_radius", message, &hint);
-        }
-        (
-            Guide::Turning {
-                centre_distance, ..
-            },
-            Contact::Flat { face_offset, .. },
-        ) => {
-            let message = format!("the face does not reach a base circle of {base} m");
-            let (low, high) = ((-face_offset).max(0.0), centre_distance - face_offset);
-            let hint = format!("give a base radius between {low:.6} and {high:.6} m");
-            faults.add("cam.base_radius", message, &hint);
-        }
-        (
-            Guide::Turning {
-                centre_distance,
-                arm,
-                ..
-            },
-            _,
-        ) => {
-            let message = format!(
-                "an arm of {arm} m on an axis {centre_distance} m away does not reach the base \
-                 circle of {base} m"
-            );
-            let (low, high) = ((centre_distance - arm).abs(), centre_distance + arm);
-            let hint = format!(
-                "give a base radius between {:.6} and {:.6} m",
-                (low + shift).max(0.0),
-                high + shift
-            );
-            faults.add("cam.base_radius", message, &hint);
-        }
     }
 }

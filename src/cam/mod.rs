@@ -12,6 +12,7 @@
 //! form they stand in every textbook on cams (J. Volmer, *Kurvengetriebe*;
 //! R. Norton, *Cam Design and Manufacturing Handbook*).
 
+mod check;
 pub mod closing;
 mod contact;
 mod curve;

@@ -31,6 +31,10 @@
 //! there. Extremes in [`TreeFigures`] are found with bounds of Hermite's cubic
 //! between the ends of the steps.
 //!
+//! With [`Request::audit`] the energy balance is closed ([`TreeAudit`]): work of
+//! the law and of the loads, dissipation and change of energy are integrals of
+//! products of modes, harmonics and polynomials, in closed form over each phase.
+//!
 //! # Limits
 //!
 //! - Modes that coincide or nearly do (critical damping, equal branches) are
@@ -73,7 +77,10 @@
 //!
 //! Of the figures, the extremes and mean of δ and the lift of one case are
 //! compared with values computed elsewhere; the bounds they are found with are
-//! tested as such.
+//! tested as such. The energy audit closes to 10⁻¹⁰ of its scale in all these
+//! runs, to 10⁻¹² on the rocker; work of loads and dissipation of the random
+//! scenes agree to 10⁻⁹ with the recorder's, which integrates powers, and all
+//! parts do on the rocker.
 //!
 //! # Sources of the method
 //!

@@ -29,8 +29,10 @@ pub(crate) struct Panel {
     weights: Vec<V>,
     /// |weight|, and |weight|·|λ|⁴, by lane.
     sizes: Vec<[V; 2]>,
-    /// Weight/λ of the first functional: its primitive.
-    primitive: Vec<C>,
+    /// Weight/λ of the first functional, its primitive, by block: re, im.
+    primitive: Vec<[V; 2]>,
+    /// Lanes with λ = 0, whose primitive grows with time.
+    resting: Vec<usize>,
     /// Factors of η, η̇ of every floating part, and 1 where the speed is folded
     /// into the harmonic's lane.
     rigid: Vec<[V; 3]>,
@@ -40,8 +42,9 @@ impl Panel {
     pub(crate) fn new(basis: &Basis, functionals: [Functional; WIDTH]) -> Self {
         let mut weights = Vec::with_capacity(8 * basis.lanes.len());
         let mut sizes = Vec::new();
-        let mut primitive = Vec::new();
-        for lane in &basis.lanes {
+        let mut primitive = vec![[V::ZERO; 2]; basis.blocks];
+        let mut resting = Vec::new();
+        for (k, lane) in basis.lanes.iter().enumerate() {
             let w = [0, 1, 2, 3].map(|f| functionals[f].weight(&basis.rigid, lane));
             let mut power = C::new(1.0, 0.0);
             for _ in 0..4 {
@@ -51,12 +54,13 @@ impl Panel {
             }
             let size = V(w.map(|x| x.norm()));
             sizes.push([size, size * V::splat(lane.lambda.norm().powi(4))]);
-            let zero = lane.lambda.norm() == 0.0;
-            primitive.push(if zero {
-                C::default()
+            if lane.lambda.norm() == 0.0 {
+                resting.push(k);
             } else {
-                w[0] / lane.lambda
-            });
+                let own = w[0] / lane.lambda;
+                primitive[k / WIDTH][0].0[k % WIDTH] = own.re;
+                primitive[k / WIDTH][1].0[k % WIDTH] = own.im;
+            }
         }
         let rigid = basis
             .rigid
@@ -92,6 +96,7 @@ impl Panel {
             weights,
             sizes,
             primitive,
+            resting,
             rigid,
         }
     }

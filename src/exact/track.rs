@@ -161,7 +161,7 @@ impl Track {
         }
         self.last = self.state.point::<A>(basis, panel, phase, e);
         if self.asked.mean {
-            self.turned = self.state.primitive::<A>(basis, panel, phase, e);
+            self.turned = self.state.primitive::<A>(panel, phase, e);
         }
     }
 
@@ -274,9 +274,7 @@ impl Track {
         if !self.asked.mean {
             return;
         }
-        let last = self
-            .state
-            .primitive::<A>(scene.basis, scene.panel, scene.phase, e);
+        let last = self.state.primitive::<A>(scene.panel, scene.phase, e);
         self.area += (last - self.turned).abs();
     }
 

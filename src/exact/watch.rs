@@ -111,11 +111,12 @@ impl Workspace<'_> {
             PairState::Pressed(_) if undamped => PairState::Free,
             target => target,
         };
-        match (before, after) {
-            (_, PairState::Free) => self.zeros[clear] = 1,
-            (_, PairState::Pressed(_)) | (PairState::Pressed(_), _) => self.zeros[clear + 1] = 1,
-            _ if undamped => self.zeros[clear + 1] = 1,
-            _ => {}
+        // The function that fired is zero; without damping so is the force where
+        // the flank is touched. (Coming over from the other flank's Pressed it is not.)
+        if after == PairState::Free {
+            self.zeros[clear] = 1;
+        } else if watch.functional > clear || undamped {
+            self.zeros[clear + 1] = 1;
         }
         self.states[i] = after;
         self.out.switches.push(ExactSwitch {

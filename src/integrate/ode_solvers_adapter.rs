@@ -23,7 +23,7 @@
 use super::run::{Run, Verdict};
 use super::{Dynamics, Method, Stop};
 use ode_solvers::dop_shared::IntegrationError;
-use ode_solvers::{DVector, Dop853, Dopri5, OutputType, Rk4, System};
+use ode_solvers::{DVector, Dop853, Dopri5, OutputType, Rk4, SVector, System};
 use std::cell::{Cell, RefCell};
 
 /// Local error allowed per step, relative to the tolerance asked for.
@@ -110,25 +110,35 @@ fn dop853<D: Dynamics>(run: &mut Run<'_, D>) {
     let mut problem = Problem::new(run, &counters, rounding(start, target));
     problem.time_unit = Some(TIME_UNIT * (target - start));
     let state = problem.scaled_start();
-    let ended = Dop853::from_param(
-        problem,
-        start,
-        target,
-        0.0,
-        state,
-        tolerance,
-        tolerance,
-        0.9,
-        0.0,
-        0.333,
-        6.0,
-        longest,
-        first,
-        u32::MAX,
-        u32::MAX,
-        OutputType::Sparse,
-    )
-    .integrate();
+    macro_rules! solve {
+        ($state:expr) => {
+            Dop853::from_param(
+                problem,
+                start,
+                target,
+                0.0,
+                $state,
+                tolerance,
+                tolerance,
+                0.9,
+                0.0,
+                0.333,
+                6.0,
+                longest,
+                first,
+                u32::MAX,
+                u32::MAX,
+                OutputType::Sparse,
+            )
+            .integrate()
+        };
+    }
+    // One and two coordinates, with the clock.
+    let ended = match state.len() {
+        3 => solve!(SVector::<f64, 3>::from_column_slice(state.as_slice())),
+        5 => solve!(SVector::<f64, 5>::from_column_slice(state.as_slice())),
+        _ => solve!(state),
+    };
     let (calls, accepted) = (counters.calls.get(), counters.accepted.get());
     let attempts = calls.saturating_sub(1 + accepted) / 11;
     run.rejected += attempts.saturating_sub(accepted);
@@ -224,8 +234,9 @@ impl<'r, 'a, D: Dynamics> Problem<'r, 'a, D> {
     }
 }
 
-impl<D: Dynamics> System<f64, DVector<f64>> for Problem<'_, '_, D> {
-    fn system(&self, x: f64, z: &DVector<f64>, dz: &mut DVector<f64>) {
+impl<D: Dynamics> Problem<'_, '_, D> {
+    /// Derivative of the scaled state.
+    fn rates(&self, x: f64, z: &[f64], dz: &mut [f64]) {
         self.counters.calls.set(self.counters.calls.get() + 1);
         let mut work = self.work.borrow_mut();
         let Work { y, dy } = &mut *work;
@@ -247,7 +258,8 @@ impl<D: Dynamics> System<f64, DVector<f64>> for Problem<'_, '_, D> {
         }
     }
 
-    fn solout(&mut self, x: f64, z: &DVector<f64>, dz: &DVector<f64>) -> bool {
+    /// Hands a step on; true when the leg ends.
+    fn passed(&mut self, x: f64, z: &[f64], dz: &[f64]) -> bool {
         let scales = self.scales();
         let Work { y, dy } = self.work.get_mut();
         unscale(z, scales, y);
@@ -265,8 +277,29 @@ impl<D: Dynamics> System<f64, DVector<f64>> for Problem<'_, '_, D> {
     }
 }
 
-fn unscale(z: &DVector<f64>, scales: &[f64], y: &mut [f64]) {
-    for ((y, z), scale) in y.iter_mut().zip(z.iter()).zip(scales) {
+impl<D: Dynamics> System<f64, DVector<f64>> for Problem<'_, '_, D> {
+    fn system(&self, x: f64, z: &DVector<f64>, dz: &mut DVector<f64>) {
+        self.rates(x, z.as_slice(), dz.as_mut_slice());
+    }
+
+    fn solout(&mut self, x: f64, z: &DVector<f64>, dz: &DVector<f64>) -> bool {
+        self.passed(x, z.as_slice(), dz.as_slice())
+    }
+}
+
+/// For few states, whose vectors need no memory of their own.
+impl<D: Dynamics, const N: usize> System<f64, SVector<f64, N>> for Problem<'_, '_, D> {
+    fn system(&self, x: f64, z: &SVector<f64, N>, dz: &mut SVector<f64, N>) {
+        self.rates(x, z.as_slice(), dz.as_mut_slice());
+    }
+
+    fn solout(&mut self, x: f64, z: &SVector<f64, N>, dz: &SVector<f64, N>) -> bool {
+        self.passed(x, z.as_slice(), dz.as_slice())
+    }
+}
+
+fn unscale(z: &[f64], scales: &[f64], y: &mut [f64]) {
+    for ((y, z), scale) in y.iter_mut().zip(z).zip(scales) {
         *y = z * scale;
     }
 }

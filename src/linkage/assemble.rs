@@ -71,7 +71,8 @@ fn dyad_at_start(
     index: usize,
 ) -> Result<f64, Wrong> {
     let around = around::<1>(dyad, state);
-    let margin = dyad.directions(&around, 1.0, plan.size).margin;
+    let side = dyad.side(&around);
+    let margin = dyad.directions(&around, side, plan.size).margin;
     let names = names(spec, &dyad.bodies);
     if !(margin.value > tolerance(&margin)) {
         return Err(not_assemblable(spec, dyad, state, &names, &margin));
@@ -89,13 +90,13 @@ fn dyad_at_start(
     };
     let asked = asked_branch(choices);
     if matches!(dyad.form, Form::Prp | Form::Rpp) {
-        place(1.0);
+        place(side);
         return match asked? {
             Some(_) => Err((
                 format!("{names} have one assembly only"),
                 "leave out the branch".to_owned(),
             )),
-            None => Ok(1.0),
+            None => Ok(side),
         };
     }
     let sign = match asked? {

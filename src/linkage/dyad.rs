@@ -51,7 +51,8 @@ pub(super) struct Dyad {
 pub(super) struct Margin {
     /// Dimensionless, positive where the group can be assembled, going through
     /// zero like the square of the distance of its two assemblies; for RRR sin²
-    /// of the angle between the links.
+    /// of the angle between the links, for PRP and RPP the sine of that between
+    /// the guides.
     pub(super) value: f64,
     /// Its derivative by the input.
     pub(super) slope: f64,
@@ -102,8 +103,8 @@ impl Dyad {
             Form::Rrr => self.rrr(around, sign, size),
             Form::Rrp => self.rrp(around, sign, size),
             Form::Rpr => self.rpr(around, sign * self.sense, size),
-            Form::Prp => self.prp(around),
-            Form::Rpp => self.rpp(around),
+            Form::Prp => self.prp(around, sign),
+            Form::Rpp => self.rpp(around, sign),
         }
     }
 
@@ -269,15 +270,36 @@ impl Dyad {
         }
     }
 
-    /// Two lines: no branch.
+    /// Two lines: one assembly, `sign` only says on which side the second guide
+    /// points, so that the margin goes through zero where they are parallel.
     #[inline(always)]
-    fn prp<const N: usize>(&self, around: &Around<N>) -> Directions<N> {
+    fn prp<const N: usize>(&self, around: &Around<N>, sign: f64) -> Directions<N> {
         let (first, one) = self.guided(around, 0);
         let (second, other) = self.guided(around, 1);
         Directions {
             of: [one, other],
-            margin: Margin::new(first.cross(second).square(), 4.0),
+            margin: Margin::new(first.cross(second).scale(sign), 4.0),
         }
+    }
+
+    /// Sine of the angle from the outer to the inner guide of the second body.
+    #[inline(always)]
+    fn crossing_guides<const N: usize>(&self, relative: &Frame<N>) -> Series<N> {
+        let (out, guide) = (self.outer[1].guide(relative), self.inner[1].guide(relative));
+        out.vector().cross(guide.vector())
+    }
+
+    /// The side to which the second guide of PRP or RPP points; + for all others.
+    pub(super) fn side(&self, around: &Around<1>) -> f64 {
+        let sine = match self.form {
+            Form::Prp => {
+                let [(first, _), (second, _)] = [0, 1].map(|k| self.guided(around, k));
+                first.cross(second)
+            }
+            Form::Rpp => self.crossing_guides(&around.relative),
+            _ => return 1.0,
+        };
+        1f64.copysign(sine.value())
     }
 
     /// Where the inner pin of PRP lies.
@@ -292,15 +314,15 @@ impl Dyad {
         foot + first.times(missing * second.cross(first).reciprocal())
     }
 
-    /// All directions are given: no branch.
+    /// All directions are given: one assembly, `sign` as for PRP. The angle
+    /// between the guides of the second body changes only where it is driven.
     #[inline(always)]
-    fn rpp<const N: usize>(&self, around: &Around<N>) -> Directions<N> {
+    fn rpp<const N: usize>(&self, around: &Around<N>, sign: f64) -> Directions<N> {
         let relative = &around.relative;
         let (_, second) = self.guided(around, 1);
         let inner = self.inner[1].guide(relative).seen(second);
         let first = self.inner[0].guide(relative).frame(inner);
-        let (out, guide) = (self.outer[1].guide(relative), self.inner[1].guide(relative));
-        let crossing = out.vector().cross(guide.vector()).square();
+        let crossing = self.crossing_guides(relative).scale(sign);
         Directions {
             of: [first, second],
             margin: Margin::new(crossing, 4.0),

@@ -2,7 +2,7 @@
 
 use super::change::Change;
 use super::course::{hermite, nearest_turn};
-use super::dyad::Margin;
+use super::dyad::{Form, Margin};
 use super::plan::Step;
 use super::solve::{Stuck, around};
 use super::state::Motion;
@@ -99,7 +99,8 @@ impl Walker<'_> {
         }
         // Just on a dead position or a change point: nothing can be said here.
         if gap.abs() <= LEFT * self.unit {
-            return Verdict::End(self.just_beyond(group, to, &b), group);
+            let end = self.just_beyond(group, to, &b);
+            return self.end(end, group);
         }
         Verdict::Shorten(from + 0.73 * gap)
     }
@@ -150,12 +151,29 @@ impl Walker<'_> {
     }
 
     /// Goes a part of the way to an end, which is reached when little is left.
-    fn approach(&self, end: f64, group: usize) -> Verdict {
+    fn approach(&mut self, end: f64, group: usize) -> Verdict {
         let left = end - self.place.at;
-        if left.abs() <= LEFT * self.unit {
-            Verdict::End(end, group)
+        if left.abs() > LEFT * self.unit {
+            return Verdict::Shorten(self.place.at + 0.75 * left);
+        }
+        self.end(end, group)
+    }
+
+    /// The end of a group, unless another comes to its end before.
+    fn end(&mut self, end: f64, group: usize) -> Verdict {
+        // On the little that is left a later group may come to its end first.
+        let (mut near, mut far, mut first) = (self.place.at, end, group);
+        for _ in 0..60 {
+            let middle = near + 0.5 * (far - near);
+            match self.try_at::<2>(middle, self.plan.steps.len()) {
+                Ok(()) => near = middle,
+                Err(Stuck(other)) => (far, first) = (middle, other),
+            }
+        }
+        if (end - near).abs() > 1e-13 * self.unit.max(end.abs()) {
+            Verdict::End(near, first)
         } else {
-            Verdict::Shorten(self.place.at + 0.75 * left)
+            Verdict::End(end, group)
         }
     }
 
@@ -181,6 +199,10 @@ impl Walker<'_> {
         let Step::Dyad(dyad) = &self.plan.steps[group] else {
             return None;
         };
+        if matches!(dyad.form, Form::Prp | Form::Rpp) {
+            // Two guides become parallel: their crossing goes to infinity.
+            return None;
+        }
         let (way, size) = (self.way, self.plan.size);
         Change::fit(at, way, 0.6 * self.unit, |input, side| {
             self.try_at::<1>(input, group).ok()?;

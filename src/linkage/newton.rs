@@ -148,7 +148,12 @@ impl NewtonGroup {
                 let unit = if row % 3 == 2 { 1.0 } else { size };
                 scratch.unknowns[row][0] += shortened * scratch.right[row] * unit;
             }
-            if change < 1e-15 || (change < 1e-9 && change >= 0.5 * before) {
+            // Far away, where guides become parallel, rounding counts for more.
+            let far = (0..n).filter(|row| row % 3 != 2);
+            let far = far.fold(1.0, |most: f64, row| {
+                most.max(scratch.unknowns[row][0].abs() / size)
+            });
+            if change < 1e-15 || (change < 1e-9 * far && change >= 0.5 * before) {
                 // The factors belong to a position that differs by rounding.
                 return Ok(determinant);
             }

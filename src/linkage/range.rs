@@ -46,7 +46,8 @@ pub struct End {
 /// Why the input goes no further.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Cause {
-    /// A group is in a dead position: velocities grow without bound.
+    /// A group is in a dead position: velocities grow without bound. Of a group
+    /// solved by iteration also a position in which two of its assemblies meet.
     DeadPosition {
         /// Index into [`Structure::groups`].
         group: usize,

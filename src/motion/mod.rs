@@ -258,11 +258,6 @@ mod tests {
                 speed: -7.0,
                 angle: 0.3,
             },
-            DriveMotionSpec::Accelerated {
-                acceleration: -3.0,
-                speed: 2.0,
-                angle: 0.5,
-            },
             DriveMotionSpec::RunUp {
                 speed: 30.0,
                 time: 0.4,
@@ -287,6 +282,11 @@ mod tests {
             }),
             DriveMotionSpec::Table {
                 points: vec![(0.0, 0.0), (0.2, 1.0), (0.5, 1.5), (0.6, 3.0), (1.0, 2.0)],
+            },
+            DriveMotionSpec::Accelerated {
+                acceleration: -3.0,
+                speed: 2.0,
+                angle: 0.5,
             },
         ]
         .iter()

@@ -74,6 +74,7 @@ impl<const K: usize> Sub for Duals<K> {
 
 impl<const K: usize> Mul for Duals<K> {
     type Output = Self;
+    #[allow(clippy::suspicious_arithmetic_impl)] // the rule of products is a sum
     #[inline(always)]
     fn mul(self, other: Self) -> Self {
         Self::with(self.value * other.value, |k| {
@@ -84,6 +85,7 @@ impl<const K: usize> Mul for Duals<K> {
 
 impl<const K: usize> Div for Duals<K> {
     type Output = Self;
+    #[allow(clippy::suspicious_arithmetic_impl)] // the rule of quotients
     #[inline(always)]
     fn div(self, other: Self) -> Self {
         let (value, inverse) = (self.value / other.value, 1.0 / other.value);

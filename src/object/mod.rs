@@ -66,6 +66,9 @@ pub enum Description<'a> {
     Linkage(&'a DrivenLinkage),
 }
 
+/// Outputs by name, with whether they turn or slide; `None`: not known.
+pub type Outputs = Vec<(String, Option<Coordinate>)>;
+
 /// A kind of object: how it is read from a scene.
 #[derive(Clone, Copy, Debug)]
 pub struct Kind {
@@ -77,7 +80,7 @@ pub struct Kind {
     pub driven: bool,
     /// Its outputs besides its own displacement, as far as the text tells: their
     /// names, and whether they turn or slide.
-    pub outputs: fn(&Node) -> Vec<(String, Option<Coordinate>)>,
+    pub outputs: fn(&Node) -> Outputs,
     /// Whether it turns or slides, as far as the text tells.
     pub coordinate: fn(&Node) -> Option<Coordinate>,
     /// Reads its properties, those common to all kinds excepted.
@@ -85,7 +88,7 @@ pub struct Kind {
 }
 
 /// Most kinds have no outputs but their own displacement.
-fn no_outputs(_: &Node) -> Vec<(String, Option<Coordinate>)> {
+fn no_outputs(_: &Node) -> Outputs {
     Vec::new()
 }
 

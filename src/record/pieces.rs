@@ -1,12 +1,15 @@
 //! Long steps in pieces.
 //!
-//! Power series take steps of a whole oscillation and more. Quadratures and the
+//! Power series take steps of a whole oscillation and more, collocation of high
+//! order steps of half of one. Quadratures and the
 //! search for extremes look at a step at a few places: they want pieces within
 //! which a motion bends once.
 
 use crate::polynomial::{Step, divide};
 
-/// Degree above which a continuous output is that of a power series.
+/// Degree above which a continuous output is that of collocation of high order.
+const SHORT: usize = 5;
+/// Degree above which it is that of a power series.
 const LONG: usize = 9;
 /// Degree above which its steps are longer still.
 const LONGER: usize = 14;
@@ -14,7 +17,8 @@ const LONGER: usize = 14;
 /// Number of pieces for an output of a degree.
 pub(super) fn count(degree: usize) -> usize {
     match degree {
-        0..=LONG => 1,
+        0..=SHORT => 1,
+        6..=LONG => 3,
         10..=LONGER => 4,
         _ => 8,
     }
@@ -91,6 +95,6 @@ mod tests {
             number += 1;
         });
         approx::assert_abs_diff_eq!(next, 2.45, epsilon = 1e-15);
-        assert_eq!((number, count(5), count(8), count(24)), (4, 1, 1, 8));
+        assert_eq!((number, count(5), count(9), count(24)), (4, 1, 3, 8));
     }
 }

@@ -24,8 +24,8 @@ pub struct RecorderSettings {
     pub switch_rows: bool,
     /// Window in which the working order of pairs is judged (s).
     pub window: Option<[f64; 2]>,
-    /// True for power series, whose steps may be whole oscillations long: they
-    /// are looked at in pieces.
+    /// True for power series and collocation, whose steps may be whole
+    /// oscillations long: they are looked at in pieces.
     pub long_steps: bool,
 }
 

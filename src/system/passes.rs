@@ -45,6 +45,8 @@ pub(super) struct Work<N> {
     pub(super) laws: Vec<LawValues<N>>,
     /// F of link 1 (one for each chain).
     pub(super) reaction: Vec<N>,
+    /// J of the linkages, for the right-hand side.
+    pub(super) reduced_inertia: Vec<N>,
     /// The linkages, solved once for all that looks at them.
     pub(super) linkages: Vec<RefCell<Solved>>,
 }
@@ -68,6 +70,7 @@ impl<N: Quantity> Work<N> {
             mass: vec![zero; nodes],
             laws: vec![law; frozen.laws.len()],
             reaction: vec![zero; frozen.chains.len()],
+            reduced_inertia: vec![zero; frozen.linkages.len()],
             linkages: frozen.linkage_memory(),
         }
     }

@@ -3,12 +3,13 @@
 
 use super::mechanisms::{known, spec};
 use super::reference;
-use dam::linkage::kinetostatics::{ForceWorkspace, InputMotion, Kinetostatics, Options, Outcome};
+use dam::linkage::kinetostatics::{ForceWorkspace, InputMotion, Kinetostatics, Options};
 use dam::linkage::spec::{ForceLaw, ForceSpec, LinkageSpec, PointOf};
 use serde_json::Value;
+use std::f64::consts::TAU;
 
 /// The cases with masses, friction and gravity, made richer by springs and dampers.
-fn rich() -> Vec<(String, Value, LinkageSpec)> {
+pub(super) fn rich() -> Vec<(String, Value, LinkageSpec)> {
     let reference = reference();
     let cases = reference["cases"].as_array().unwrap();
     let wanted = ["offset-slider-crank", "four-bar", "slotted-lever"];
@@ -57,7 +58,7 @@ fn springs() -> Vec<ForceSpec> {
             point: point(Some(2), 0.02, 0.01),
             direction: 0.4,
             points: vec![(0.0, 0.0), (1.5, 40.0), (4.0, -20.0)],
-            period: Some(std::f64::consts::TAU),
+            period: Some(TAU),
         },
     ];
     let named = laws.into_iter().enumerate();
@@ -71,7 +72,7 @@ fn springs() -> Vec<ForceSpec> {
 
 const MOTION: [(f64, f64); 3] = [(40.0, -300.0), (-15.0, 50.0), (12.0, 0.0)];
 
-fn solve(
+pub(super) fn solve(
     linkage: &LinkageSpec,
     kind: &str,
     data: &Value,
@@ -87,7 +88,7 @@ fn solve(
 }
 
 /// Every rich mechanism at several positions and motions.
-fn each(mut check: impl FnMut(&str, &Value, &LinkageSpec, InputMotion)) {
+pub(super) fn each(mut check: impl FnMut(&str, &Value, &LinkageSpec, InputMotion)) {
     for (kind, data, linkage) in rich() {
         for (speed, acceleration) in MOTION {
             for step in 0..7 {
@@ -200,46 +201,6 @@ fn sensitivity_of_a_frictionless_pair() {
     }
 }
 
-/// Given the driving force of a motion, its acceleration is found again.
-#[test]
-fn acceleration_is_the_inverse_of_the_driving_force() {
-    each(|kind, data, linkage, motion| {
-        let (solver, mut w) = solve(linkage, kind, data, motion);
-        let drive = w.drive();
-        let reaction = solver.reaction(2, &w);
-        let (positions, _) = known(kind, data, motion.coordinate);
-        let (q, v) = (motion.coordinate, motion.speed);
-        let found = solver
-            .accelerate(&positions, q, v, drive, &Options::default(), &mut w)
-            .unwrap();
-        let Outcome::Moves { acceleration } = found.outcome else {
-            panic!("{found:?}");
-        };
-        assert_eq!(found.solved.unwrap().solutions, 1);
-        let scale = 1.0 + motion.acceleration.abs() + motion.speed * motion.speed;
-        assert!(
-            (acceleration - motion.acceleration).abs() < 1e-8 * scale,
-            "{kind} {motion:?} {acceleration}"
-        );
-        let again = solver.reaction(2, &w);
-        assert!(close(reaction, again), "{reaction:?} {again:?}");
-    });
-}
-
-fn close(
-    a: dam::linkage::kinetostatics::Reaction,
-    b: dam::linkage::kinetostatics::Reaction,
-) -> bool {
-    use dam::linkage::kinetostatics::Reaction::{Guide, Pin};
-    match (a, b) {
-        (Pin(a), Pin(b)) | (Guide(a), Guide(b)) => {
-            let scale = 1.0 + a[0].hypot(a[1]);
-            (a[0] - b[0]).abs() + (a[1] - b[1]).abs() < 1e-8 * scale
-        }
-        _ => false,
-    }
-}
-
 /// A force on an output is the same as a couple or force on its link.
 #[test]
 fn loads_on_outputs_are_forces() {
@@ -283,49 +244,6 @@ fn loads_on_outputs_are_forces() {
         assert!((a.0 - b.0).abs() < 1e-9 * (1.0 + a.0.abs()), "{a:?} {b:?}");
         assert!((a.1 - b.1).abs() < 1e-9 * (1.0 + a.1.abs()));
     });
-}
-
-/// At rest: no motion below the force that overcomes friction, in either direction.
-#[test]
-fn friction_holds_at_rest() {
-    for (kind, data, linkage) in rich() {
-        let solver = Kinetostatics::new(&linkage).unwrap();
-        let mut w = solver.workspace();
-        let (positions, _) = known(&kind, &data, 1.3);
-        let threshold = |direction: f64, w: &mut ForceWorkspace| {
-            let motion = InputMotion {
-                coordinate: 1.3,
-                ..InputMotion::default()
-            };
-            let options = Options {
-                direction: Some(direction),
-                ..Options::default()
-            };
-            solver.solve(&positions, motion, &options, w).unwrap();
-            w.drive()
-        };
-        let (low, high) = (threshold(-1.0, &mut w), threshold(1.0, &mut w));
-        assert!(low < high, "{kind}");
-        let options = Options::default();
-        let mut start = |drive: f64| {
-            let found = solver.accelerate(&positions, 1.3, 0.0, drive, &options, &mut w);
-            found.unwrap().outcome
-        };
-        let margin = 1e-6 * (high - low);
-        for (drive, sign) in [
-            (low - margin, -1.0),
-            (low + margin, 0.0),
-            (0.5 * (low + high), 0.0),
-            (high - margin, 0.0),
-            (high + margin, 1.0),
-        ] {
-            match start(drive) {
-                Outcome::Rests => assert_eq!(sign, 0.0, "{kind} {drive} in {low}..{high}"),
-                Outcome::Moves { acceleration } => assert!(acceleration * sign > 0.0),
-                other => panic!("{other:?}"),
-            }
-        }
-    }
 }
 
 /// Bad numbers are all told at once, and nothing that is not a number passes.

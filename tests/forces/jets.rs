@@ -4,16 +4,16 @@ use std::ops::{Add, Mul, Neg, Sub};
 
 /// Value, first and second derivative.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct D2(pub f64, pub f64, pub f64);
+pub(super) struct D2(pub(super) f64, pub(super) f64, pub(super) f64);
 
 impl D2 {
     /// The variable.
-    pub fn variable(x: f64) -> Self {
+    pub(super) fn variable(x: f64) -> Self {
         Self(x, 1.0, 0.0)
     }
 
     /// A constant.
-    pub fn constant(x: f64) -> Self {
+    pub(super) fn constant(x: f64) -> Self {
         Self(x, 0.0, 0.0)
     }
 
@@ -21,28 +21,28 @@ impl D2 {
         Self(f, first * self.1, second * self.1 * self.1 + first * self.2)
     }
 
-    pub fn sin(self) -> Self {
+    pub(super) fn sin(self) -> Self {
         let (s, c) = self.0.sin_cos();
         self.compose(s, c, -s)
     }
 
-    pub fn cos(self) -> Self {
+    pub(super) fn cos(self) -> Self {
         let (s, c) = self.0.sin_cos();
         self.compose(c, -s, -c)
     }
 
-    pub fn sqrt(self) -> Self {
+    pub(super) fn sqrt(self) -> Self {
         let r = self.0.sqrt();
         self.compose(r, 0.5 / r, -0.25 / (r * self.0))
     }
 
-    pub fn recip(self) -> Self {
+    pub(super) fn recip(self) -> Self {
         let r = 1.0 / self.0;
         self.compose(r, -r * r, 2.0 * r * r * r)
     }
 
     /// Angle of a vector.
-    pub fn atan2(self, x: Self) -> Self {
+    pub(super) fn atan2(self, x: Self) -> Self {
         // θ′ = (x·y′ − y·x′)/r², once more by the same arithmetic.
         let value = self.0.atan2(x.0);
         let r2 = x.0 * x.0 + self.0 * self.0;

@@ -3,6 +3,7 @@
 mod checks;
 mod jets;
 mod mechanisms;
+mod motion;
 mod scenes;
 mod study;
 

@@ -11,9 +11,9 @@ use dam::linkage::spec::{
 use serde_json::Value;
 
 /// Positions written down by hand.
-pub struct Known {
-    pub links: Vec<LinkPosition>,
-    pub pairs: Vec<Jet>,
+pub(super) struct Known {
+    pub(super) links: Vec<LinkPosition>,
+    pub(super) pairs: Vec<Jet>,
 }
 
 impl Positions for Known {
@@ -32,10 +32,10 @@ impl Positions for Known {
 }
 
 /// Numbers of a case by name.
-pub struct Data<'a>(pub &'a Value);
+pub(super) struct Data<'a>(pub(super) &'a Value);
 
 impl Data<'_> {
-    pub fn get(&self, name: &str) -> f64 {
+    pub(super) fn get(&self, name: &str) -> f64 {
         self.0[name].as_f64().unwrap_or_else(|| panic!("no {name}"))
     }
 
@@ -130,7 +130,7 @@ fn jet(x: D2) -> Jet {
 }
 
 /// The mechanism of a case.
-pub fn spec(kind: &str, data: &Value) -> LinkageSpec {
+pub(super) fn spec(kind: &str, data: &Value) -> LinkageSpec {
     let d = Data(data);
     let mut spec = match kind {
         "slider_crank" => slider_crank(&d),
@@ -249,7 +249,7 @@ fn slotted(d: &Data) -> LinkageSpec {
 }
 
 /// Positions of a case by hand, and the output's displacement.
-pub fn known(kind: &str, data: &Value, angle: f64) -> (Known, D2) {
+pub(super) fn known(kind: &str, data: &Value, angle: f64) -> (Known, D2) {
     let d = Data(data);
     let (phi, zero) = (D2::variable(angle), D2::default());
     let (l1, x) = (d.get("l1"), D2::constant);

@@ -89,11 +89,7 @@ fn masses_are_negligible_only_at_low_speed() {
         &parameters,
     )
     .unwrap();
-    println!(
-        "{:?}",
-        found.points.iter().map(|p| p.deviation).collect::<Vec<_>>()
-    );
-    // The figures, rounded to two digits there.
+    // In steps of 15°, as the comparison was first made: 0.23 %, 0.93 %, 5.8 %, 23 %.
     for (point, (wanted, within)) in
         found
             .points
@@ -148,8 +144,7 @@ fn zones_of_self_locking() {
     assert!(before.to - before.from > 0.05 && after.to - after.from > 0.05);
 }
 
-/// The exact limit of self-locking at 180° is found as the end of a zone over
-/// the coefficient of friction's effect: no solution there from μ = 1.29 on.
+/// At μ = 1.3 nothing moves the slider-crank around 180°: a zone of its own.
 #[test]
 fn locked_positions_are_a_zone() {
     let case = reference()["stress"][1].clone();
@@ -161,7 +156,7 @@ fn locked_positions_are_a_zone() {
     let course = Course::Even {
         from: 0.6 * PI,
         to: 1.2 * PI,
-        count: 60,
+        count: 20,
         speed: 10.0,
         acceleration: 0.0,
         closed: false,

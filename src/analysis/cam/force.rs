@@ -55,6 +55,23 @@ pub struct ForceFigures {
     pub notes: Vec<String>,
 }
 
+impl ForceFigures {
+    /// False when some force grew beyond all numbers.
+    pub(super) fn is_finite(&self) -> bool {
+        let mut all = vec![self.speed, self.margin.value, self.greatest.value];
+        all.extend([
+            self.contact_force.value,
+            self.torque.value,
+            self.return_torque.value,
+        ]);
+        if let Some(answer) = &self.closing {
+            all.extend([answer.reserve, answer.preload.value]);
+            all.extend(answer.boundary.iter().flatten());
+        }
+        all.iter().all(|value| value.is_finite())
+    }
+}
+
 /// Springs that leave a reserve in contact.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SpringAnswer {

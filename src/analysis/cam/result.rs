@@ -141,6 +141,11 @@ pub fn figures(
     if !faults.is_empty() {
         return Err(faults);
     }
+    let force = force.map(|force| force.figures(question.reserve));
+    let force = match force {
+        Ok(found) if !found.is_finite() => Err("the forces are no numbers any more"),
+        other => other,
+    };
     Ok(CamFigures {
         unit: match geometry.guide {
             Guide::Translating { .. } => "m",
@@ -167,8 +172,8 @@ pub fn figures(
         base_for_pressure: pressure.into(),
         base_for_curvature: curvature.into(),
         best_offset: cam.best_offset(question.pressure).ok(),
-        force: force.ok().map(|force| force.figures(question.reserve)),
-        force_missing: force.err().map(str::to_owned),
+        force_missing: force.as_ref().err().map(|why| (*why).to_owned()),
+        force: force.ok(),
     })
 }
 

@@ -5,7 +5,7 @@ use super::{Course, PositionSource};
 use crate::linkage::kinetostatics::ForceFailure;
 
 /// Bisections of an end.
-const BISECTIONS: usize = 50;
+const BISECTIONS: usize = 44;
 /// Ratio, in parts of the greatest, at which the output stands still.
 const STANDSTILL: f64 = 1e-9;
 /// Where zones are looked for beside a reversal of the output, in steps of the

@@ -302,30 +302,35 @@ impl PanelPhase {
     #[inline(always)]
     pub(crate) fn primitive<A: Arith>(
         &self,
-        basis: &Basis,
         panel: &Panel,
         phase: &Phase,
         e: &Exponentials,
     ) -> f64 {
-        let mut sum = 0.0;
-        let lanes = basis.lanes.len().min(phase.active * WIDTH);
-        for k in 0..lanes {
+        let mut lanes = V::ZERO;
+        for b in 0..phase.active {
+            let (zr, zi) = (phase.re[b], phase.im[b]);
+            let re = zr.fma::<A>(e.re[b], -(zi * e.im[b]));
+            let im = zr.fma::<A>(e.im[b], zi * e.re[b]);
+            let [wr, wi] = panel.primitive[b];
+            lanes = wr.fma::<A>(re, lanes) - wi * im;
+        }
+        let mut sum = lanes.sum();
+        for &k in &panel.resting {
             let (b, i) = (k / WIDTH, k % WIDTH);
-            let (zr, zi) = (phase.re[b].0[i], phase.im[b].0[i]);
-            let (er, ei) = (e.re[b].0[i], e.im[b].0[i]);
-            let (pr, pi) = (zr * er - zi * ei, zr * ei + zi * er);
-            let w = panel.primitive[k];
-            sum += w.re * pr - w.im * pi;
-            if basis.modulus[k] == 0.0 {
-                let w = &panel.weights[8 * k..];
-                sum += (w[0].0[0] * zr - w[1].0[0] * zi) * e.s;
+            let w = &panel.weights[8 * k..];
+            sum += (w[0].0[0] * phase.re[b].0[i] - w[1].0[0] * phase.im[b].0[i]) * e.s;
+        }
+        let poly = |k: usize| self.poly[k].0[0];
+        if self.degree <= 2 {
+            let high = A::fma(poly(2) * (1.0 / 3.0), e.s, 0.5 * poly(1));
+            sum += A::fma(high, e.s, poly(0)) * e.s;
+        } else {
+            let mut value = 0.0;
+            for k in (0..=self.degree).rev() {
+                value = A::fma(value, e.s, poly(k) / (k + 1) as f64);
             }
+            sum += value * e.s;
         }
-        let mut poly = 0.0;
-        for k in (0..=self.degree).rev() {
-            poly = A::fma(poly, e.s, self.poly[k].0[0] / (k + 1) as f64);
-        }
-        sum += poly * e.s;
         for arc in &self.arcs {
             let x = arc.omega * e.s;
             let Swing {

@@ -213,7 +213,7 @@ impl Track {
         if !(x > 0.0 && x < most && settled && harmless((x, off(x)), slope(x), allowed)) {
             return None;
         }
-        let start = self.state.primitive::<A>(basis, panel, phase, before);
+        let start = self.state.primitive::<A>(panel, phase, before);
         let more = x * (f[0] + x * (f[1] * 0.5 + x * (f[2] / 6.0 + x * (f[3] / 24.0))));
         self.roots.push((before.s + x, start + more));
         Some(End {
@@ -279,9 +279,7 @@ impl Track {
                 + 14.0 * (f[1] * x).abs() * (bend * bend) * (bend * bend);
             let allowed = noise * piece.length();
             if harmless((x, off), f[1], allowed) || x.abs() <= 1e-15 * target {
-                let primitive =
-                    self.state
-                        .primitive::<A>(scene.basis, scene.panel, scene.phase, &self.e);
+                let primitive = self.state.primitive::<A>(scene.panel, scene.phase, &self.e);
                 let more = x * (f[0] + x * (f[1] * 0.5 + x * (f[2] / 6.0 + x * (f[3] / 24.0))));
                 self.roots.push((target, primitive + more));
                 return End {

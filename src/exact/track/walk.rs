@@ -5,6 +5,9 @@ use crate::exact::hermite::{Point, enclose};
 use crate::exact::lanes::{Arith, Task};
 use crate::exact::phase::Exponentials;
 
+/// Parts over which every lane is followed before a longer one is tried again.
+const PATIENCE: i32 = 4;
+
 /// [`Track::walk`], out of line.
 pub(super) struct Walk<'a> {
     pub(super) track: &'a mut Track,
@@ -67,6 +70,8 @@ impl Track {
         let mut to = std::mem::take(&mut self.to);
         from.copy(before, active);
         let mut length = now.s - from.s;
+        // Parts as short as the last before a longer one is tried again.
+        let mut patience = 0;
         while from.s < now.s {
             if from.s + length >= now.s {
                 to.copy(now, active);
@@ -82,6 +87,7 @@ impl Track {
             let follow = scene.followed(h);
             if follow < scene.lanes() && !self.ruled_out::<A>(scene, (&from, &to), &end, follow) {
                 let short = self.short(scene, &from);
+                patience = PATIENCE;
                 if h > 1.01 * short {
                     length = short.max(0.25 * h);
                     continue;
@@ -92,8 +98,8 @@ impl Track {
             }
             self.last = end;
             std::mem::swap(&mut from, &mut to);
-            // Where every lane had to be followed the next part is as short.
-            let growth = if follow == scene.lanes() { 1.4 } else { 4.0 };
+            let growth = if patience > 0 { 1.0 } else { 4.0 };
+            patience = i32::max(patience - 1, 0);
             length = (growth * h).min(now.s - from.s);
         }
         self.from = from;

@@ -70,12 +70,9 @@ pub(super) struct Output<const S: usize> {
 impl<const S: usize, const L: usize> Tableau<S, L> {
     pub(super) fn new() -> Self {
         let nodes = nodes::<S>();
-        let quadrature = quadrature();
-        let integral = |to: f64, f: &dyn Fn(f64) -> f64| -> f64 {
-            quadrature.iter().map(|(x, w)| to * w * f(to * x)).sum()
-        };
+        let quadrature = Quadrature::new();
         let once: Matrix<S> = std::array::from_fn(|j| {
-            std::array::from_fn(|i| integral(nodes[i], &|x| lagrange(&nodes, j, x)))
+            std::array::from_fn(|i| quadrature.integral(nodes[i], |x| lagrange(&nodes, j, x)))
         });
         let twice = std::array::from_fn(|j| times(&once, &once[j]));
         let (eigenvalues, eigenvectors) = eigen(&once);
@@ -91,7 +88,7 @@ impl<const S: usize, const L: usize> Tableau<S, L> {
             twice_eigenvectors: std::array::from_fn(|j| times(&twice, &eigenvectors[j])),
             eigenvectors,
             at_start: std::array::from_fn(|j| lagrange(&nodes, j, 0.0)),
-            output: Output::new(&nodes, &integral),
+            output: Output::new(&nodes, &quadrature),
             once,
             twice,
         }
@@ -99,20 +96,24 @@ impl<const S: usize, const L: usize> Tableau<S, L> {
 }
 
 impl<const S: usize> Output<S> {
-    fn new(nodes: &[f64; S], integral: &dyn Fn(f64, &dyn Fn(f64) -> f64) -> f64) -> Self {
+    fn new(nodes: &[f64; S], quadrature: &Quadrature) -> Self {
         let mut all = vec![0.0];
         all.extend(nodes);
         // θ·Π(θ − c_i) with the slope 1 at its start.
         let product = |x: f64| nodes.iter().map(|c| 1.0 - x / c).product::<f64>();
         let rates: Vec<Vec<f64>> = (0..S)
-            .map(|j| bernstein(S + 2, &|to| integral(to, &|x| lagrange(&all, j + 1, x))))
+            .map(|j| {
+                bernstein(S + 2, &|to| {
+                    quadrature.integral(to, |x| lagrange(&all, j + 1, x))
+                })
+            })
             .collect();
         // ℓ_j′(0) = 1/c_j · Π_{i≠j} c_i/(c_i − c_j)
         let slope: [f64; S] = std::array::from_fn(|j| lagrange(nodes, j, 0.0) / nodes[j]);
         let mut rates: Vec<[f64; S]> = (0..S + 3)
             .map(|k| std::array::from_fn(|j| rates[j][k]))
             .collect();
-        let mut bend = bernstein(S + 2, &|to| integral(to, &|x| x * product(x)));
+        let mut bend = bernstein(S + 2, &|to| quadrature.integral(to, |x| x * product(x)));
         // What is known of the start, without rounding: a guard that is zero there
         // must not seem to set out in another direction.
         let second = 1.0 / ((S + 2) * (S + 1)) as f64;
@@ -200,17 +201,27 @@ fn nodes<const S: usize>() -> [f64; S] {
     std::array::from_fn(|i| inner.get(i).copied().unwrap_or(1.0))
 }
 
-/// Points and weights of Gauss' quadrature of six points on [0, 1].
-fn quadrature() -> Vec<(f64, f64)> {
+/// Gauss' quadrature of six points.
+struct Quadrature(Vec<(f64, f64)>);
+
+impl Quadrature {
     const POINTS: usize = 6;
-    let weight = |x: f64| {
-        let n = POINTS as f64;
-        let below = legendre(POINTS - 1, x);
-        let z = 2.0 * x - 1.0;
-        (1.0 - z * z) / (n * n * below * below)
-    };
-    let points = zeros(&|x| legendre(POINTS, x));
-    points.into_iter().map(|x| (x, weight(x))).collect()
+
+    fn new() -> Self {
+        let weight = |x: f64| {
+            let n = Self::POINTS as f64;
+            let below = legendre(Self::POINTS - 1, x);
+            let z = 2.0 * x - 1.0;
+            (1.0 - z * z) / (n * n * below * below)
+        };
+        let points = zeros(&|x| legendre(Self::POINTS, x));
+        Self(points.into_iter().map(|x| (x, weight(x))).collect())
+    }
+
+    /// The integral from 0 to a place; exact to degree 11.
+    fn integral(&self, to: f64, f: impl Fn(f64) -> f64) -> f64 {
+        self.0.iter().map(|(x, w)| to * w * f(to * x)).sum()
+    }
 }
 
 /// Eigenvalues of A and the real form of its eigenvectors.

@@ -36,7 +36,7 @@ pub struct Convergence {
 /// Parts of the step that damped iterations take.
 const DAMPINGS: [f64; 3] = [0.5, 0.2, 0.05];
 /// Iterations of Newton's method at most.
-const NEWTON: usize = 40;
+const NEWTON: usize = 25;
 /// At a standstill, Newton's method may move by this part of the scale.
 const NEAR: f64 = 1e-6;
 /// What is to come of an iteration when its number is up, in parts of the

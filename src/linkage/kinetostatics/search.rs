@@ -10,9 +10,9 @@ const SWEEPS: usize = 6;
 /// Guides whose corners' signs are tried in all combinations.
 const GUIDES: usize = 3;
 /// Random directions to start from, for each τ.
-const DIRECTIONS: usize = 6;
+const DIRECTIONS: usize = 4;
 /// Sizes of the starts, in greatest reactions without friction.
-const SIZES: [f64; 5] = [0.3, 1.0, 3.0, 10.0, 300.0];
+const SIZES: [f64; 4] = [0.3, 2.0, 12.0, 300.0];
 /// Two solutions closer than this part of the scale are one.
 const SAME: f64 = 1e-7;
 

@@ -86,7 +86,10 @@ impl ForceWorkspace {
             friction: Vec::with_capacity(most),
             next: Vec::with_capacity(most),
             small: Factors::with_room(most),
-            scratch: [Vec::with_capacity(size), Vec::with_capacity(size)],
+            scratch: [
+                Vec::with_capacity(size.max(most * most)),
+                Vec::with_capacity(size),
+            ],
             ..Self::default()
         }
     }

@@ -5,7 +5,7 @@ use super::examples::{Builder, GROUND, cylinder, four_bar, slider_crank, slotted
 use super::support::closure_error;
 use crate::linkage::spec::{AssemblyChoice, LinkageSpec, PairKind, PointOf};
 use crate::linkage::{Cause, End, GroupKind, Linkage, Period, Reach, Workspace};
-use std::f64::consts::{FRAC_PI_2, TAU};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 fn at(workspace: &Workspace, link: Option<usize>, at: [f64; 2]) -> [f64; 2] {
     workspace.point(PointOf { link, at }).map(|jet| jet.value)
@@ -179,6 +179,31 @@ fn a_yoke_and_a_cross_slide_have_the_closed_forms() {
     let [from, to] = linkage.range().ends();
     approx::assert_abs_diff_eq!(from, -0.5, epsilon = 1e-15);
     approx::assert_abs_diff_eq!(to, 0.5, epsilon = 1e-15);
+}
+
+#[test]
+fn guides_that_become_parallel_end_the_reach() {
+    // A turning guide crosses a fixed one, y = 0.5, at x = 0.5·cot φ.
+    let crossing = Builder::new(&["arm", "block", "slide"])
+        .pin((GROUND, [0.0; 2]), (Some(0), [0.0; 2]))
+        .slide((Some(0), [0.0; 2]), (Some(1), [0.0; 2]), 0.0, 0.0)
+        .pin((Some(1), [0.0; 2]), (Some(2), [0.0; 2]))
+        .slide((GROUND, [0.0, 0.5]), (Some(2), [0.0; 2]), 0.0, 0.0)
+        .start(1.0);
+    let (linkage, mut w) = solved(crossing, 1.0);
+    assert_eq!(linkage.structure().groups[1].kind, GroupKind::Prp);
+    let Reach::Interval { lower, upper } = linkage.range().reach.clone() else {
+        panic!("{:?}", linkage.range());
+    };
+    approx::assert_abs_diff_eq!(lower.at, 0.0, epsilon = 1e-15);
+    approx::assert_abs_diff_eq!(upper.at, PI, epsilon = 1e-15);
+    assert!(matches!(lower.cause, Cause::DeadPosition { group: 1 }));
+    for q in [1e-3, 0.4, 2.0, 3.1] {
+        linkage.solve(q, 2, &mut w).unwrap();
+        let slide = w.pair(3);
+        approx::assert_relative_eq!(slide.value, 0.5 / q.tan(), max_relative = 1e-13);
+        approx::assert_relative_eq!(slide.first, -0.5 / q.sin().powi(2), max_relative = 1e-12);
+    }
 }
 
 #[test]

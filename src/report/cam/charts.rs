@@ -59,7 +59,15 @@ pub(super) fn charts(
             ));
         }
     }
-    list.push(pressure(cam, figures, &curve));
+    // The pressure angle of a flat face says little; where it touches says much.
+    match cam.geometry().roller() {
+        Some(_) => list.push(pressure(cam, figures, &curve)),
+        None => list.push(over(
+            "Contact on the face",
+            "m",
+            vec![curve("", &|s| s.face)],
+        )),
+    }
     list.push(radii(cam, &curve));
     if let Some(force) = force {
         let column = |index: usize| -> Vec<(f64, f64)> {
@@ -108,10 +116,8 @@ fn pressure(cam: &DiscCam, figures: &CamFigures, curve: &Drawn<'_>) -> Chart {
     };
     let limits = figures.limits;
     let mut curves = vec![curve("pressure angle", &|s| s.pressure_angle.to_degrees())];
-    if cam.geometry().roller().is_some() {
-        curves.push(line("limit outwards", limits.outward));
-        curves.push(line("limit inwards", -limits.inward));
-    }
+    curves.push(line("limit outwards", limits.outward));
+    curves.push(line("limit inwards", -limits.inward));
     over("Pressure angle", "deg", curves)
 }
 

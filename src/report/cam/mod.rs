@@ -4,8 +4,10 @@ mod charts;
 mod dxf;
 mod page;
 mod picture;
+mod remarks;
 mod tables;
 mod text;
+mod view;
 
 pub use dxf::dxf;
 pub use page::{CamReport, page};
@@ -59,7 +61,7 @@ pub fn curves(
         let groove = flanks.len() > 1;
         for &offset in &flanks {
             // Outside a disc, inside a hollow cam, between the flanks of a groove.
-            let inside = (groove && offset > 0.0) || (!groove && offset > 0.0);
+            let inside = offset > 0.0;
             let name = match (groove, inside) {
                 (false, _) => "cutter",
                 (true, false) => "cutter_inner",

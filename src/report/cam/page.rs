@@ -1,8 +1,10 @@
 //! The page of a cam: the cam turning with its follower, figures, diagrams.
 
-use super::picture::{drawing, drawn, mover, style, view};
+use super::picture::{drawing, drawn, style};
+use super::remarks::remarks;
 use super::tables::rows;
-use super::text::{describe, facts as cam_facts, remarks};
+use super::text::{describe, facts as cam_facts};
+use super::view::{mover, view};
 use super::{NamedCurve, charts};
 use crate::analysis::cam::{CamFigures, CamForce};
 use crate::cam::DiscCam;

@@ -1,10 +1,11 @@
 //! A cam on the terminal.
 
+use super::remarks::remarks;
 use crate::analysis::cam::{Answer, CamFigures, FaceFigures, ForceFigures, Radii, SpringAnswer};
 use crate::analysis::law::LiftOff;
 use crate::cam::closing::LetsGo;
 use crate::cam::sizing::BaseRange;
-use crate::cam::{At, CamGeometry, Contact, DiscCam, Finding, Guide, Surface};
+use crate::cam::{At, CamGeometry, Contact, DiscCam, Guide, Surface};
 use crate::report::quantity::{significant, with_unit};
 use std::f64::consts::TAU;
 use std::fmt::Write as _;
@@ -89,7 +90,7 @@ fn at(at: At, unit: &str) -> String {
     )
 }
 
-fn angle_at(at: At) -> String {
+pub(super) fn angle_at(at: At) -> String {
     format!("{} at {}", degrees(at.value), degrees(at.phi))
 }
 
@@ -327,80 +328,4 @@ fn spring_rows(rows: &mut Rows, force: &ForceFigures, answer: &SpringAnswer, uni
         (None, None) => String::new(),
     };
     rows.push(("rates that do with this preload", text));
-}
-
-/// What a designer must know, the grave ones (`true`) first.
-pub(super) fn remarks(found: &CamFigures) -> Vec<(bool, String)> {
-    let mut list: Vec<(bool, String)> = found.findings.iter().map(remark).collect();
-    if let Some(excess) = found.excess {
-        let text = format!("pressure angle too great: {}", angle_at(excess));
-        list.push((true, text));
-    }
-    if let Some(face) = &found.face
-        && face.width.is_some_and(|width| width < face.needed_width)
-    {
-        let text = format!(
-            "the face is too narrow: {} are needed",
-            length(face.needed_width)
-        );
-        list.push((true, text));
-    }
-    if let Some(force) = &found.force {
-        if force.lets_go.is_some() && force.margin.value < 0.0 {
-            let place = degrees(force.margin.phi);
-            list.push((
-                true,
-                format!("the follower lifts off at this speed, at {place}"),
-            ));
-        }
-        list.extend(
-            force
-                .notes
-                .iter()
-                .map(|note| (false, format!("note: {note}"))),
-        );
-    }
-    list.sort_by_key(|(grave, _)| !grave);
-    list
-}
-
-fn remark(finding: &Finding) -> (bool, String) {
-    match *finding {
-        Finding::Undercut { flank, from, to } => {
-            let which = if flank == 0 { "profile" } else { "outer flank" };
-            let text = format!(
-                "undercut: the {which} runs backwards from {} to {}",
-                degrees(from),
-                degrees(to)
-            );
-            (true, text)
-        }
-        Finding::Crossing { flank, phi } => {
-            let which = if flank == 0 { "profile" } else { "outer flank" };
-            let text = format!(
-                "loop: the {which} crosses itself at {} and {}",
-                degrees(phi[0]),
-                degrees(phi[1])
-            );
-            (true, text)
-        }
-        Finding::Corner { at, turn, undercut } => {
-            let more = if undercut { ", undercut" } else { "" };
-            let text = format!(
-                "hard shock at {}: a corner of {}{more}",
-                degrees(at),
-                degrees(turn)
-            );
-            (true, text)
-        }
-        Finding::Shock { at, radius, .. } => {
-            let text = format!(
-                "soft shock at {}: radius of curvature from {} to {}",
-                degrees(at),
-                length(radius[0]),
-                length(radius[1])
-            );
-            (false, text)
-        }
-    }
 }

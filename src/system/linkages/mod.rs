@@ -275,7 +275,11 @@ impl Frozen {
             *mass = N::from(inertia);
         }
         for index in 0..self.linkages.len() {
-            let [inertia, _] = self.inertia_and_force(index, extent, work);
+            // The right-hand side has just asked for both.
+            let inertia = match extent {
+                Extent::Needed => work.reduced_inertia[index],
+                Extent::Full => self.inertia_and_force(index, extent, work)[0],
+            };
             work.mass[self.linkages[index].node] += inertia;
         }
     }
@@ -283,7 +287,8 @@ impl Frozen {
     /// Adds what the linkages do on their input coordinates.
     pub(super) fn apply_linkages<N: Quantity>(&self, extent: Extent, work: &mut Work<N>) {
         for index in 0..self.linkages.len() {
-            let [_, force] = self.inertia_and_force(index, extent, work);
+            let [inertia, force] = self.inertia_and_force(index, extent, work);
+            work.reduced_inertia[index] = inertia;
             work.force[self.linkages[index].node] += force;
         }
     }
