@@ -17,7 +17,7 @@ mod sink;
 
 pub use expectations::{check, figure};
 pub use machine::{Machine, constant_speed, drive_of, is_elastic};
-pub use periodic::{LongRun, Multiplier, PartMotion, PeriodicAnswer, Stability};
+pub use periodic::{LongRun, Multiplier, Orbit, PartMotion, PeriodicAnswer, Stability};
 pub use rigid::{Agreement, Forces, ROWS, RigidAnswer, by_energy};
 pub use simulate::Simulation;
 

@@ -49,10 +49,13 @@ pub struct PartMotion {
     /// Unit of the deviations.
     pub unit: String,
     /// Deviations from the law over the period: name and (t, value).
-    pub orbit: Vec<(String, Vec<(f64, f64)>)>,
+    pub orbit: Vec<Orbit>,
     /// Whether a long run from the scene's own start settles on it.
     pub long_run: LongRun,
 }
+
+/// The name of a coordinate and its (t, value) over a period.
+pub type Orbit = (String, Vec<(f64, f64)>);
 
 /// What becomes of small disturbances of a periodic motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -171,12 +174,7 @@ fn long_run(map: &dyn Map, start: &[f64], fixed: &Fixed, turn: f64, periods: usi
 const ORBIT: usize = 720;
 
 /// Deviations over the period.
-fn orbit(
-    map: &dyn Map,
-    state: &[f64],
-    period: f64,
-    about: &About,
-) -> Result<Vec<(String, Vec<(f64, f64)>)>, String> {
+fn orbit(map: &dyn Map, state: &[f64], period: f64, about: &About) -> Result<Vec<Orbit>, String> {
     let columns = map.orbit(state, period, ORBIT)?;
     let named = about.names.iter().zip(columns).enumerate();
     Ok(named

@@ -219,7 +219,6 @@ fn a_triad_is_followed_by_iteration_into_its_dead_positions() {
         linkage.structure().groups[1].kind,
         GroupKind::Newton { links: 4 }
     );
-    println!("{}{:?}", linkage.structure(), linkage.range().reach);
     let [from, to] = linkage.range().ends();
     let mut workspace = linkage.workspace();
     for i in 1..200 {

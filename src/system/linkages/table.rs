@@ -52,19 +52,19 @@ pub(crate) struct Table {
     /// Piece in each of the finest intervals.
     index: Vec<u16>,
     pieces: Vec<Piece>,
-    /// Whether there is any damping.
-    damped: bool,
 }
 
-/// Polynomials in x = (place − centre)·scale, lowest power first.
+/// Polynomials in x = (place − centre)·scale for J, J′, W and D side by side,
+/// lowest power first.
 #[derive(Clone, Debug)]
 struct Piece {
     centre: f64,
     scale: f64,
-    inertia: Coefficients,
-    force: Coefficients,
-    damping: Coefficients,
+    lanes: [Lanes; POINTS],
 }
+
+/// J, J′, W, D.
+type Lanes = [f64; 4];
 
 impl Table {
     /// The table of a linkage; `None` when its input goes on for ever without
@@ -76,18 +76,15 @@ impl Table {
             (None, Reach::Interval { lower, upper }) => (lower.at, upper.at - lower.at, false),
             _ => return None,
         };
-        let spec = linkage.spec();
         if !span.is_finite() || (periodic && !repeats(linkage, start, span)) {
             return None;
         }
-        let damped = |law: &ForceLaw| matches!(law, ForceLaw::Strut { damping, .. } | ForceLaw::Torsion { damping, .. } if *damping > 0.0);
         let mut table = Self {
             start,
             span,
             periodic,
             index: vec![NONE; 1 << DEEPEST],
             pieces: Vec::new(),
-            damped: spec.forces.iter().any(|force| damped(&force.law)),
         };
         Builder::new(linkage, &mut table).build();
         (!table.pieces.is_empty()).then_some(table)
@@ -108,22 +105,48 @@ impl Table {
             .pieces
             .get(usize::from(*self.index.get(slot as usize)?))?;
         let x = (place - piece.centre) * piece.scale;
-        let scale = piece.scale;
-        let mut local = Local::default();
+        let [inertia, slope, force, damping] = piece.values(x);
+        let mut local = Local {
+            inertia: [inertia, slope, 0.0],
+            force: [force, 0.0],
+            damping: [damping, 0.0],
+        };
         if order > 2 {
-            let [value, first, second] = horner_twice(&piece.inertia, x);
-            local.inertia = [value, first * scale, second * scale * scale];
-        } else {
-            let [value, first] = horner(&piece.inertia, x);
-            local.inertia = [value, first * scale, 0.0];
-        }
-        let [value, first] = horner(&piece.force, x);
-        local.force = [value, first * scale];
-        if self.damped {
-            let [value, first] = horner(&piece.damping, x);
-            local.damping = [value, first * scale];
+            let [_, second, force, damping] = piece.slopes(x);
+            local.inertia[2] = second;
+            local.force[1] = force;
+            local.damping[1] = damping;
         }
         Some(local)
+    }
+}
+
+impl Piece {
+    /// Values of all polynomials: even and odd powers apart, which the processor
+    /// takes side by side.
+    #[inline]
+    fn values(&self, x: f64) -> Lanes {
+        let square = x * x;
+        let (mut even, mut odd) = ([0.0; 4], [0.0; 4]);
+        for pair in self.lanes.chunks_exact(2).rev() {
+            for lane in 0..4 {
+                even[lane] = even[lane] * square + pair[0][lane];
+                odd[lane] = odd[lane] * square + pair[1][lane];
+            }
+        }
+        std::array::from_fn(|lane| even[lane] + x * odd[lane])
+    }
+
+    /// Their derivatives by the input.
+    fn slopes(&self, x: f64) -> Lanes {
+        let (mut value, mut first) = ([0.0; 4], [0.0; 4]);
+        for c in self.lanes.iter().rev() {
+            for lane in 0..4 {
+                first[lane] = first[lane] * x + value[lane];
+                value[lane] = value[lane] * x + c[lane];
+            }
+        }
+        first.map(|first| first * self.scale)
     }
 }
 
@@ -147,28 +170,6 @@ fn repeats(linkage: &Linkage, start: f64, span: f64) -> bool {
         ForceLaw::Table { .. } => false,
         ForceLaw::Strut { .. } | ForceLaw::Force { .. } | ForceLaw::Couple { .. } => true,
     })
-}
-
-/// Value and first derivative of a polynomial.
-#[inline]
-fn horner(c: &Coefficients, x: f64) -> [f64; 2] {
-    let (mut value, mut first) = (0.0, 0.0);
-    for c in c.iter().rev() {
-        first = first * x + value;
-        value = value * x + c;
-    }
-    [value, first]
-}
-
-/// Value, first and second derivative.
-fn horner_twice(c: &Coefficients, x: f64) -> [f64; 3] {
-    let [mut value, mut first, mut half] = [0.0; 3];
-    for c in c.iter().rev() {
-        half = half * x + first;
-        first = first * x + value;
-        value = value * x + c;
-    }
-    [value, first, 2.0 * half]
 }
 
 struct Builder<'a> {
@@ -275,12 +276,14 @@ impl<'a> Builder<'a> {
             found[k] = powers(&coefficients);
         }
         let [inertia, force, damping] = found;
+        let slope = |power: usize| match inertia.get(power + 1) {
+            Some(next) => (power + 1) as f64 * next / half,
+            None => 0.0,
+        };
         Some(Piece {
             centre,
             scale: 1.0 / half,
-            inertia,
-            force,
-            damping,
+            lanes: std::array::from_fn(|k| [inertia[k], slope(k), force[k], damping[k]]),
         })
     }
 
