@@ -408,9 +408,12 @@ impl<'a, D: Dynamics> Run<'a, D> {
         }
     }
 
-    /// Moves the clock over a rest of the leg that is below its resolution.
+    /// Moves over a rest of the leg in which speeds would drown in the rounding
+    /// of displacements; so short a rest is a straight line.
     pub(super) fn skip_to_target(&mut self) {
-        let y = self.from.y.clone();
+        let rest = self.target - self.from.time;
+        let states = self.from.y.iter().zip(&self.from.dy);
+        let y: Vec<f64> = states.map(|(y, dy)| y + rest * dy).collect();
         self.move_to(self.target, &y);
     }
 }

@@ -90,7 +90,7 @@ impl Kinetostatics {
         }
     }
 
-    /// What a unit of each of the pair's frictions does: see [`super::friction`].
+    /// What a unit of each of the pair's frictions does: see [`mod@super::friction`].
     fn frictions(&self, index: usize, place: &PairPlace) -> [PairWrench; 2] {
         let couple = PairWrench {
             at: place.point,
