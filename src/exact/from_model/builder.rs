@@ -1,11 +1,13 @@
 //! Objects, drivers first, to trees.
 
+mod loads;
+
 use super::course::{Course, straight};
 use super::{Holder, MassPlace, Part, Parts, law, load};
-use crate::exact::{Law, Refusal, TimeLoad, TreeMass, TreeObject, TreePair, TreeProblem};
+use crate::exact::{Law, Refusal, TreeMass, TreeObject, TreePair, TreeProblem};
 use crate::model::{
-    Closure, DampingLaw, Law as ModelLaw, LinkBase, Load, LoadLaw, Model, NodeMotion, ObjectPart,
-    Pair, TrackSource,
+    Closure, DampingLaw, Law as ModelLaw, LinkBase, Model, NodeMotion, ObjectPart, Pair,
+    TrackSource,
 };
 use crate::motion::DriveMotion;
 use crate::system::System;
@@ -250,69 +252,6 @@ impl<'m> Builder<'m> {
         }
     }
 
-    fn load(&mut self, load: &'m Load) {
-        let Role::Moved(on) = self.roles[load.node] else {
-            return;
-        };
-        let mass = &mut self.trees[on.tree].problem.masses[on.mass];
-        let r = on.ratio;
-        match &load.law {
-            LoadLaw::Constant(force) => add_constant(mass, r * force),
-            LoadLaw::Spring { rate, preload } => {
-                mass.ground_stiffness += r * r * rate;
-                add_constant(mass, -r * preload);
-                // The mass's own offset is in its spring's force already.
-                add_constant(mass, -r * rate * on.offset);
-            }
-            LoadLaw::Viscous(damping) => mass.ground_damping += r * r * damping,
-            LoadLaw::Pieces { track, pieces } => {
-                let track = &self.model.tracks[*track];
-                let breaks = &track.breaks;
-                let made = match track.source {
-                    TrackSource::Time => load::table(breaks, pieces, r)
-                        .or_else(|| Some(load::load(Course::time(), breaks, pieces, r))),
-                    TrackSource::Node(node) => match &self.roles[node] {
-                        Role::Prescribed(course, _) => {
-                            Some(load::load(course.clone(), breaks, pieces, r))
-                        }
-                        _ => None,
-                    },
-                };
-                match made {
-                    Some(made) => mass.loads.push(made),
-                    None => self.refuse_load(
-                        load,
-                        on,
-                        "depends on a displacement that is not prescribed",
-                    ),
-                }
-            }
-            LoadLaw::Friction { .. } => {
-                self.refuse_load(load, on, "is friction, which is not linear")
-            }
-            LoadLaw::LinearMotor { .. } | LoadLaw::Kloss { .. } | LoadLaw::SpeedTable(_) => {
-                self.refuse_load(load, on, "is a motor's torque over its speed");
-            }
-        }
-    }
-
-    fn refuse_load(&mut self, load: &Load, on: Moved, reason: &str) {
-        self.spoiled[on.tree] = true;
-        let holds = |part: &ObjectPart| part.nodes.contains(&load.node);
-        let object = self.model.objects.iter().position(holds).unwrap_or(0);
-        let name = load.name.rsplit('.').next().unwrap_or(&load.name);
-        let reason = format!("its load `{name}` {reason}");
-        let id = &self.model.objects[object].id;
-        // A load on all masses is one load.
-        if !self
-            .refusals
-            .iter()
-            .any(|r| r.object == *id && r.reason == reason)
-        {
-            self.refuse(object, reason);
-        }
-    }
-
     /// Dead positions are looked for by the general methods only.
     fn look_at_tracks(&mut self) {
         for track in self.model.tracks.iter().filter(|track| track.stops) {
@@ -382,19 +321,6 @@ fn follow<'m>(course: &Course, laws: &[&'m ModelLaw], law: &'m ModelLaw) -> Role
     let mut all = laws.to_vec();
     all.push(law);
     Role::Prescribed(course.through(&law.position, law.lever), all)
-}
-
-fn add_constant(mass: &mut TreeMass, force: f64) {
-    if force == 0.0 {
-        return;
-    }
-    for load in &mut mass.loads {
-        if let TimeLoad::Constant(value) = load {
-            *value += force;
-            return;
-        }
-    }
-    mass.loads.push(TimeLoad::Constant(force));
 }
 
 /// The pair, and whether its force is linear while it is engaged.
