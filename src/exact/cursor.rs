@@ -7,7 +7,8 @@ use super::pencil::C;
 use super::phase::POLY;
 use super::problem::{PairState, Refusal};
 use super::request::{ExactSwitch, Request};
-use super::run::{Passed, Workspace};
+use super::run::Passed;
+use super::workspace::Workspace;
 use super::{ExactTree, Law};
 
 /// Highest number of derivatives that [`Cursor::derivatives`] gives, the

@@ -125,6 +125,7 @@ mod start;
 mod tests;
 mod track;
 mod watch;
+mod workspace;
 
 pub use asked::Asked;
 pub use audit::TreeAudit;
@@ -213,7 +214,7 @@ impl ExactTree {
     /// # Errors
     /// The modes of a regime cannot be separated, or numbers stop being finite.
     pub fn run(&self, request: &Request) -> Result<ExactRun, Refusal> {
-        self.run_while(request, &run::always)
+        self.run_while(request, &workspace::always)
     }
 
     /// Runs it for as long as `goes_on` says so; asked every thousand steps of

@@ -6,9 +6,9 @@ use super::phase::{Exponentials, Phase};
 use super::problem::{TreeObject, TreePair, TreeProblem};
 use super::regime::Regime;
 use super::request::Request;
-use super::run::Workspace;
 use super::search::Witness;
 use super::track::{Scene, Track};
+use super::workspace::Workspace;
 
 /// Hands every step of the search to the tracks.
 pub(super) struct Tracks<'a> {

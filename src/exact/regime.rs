@@ -8,8 +8,8 @@ use super::lanes::Plain;
 use super::panel::Panel;
 use super::polynomial::Steady;
 use super::problem::{PairState, Refusal, TreeObject, TreeProblem};
-use super::run::Workspace;
 use super::sample::Strides;
+use super::workspace::Workspace;
 
 /// One combination of engaged pairs, ready for use.
 #[derive(Clone, Debug)]

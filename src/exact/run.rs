@@ -1,67 +1,16 @@
 //! The run: phases and switches in turn.
 
-use super::audit::Ledger;
 use super::functional::Functional;
 use super::lanes::{Arith, Fused, Plain};
-use super::observe::{Tracks, tracks};
-use super::phase::Phase;
-use super::problem::{PairState, Refusal, TreeProblem};
-use super::regime::Regime;
+use super::observe::Tracks;
+use super::problem::{Refusal, TreeProblem};
 use super::request::{ExactRun, Halt, Request};
-use super::sample::Sampler;
-use super::search::{Search, Step};
-use super::signal::Signal;
-use super::start;
-use super::track::Track;
-use super::watch::Watch;
-
-/// Working memory of a run.
-pub(super) struct Workspace<'a> {
-    pub(super) problem: &'a TreeProblem,
-    pub(super) functionals: &'a [Functional],
-    pub(super) first: &'a [usize],
-    pub(super) regimes: Vec<Regime>,
-    pub(super) states: Vec<PairState>,
-    pub(super) key: Vec<PairState>,
-    pub(super) watches: Vec<Watch>,
-    pub(super) watched: Vec<usize>,
-    pub(super) signals: Vec<Signal>,
-    pub(super) phase: Phase,
-    pub(super) search: Search,
-    pub(super) q: Vec<f64>,
-    pub(super) v: Vec<f64>,
-    pub(super) q_end: Vec<f64>,
-    pub(super) v_end: Vec<f64>,
-    /// Number of leading derivatives known to vanish, by functional.
-    pub(super) zeros: Vec<usize>,
-    /// Room for those that stay.
-    kept: Vec<(usize, usize)>,
-    pub(super) sampler: Sampler,
-    pub(super) tracks: Vec<Track>,
-    pub(super) ledger: Option<Ledger>,
-    /// Panel in use and whether the object's link transmits force.
-    pub(super) variants: Vec<(usize, bool)>,
-    pub(super) out: ExactRun,
-    /// Where the run stands, as a double-double (s).
-    pub(super) at: (f64, f64),
-    /// Switches at one and the same instant.
-    stalled: usize,
-    /// Most steps of the search in a phase, and in all.
-    most_steps: [u64; 2],
-    /// Asked from time to time.
-    goes_on: &'a dyn Fn() -> bool,
-    /// True when it has said no.
-    told: bool,
-}
+use super::search::Step;
+use super::workspace::Workspace;
 
 /// Steps of the search between two looks at whether the run is to go on; a
 /// power of two.
 const PATIENCE: u64 = 1024;
-
-/// Goes on, whatever happens.
-pub(super) fn always() -> bool {
-    true
-}
 
 /// A phase gone through.
 #[derive(Clone, Copy, Debug)]
@@ -72,17 +21,6 @@ pub(super) struct Passed {
     pub(super) length: f64,
     /// The watch that ended it; `None`: the end of its validity.
     pub(super) event: Option<usize>,
-}
-
-/// Room for the samples; what is asked for beyond it is taken as it comes.
-fn room(request: &Request, n: usize) -> usize {
-    const MOST: usize = 1 << 20;
-    let columns = if request.all_masses { 2 * n } else { 1 };
-    request
-        .samples
-        .saturating_add(8)
-        .saturating_mul(columns)
-        .min(MOST)
 }
 
 #[cold]
@@ -134,55 +72,7 @@ pub(crate) fn run_plain(
     work.run::<Plain>(request)
 }
 
-impl<'a> Workspace<'a> {
-    pub(super) fn new(
-        problem: &'a TreeProblem,
-        functionals: &'a [Functional],
-        first: &'a [usize],
-        request: &Request,
-    ) -> Result<Self, Refusal> {
-        let n = problem.masses.len();
-        let harmonics = problem.law.frequencies().len();
-        let lanes = super::cluster::most_lanes(n) + harmonics;
-        let blocks = lanes.div_ceil(super::lanes::WIDTH);
-        let (states, zeros) = start::states(problem, functionals, first)?;
-        Ok(Self {
-            problem,
-            functionals,
-            first,
-            regimes: Vec::new(),
-            key: states.clone(),
-            states: states.clone(),
-            watches: Vec::with_capacity(2 * n),
-            watched: Vec::with_capacity(2 * n),
-            signals: vec![Signal::new(blocks, n * harmonics); functionals.len()],
-            phase: Phase::new(problem, blocks),
-            search: Search::new(blocks, harmonics),
-            q: problem.displacement.clone(),
-            v: problem.speed.clone(),
-            q_end: problem.displacement.clone(),
-            v_end: problem.speed.clone(),
-            zeros,
-            kept: Vec::with_capacity(2 * n),
-            sampler: Sampler::new(problem, request, blocks),
-            tracks: tracks(problem, request, blocks),
-            ledger: request.audit.then(Ledger::new),
-            variants: vec![(0, true); problem.objects.len()],
-            out: ExactRun {
-                start: states.clone(),
-                switches: Vec::with_capacity(256),
-                samples: Vec::with_capacity(room(request, n)),
-                columns: if request.all_masses { 2 * n } else { 1 },
-                ..ExactRun::default()
-            },
-            at: (0.0, 0.0),
-            stalled: 0,
-            most_steps: [request.steps, request.all_steps],
-            goes_on: &always,
-            told: false,
-        })
-    }
-
+impl Workspace<'_> {
     #[inline(always)]
     fn run<A: Arith>(mut self, request: &Request) -> Result<ExactRun, Refusal> {
         loop {

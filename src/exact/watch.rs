@@ -4,7 +4,7 @@ use super::functional::value;
 use super::lanes::Arith;
 use super::problem::PairState;
 use super::request::ExactSwitch;
-use super::run::Workspace;
+use super::workspace::Workspace;
 
 /// A watched pair function.
 #[derive(Clone, Copy, Debug)]

@@ -1,7 +1,7 @@
 //! The object graph as it is drawn: boxes, edges, and where they stand.
 
 use crate::model::{Closure, Coordinate, LinkageBody, Model, NodeMotion, ObjectPart, Pair};
-use crate::report::show::position;
+use crate::report::show::{motion, position};
 
 /// The object graph of a model, for pictures and texts.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -145,9 +145,7 @@ pub fn pair<'a>(model: &'a Model, object: &'a ObjectPart) -> Option<&'a Pair> {
 fn detail(model: &Model, object: &ObjectPart) -> String {
     let motion = object.nodes.first().map(|&node| &model.nodes[node].motion);
     match motion {
-        Some(NodeMotion::Prescribed { motion, .. }) => {
-            position::motion_summary(motion, object.coordinate)
-        }
+        Some(NodeMotion::Prescribed { motion, .. }) => motion::summary(motion, object.coordinate),
         Some(NodeMotion::Rotor { .. }) => "motor".into(),
         Some(NodeMotion::Rigid { .. }) => rigid(model, object),
         _ => match object.nodes.len() {

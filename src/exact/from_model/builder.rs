@@ -129,6 +129,22 @@ impl<'m> Builder<'m> {
         line
     }
 
+    /// Where a node stands whose driver moves with a mass.
+    fn behind(
+        &mut self,
+        object: usize,
+        law: &ModelLaw,
+        role: &Role<'_>,
+        driver: Moved,
+    ) -> Option<Moved> {
+        let (ratio, offset) = self.line(object, law, role)?;
+        Some(Moved {
+            ratio: ratio * driver.ratio,
+            offset: ratio * driver.offset + offset,
+            ..driver
+        })
+    }
+
     fn rigid(&mut self, object: usize, law: &'m ModelLaw) {
         let node = self.model.objects[object].nodes[0];
         let role = self.driver(law);
@@ -142,13 +158,8 @@ impl<'m> Builder<'m> {
                 return;
             }
             Role::Moved(moved) => {
-                let Some((ratio, offset)) = self.line(object, law, &role) else {
+                let Some(on) = self.behind(object, law, &role, *moved) else {
                     return;
-                };
-                let on = Moved {
-                    ratio: ratio * moved.ratio,
-                    offset: ratio * moved.offset + offset,
-                    ..*moved
                 };
                 let mass = &mut self.trees[on.tree].problem.masses[on.mass];
                 mass.inertia += on.ratio * on.ratio * self.model.nodes[node].inertia;
@@ -181,13 +192,8 @@ impl<'m> Builder<'m> {
                 (self.trees.len() - 1, None)
             }
             Role::Moved(moved) => {
-                let Some((ratio, offset)) = self.line(object, law, &role) else {
+                let Some(on) = self.behind(object, law, &role, *moved) else {
                     return;
-                };
-                let on = Moved {
-                    ratio: ratio * moved.ratio,
-                    offset: ratio * moved.offset + offset,
-                    ..*moved
                 };
                 (moved.tree, Some(on))
             }

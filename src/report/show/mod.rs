@@ -4,6 +4,7 @@
 pub mod equations;
 pub mod graph;
 pub mod masses;
+pub mod motion;
 pub mod position;
 mod table;
 

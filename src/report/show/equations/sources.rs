@@ -7,7 +7,7 @@ use super::{
 use crate::model::{Closure, Law, Model, NodeMotion, OUTPUT, ObjectPart};
 use crate::motion::DriveMotion;
 use crate::report::math::{Expr, Index, Relation, symbol};
-use crate::report::show::{position, units};
+use crate::report::show::{motion, position, units};
 
 /// A drive whose motion is prescribed, and the moment that this takes.
 pub(super) fn prescribed(model: &Model, object: usize, motion: &DriveMotion) -> Section {
@@ -18,11 +18,7 @@ pub(super) fn prescribed(model: &Model, object: usize, motion: &DriveMotion) -> 
         ..Section::default()
     };
     let phi = of_object("φ", model, object);
-    section.line(
-        phi.clone(),
-        position::motion_formula(motion, part.coordinate),
-        "",
-    );
+    section.line(phi.clone(), motion::formula(motion, part.coordinate), "");
     let reflected = reflected(model, object);
     let own = own_inertia(model, part);
     let mut terms = Vec::new();
