@@ -1,4 +1,4 @@
-//! Rockers: turning levers that go round.
+//! Rockers: turning levers that swing.
 
 use super::cam_geometry;
 use super::chain::{self, Rules};

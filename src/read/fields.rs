@@ -1,8 +1,10 @@
 //! The properties of an object.
 
+mod closing;
+
 use super::one_of::OneOf;
-use super::slot::{Reader, Slot, join, last_name, push};
-use super::suggest::{closest, quoted_list};
+use super::slot::{Reader, Slot, join, push};
+use super::suggest::quoted_list;
 use super::tree::{Member, Node};
 use crate::diagnostics::{Diagnostic, Place};
 use serde_json::{Map, Value as Json, json};
@@ -306,82 +308,6 @@ impl<'a> Fields<'a> {
             }
         }
         (complete, Json::Object(self.out))
-    }
-
-    /// One entry for each unknown property: the known one it may be a slip of.
-    fn report_unknown(&mut self) -> Vec<Option<&'static str>> {
-        let mut suggestions = Vec::new();
-        let members = self.node.map_or(&[][..], Node::members);
-        let known = self.known.iter().copied();
-        let absent: Vec<&'static str> = known.filter(|name| !self.has(name)).collect();
-        for member in members {
-            let known = self.known.contains(&member.name.as_str());
-            if known || self.free {
-                continue;
-            }
-            let suggestion = closest(&member.name, absent.iter().copied())
-                .or_else(|| closest(&member.name, self.known.iter().copied()))
-                .and_then(|found| self.known.iter().copied().find(|name| *name == found));
-            let mut fault = Diagnostic::error(
-                "unknown-property",
-                format!("unknown property `{}`", member.name),
-            )
-            .at(member.name_place.clone())
-            .path(join(&self.path, &member.name));
-            fault = match suggestion {
-                Some(found) => fault.hint(format!("did you mean `{found}`?")),
-                None => fault.hint(format!(
-                    "{} has {}",
-                    last_name(&self.path),
-                    quoted_list(self.known.iter().copied(), "and")
-                )),
-            };
-            self.reader.diagnostics.push(fault);
-            suggestions.push(suggestion);
-        }
-        suggestions
-    }
-
-    fn report_missing(&mut self, missing: &Missing) {
-        let owner = last_name(&self.path);
-        let (message, label) = match missing.names.as_slice() {
-            [name] => (
-                format!("{owner} has no `{name}`"),
-                format!("`{name}` is missing"),
-            ),
-            _ => (
-                format!("{owner} does not say {}", missing.what),
-                String::new(),
-            ),
-        };
-        let fault = Diagnostic::error("missing-property", message)
-            .at(self.place.clone())
-            .path(self.path.clone())
-            .label(label)
-            .maybe_hint(missing.hint.clone());
-        self.reader.diagnostics.push(fault);
-    }
-
-    fn schema(&mut self) -> Json {
-        let mut schema = json!({ "type": "object", "properties": self.out });
-        if !self.free {
-            schema["additionalProperties"] = json!(false);
-        }
-        if !self.required.is_empty() {
-            schema["required"] = json!(self.required);
-        }
-        let groups: Vec<Json> = self
-            .alternatives
-            .iter()
-            .map(|names| {
-                let one = |name: &&str| json!({ "required": [name] });
-                json!({ "oneOf": names.iter().map(one).collect::<Vec<_>>() })
-            })
-            .collect();
-        if !groups.is_empty() {
-            schema["allOf"] = json!(groups);
-        }
-        schema
     }
 }
 

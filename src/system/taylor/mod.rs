@@ -11,6 +11,7 @@
 //! The speed table of a motor has kinks that no series knows of: systems with
 //! one have no expansion here, and neither have those with a linkage.
 
+mod begin;
 mod law;
 mod loads;
 #[cfg(test)]
@@ -18,20 +19,16 @@ mod tests;
 
 pub(crate) use law::HIGHEST;
 
-use super::frozen::{Chain, Frozen, Step, segment};
+use super::frozen::{Chain, Frozen, Step};
 use super::pairs::OPEN;
-use super::passes::{Extent, Work};
+use super::passes::Work;
 use crate::model::{Closure, LoadLaw};
 use crate::position::Position;
-use law::{LawSeries, Series, against, polynomial, product};
+use law::{LawSeries, Series, against, product};
 use loads::LoadSeries;
 
-/// Share by which the polynomial of a law reaches beyond the way expected.
-const MARGIN: f64 = 1.25;
 /// The polynomial of a law is good a little beyond its reach.
 const BEYOND: f64 = 1.1;
-/// Least reach of the polynomial of a law, against 1 + |φ|: far above rounding.
-const LEAST_REACH: f64 = 1e-12;
 
 const ZERO: Series = [0.0; HIGHEST + 1];
 
@@ -157,77 +154,6 @@ impl Frozen {
                 if one.is_nan() { one } else { greatest.max(one) }
             },
         )
-    }
-
-    /// Orders 0 and 1 of all displacements; all orders of drives.
-    fn begin(&self, start: &Start<'_>, work: &mut Work<f64>, taylor: &mut Taylor) {
-        let Start { time, y, dy, modes } = *start;
-        self.motion(time, y, modes, Extent::Full, work);
-        self.known_accelerations(&dy[self.coordinates..], work);
-        let (u, v) = y.split_at(self.coordinates);
-        for (coordinate, series) in taylor.u.iter_mut().enumerate() {
-            series[0] = u[coordinate];
-            series[1] = v[coordinate] * taylor.length;
-            taylor.v[coordinate][0] = v[coordinate];
-        }
-        for step in &self.steps {
-            match step {
-                Step::Prescribed(drive) => {
-                    taylor.displacement[drive.node] = ZERO;
-                    taylor.speed[drive.node] = ZERO;
-                    let (piece, length) = (segment(modes, drive.component), taylor.length);
-                    let jet = |shift: f64| drive.motion.jet(piece, time + shift);
-                    let middle = jet(0.0);
-                    let speeds = polynomial(middle, jet(-length), jet(length), length);
-                    taylor.place(drive.node, 0, middle.value);
-                    for (j, c) in speeds.iter().enumerate() {
-                        taylor.place(drive.node, j + 1, length * c / (j + 1) as f64);
-                    }
-                    for order in 0..HIGHEST - 1 {
-                        taylor.acceleration[drive.node][order] = (order + 1) as f64
-                            * taylor.speed[drive.node][order + 1]
-                            / taylor.length;
-                    }
-                }
-                Step::Rotor(rotor) => {
-                    taylor.place(rotor.node, 0, u[rotor.coordinate]);
-                    taylor.place(rotor.node, 1, v[rotor.coordinate] * taylor.length);
-                }
-                Step::Rigid(index) => {
-                    let rigid = self.rigids[*index];
-                    self.begin_law(rigid.law, modes, work, taylor);
-                    for order in 0..2 {
-                        taylor.place(rigid.node, order, taylor.laws[rigid.law].value[order]);
-                    }
-                }
-                Step::Chain(index) => self.begin_chain(&self.chains[*index], modes, work, taylor),
-            }
-        }
-    }
-
-    fn begin_chain(&self, chain: &Chain, modes: &[i64], work: &Work<f64>, taylor: &mut Taylor) {
-        self.begin_law(chain.law, modes, work, taylor);
-        for (node, coordinate) in chain.nodes().zip(chain.coordinates()) {
-            for order in 0..2 {
-                let law = taylor.laws[chain.law].value[order];
-                taylor.place(node, order, law + taylor.u[coordinate][order]);
-            }
-        }
-    }
-
-    fn begin_law(&self, index: usize, modes: &[i64], work: &Work<f64>, taylor: &mut Taylor) {
-        let law = &self.laws[index];
-        let (driver, length) = (law.driver, taylor.length);
-        let phi = taylor.displacement[driver][0];
-        if bends(law) {
-            let (speed, acceleration) = (work.speed[driver], work.acceleration[driver]);
-            let way = length * (speed.abs() + 0.5 * length * acceleration.abs());
-            let radius = (MARGIN * way).max(LEAST_REACH * (1.0 + phi.abs()));
-            taylor.laws[index].begin(phi, radius, |phi| law.jet(modes, phi));
-        } else {
-            taylor.laws[index].begin_straight(law.jet(modes, phi));
-        }
-        taylor.laws[index].advance(1, taylor.displacement[driver][1]);
     }
 
     /// Loads and reactions of an order.
