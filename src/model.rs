@@ -43,6 +43,21 @@ pub struct Model {
     pub warnings: Vec<String>,
 }
 
+impl Model {
+    /// The pair in link 1 of an elastic object.
+    pub fn elastic_pair(&self, object: &ObjectPart) -> Option<Pair> {
+        match self.links[*object.links.first()?].base {
+            LinkBase::Law { pair } => Some(pair),
+            LinkBase::Mass(_) => None,
+        }
+    }
+
+    /// The pair between an object, elastic or rigid, and its driver.
+    pub fn pair(&self, object: &ObjectPart) -> Option<Pair> {
+        self.elastic_pair(object).or(object.rigid_pair)
+    }
+}
+
 /// Turning or sliding.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]

@@ -29,6 +29,22 @@ pub struct Verdict {
     pub source: Option<String>,
 }
 
+impl Verdict {
+    /// Not judged yet.
+    fn open(what: String, expected: f64, within: f64) -> Self {
+        Self {
+            what,
+            expected,
+            within,
+            found: None,
+            holds: false,
+            unknown: false,
+            message: String::new(),
+            source: None,
+        }
+    }
+}
+
 /// True for figures of the steady motion, which no run has.
 fn of_steady_motion(expectation: &Expectation) -> bool {
     matches!(&expectation.what, Expected::Figure { figure, .. } if figure.starts_with("steady."))
@@ -95,16 +111,7 @@ fn did_you_mean(close: &[String]) -> String {
 }
 
 fn check_figure(figure: &str, expected: f64, within: f64, result: &RunResult) -> Verdict {
-    let mut verdict = Verdict {
-        what: figure.to_owned(),
-        expected,
-        within,
-        found: None,
-        holds: false,
-        unknown: false,
-        message: String::new(),
-        source: None,
-    };
+    let mut verdict = Verdict::open(figure.to_owned(), expected, within);
     match result.figures.value(figure) {
         Ok(found) => judge(&mut verdict, found),
         Err(AddressError::NoValue) => {
@@ -123,33 +130,17 @@ fn check_figure(figure: &str, expected: f64, within: f64, result: &RunResult) ->
 
 /// The verdict on a figure that was found, or has no value.
 pub(super) fn judged(figure: &str, expected: f64, within: f64, found: Option<f64>) -> Verdict {
-    let mut verdict = Verdict {
-        what: figure.to_owned(),
-        expected,
-        within,
-        found: None,
-        holds: false,
-        unknown: false,
-        message: format!("{figure} has no value in this motion"),
-        source: None,
-    };
-    if let Some(found) = found {
-        judge(&mut verdict, found);
+    let mut verdict = Verdict::open(figure.to_owned(), expected, within);
+    match found {
+        Some(found) => judge(&mut verdict, found),
+        None => verdict.message = format!("{figure} has no value in this motion"),
     }
     verdict
 }
 
 fn check_stop(reason: &str, time: f64, within: f64, result: &RunResult) -> Verdict {
-    let mut verdict = Verdict {
-        what: format!("stops: {reason}"),
-        expected: time,
-        within,
-        found: Some(result.outcome.time),
-        holds: false,
-        unknown: false,
-        message: String::new(),
-        source: None,
-    };
+    let mut verdict = Verdict::open(format!("stops: {reason}"), time, within);
+    verdict.found = Some(result.outcome.time);
     match &result.figures.run.stopped {
         Some(stopped) if stopped == reason => judge(&mut verdict, result.outcome.time),
         Some(stopped) => {

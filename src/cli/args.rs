@@ -1,11 +1,13 @@
 //! The command line's arguments.
 
 mod cam;
+mod course;
 mod forces;
 mod kinematics;
 mod methods;
 
 pub(crate) use cam::{CamArgs, CamForm};
+pub(crate) use course::CourseArgs;
 pub(crate) use forces::{ConventionName, Direction, ForcesArgs};
 pub(crate) use kinematics::KinematicsArgs;
 pub(crate) use methods::MethodsArgs;

@@ -56,8 +56,7 @@ pub(crate) fn command(args: &CompareArgs) -> Result<Status, Failure> {
             }
         }
         if let Some(folder) = &folder {
-            let report = folder.path("report.html");
-            console::talk(&format!("report: {}", report.display()));
+            folder.tell_report();
         }
     }
     Ok(status(&comparison))
@@ -118,9 +117,6 @@ fn prepare_folder(
     ready: &[Ready],
     count: usize,
 ) -> Result<Option<OutputFolder>, Failure> {
-    let Some(path) = &args.out.out else {
-        return Ok(None);
-    };
     let mut names = vec!["comparison.json".to_owned(), "comparison.csv".to_owned()];
     names.push("report.html".to_owned());
     names.extend((0..count).map(record_name));
@@ -129,12 +125,7 @@ fn prepare_folder(
     }
     let names: Vec<&str> = names.iter().map(String::as_str).collect();
     let scene = &ready[0].scene().name;
-    Ok(Some(OutputFolder::prepare(
-        path,
-        scene,
-        &names,
-        args.out.force,
-    )?))
+    Ok(OutputFolder::asked(&args.out, scene, &names)?)
 }
 
 fn files(

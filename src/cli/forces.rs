@@ -4,13 +4,13 @@ use super::args::{ConventionName, Direction, ForcesArgs};
 use super::console;
 use super::failure::{Failure, Status};
 use super::input::{Input, Ready};
-use super::kinematics::{quantity, range_of};
+use super::kinematics::{asked_over, quantity};
 use super::output::{OutputFolder, ResultFile};
 use dam::analysis::forces::{
     Course, ForceSettings, ForceStudy, LinkagePositions, compare_massless, course_of,
     course_of_record, only_loaded_output, study,
 };
-use dam::analysis::kinematics::{Asked, Over, Question, linkage_of, whole_travel};
+use dam::analysis::kinematics::{Asked, Question, linkage_of, whole_travel};
 use dam::fault::Fault;
 use dam::linkage::Linkage;
 use dam::linkage::kinetostatics::{Convention, ForceFailure, Kinetostatics, Options};
@@ -19,7 +19,6 @@ use dam::object::Measures;
 use dam::report::forces::{
     ForcesReport, document, drawing, forces_csv, massless_chart, page, text,
 };
-use dam::units::quantities as q;
 use std::path::Path;
 
 const FILES: [&str; 5] = [
@@ -38,7 +37,7 @@ pub(crate) fn command(args: &ForcesArgs) -> Result<Status, Failure> {
     let input = Input::load(&args.scene)?;
     let ready = input.prepare(&[])?;
     let model = ready.system.model();
-    let body = linkage_of(model, args.object.as_deref())?;
+    let body = linkage_of(model, args.course.object.as_deref())?;
     let object = model.objects[body.object].id.as_str();
     let told = |faults: Vec<Fault>| faults_of(&ready, object, faults);
     let solver = Kinetostatics::new(body.linkage.spec()).map_err(told)?;
@@ -59,13 +58,7 @@ pub(crate) fn command(args: &ForcesArgs) -> Result<Status, Failure> {
             ForceFailure::NoDirection
         )));
     }
-    let folder = match &args.out.out {
-        Some(path) => {
-            let scene = &ready.scene().name;
-            Some(OutputFolder::prepare(path, scene, &FILES, args.out.force)?)
-        }
-        None => None,
-    };
+    let folder = OutputFolder::asked(&args.out, &ready.scene().name, &FILES)?;
     let mut source = LinkagePositions::new(&body.linkage);
     let spec = body.linkage.spec();
     let massless = match args.compare_massless.as_slice() {
@@ -89,8 +82,7 @@ pub(crate) fn command(args: &ForcesArgs) -> Result<Status, Failure> {
     show(args, &report)?;
     talk(args, &found, behind(model, object));
     if let (Some(folder), false) = (&folder, args.scene.quiet) {
-        let report = folder.path("report.html");
-        console::talk(&format!("report: {}", report.display()));
+        folder.tell_report();
     }
     Ok(
         match found.rows.iter().all(|row| row.forces.is_ok()) && found.worst_balance() < 1e-8 {
@@ -233,23 +225,12 @@ fn question(
     let acceleration = acceleration
         .map(|text| quantity("--acceleration", text, own.acceleration()))
         .transpose()?;
-    let over = match (&args.range, &args.time) {
-        (Some(range), _) => Some(range_of(range, own)?),
-        (None, Some(time)) => Some(Over::Time {
-            to: match time.as_str() {
-                "" => ready.settings.duration,
-                time => quantity("--time", time, q::TIME.into())?,
-            },
-        }),
-        (None, None) if args.turn => Some(Over::Turn),
-        // A speed, or a comparison over speeds, is meant for the whole travel.
-        (None, None) => {
-            let whole = speed.or(acceleration).is_some() || !args.compare_massless.is_empty();
-            whole.then(|| whole_travel(linkage))
-        }
-    };
+    // A speed, or a comparison over speeds, is meant for the whole travel.
+    let whole = speed.or(acceleration).is_some() || !args.compare_massless.is_empty();
+    let over = asked_over(&args.course, ready, own)?;
+    let over = over.or_else(|| whole.then(|| whole_travel(linkage)));
     Ok(Question {
-        object: args.object.clone(),
+        object: args.course.object.clone(),
         over,
         positions: args.positions as usize,
         speed,

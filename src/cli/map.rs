@@ -161,7 +161,7 @@ fn talk(
     }
     match (result.complete, folder) {
         (true, Some(folder)) => {
-            console::talk(&format!("report: {}", folder.path("report.html").display()));
+            folder.tell_report();
         }
         (false, Some(_)) => console::talk(&format!(
             "interrupted: {known} of {} cells are kept; go on with --resume",

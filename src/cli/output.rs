@@ -5,6 +5,8 @@
 //! hash: such files of the same scene are replaced freely, anything else only
 //! with `--force`.
 
+use super::args::OutArgs;
+use super::console;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
@@ -51,6 +53,21 @@ impl ResultFile {
 }
 
 impl OutputFolder {
+    /// The folder that is asked for, if any, ready for the files `names`.
+    pub(crate) fn asked(
+        args: &OutArgs,
+        scene: &str,
+        names: &[&str],
+    ) -> Result<Option<Self>, String> {
+        let prepare = |folder| Self::prepare(folder, scene, names, args.force);
+        args.out.as_deref().map(prepare).transpose()
+    }
+
+    /// Says where the report is.
+    pub(crate) fn tell_report(&self) {
+        console::talk(&format!("report: {}", self.path("report.html").display()));
+    }
+
     /// Makes the folder and makes sure, before the run, that `names` can be
     /// written there without losing anybody's work.
     pub(crate) fn prepare(

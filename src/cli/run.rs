@@ -36,15 +36,7 @@ struct Document<'a> {
 pub(crate) fn command(args: &RunArgs) -> Result<Status, Failure> {
     let input = Input::load(&args.scene)?;
     let ready = input.prepare(&[])?;
-    let folder = match &args.out.out {
-        Some(path) => Some(OutputFolder::prepare(
-            path,
-            &ready.scene().name,
-            &FILES,
-            args.out.force,
-        )?),
-        None => None,
-    };
+    let folder = OutputFolder::asked(&args.out, &ready.scene().name, &FILES)?;
     let quiet = args.scene.quiet;
     if !quiet && !ready.reading.warnings.is_empty() {
         console::talk(&ready.reading.warnings.render(console::colour()));
@@ -93,8 +85,7 @@ pub(crate) fn command(args: &RunArgs) -> Result<Status, Failure> {
     if !quiet {
         talk(&ready, &result, &verdicts, seconds);
         if let Some(folder) = &folder {
-            let report = folder.path("report.html");
-            console::talk(&format!("report: {}", report.display()));
+            folder.tell_report();
         }
     }
     Ok(status(&result, &verdicts))

@@ -13,6 +13,16 @@ pub(super) struct Pace {
     usual_lengths: BTreeMap<Vec<i64>, f64>,
 }
 
+/// The next step of a leg whose target is a `rest` away: `wanted`, but the last
+/// two steps before the target are made alike.
+pub(super) fn towards(rest: f64, wanted: f64) -> f64 {
+    match wanted {
+        long if 1.001 * long >= rest => rest,
+        long if 2.0 * long > rest => 0.5 * rest,
+        step => step,
+    }
+}
+
 impl<D: Dynamics> Run<'_, D> {
     /// First step of a leg (s): the usual one in the present modes of the
     /// pairs, if they have been in force before; otherwise estimated.

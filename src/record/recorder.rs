@@ -9,7 +9,6 @@ use super::rows::{Rows, is_finite};
 use super::tracker::{ObjectTracker, StepView};
 use super::{Interval, ObjectFigures, PairFigures, Record, SwitchRow};
 use crate::integrate::{Modes, Sink, SwitchEvent};
-use crate::model::{LinkBase, Model, Pair};
 use crate::polynomial::Step;
 use crate::system::{ObjectState, System};
 
@@ -80,7 +79,7 @@ impl<'s> Recorder<'s> {
             .filter_map(|object| {
                 let component = system.pair_component(object)?;
                 let coordinate = system.first_coordinate(object)?;
-                let pair = elastic_pair(model, object)?;
+                let pair = model.elastic_pair(&model.objects[object])?;
                 Some(PairTracker::new(object, component, coordinate, pair))
             })
             .collect();
@@ -319,14 +318,5 @@ impl Sink for Recorder<'_> {
                 self.not_finite |= !self.rows.push(event.time, states);
             }
         }
-    }
-}
-
-/// The pair in link 1 of an elastic object.
-fn elastic_pair(model: &Model, object: usize) -> Option<Pair> {
-    let link = *model.objects[object].links.first()?;
-    match model.links[link].base {
-        LinkBase::Law { pair } => Some(pair),
-        LinkBase::Mass(_) => None,
     }
 }

@@ -73,15 +73,7 @@ impl Rows {
         }
         self.times.push(time);
         for (columns, state) in self.columns.chunks_mut(QUANTITIES.len()).zip(states) {
-            let values = [
-                state.displacement,
-                state.speed,
-                state.acceleration,
-                state.delta,
-                state.reaction,
-                state.contact_force,
-            ];
-            for (column, value) in columns.iter_mut().zip(values) {
+            for (column, value) in columns.iter_mut().zip(values(state)) {
                 column.values.push(value);
             }
         }
@@ -113,6 +105,11 @@ impl Rows {
 
 /// True when everything that goes into figures and rows is a number.
 pub(crate) fn is_finite(state: &ObjectState) -> bool {
+    values(state).iter().all(|value| value.is_finite())
+}
+
+/// The quantities of a row, in the order of [`QUANTITIES`].
+fn values(state: &ObjectState) -> [f64; 6] {
     [
         state.displacement,
         state.speed,
@@ -121,8 +118,6 @@ pub(crate) fn is_finite(state: &ObjectState) -> bool {
         state.reaction,
         state.contact_force,
     ]
-    .iter()
-    .all(|value| value.is_finite())
 }
 
 #[cfg(test)]

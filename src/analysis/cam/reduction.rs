@@ -11,7 +11,7 @@
 use crate::cam::closing::{ClosingSpring, Demand};
 use crate::cam::{DiscCam, FollowerMotion};
 use crate::model::{
-    Closure, Law, LinearPiece, LinkBase, Load, LoadLaw, Model, NodeMotion, Pair, Track, TrackSource,
+    Closure, Law, LinearPiece, Load, LoadLaw, Model, NodeMotion, Pair, Track, TrackSource,
 };
 use crate::motion::DriveMotion;
 use crate::position::Position;
@@ -276,15 +276,7 @@ fn law_of(model: &Model, node: usize) -> Option<&Law> {
 }
 
 fn pair_of(model: &Model, object: usize) -> Pair {
-    let part = &model.objects[object];
-    let elastic = part
-        .links
-        .first()
-        .and_then(|&link| match model.links[link].base {
-            LinkBase::Law { pair } => Some(pair),
-            LinkBase::Mass(_) => None,
-        });
-    elastic.or(part.rigid_pair).unwrap_or(Pair {
+    model.pair(&model.objects[object]).unwrap_or(Pair {
         closure: Closure::Bilateral,
         gap: 0.0,
         opens: 1.0,

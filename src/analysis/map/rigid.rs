@@ -13,8 +13,7 @@
 //! moment M: P = M − J·A·Ω² at the peak, J* = M/(A·Ω²).)
 
 use crate::model::{
-    Closure, LinkBase, LoadLaw, Model, Node, NodeIndex, NodeMotion, ObjectPart, Pair, Track,
-    TrackSource,
+    Closure, LoadLaw, Model, Node, NodeIndex, NodeMotion, ObjectPart, Pair, Track, TrackSource,
 };
 use crate::position::Position;
 use crate::record::drive_cycle;
@@ -91,15 +90,8 @@ fn span(model: &Model, duration: f64) -> f64 {
 
 /// The pair of an object when it is force-closed.
 fn force_pair(model: &Model, part: &ObjectPart) -> Option<Pair> {
-    let elastic = part
-        .links
-        .first()
-        .and_then(|&link| match &model.links[link].base {
-            LinkBase::Law { pair } => Some(*pair),
-            LinkBase::Mass(_) => None,
-        });
-    elastic
-        .or(part.rigid_pair)
+    model
+        .pair(part)
         .filter(|pair| pair.closure == Closure::Force)
 }
 

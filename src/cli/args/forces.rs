@@ -1,6 +1,6 @@
 //! Arguments of `dam forces`.
 
-use super::{OutArgs, SceneArgs};
+use super::{CourseArgs, OutArgs, SceneArgs};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
@@ -9,23 +9,8 @@ use std::path::PathBuf;
 pub(crate) struct ForcesArgs {
     #[command(flatten)]
     pub(crate) scene: SceneArgs,
-    /// The linkage, where the scene has several
-    #[arg(long, value_name = "ID")]
-    pub(crate) object: Option<String>,
-    /// Over one turn of the input, after which everything repeats
-    #[arg(long, group = "over")]
-    pub(crate) turn: bool,
-    /// Over a range of the input coordinate: 0:180 deg
-    #[arg(
-        long,
-        value_name = "FROM:TO",
-        allow_hyphen_values = true,
-        group = "over"
-    )]
-    pub(crate) range: Option<String>,
-    /// Over time, under the motion of the scene's drive; without a value over the scene's duration
-    #[arg(long, value_name = "TIME", num_args = 0..=1, default_missing_value = "", group = "over")]
-    pub(crate) time: Option<String>,
+    #[command(flatten)]
+    pub(crate) course: CourseArgs,
     /// Over the motion in the record of a run of this scene: out/record.csv
     #[arg(long, value_name = "FILE", group = "over", conflicts_with_all = ["speed", "acceleration", "compare_massless"])]
     pub(crate) record: Option<PathBuf>,

@@ -1,6 +1,6 @@
 //! Arguments of `dam kinematics`.
 
-use super::{OutArgs, SceneArgs};
+use super::{CourseArgs, OutArgs, SceneArgs};
 use clap::Args;
 
 /// Arguments of `dam kinematics`.
@@ -8,23 +8,8 @@ use clap::Args;
 pub(crate) struct KinematicsArgs {
     #[command(flatten)]
     pub(crate) scene: SceneArgs,
-    /// The linkage, where the scene has several
-    #[arg(long, value_name = "ID")]
-    pub(crate) object: Option<String>,
-    /// Over one turn of the input, after which everything repeats
-    #[arg(long, group = "over")]
-    pub(crate) turn: bool,
-    /// Over a range of the input coordinate: 0:180 deg
-    #[arg(
-        long,
-        value_name = "FROM:TO",
-        allow_hyphen_values = true,
-        group = "over"
-    )]
-    pub(crate) range: Option<String>,
-    /// Over time, under the motion of the scene's drive; without a value over the scene's duration
-    #[arg(long, value_name = "TIME", num_args = 0..=1, default_missing_value = "", group = "over")]
-    pub(crate) time: Option<String>,
+    #[command(flatten)]
+    pub(crate) course: CourseArgs,
     /// Number of equal intervals
     #[arg(long, default_value_t = 360, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     pub(crate) positions: u32,

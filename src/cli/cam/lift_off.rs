@@ -7,7 +7,7 @@ use crate::cli::input::{Input, Ready};
 use crate::cli::run::control;
 use dam::analysis::cam::{CamForce, Steady, steady_contact};
 use dam::analysis::law::{LiftOff, lift_off};
-use dam::model::{Closure, LinkBase, Model, NodeMotion};
+use dam::model::{Closure, Model, NodeMotion};
 use dam::motion::DriveMotion;
 
 /// Why a search ended early.
@@ -80,13 +80,6 @@ pub(super) fn search(
 }
 
 fn closure(model: &Model, object: usize) -> Option<Closure> {
-    let part = &model.objects[object];
-    let elastic = part
-        .links
-        .first()
-        .and_then(|&link| match model.links[link].base {
-            LinkBase::Law { pair } => Some(pair),
-            LinkBase::Mass(_) => None,
-        });
-    elastic.or(part.rigid_pair).map(|pair| pair.closure)
+    let pair = model.pair(&model.objects[object]);
+    pair.map(|pair| pair.closure)
 }

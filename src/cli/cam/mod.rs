@@ -44,13 +44,7 @@ pub(crate) fn command(args: &CamArgs) -> Result<Status, Failure> {
     let input = Input::load(&args.scene)?;
     let ready = input.prepare(&[])?;
     let id = chosen(args, &ready)?;
-    let folder = match &args.out.out {
-        Some(path) => {
-            let name = &ready.scene().name;
-            Some(OutputFolder::prepare(path, name, &FILES, args.out.force)?)
-        }
-        None => None,
-    };
+    let folder = OutputFolder::asked(&args.out, &ready.scene().name, &FILES)?;
     let model = ready.system.model();
     let diagnose = |faults: Vec<dam::fault::Fault>| ready.reading.places.diagnose(&faults);
     let cam = disc_cam(ready.scene(), model, &id).map_err(diagnose)?;
@@ -90,7 +84,7 @@ pub(crate) fn command(args: &CamArgs) -> Result<Status, Failure> {
         false => console::data(&found.shown(args.form)?),
     }
     if let (Some(folder), false) = (&folder, args.scene.quiet) {
-        console::talk(&format!("report: {}", folder.path("report.html").display()));
+        folder.tell_report();
     }
     Ok(status)
 }

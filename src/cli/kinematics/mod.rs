@@ -1,7 +1,7 @@
 //! `dam kinematics`: positions, transfer functions, speeds and accelerations of
 //! a linkage.
 
-use super::args::KinematicsArgs;
+use super::args::{CourseArgs, KinematicsArgs};
 use super::console;
 use super::failure::{Failure, Status};
 use super::input::{Input, Ready};
@@ -31,20 +31,14 @@ pub(crate) fn command(args: &KinematicsArgs) -> Result<Status, Failure> {
     let input = Input::load(&args.scene)?;
     let ready = input.prepare(&[])?;
     let model = ready.system.model();
-    let body = linkage_of(model, args.object.as_deref())?;
+    let body = linkage_of(model, args.course.object.as_deref())?;
     let coordinate = model.objects[body.object].coordinate;
     let mut question = question(args, &ready, coordinate)?;
     if let Some(at) = &args.svg {
         place(&mut question, at, &body.linkage, coordinate)?;
     }
     let asked = Asked::new(model, &question)?;
-    let folder = match &args.out.out {
-        Some(path) => {
-            let scene = &ready.scene().name;
-            Some(OutputFolder::prepare(path, scene, &FILES, args.out.force)?)
-        }
-        None => None,
-    };
+    let folder = OutputFolder::asked(&args.out, &ready.scene().name, &FILES)?;
     let found = kinematics(&asked);
     if let Some(folder) = &folder {
         let files = files(&input, &ready, &found)?;
@@ -52,8 +46,7 @@ pub(crate) fn command(args: &KinematicsArgs) -> Result<Status, Failure> {
     }
     show(args, &ready, &found, question.also)?;
     if let (Some(folder), false) = (&folder, args.scene.quiet) {
-        let report = folder.path("report.html");
-        console::talk(&format!("report: {}", report.display()));
+        folder.tell_report();
     }
     Ok(match found.stopped {
         None => Status::Answered,
@@ -94,10 +87,14 @@ pub(super) fn quantity(name: &str, text: &str, wanted: Wanted) -> Result<f64, Fa
     })?)
 }
 
-fn question(args: &KinematicsArgs, ready: &Ready, input: Coordinate) -> Result<Question, Failure> {
-    let own = Measures(Some(input));
-    let over = match (&args.range, &args.time) {
-        (Some(range), _) => Some(range_of(range, own)?),
+/// What the linkage is to be looked at over, where it is said.
+pub(super) fn asked_over(
+    args: &CourseArgs,
+    ready: &Ready,
+    input: Measures,
+) -> Result<Option<Over>, Failure> {
+    Ok(match (&args.range, &args.time) {
+        (Some(range), _) => Some(range_of(range, input)?),
         (None, Some(time)) => Some(Over::Time {
             to: match time.as_str() {
                 "" => ready.settings.duration,
@@ -105,13 +102,18 @@ fn question(args: &KinematicsArgs, ready: &Ready, input: Coordinate) -> Result<Q
             },
         }),
         (None, None) => args.turn.then_some(Over::Turn),
-    };
+    })
+}
+
+fn question(args: &KinematicsArgs, ready: &Ready, input: Coordinate) -> Result<Question, Failure> {
+    let own = Measures(Some(input));
+    let over = asked_over(&args.course, ready, own)?;
     let read = |name: &str, text: &Option<String>, wanted: Wanted| {
         let text = text.as_deref();
         text.map(|text| quantity(name, text, wanted)).transpose()
     };
     Ok(Question {
-        object: args.object.clone(),
+        object: args.course.object.clone(),
         over,
         positions: args.positions as usize,
         speed: read("--speed", &args.speed, own.speed())?,

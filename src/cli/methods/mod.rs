@@ -53,8 +53,7 @@ pub(crate) fn command(args: &MethodsArgs) -> Result<Status, Failure> {
         }
     };
     if let (Some(folder), false) = (&folder, args.scene.quiet) {
-        let report = folder.path("report.html");
-        console::talk(&format!("report: {}", report.display()));
+        folder.tell_report();
     }
     Ok(match complete {
         true => Status::Answered,
@@ -64,16 +63,12 @@ pub(crate) fn command(args: &MethodsArgs) -> Result<Status, Failure> {
 
 /// The folder for the results, checked before the work.
 fn prepare_folder(args: &MethodsArgs, ready: &Ready) -> Result<Option<OutputFolder>, Failure> {
-    let Some(path) = &args.out.out else {
-        return Ok(None);
-    };
     let names: &[&str] = match args.x {
         None => &files::OF_STUDY,
         Some(_) => &files::OF_SWEEP,
     };
     let scene = &ready.scene().name;
-    let folder = OutputFolder::prepare(path, scene, names, args.out.force)?;
-    Ok(Some(folder))
+    Ok(OutputFolder::asked(&args.out, scene, names)?)
 }
 
 /// Prints a document or a text.

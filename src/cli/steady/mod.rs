@@ -127,8 +127,7 @@ fn asked(args: &QuestionArgs, spec: &mut SteadySpec) -> Result<(), Failure> {
 }
 
 fn folder(args: &SteadyArgs, name: &str) -> Result<Option<OutputFolder>, Failure> {
-    let prepare = |path| OutputFolder::prepare(path, name, &FILES, args.out.force);
-    Ok(args.out.out.as_deref().map(prepare).transpose()?)
+    Ok(OutputFolder::asked(&args.out, name, &FILES)?)
 }
 
 /// Another machine than the scene's, or another question, has no expectations.
@@ -227,7 +226,7 @@ fn tell(
     ];
     folder.write("steady", answered.hash, &files)?;
     if !args.quiet {
-        console::talk(&format!("report: {}", folder.path(FILES[2]).display()));
+        folder.tell_report();
     }
     Ok(())
 }

@@ -16,6 +16,7 @@ mod step;
 mod tableau;
 
 use super::Dynamics;
+use super::pace::towards;
 use super::run::{Given, Run, Verdict};
 use newton::Stages;
 use std::sync::OnceLock;
@@ -129,13 +130,7 @@ impl<const S: usize, const L: usize> Radau<S, L> {
             let floor = 4.0 * f64::EPSILON * time.abs().max(target.abs());
             let mut again = false;
             let (length, error) = loop {
-                // The last two steps before the target are made alike.
-                let rest = target - time;
-                let length = match wanted.min(longest) {
-                    long if 1.001 * long >= rest => rest,
-                    long if 2.0 * long > rest => 0.5 * rest,
-                    step => step,
-                };
+                let length = towards(target - time, wanted.min(longest));
                 if length <= floor {
                     run.end_at_floor(length);
                     return;

@@ -7,6 +7,7 @@ mod tableau;
 
 use super::Dynamics;
 use super::linear::{Jacobian, SparseLu};
+use super::pace::towards;
 use super::run::{Run, Verdict};
 use tableau::{COUPLINGS, GAMMA, OUTPUT, STAGES, STATES, TIME_RATES, TIMES};
 
@@ -86,13 +87,7 @@ impl Stepper {
             }
             let floor = 4.0 * f64::EPSILON * time.abs().max(target.abs());
             let (length, error) = loop {
-                // The last two steps before the target are made alike.
-                let rest = target - time;
-                let length = match wanted.min(longest) {
-                    long if 1.001 * long >= rest => rest,
-                    long if 2.0 * long > rest => 0.5 * rest,
-                    step => step,
-                };
+                let length = towards(target - time, wanted.min(longest));
                 if length <= floor {
                     run.end_at_floor(length);
                     return;
