@@ -1,0 +1,125 @@
+use super::Table;
+use crate::linkage::Linkage;
+use crate::linkage::spec::*;
+
+fn pin(name: &str, on: (Option<usize>, [f64; 2]), link: (Option<usize>, [f64; 2])) -> PairSpec {
+    let point = |(link, at)| PointOf { link, at };
+    PairSpec {
+        name: name.to_owned(),
+        on: point(on),
+        link: point(link),
+        kind: PairKind::Revolute { diameter: 0.0 },
+        friction: 0.0,
+    }
+}
+
+/// A four-bar with weights, a damper, and a spring in the rocker's pivot.
+fn four_bar(crank: f64) -> LinkageSpec {
+    let bar = |name: &str, length: f64| LinkSpec {
+        name: name.to_owned(),
+        points: Vec::new(),
+        mass: 2.0 * length,
+        centre: [0.5 * length, 0.01],
+        moment: length.powi(3) / 6.0,
+    };
+    let torsion = |pair, rate, damping| ForceSpec {
+        name: "force".to_owned(),
+        law: ForceLaw::Torsion {
+            pair,
+            rate,
+            free_angle: 0.3,
+            damping,
+        },
+    };
+    LinkageSpec {
+        links: vec![bar("crank", crank), bar("coupler", 0.4), bar("rocker", 0.3)],
+        pairs: vec![
+            pin("A", (None, [0.0; 2]), (Some(0), [0.0; 2])),
+            pin("B", (Some(0), [crank, 0.0]), (Some(1), [0.0; 2])),
+            pin("C", (Some(1), [0.4, 0.0]), (Some(2), [0.3, 0.0])),
+            pin("D", (None, [0.35, 0.0]), (Some(2), [0.0; 2])),
+        ],
+        gravity: [1.0, -9.81],
+        forces: vec![torsion(3, 5.0, 0.2), torsion(2, 0.0, 0.1)],
+        start: 1.0,
+        ..LinkageSpec::default()
+    }
+}
+
+/// Compares the table with the linkage; the greatest difference of J, J′, J″,
+/// W, W′, D, D′ in units of the greatest value, and the share of places that
+/// the table knows.
+fn compared(linkage: &Linkage, from: f64, to: f64) -> ([f64; 7], f64) {
+    let table = Table::new(linkage).expect("a table");
+    let mut workspace = linkage.workspace();
+    let (mut miss, mut size, mut known) = ([0.0f64; 7], [0.0f64; 7], 0);
+    let count = 5000;
+    for step in 0..count {
+        let q = from + (to - from) * (f64::from(step) + 0.5) / f64::from(count);
+        linkage.solve(q, 3, &mut workspace).expect("within reach");
+        let reduced = linkage.reduced(&workspace);
+        let [j0, j1, j2] = reduced.inertia;
+        let [w0, w1] = [0, 1].map(|k| reduced.force[k] - reduced.potential[k + 1]);
+        let [d0, d1] = reduced.damping;
+        let Some(local) = table.at(q, 3) else {
+            continue;
+        };
+        known += 1;
+        let [i0, i1, i2] = local.inertia;
+        let found = [
+            i0,
+            i1,
+            i2,
+            local.force[0],
+            local.force[1],
+            local.damping[0],
+            local.damping[1],
+        ];
+        for (k, wanted) in [j0, j1, j2, w0, w1, d0, d1].into_iter().enumerate() {
+            miss[k] = miss[k].max((found[k] - wanted).abs());
+            size[k] = size[k].max(wanted.abs());
+        }
+    }
+    (
+        std::array::from_fn(|k| miss[k] / size[k]),
+        f64::from(known) / f64::from(count),
+    )
+}
+
+#[test]
+fn a_crank_that_turns_fully_is_known_everywhere_to_rounding() {
+    let linkage = Linkage::new(four_bar(0.1)).expect("a linkage");
+    // Three turns on, the configuration is the same.
+    for shift in [0.0, 6.0 * std::f64::consts::PI] {
+        let (miss, known) = compared(&linkage, shift, shift + 6.28);
+        assert_eq!(known, 1.0);
+        for (miss, bound) in miss
+            .into_iter()
+            .zip([1e-13, 1e-11, 1e-8, 1e-13, 1e-11, 1e-13, 1e-11])
+        {
+            assert!(miss < bound, "{miss:e} against {bound:e}");
+        }
+    }
+}
+
+#[test]
+fn near_dead_positions_the_linkage_is_solved_itself() {
+    let linkage = Linkage::new(four_bar(0.3)).expect("a linkage");
+    let [from, to] = linkage.range().ends();
+    let span = to - from;
+    let (miss, known) = compared(&linkage, from + 0.02 * span, to - 0.02 * span);
+    assert!(known > 0.95 && miss[0] < 1e-12, "{known} {miss:?}");
+    let table = Table::new(&linkage).expect("a table");
+    assert!(table.at(from + 1e-9, 2).is_none());
+    assert!(table.at(to + 0.1, 2).is_none() && table.at(f64::NAN, 2).is_none());
+}
+
+#[test]
+fn springs_that_wind_up_and_tables_over_the_input_have_none() {
+    let mut wound = four_bar(0.1);
+    let ForceLaw::Torsion { pair, .. } = &mut wound.forces[0].law else {
+        panic!("a spring");
+    };
+    *pair = 0;
+    assert!(Table::new(&Linkage::new(wound).expect("a linkage")).is_none());
+}
