@@ -92,8 +92,16 @@ impl Random {
     }
 }
 
-/// Catalogue objects, two angles that are looked at, and their dimensions.
-const CATALOGUE: [(&str, &str, [&str; 2], &[(&str, f64)]); 5] = [
+/// A catalogue object, the angle of its start, two links that are looked at, and
+/// its dimensions.
+type Entry = (
+    &'static str,
+    &'static str,
+    [&'static str; 2],
+    &'static [(&'static str, f64)],
+);
+
+const CATALOGUE: [Entry; 5] = [
     (
         "slider-crank",
         "0 deg",

@@ -10,6 +10,8 @@
 //! made of blocks of two, and the equation of the multipliers, six by six, is
 //! solved by Cholesky's method.
 
+#![allow(clippy::print_stdout)] // a bench tells its figures
+
 mod full;
 
 use dam::integrate::{
@@ -188,7 +190,11 @@ fn main() {
     let [mut general, mut blocks, mut own] = [f64::INFINITY; 3];
     // In turns, so that a busy moment of the machine meets all.
     for _ in 0..60 {
-        let solve = |how| move || drop(black_box(full(how, black_box(of_full))));
+        let solve = |how| {
+            move || {
+                black_box(full(how, black_box(of_full)));
+            }
+        };
         general = general.min(least(5, solve(Full::General)));
         blocks = blocks.min(least(5, solve(Full::Blocks)));
         own = own.min(least(5, || {
