@@ -54,6 +54,15 @@ fn positive(
     fields.need(name, doc, |slot| slot.quantity(wanted, Bounds::POSITIVE))
 }
 
+fn density(fields: &mut Fields<'_>) -> Option<f64> {
+    positive(fields, "density", "Density of the material", q::DENSITY)
+}
+
+fn youngs_modulus(fields: &mut Fields<'_>) -> Option<f64> {
+    let doc = "Young's modulus of the material";
+    positive(fields, "modulus", doc, q::MODULUS)
+}
+
 /// J = ρ·w·h·L³/3, c = 3·E·I/L, I = w·h³/12: a force F at the tip bends the
 /// lever by F·L³/(3EI), a turn of F·L²/(3EI) for the moment F·L.
 fn lever(fields: &mut Fields<'_>) -> Option<Elastic> {
@@ -75,13 +84,8 @@ fn lever(fields: &mut Fields<'_>) -> Option<Elastic> {
         "Height of the section, in the plane of motion",
         q::LENGTH,
     );
-    let density = positive(fields, "density", "Density of the material", q::DENSITY);
-    let modulus = positive(
-        fields,
-        "modulus",
-        "Young's modulus of the material",
-        q::MODULUS,
-    );
+    let density = density(fields);
+    let modulus = youngs_modulus(fields);
     let (length, width, height) = (length?, width?, height?);
     Some(Elastic {
         inertia: density? * width * height * length.powi(3) / 3.0,
@@ -104,7 +108,7 @@ fn shaft(fields: &mut Fields<'_>) -> Option<Elastic> {
         0.0.into(),
         |slot| slot.quantity(q::LENGTH, Bounds::NOT_NEGATIVE),
     );
-    let density = positive(fields, "density", "Density of the material", q::DENSITY);
+    let density = density(fields);
     let modulus = positive(
         fields,
         "shear_modulus",
@@ -145,13 +149,8 @@ fn rod(fields: &mut Fields<'_>) -> Option<Elastic> {
         },
     );
     let area = section.finish();
-    let density = positive(fields, "density", "Density of the material", q::DENSITY);
-    let modulus = positive(
-        fields,
-        "modulus",
-        "Young's modulus of the material",
-        q::MODULUS,
-    );
+    let density = density(fields);
+    let modulus = youngs_modulus(fields);
     let (length, area) = (length?, area?);
     Some(Elastic {
         inertia: density? * area * length,

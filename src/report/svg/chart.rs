@@ -1,6 +1,7 @@
 //! A line chart over time (or another axis) as a stand-alone picture.
 
 use super::coordinate;
+use super::legend::Legend;
 use crate::report::quantity::{Scale, escape, scale};
 use crate::report::ticks::ticks;
 
@@ -125,17 +126,15 @@ impl Chart {
 
     /// Names of the curves in rows under the title, and the height they take.
     fn legend(&self, width: f64) -> (String, f64) {
-        let (mut x, mut row, mut out) = (LEFT, 0.0, String::new());
+        let mut legend = Legend::new([LEFT, width - RIGHT], LEGEND_ROW);
+        let mut out = String::new();
         for (index, curve) in self.curves.iter().enumerate() {
             if curve.label.is_empty() {
                 continue;
             }
             let room = 44.0 + 6.8 * curve.label.chars().count() as f64;
-            if x > LEFT && x + room > width - RIGHT {
-                x = LEFT;
-                row += 1.0;
-            }
-            let y = TOP - 2.0 + row * LEGEND_ROW;
+            let (x, down) = legend.place(room);
+            let y = TOP - 2.0 + down;
             out.push_str(&format!(
                 "<path class=\"curve\" d=\"M{} {}h26\" {}/><text x=\"{}\" y=\"{}\">{}</text>\n",
                 coordinate(x),
@@ -145,10 +144,8 @@ impl Chart {
                 coordinate(y + 4.0),
                 escape(&curve.label)
             ));
-            x += room;
         }
-        let rows = if out.is_empty() { 0.0 } else { row + 1.0 };
-        (out, rows * LEGEND_ROW)
+        (out, legend.height())
     }
 
     fn shades(&self, frame: &Frame) -> String {

@@ -2,6 +2,7 @@
 
 pub mod chart;
 pub mod graph;
+mod legend;
 pub mod log_chart;
 pub mod map;
 pub mod strips;

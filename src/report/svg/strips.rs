@@ -2,6 +2,7 @@
 //! and pattern a kind.
 
 use super::coordinate;
+use super::legend::Legend;
 use crate::report::quantity::{escape, superscript};
 
 /// Strips over a common axis.
@@ -129,18 +130,16 @@ impl Strips {
 
     /// The kinds that occur, in rows under the title, and the height they take.
     fn legend(&self, width: f64) -> (String, f64) {
-        let (mut x, mut row, mut out) = (LEFT, 0.0, String::new());
+        let mut legend = Legend::new([LEFT, width - RIGHT], LEGEND_ROW);
+        let mut out = String::new();
         let occurs = |kind: usize| {
             let mut all = self.rows.iter().flat_map(|(_, kinds)| kinds);
             all.any(|found| *found == Some(kind))
         };
         for (index, kind) in self.kinds.iter().enumerate().filter(|(k, _)| occurs(*k)) {
             let room = 42.0 + 6.9 * kind.name.chars().count() as f64;
-            if x > LEFT && x + room > width - RIGHT {
-                x = LEFT;
-                row += 1.0;
-            }
-            let y = TOP - 6.0 + row * LEGEND_ROW;
+            let (x, down) = legend.place(room);
+            let y = TOP - 6.0 + down;
             out.push_str(&self.region(x, y - 6.0, 20.0, index));
             out.push_str(&format!(
                 "<text x=\"{}\" y=\"{}\">{}</text>\n",
@@ -148,10 +147,8 @@ impl Strips {
                 coordinate(y + 8.0),
                 escape(&kind.name)
             ));
-            x += room;
         }
-        let rows = if out.is_empty() { 0.0 } else { row + 1.0 };
-        (out, rows * LEGEND_ROW)
+        (out, legend.height())
     }
 
     fn axis(&self, width: f64, foot: f64) -> String {

@@ -9,6 +9,7 @@ mod marks;
 mod tests;
 
 use super::coordinate;
+use super::legend::Legend;
 use crate::report::quantity::escape;
 use marks::{draw, mark};
 
@@ -201,14 +202,12 @@ impl LogChart {
 
     /// Names of the series in rows under the title, and the height they take.
     fn legend(&self, width: f64) -> (String, f64) {
-        let (mut x, mut row, mut out) = (LEFT, 0.0, String::new());
+        let mut legend = Legend::new([LEFT, width - RIGHT], LEGEND_ROW);
+        let mut out = String::new();
         for series in self.series.iter().filter(|s| !s.label.is_empty()) {
             let room = 46.0 + 6.9 * series.label.chars().count() as f64;
-            if x > LEFT && x + room > width - RIGHT {
-                x = LEFT;
-                row += 1.0;
-            }
-            let y = TOP + row * LEGEND_ROW;
+            let (x, down) = legend.place(room);
+            let y = TOP + down;
             let colour = COLOURS[series.style % COLOURS.len()];
             let dash = if series.bare {
                 " stroke-dasharray=\"5 3\""
@@ -229,10 +228,8 @@ impl LogChart {
                 coordinate(y + 4.0),
                 escape(&series.label)
             ));
-            x += room;
         }
-        let rows = if out.is_empty() { 0.0 } else { row + 1.0 };
-        (out, rows * LEGEND_ROW)
+        (out, legend.height())
     }
 }
 
