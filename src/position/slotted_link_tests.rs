@@ -56,7 +56,7 @@ fn a_long_crank_takes_the_link_round_and_a_short_one_swings_it() {
 #[test]
 fn equal_lengths_turn_the_link_half_as_fast_and_end_on_its_pivot() {
     let half = by_crank(0.1, 0.1, SlottedOutput::Link);
-    for phi in [-3.0, -1.0, 0.0, 1.5, 3.14] {
+    for phi in [-3.0, -1.0, 0.0, 1.5, 3.1] {
         let jet = half.jet(phi);
         approx::assert_abs_diff_eq!(jet.value, 0.5 * phi, epsilon = 1e-12);
         approx::assert_abs_diff_eq!(jet.first, 0.5, epsilon = 1e-7);

@@ -213,7 +213,11 @@ mod tests {
                     .wrapping_mul(6_364_136_223_846_793_005)
                     .wrapping_add(99);
                 let value = ((state >> 33) % 11) as f64 - 5.0;
-                let value = if (state >> 50) % 2 == 0 { 0.0 } else { value };
+                let value = if (state >> 50).is_multiple_of(2) {
+                    0.0
+                } else {
+                    value
+                };
                 let value = value + if (row + 1) % size == column { 7.0 } else { 0.0 };
                 factors.add(row, column, value);
                 values[row * size + column] = value;

@@ -93,7 +93,7 @@ fn a_crank_that_turns_fully_is_known_everywhere_to_rounding() {
     let linkage = Linkage::new(four_bar(0.1)).expect("a linkage");
     // Three turns on, the configuration is the same.
     for shift in [0.0, 6.0 * std::f64::consts::PI] {
-        let (miss, known) = compared(&linkage, shift, shift + 6.28);
+        let (miss, known) = compared(&linkage, shift, shift + 6.25);
         assert_eq!(known, 1.0);
         for (miss, bound) in miss
             .into_iter()
