@@ -158,17 +158,3 @@ fn what_cannot_be_drawn_is_left_out_and_nothing_is_printed_that_is_no_number() {
     drawing.frames.clear();
     assert!(!drawing.svg(0).contains("NaN,"));
 }
-
-#[test]
-#[ignore = "writes a page to look at"]
-fn a_page_to_look_at() {
-    let spec = slider_crank();
-    let drawing = drawing(&spec);
-    std::fs::write("/tmp/mechanism.svg", drawing.svg(4)).unwrap();
-    let page = crate::report::html::shell(
-        "x",
-        &drawing.section("press"),
-        "{\"groups\":[],\"times\":[],\"runs\":[]}",
-    );
-    std::fs::write("/tmp/mechanism.html", page).unwrap();
-}
