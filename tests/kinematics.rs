@@ -40,7 +40,7 @@ fn question(over: Option<Over>, positions: usize) -> Question {
     }
 }
 
-fn column<'a>(found: &'a Kinematics<'_>, name: &str) -> &'a [f64] {
+fn column<'a>(found: &'a Kinematics, name: &str) -> &'a [f64] {
     let mut columns = found.columns.iter();
     let column = columns.find(|column| column.name() == name);
     &column.unwrap_or_else(|| panic!("no column {name}")).values

@@ -10,7 +10,7 @@ use crate::linkage::{Cause, OutOfReach, Reach, Workspace};
 use crate::model::Coordinate;
 
 /// Positions, speeds and accelerations of a linkage over what was asked.
-pub fn kinematics<'a>(asked: &Asked<'a>) -> Kinematics<'a> {
+pub fn kinematics(asked: &Asked<'_>) -> Kinematics {
     let mut rows = Rows::new(asked);
     let stopped = rows.fill();
     let Rows {
@@ -24,7 +24,7 @@ pub fn kinematics<'a>(asked: &Asked<'a>) -> Kinematics<'a> {
     let extremes = extremes(asked, &places, &columns);
     Kinematics {
         object: asked.object.clone(),
-        linkage: asked.linkage,
+        linkage: asked.linkage.clone(),
         input: asked.input,
         motion: motion(asked),
         times: times(asked, &places, &inputs),
