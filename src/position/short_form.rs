@@ -10,7 +10,8 @@ use crate::linkage::spec::{
 impl Position {
     /// The massless linkage whose first output is this function of its input
     /// coordinate, assembled as it stands at `phi` (an angle of the output may
-    /// differ by whole turns); `None` for functions that are no linkage.
+    /// differ by whole turns); `None` for functions that are no linkage. Where it
+    /// can fold flat the linkage goes on, the function is held to be dead.
     ///
     /// The ground's x axis is the one from which the function measures: the
     /// guide of a slider-crank, the line of the pivots of the others. `phi` must
@@ -260,7 +261,7 @@ mod tests {
             for [crank, coupler, rocker, frame] in [
                 [0.04, 0.12, 0.1, 0.13],
                 [0.13, 0.12, 0.1, 0.05],
-                [0.2, 0.1, 0.15, 0.25],
+                [0.2, 0.1, 0.16, 0.25],
             ] {
                 let spec = PositionSpec::FourBar {
                     crank,

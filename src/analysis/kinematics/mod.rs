@@ -51,6 +51,8 @@ pub struct Kinematics {
     pub limits: Vec<Limit>,
     /// Where and why the rows end before what was asked.
     pub stopped: Option<Stopped>,
+    /// What else the user should know.
+    pub warnings: Vec<String>,
 }
 
 /// What leads from row to row.

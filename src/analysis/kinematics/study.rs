@@ -33,6 +33,7 @@ pub fn kinematics(asked: &Asked<'_>) -> Kinematics {
         transmission: summary::transmission(asked, &places),
         limits: limits(asked),
         closed,
+        warnings: warnings(&columns),
         axis: axis(asked, places),
         columns,
         frames,
@@ -53,6 +54,22 @@ fn axis(asked: &Asked<'_>, values: Vec<f64>) -> Axis {
             values,
         },
     }
+}
+
+/// Quantities that are beyond what can be written as a number.
+fn warnings(columns: &[Column]) -> Vec<String> {
+    let lost = |column: &&Column| !column.values.iter().all(|value| value.is_finite());
+    let names: Vec<String> = columns.iter().filter(lost).map(Column::name).collect();
+    let Some(first) = names.first() else {
+        return Vec::new();
+    };
+    let others = match names.len() {
+        1 => String::new(),
+        count => format!(" and {} others", count - 1),
+    };
+    vec![format!(
+        "`{first}`{others} grow beyond all numbers: the speed is too great"
+    )]
 }
 
 /// How the input moves, in words.

@@ -49,12 +49,16 @@ pub(crate) fn command(args: &KinematicsArgs) -> Result<Status, Failure> {
     }
     show(args, &ready, &found, &verdicts, question.also)?;
     if !args.scene.quiet {
+        for warning in &found.warnings {
+            console::talk(&format!("warning: {warning}"));
+        }
         expected::talk(&verdicts);
     }
     if let (Some(folder), false) = (&folder, args.scene.quiet) {
         folder.tell_report();
     }
-    Ok(match found.stopped.is_none() && expected::hold(&verdicts) {
+    let whole = found.stopped.is_none() && found.warnings.is_empty();
+    Ok(match whole && expected::hold(&verdicts) {
         true => Status::Answered,
         false => Status::NotTrusted,
     })

@@ -4,6 +4,7 @@ pub(crate) mod args;
 mod machine;
 
 use super::console;
+use super::expected;
 use super::failure::{Failure, Status};
 use super::input::{Input, Ready};
 use super::output::{OutputFolder, ResultFile};

@@ -36,6 +36,7 @@ pub fn document(scene: &str, hash: &str, found: &Kinematics) -> Value {
         "stopped": found.stopped.as_ref().map(|stop| json!({
             "at": stop.at, "input": stop.input, "because": stop.cause,
         })),
+        "warnings": found.warnings,
         "columns": columns,
     })
 }

@@ -39,6 +39,9 @@ pub fn page(report: &KinematicsReport<'_>) -> String {
             escape(&stop.cause)
         );
     }
+    for warning in &found.warnings {
+        let _ = writeln!(body, "<p class=\"soft\">Warning: {}</p>", escape(warning));
+    }
     body.push_str(&drawing(found).section("mechanism"));
     body.push_str(&structure(found));
     body.push_str(&strokes(found));

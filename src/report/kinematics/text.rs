@@ -63,6 +63,8 @@ fn told(quantity: Quantity) -> bool {
             | Q::AccelerationSize
             | Q::RelativeSpeed
             | Q::RelativeAcceleration
+            | Q::TransportAccelerationAlong
+            | Q::TransportAccelerationAcross
             | Q::CoriolisAcceleration
     )
 }
