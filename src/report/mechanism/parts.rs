@@ -3,7 +3,7 @@
 use super::shape::{self, Block};
 use super::view::View;
 use super::{Drawing, Placement};
-use crate::linkage::spec::{PairKind, PairSpec, PointOf};
+use crate::linkage::spec::{LinkageSpec, PairKind, PairSpec, PointOf};
 use crate::report::quantity::escape;
 use crate::report::svg::coordinate;
 use std::fmt::Write as _;
@@ -297,10 +297,10 @@ fn rectangle(block: &Block, view: &View) -> String {
 /// Pins of the revolute pairs with their names, above all links.
 fn pins(drawing: &Drawing<'_>, view: &View, frame: Option<&Vec<Placement>>) -> String {
     let mut out = String::new();
-    for pair in &drawing.spec.pairs {
-        if !matches!(pair.kind, PairKind::Revolute { .. }) {
+    for (index, pair) in drawing.spec.pairs.iter().enumerate() {
+        let Some(names) = names(drawing.spec, index) else {
             continue;
-        }
+        };
         let end = match pair.link.link {
             Some(_) => &pair.link,
             None => &pair.on,
@@ -316,8 +316,37 @@ fn pins(drawing: &Drawing<'_>, view: &View, frame: Option<&Vec<Placement>>) -> S
             coordinate(-end.at[1] * view.scale),
             coordinate(x),
             coordinate(y),
-            escape(&pair.name)
+            escape(&names)
         );
     }
     out
+}
+
+/// The names of all pins in the place of this one; `None` unless it is the
+/// first of them.
+fn names(spec: &LinkageSpec, index: usize) -> Option<String> {
+    let pairs = &spec.pairs;
+    let meet = |one: &PairSpec, other: &PairSpec| {
+        let ends = [other.on, other.link];
+        !other.slides() && (ends.contains(&one.on) || ends.contains(&one.link))
+    };
+    if pairs[index].slides() {
+        return None;
+    }
+    // From pin to pin over the points that they share.
+    let (mut group, mut seen) = (vec![index], 0);
+    while seen < group.len() {
+        for other in 0..pairs.len() {
+            if !group.contains(&other) && meet(&pairs[group[seen]], &pairs[other]) {
+                group.push(other);
+            }
+        }
+        seen += 1;
+    }
+    group.sort_unstable();
+    let names: Vec<&str> = group
+        .iter()
+        .map(|pair| pairs[*pair].name.as_str())
+        .collect();
+    (group[0] == index).then(|| names.join(", "))
 }
