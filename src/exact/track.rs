@@ -11,7 +11,7 @@ mod climb;
 mod walk;
 
 use climb::{Climb, Turns};
-use walk::{Halves, Walk};
+use walk::Walk;
 
 use super::asked::Asked;
 use super::basis::Basis;
@@ -44,9 +44,6 @@ const CUTS: usize = 64;
 
 /// Lanes are followed over up to this many radians of theirs.
 const FOLLOW: f64 = 4.5;
-
-/// Most times that a part is halved before its summits are climbed.
-const HALVINGS: u8 = 2;
 
 /// What the figures are taken from.
 #[derive(Clone, Copy)]
@@ -193,20 +190,6 @@ impl Track {
     fn span<A: Arith>(&mut self, scene: Scene, before: &Exponentials, b: Point) {
         let a = self.last;
         self.last = b;
-        self.between::<A>(scene, before, (a, b), HALVINGS);
-    }
-
-    /// Takes the part between two points. It may be cut in half so many times
-    /// first, which settles most of what a bound over the whole leaves open,
-    /// for all figures at once.
-    #[inline(always)]
-    fn between<A: Arith>(
-        &mut self,
-        scene: Scene,
-        before: &Exponentials,
-        (a, b): (Point, Point),
-        halvings: u8,
-    ) {
         let (basis, panel) = (scene.basis, scene.panel);
         let h = b.s - a.s;
         let loss = self
@@ -219,16 +202,6 @@ impl Track {
         let margin = self.margin();
         let beyond = over.max(under) - margin;
         if beyond.greatest() > 0.0 {
-            if halvings > 0 {
-                A::apart(Halves {
-                    track: self,
-                    scene,
-                    before,
-                    ends: (a, b),
-                    halvings: halvings - 1,
-                });
-                return;
-            }
             let noise = self.state.noise(basis, panel, b.s);
             for k in 0..4 {
                 let margin = margin.0[k].max(noise.0[k]);
