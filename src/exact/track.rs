@@ -45,6 +45,13 @@ const CUTS: usize = 64;
 /// Lanes are followed over up to this many radians of theirs.
 const FOLLOW: f64 = 4.5;
 
+/// No point of a phase.
+const UNKNOWN: Point = Point {
+    s: f64::NEG_INFINITY,
+    value: V::ZERO,
+    slope: V::ZERO,
+};
+
 /// What the figures are taken from.
 #[derive(Clone, Copy)]
 pub(crate) struct Scene<'a> {
@@ -84,8 +91,10 @@ pub(crate) struct Track {
     cap: f64,
     high: V,
     low: V,
-    /// The end of the step before.
+    /// The end of the step before, unless nothing was to be seen in it.
     last: Point,
+    /// Whether envelopes alone may tell that nothing happens in a step.
+    quiet: bool,
     /// Primitive of δ where it last changed its sign, or the phase began.
     turned: f64,
     /// Where δ changes its sign in a step, with its primitive there.
@@ -119,6 +128,7 @@ impl Track {
             high: V::ZERO,
             low: V::ZERO,
             last: Point::default(),
+            quiet: false,
             turned: 0.0,
             roots: Vec::with_capacity(CUTS),
             pieces: Vec::with_capacity(2 * CUTS + 2),
@@ -156,10 +166,26 @@ impl Track {
                 (self.high.0[k], self.low.0[k]) = (f64::INFINITY, f64::NEG_INFINITY);
             }
         }
-        self.last = self.state.point::<A>(basis, panel, phase, e);
+        self.quiet = self.nothing_between::<A>(0.0, 0.0);
+        self.last = if self.quiet {
+            UNKNOWN
+        } else {
+            self.state.point::<A>(basis, panel, phase, e)
+        };
         if self.asked.mean {
             self.turned = self.state.primitive::<A>(panel, phase, e);
         }
+    }
+
+    /// True when the envelopes tell that between two instants no figure can
+    /// pass its greatest value and δ keeps its sign.
+    #[inline(always)]
+    fn nothing_between<A: Arith>(&self, from: f64, to: f64) -> bool {
+        let Some(bounds) = self.state.envelope::<A>(from, to) else {
+            return false;
+        };
+        let beyond = (bounds.high - self.high).max(self.low - bounds.low);
+        beyond.greatest() <= 0.0 && !self.may_turn(&bounds)
     }
 
     /// Takes the step from `before` to `now` into the figures.
@@ -170,6 +196,16 @@ impl Track {
         before: &Exponentials,
         now: &Exponentials,
     ) {
+        if self.quiet {
+            if self.nothing_between::<A>(before.s, now.s) {
+                return;
+            }
+            if self.last.s != before.s {
+                self.last = self
+                    .state
+                    .point::<A>(scene.basis, scene.panel, scene.phase, before);
+            }
+        }
         if scene.followed(now.s - before.s) == scene.lanes() {
             let end = self
                 .state
@@ -202,7 +238,7 @@ impl Track {
         let margin = self.margin();
         let beyond = over.max(under) - margin;
         if beyond.greatest() > 0.0 {
-            let noise = self.state.noise(basis, panel, b.s);
+            let noise = self.state.noise(b.s);
             for k in 0..4 {
                 let margin = margin.0[k].max(noise.0[k]);
                 for (beyond, sign) in [(over.0[k], 1.0), (under.0[k], -1.0)] {
