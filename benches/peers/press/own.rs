@@ -28,8 +28,7 @@ impl Sink for Listener {
                 break;
             }
             let place = ((time - step.start) / step.length).min(step.end);
-            self.samples
-                .push(step.value(self.coordinate, place).0);
+            self.samples.push(step.value(self.coordinate, place).0);
         }
     }
 
