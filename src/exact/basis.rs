@@ -18,6 +18,7 @@ mod response;
 
 use super::lanes::{SIN_COS_LIMIT, V, WIDTH};
 use super::pencil::C;
+use super::polynomial::SLOW;
 use super::problem::{PairState, TreeProblem};
 use super::resonance::Resonance;
 use part::parts;
@@ -92,6 +93,8 @@ pub(crate) struct Basis {
     pub(crate) extent: Vec<V>,
     /// Longest phase (s) for which sine and cosine are accurate.
     pub(crate) longest: f64,
+    /// Longest phase (s) over which what drifts against dampers is a power series.
+    pub(crate) drift: f64,
     /// Vectors that never fade: at least one, and all with a harmonic.
     pub(crate) kept: usize,
     /// Lane of each harmonic.
@@ -203,6 +206,7 @@ impl Basis {
         );
         let fastest = lanes.iter().fold(0.0f64, |m, l| m.max(l.lambda.im.abs()));
         let longest = 0.5 * SIN_COS_LIMIT / fastest;
+        let drift = drift(&lanes);
         let mut harmonic = Vec::new();
         for (k, lane) in lanes.iter().enumerate() {
             if let LaneKind::Harmonic(j) = lane.kind {
@@ -216,6 +220,7 @@ impl Basis {
         Self {
             masses: n,
             blocks,
+            drift,
             kept,
             re,
             im,
@@ -237,6 +242,21 @@ impl Basis {
             resonance: None,
         }
     }
+}
+
+/// A part that only dampers hold has a mode 0 and one that decays slowly, whose
+/// answers to a force, finite polynomials of 1/λ², would cancel; as power series,
+/// which hold for a while, they hardly do.
+fn drift(lanes: &[Lane]) -> f64 {
+    if lanes.iter().all(|lane| lane.lambda != ZERO) {
+        return f64::INFINITY;
+    }
+    let modes = lanes.iter().filter(|lane| lane.kind == LaneKind::Mode);
+    let sizes = modes.map(|lane| lane.lambda.norm());
+    let slowest = sizes
+        .filter(|size| *size > 0.0)
+        .fold(f64::INFINITY, f64::min);
+    0.99 * SLOW / slowest
 }
 
 /// Engaged on a flank at x = ∓η/2 the link is relaxed there, not at 0.

@@ -9,7 +9,7 @@ use super::problem::{TimeLoad, TreeMass, TreeProblem};
 
 /// A mode with |λ|·(length of the span) below this gets its response to a
 /// polynomial as a Taylor series, the others as a finite polynomial.
-const SLOW: f64 = 3.0;
+pub(super) const SLOW: f64 = 3.0;
 
 /// The response to forces that never change: P_i of a steady problem.
 #[derive(Clone, Debug)]
@@ -101,7 +101,7 @@ impl Phase {
         v: &[f64],
     ) {
         self.clear();
-        self.reach = self.forces(problem, basis);
+        self.reach = self.forces(problem, basis).min(basis.drift);
         self.elastic_polynomials(basis, self.reach);
         self.rigid_polynomials(basis, q, v);
     }
