@@ -19,7 +19,7 @@ use dam::analysis::run::run;
 use dam::analysis::{Control, RunSettings};
 use dam::integrate::{Limits, Method, Modes, Settings, Sink, Stop, SwitchEvent, integrate};
 use dam::lower::lower;
-use dam::polynomial::{Step, evaluate};
+use dam::polynomial::Step;
 use dam::scene::{BuiltIn, Document, Overrides};
 use dam::system::System;
 use std::path::{Path, PathBuf};
@@ -116,7 +116,7 @@ impl Sink for Samples {
         while self.next <= SAMPLES && self.time() <= end {
             let s = ((self.time() - step.start) / step.length).min(step.end);
             for (values, &coordinate) in self.values.iter_mut().zip(&self.coordinates) {
-                values.push(evaluate(step.signal(coordinate), s).0);
+                values.push(step.value(coordinate, s).0);
             }
             self.next += 1;
         }

@@ -9,7 +9,7 @@ use super::rows::{Rows, is_finite};
 use super::tracker::{ObjectTracker, StepView};
 use super::{Interval, ObjectFigures, PairFigures, Record, SwitchRow};
 use crate::integrate::{Modes, Sink, SwitchEvent};
-use crate::polynomial::Step;
+use crate::polynomial::{MAX_DEGREE, Step};
 use crate::system::{ObjectState, System};
 
 /// What to record.
@@ -178,7 +178,8 @@ impl<'s> Recorder<'s> {
     fn balance_step(&mut self, step: &Step<'_>, modes: &Modes) {
         self.kinks.clear();
         self.kinks.extend(self.pairs.iter().filter_map(|pair| {
-            let x = step.signal(pair.coordinate());
+            let mut room = [0.0; MAX_DEGREE + 1];
+            let x = step.signal(pair.coordinate(), &mut room);
             pair.leaves_flank(modes.0[pair.component], x, step.end)
         }));
         self.kinks.sort_by(f64::total_cmp);
@@ -254,7 +255,9 @@ impl<'s> Recorder<'s> {
         }
         for pair in &mut self.pairs {
             let mode = modes.0[pair.component];
-            pair.step(mode, step.signal(pair.coordinate()), step.end);
+            let mut room = [0.0; MAX_DEGREE + 1];
+            let x = step.signal(pair.coordinate(), &mut room);
+            pair.step(mode, x, step.end);
         }
     }
 }
@@ -282,7 +285,7 @@ impl Sink for Recorder<'_> {
         }
         let (length, count) = (step.end * step.length, pieces::count(step.degree));
         self.longest = self.longest.max(length);
-        // In pieces of what is short already, speeds drown in rounding.
+        // What is short already needs no pieces.
         if !self.settings.long_steps || count as f64 * length <= self.longest {
             return self.short_step(step, modes);
         }

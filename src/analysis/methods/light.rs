@@ -7,7 +7,7 @@ use crate::fault::Fault;
 use crate::integrate::{
     Dynamics, Method, Modes, Outcome, Settings, Sink, Statistics, Stop, SwitchEvent, integrate,
 };
-use crate::polynomial::{Step, evaluate};
+use crate::polynomial::Step;
 use crate::system::{InitialState, System};
 use std::time::Instant;
 
@@ -94,7 +94,7 @@ impl<'r> Listener<'r> {
 
     fn look(&mut self, step: &Step<'_>, s: f64, keep: bool) {
         for (index, track) in self.tracks.iter().enumerate() {
-            let value = evaluate(step.signal(track.coordinate), s).0;
+            let value = step.value(track.coordinate, s).0;
             let greatest = &mut self.trace.greatest[index];
             // A value that is no number must not be forgotten.
             if value.abs() > *greatest || value.is_nan() {
