@@ -93,7 +93,8 @@ fn prepare(case: &Case) -> Result<Study, String> {
             ..Plan::new(1e-7)
         };
         let control = Control::default();
-        let found = study(&case.system, &case.settings, &plan, &control, &mut |_| ()).map_err(said)?;
+        let found =
+            study(&case.system, &case.settings, &plan, &control, &mut |_| ()).map_err(said)?;
         if found.reference.is_some() {
             return Ok(found);
         }
@@ -132,7 +133,8 @@ fn at(case: &Case, found: &Study, tolerance: f64, chart: bool) -> Result<Told, S
         println!("  {tolerance:.0e}: {}: {}", summary.method, summary.why);
     }
     let fit = converged(found, tolerance);
-    let least = |points: &[(Method, f64)]| points.iter().copied().min_by(|a, b| a.1.total_cmp(&b.1));
+    let least =
+        |points: &[(Method, f64)]| points.iter().copied().min_by(|a, b| a.1.total_cmp(&b.1));
     let best = least(&fit).ok_or("no method converges")?;
     let alone = summary.method == auto.method.name();
     let own = found.methods.iter().find(|line| line.method == auto.method);
@@ -240,7 +242,18 @@ impl Line {
         }
         format!(
             "{:34} {:>9} {:17} {:>7} {:>9} {:>9} {:9} {:>5} {:>9} {:>9} {:9} {:>5}",
-            "scenario", "tolerance", "auto", "error", "run ms", "best", "", "ratio", "motion ms", "best", "", "ratio"
+            "scenario",
+            "tolerance",
+            "auto",
+            "error",
+            "run ms",
+            "best",
+            "",
+            "ratio",
+            "motion ms",
+            "best",
+            "",
+            "ratio"
         )
     }
 
@@ -263,7 +276,11 @@ impl Line {
             let [own, best] = [1e3 * pair.auto, 1e3 * seconds];
             match markdown {
                 true => format!("{own:.2} | {best:.2} {method} | {:.2}", pair.ratio()),
-                false => format!("{own:9.3} {best:9.3} {:9} {:5.2}", method.name(), pair.ratio()),
+                false => format!(
+                    "{own:9.3} {best:9.3} {:9} {:5.2}",
+                    method.name(),
+                    pair.ratio()
+                ),
             }
         };
         let run = pair(&judged.run);
