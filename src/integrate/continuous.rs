@@ -85,6 +85,8 @@ pub(super) struct Output {
 struct Raise {
     points: &'static [f64],
     inverse: DMatrix<f64>,
+    /// [`curvature_weight`] of every coefficient at every inner point.
+    weights: [[f64; HIGHEST + 1]; THREE.len()],
 }
 
 impl Output {
@@ -286,11 +288,10 @@ impl Output {
         for (row, wanted) in rows.zip(&self.accelerations) {
             let base = row[0];
             let mut missing = [0.0; THREE.len()];
-            for (k, &s) in raise.points.iter().enumerate() {
-                let known: f64 = (0..=degree)
-                    .filter(|i| !(3..degree - 2).contains(i))
-                    .map(|i| curvature_weight(degree, i, s) * (row[i] - base))
-                    .sum();
+            for k in 0..count {
+                let weights = &raise.weights[k];
+                let part = |i: usize| weights[i] * (row[i] - base);
+                let known: f64 = (0..3).chain(degree - 2..=degree).map(part).sum();
                 missing[k] = scale * wanted[k] - known;
             }
             for i in 0..count {
@@ -310,7 +311,17 @@ impl Raise {
         let inverse = matrix
             .try_inverse()
             .expect("inner points are distinct: the system is regular");
-        Self { points, inverse }
+        let mut weights = [[0.0; HIGHEST + 1]; THREE.len()];
+        for (weights, &s) in weights.iter_mut().zip(points) {
+            for (i, weight) in weights.iter_mut().enumerate().take(6 + count) {
+                *weight = curvature_weight(5 + count, i, s);
+            }
+        }
+        Self {
+            points,
+            inverse,
+            weights,
+        }
     }
 }
 
