@@ -134,15 +134,13 @@ const LONG: usize = 9;
 fn evaluate_long(degree: usize, s: f64, coefficient: impl Fn(usize) -> f64) -> (f64, f64) {
     let q = s / (1.0 - s);
     let first = coefficient(0);
-    let (mut value, mut slope, mut binomial, mut lower) = (0.0, 0.0, 1.0, 1.0);
+    let (binomials, lower) = (&BINOMIALS[degree], &BINOMIALS[degree - 1]);
     let mut above = coefficient(degree) - first;
-    value = value * q + above;
+    let (mut value, mut slope) = (above, 0.0);
     for i in (0..degree).rev() {
         let here = coefficient(i) - first;
-        binomial *= (i + 1) as f64 / (degree - i) as f64;
-        value = value * q + binomial * here;
-        slope = slope * q + lower * (above - here);
-        lower *= i as f64 / (degree - i) as f64;
+        value = value * q + binomials[i] * here;
+        slope = slope * q + lower[i] * (above - here);
         above = here;
     }
     let power = (1.0 - s).powi(degree as i32 - 1);
@@ -150,6 +148,24 @@ fn evaluate_long(degree: usize, s: f64, coefficient: impl Fn(usize) -> f64) -> (
         first + power * (1.0 - s) * value,
         degree as f64 * power * slope,
     )
+}
+
+/// (n over k), which are exact as numbers.
+static BINOMIALS: [[f64; MAX_DEGREE + 1]; MAX_DEGREE + 1] = binomials();
+
+const fn binomials() -> [[f64; MAX_DEGREE + 1]; MAX_DEGREE + 1] {
+    let mut table = [[0.0; MAX_DEGREE + 1]; MAX_DEGREE + 1];
+    let mut n = 0;
+    while n <= MAX_DEGREE {
+        table[n][0] = 1.0;
+        let mut k = 1;
+        while k <= n {
+            table[n][k] = table[n - 1][k - 1] + table[n - 1][k];
+            k += 1;
+        }
+        n += 1;
+    }
+    table
 }
 
 /// Highest degree of a continuous output.

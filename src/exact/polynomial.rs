@@ -112,11 +112,12 @@ impl Phase {
         let (start, law, degree) = (self.start, self.forcing.law, self.forcing.degree);
         let mut end = self.forcing.end;
         self.force.fill(0.0);
+        let mut held = self.held.iter_mut();
         for (i, mass) in problem.masses.iter().enumerate() {
             let f = &mut self.force[i * POLY..(i + 1) * POLY];
             f[0] = basis.flank_force[i] - mass.ground_stiffness * mass.offset;
-            for load in &mass.loads {
-                end = end.min(load.add(start, self.low, f));
+            for (load, held) in mass.loads.iter().zip(&mut held) {
+                end = end.min(load.add(start, self.low, held, f));
             }
             for k in 0..=degree {
                 let (first, second) = ((k + 1) as f64, ((k + 1) * (k + 2)) as f64);

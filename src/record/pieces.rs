@@ -3,7 +3,7 @@
 //! Power series take steps of a whole oscillation and more, collocation of high
 //! order steps of half of one. Quadratures and the
 //! search for extremes look at a step at a few places: they want pieces within
-//! which a motion bends once.
+//! which a motion bends once. How many those are, [`super::smoothness`] tells.
 
 use crate::polynomial::{Step, divide};
 
@@ -14,8 +14,8 @@ const LONG: usize = 9;
 /// Degree above which its steps are longer still.
 const LONGER: usize = 14;
 
-/// Number of pieces for an output of a degree.
-pub(super) fn count(degree: usize) -> usize {
+/// Most pieces for an output of a degree.
+pub(super) fn most(degree: usize) -> usize {
     match degree {
         0..=SHORT => 1,
         6..=LONG => 3,
@@ -36,6 +36,9 @@ pub(super) struct Pieces {
 impl Pieces {
     /// Calls `each` with `count` pieces of equal length, up to the step's end.
     pub(super) fn each(&mut self, step: &Step<'_>, count: usize, mut each: impl FnMut(&Step<'_>)) {
+        if count == 1 {
+            return each(step);
+        }
         let width = step.degree + 1;
         self.left.resize(step.coefficients.len(), 0.0);
         self.rest.clear();
