@@ -28,6 +28,8 @@ pub(crate) struct PanelPhase {
     size: Vec<V>,
     /// What all lanes together amount to at most.
     whole: V,
+    /// The same of their fourth derivatives, with that of polynomial and arcs.
+    whole4: V,
 }
 
 impl PanelPhase {
@@ -39,6 +41,7 @@ impl PanelPhase {
             slow4: V::ZERO,
             size: vec![V::ZERO; blocks],
             whole: V::ZERO,
+            whole4: V::ZERO,
         }
     }
 
@@ -49,10 +52,11 @@ impl PanelPhase {
             let (re, im) = (phase.re[b], phase.im[b]);
             self.size[b] = re.fma::<A>(re, im * im).map(f64::sqrt);
         }
-        self.whole = V::ZERO;
+        (self.whole, self.whole4) = (V::ZERO, V::ZERO);
         for (k, size) in panel.sizes.iter().enumerate() {
             let own = V::splat(self.size[k / WIDTH].0[k % WIDTH]);
             self.whole = size[0].fma::<A>(own, self.whole);
+            self.whole4 = size[1].fma::<A>(own, self.whole4);
         }
         self.take_polynomials::<A>(panel, phase);
         self.slow4 = if self.degree > 3 {
@@ -84,6 +88,7 @@ impl PanelPhase {
                 c,
             });
         }
+        self.whole4 = self.whole4 + self.slow4;
     }
 
     #[inline(always)]
@@ -156,6 +161,16 @@ impl PanelPhase {
             s: e.s,
             value,
             slope,
+        }
+    }
+
+    /// What Hermite's cubic may miss over a length h anywhere in the phase.
+    #[inline(always)]
+    pub(crate) fn loss_from_start(&self, h: f64) -> Loss {
+        let square = h * h;
+        Loss {
+            middle: self.whole4 * V::splat(square * square * (1.0 / 144.0)),
+            flat: V::ZERO,
         }
     }
 

@@ -1,4 +1,4 @@
-//! Parts of a step with lanes that turn far.
+//! Looking back at steps, and parts of a step with lanes that turn far.
 
 use super::{FOLLOW, Scene, Track};
 use crate::exact::hermite::{Point, enclose};
@@ -8,20 +8,54 @@ use crate::exact::phase::Exponentials;
 /// Parts over which every lane is followed before a longer one is tried again.
 const PATIENCE: i32 = 4;
 
-/// [`Track::walk`], out of line.
-pub(super) struct Walk<'a> {
-    pub(super) track: &'a mut Track,
-    pub(super) scene: Scene<'a>,
-    pub(super) before: &'a Exponentials,
-    pub(super) now: &'a Exponentials,
+/// [`Track::look_back`], out of line.
+pub(crate) struct LookBack<'a> {
+    pub(crate) track: &'a mut Track,
+    pub(crate) scene: Scene<'a>,
 }
 
-impl Task for Walk<'_> {
+impl Task for LookBack<'_> {
     type Output = ();
 
     #[inline(always)]
     fn run<A: Arith>(self) {
-        self.track.walk::<A>(self.scene, self.before, self.now);
+        self.track.look_back::<A>(self.scene);
+    }
+}
+
+/// A step in which something may happen.
+pub(super) struct Within<'a> {
+    pub(super) track: &'a mut Track,
+    pub(super) scene: Scene<'a>,
+    pub(super) ends: (Point, Point),
+}
+
+impl Task for Within<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<A: Arith>(self) {
+        let Self {
+            track,
+            scene,
+            ends: (a, b),
+        } = self;
+        let (basis, phase) = (scene.basis, scene.phase);
+        let mut from = std::mem::take(&mut track.from);
+        if a.s > 0.0 {
+            phase.exponentials::<A>(basis, a.s, &mut from);
+        } else {
+            from.start(phase.active);
+        }
+        if scene.followed(b.s - a.s) == scene.lanes() {
+            track.span::<A>(scene, &from, (a, b));
+            track.from = from;
+        } else {
+            let mut to = std::mem::take(&mut track.to);
+            track.last = a;
+            track.walk::<A>(scene, (&mut from, &mut to), b);
+            (track.from, track.to) = (from, to);
+        }
     }
 }
 
@@ -30,46 +64,40 @@ impl Track {
     /// their envelopes rule everything out, and parts short enough to follow
     /// every lane that matters.
     #[inline(always)]
-    fn walk<A: Arith>(&mut self, scene: Scene, before: &Exponentials, now: &Exponentials) {
-        let active = scene.phase.active;
-        let mut from = std::mem::take(&mut self.from);
-        let mut to = std::mem::take(&mut self.to);
-        from.copy(before, active);
-        let mut length = now.s - from.s;
+    fn walk<A: Arith>(
+        &mut self,
+        scene: Scene,
+        (from, to): (&mut Exponentials, &mut Exponentials),
+        b: Point,
+    ) {
+        let mut length = b.s - from.s;
         // Parts as short as the last before a longer one is tried again.
         let mut patience = 0;
-        while from.s < now.s {
-            if from.s + length >= now.s {
-                to.copy(now, active);
-            } else {
-                scene
-                    .phase
-                    .exponentials::<A>(scene.basis, from.s + length, &mut to);
-            }
+        while from.s < b.s {
+            let next = (from.s + length).min(b.s);
+            scene.phase.exponentials::<A>(scene.basis, next, to);
             let h = to.s - from.s;
             let end = self
                 .state
-                .point::<A>(scene.basis, scene.panel, scene.phase, &to);
+                .point::<A>(scene.basis, scene.panel, scene.phase, to);
             let follow = scene.followed(h);
-            if follow < scene.lanes() && !self.ruled_out::<A>(scene, (&from, &to), &end, follow) {
-                let short = self.short(scene, &from);
+            if follow < scene.lanes() && !self.ruled_out::<A>(scene, (from, to), &end, follow) {
+                let short = self.short(scene, from);
                 patience = PATIENCE;
                 if h > 1.01 * short {
                     length = short.max(0.25 * h);
                     continue;
                 }
-                self.span::<A>(scene, &from, end);
+                self.span::<A>(scene, from, (self.last, end));
             } else if follow == scene.lanes() {
-                self.span::<A>(scene, &from, end);
+                self.span::<A>(scene, from, (self.last, end));
             }
             self.last = end;
-            std::mem::swap(&mut from, &mut to);
+            std::mem::swap(from, to);
             let growth = if patience > 0 { 1.0 } else { 4.0 };
             patience = i32::max(patience - 1, 0);
-            length = (growth * h).min(now.s - from.s);
+            length = (growth * h).min(b.s - from.s);
         }
-        self.from = from;
-        self.to = to;
     }
 
     /// Length over which the fastest lane that matters can be followed.
