@@ -13,12 +13,12 @@ mod climb;
 mod walk;
 
 use climb::{Climb, Turns};
-use walk::Within;
 pub(crate) use walk::LookBack;
+use walk::Walk;
 
 use super::asked::Asked;
 use super::basis::Basis;
-use super::hermite::{Bounds, End, Piece, Point, enclose};
+use super::hermite::{Bounds, End, Loss, Piece, Point, enclose};
 use super::lanes::{Arith, V, WIDTH};
 use super::panel::{Panel, PanelPhase};
 use super::phase::{Exponentials, Phase};
@@ -53,6 +53,7 @@ const UNKNOWN: Point = Point {
     s: f64::NEG_INFINITY,
     value: V::ZERO,
     slope: V::ZERO,
+    fourth: V::ZERO,
 };
 
 /// Steps that are looked at together.
@@ -64,6 +65,15 @@ pub(crate) struct Scene<'a> {
     pub(crate) basis: &'a Basis,
     pub(crate) panel: &'a Panel,
     pub(crate) phase: &'a Phase,
+}
+
+/// How the lanes go on from the start of a part.
+#[derive(Clone, Copy)]
+pub(crate) enum Ahead<'a> {
+    /// All can be followed; a bound on the fourth derivatives.
+    Followed(V),
+    /// Some turn far.
+    Mixed(&'a Exponentials),
 }
 
 impl Scene<'_> {
@@ -249,12 +259,14 @@ impl Track {
     fn look_back<A: Arith>(&mut self, scene: Scene) {
         let last = self.last;
         for number in 0..self.steps.len() {
-            let [a, b] = self.steps[number];
-            if !self.settled::<A>(scene, &a, &b) {
-                A::apart(Within {
+            let ends = self.steps[number];
+            if scene.followed(ends[1].s - ends[0].s) == scene.lanes() {
+                self.span::<A>(scene, Ahead::Followed(ends[0].fourth), ends);
+            } else {
+                A::apart(Walk {
                     track: self,
                     scene,
-                    ends: (a, b),
+                    ends,
                 });
             }
         }
@@ -262,27 +274,29 @@ impl Track {
         self.last = last;
     }
 
-    /// True when nothing happens between two points: every lane is followed, of
-    /// its size at the start of the phase.
+    /// What Hermite's cubic may miss over a length h.
     #[inline(always)]
-    fn settled<A: Arith>(&self, scene: Scene, a: &Point, b: &Point) -> bool {
-        let h = b.s - a.s;
-        if scene.followed(h) < scene.lanes() {
-            return false;
+    fn loss<A: Arith>(&self, scene: Scene, ahead: Ahead, h: f64) -> Loss {
+        match ahead {
+            Ahead::Followed(fourth) => {
+                let square = h * h;
+                Loss {
+                    middle: fourth * V::splat(square * square * (1.0 / 144.0)),
+                    flat: V::ZERO,
+                }
+            }
+            Ahead::Mixed(e) => {
+                let lanes = scene.lanes();
+                self.state
+                    .loss::<A>(scene.basis, scene.panel, (e, lanes), h)
+            }
         }
-        let bounds = enclose::<A>(a, b, &self.state.loss_from_start(h));
-        let beyond = (bounds.high - self.high).max(self.low - bounds.low);
-        (beyond - self.margin()).greatest() <= 0.0 && !self.may_turn(&bounds)
     }
 
-    /// Takes the part between two points, the first at the instant of `before`.
+    /// Takes the part between two points.
     #[inline(always)]
-    fn span<A: Arith>(&mut self, scene: Scene, before: &Exponentials, (a, b): (Point, Point)) {
-        let (basis, panel) = (scene.basis, scene.panel);
-        let h = b.s - a.s;
-        let loss = self
-            .state
-            .loss::<A>(basis, panel, (before, scene.lanes()), h);
+    fn span<A: Arith>(&mut self, scene: Scene, ahead: Ahead, [a, b]: [Point; 2]) {
+        let loss = self.loss::<A>(scene, ahead, b.s - a.s);
         let bounds = enclose::<A>(&a, &b, &loss);
         let over = bounds.high - self.high;
         let under = self.low - bounds.low;
@@ -298,7 +312,7 @@ impl Track {
                         A::apart(Climb {
                             track: self,
                             scene,
-                            before,
+                            ahead,
                             ends: (&a, &b),
                             figure: (k, sign),
                             margin,
@@ -311,7 +325,7 @@ impl Track {
             A::apart(Turns {
                 track: self,
                 scene,
-                before,
+                ahead,
                 ends: (&a, &b),
             });
         }

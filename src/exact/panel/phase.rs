@@ -28,8 +28,6 @@ pub(crate) struct PanelPhase {
     size: Vec<V>,
     /// What all lanes together amount to at most.
     whole: V,
-    /// The same of their fourth derivatives, with that of polynomial and arcs.
-    whole4: V,
 }
 
 impl PanelPhase {
@@ -41,7 +39,6 @@ impl PanelPhase {
             slow4: V::ZERO,
             size: vec![V::ZERO; blocks],
             whole: V::ZERO,
-            whole4: V::ZERO,
         }
     }
 
@@ -52,11 +49,10 @@ impl PanelPhase {
             let (re, im) = (phase.re[b], phase.im[b]);
             self.size[b] = re.fma::<A>(re, im * im).map(f64::sqrt);
         }
-        (self.whole, self.whole4) = (V::ZERO, V::ZERO);
+        self.whole = V::ZERO;
         for (k, size) in panel.sizes.iter().enumerate() {
             let own = V::splat(self.size[k / WIDTH].0[k % WIDTH]);
             self.whole = size[0].fma::<A>(own, self.whole);
-            self.whole4 = size[1].fma::<A>(own, self.whole4);
         }
         self.take_polynomials::<A>(panel, phase);
         self.slow4 = if self.degree > 3 {
@@ -88,7 +84,6 @@ impl PanelPhase {
                 c,
             });
         }
-        self.whole4 = self.whole4 + self.slow4;
     }
 
     #[inline(always)]
@@ -135,7 +130,7 @@ impl PanelPhase {
         sum
     }
 
-    /// Values and slopes at the instant of `e`.
+    /// Values and slopes at the instant of `e`, and bounds on the fourth derivatives.
     #[inline(always)]
     pub(crate) fn point<A: Arith>(
         &self,
@@ -145,32 +140,27 @@ impl PanelPhase {
         e: &Exponentials,
     ) -> Point {
         let [mut value, mut slope] = self.slow_two::<A>(e);
+        let mut fourth = self.slow4;
         let lanes = basis.lanes.len().min(phase.active * WIDTH);
         for b in 0..phase.active {
             let (zr, zi) = (phase.re[b], phase.im[b]);
             let re = zr.fma::<A>(e.re[b], -(zi * e.im[b]));
             let im = zr.fma::<A>(e.im[b], zi * e.re[b]);
+            let size = self.size[b] * e.size[b];
             for i in 0..WIDTH.min(lanes - b * WIDTH) {
                 let w = &panel.weights[8 * (b * WIDTH + i)..][..4];
                 let (pr, pi) = (V::splat(re.0[i]), V::splat(-im.0[i]));
                 value = w[0].fma::<A>(pr, w[1].fma::<A>(pi, value));
                 slope = w[2].fma::<A>(pr, w[3].fma::<A>(pi, slope));
+                let own = panel.sizes[b * WIDTH + i][1];
+                fourth = own.fma::<A>(V::splat(size.0[i]), fourth);
             }
         }
         Point {
             s: e.s,
             value,
             slope,
-        }
-    }
-
-    /// What Hermite's cubic may miss over a length h anywhere in the phase.
-    #[inline(always)]
-    pub(crate) fn loss_from_start(&self, h: f64) -> Loss {
-        let square = h * h;
-        Loss {
-            middle: self.whole4 * V::splat(square * square * (1.0 / 144.0)),
-            flat: V::ZERO,
+            fourth,
         }
     }
 

@@ -1,6 +1,6 @@
 //! Looking back at steps, and parts of a step with lanes that turn far.
 
-use super::{FOLLOW, Scene, Track};
+use super::{Ahead, FOLLOW, Scene, Track};
 use crate::exact::hermite::{Point, enclose};
 use crate::exact::lanes::{Arith, Task};
 use crate::exact::phase::Exponentials;
@@ -23,39 +23,23 @@ impl Task for LookBack<'_> {
     }
 }
 
-/// A step in which something may happen.
-pub(super) struct Within<'a> {
+/// [`Track::walk`], out of line.
+pub(super) struct Walk<'a> {
     pub(super) track: &'a mut Track,
     pub(super) scene: Scene<'a>,
-    pub(super) ends: (Point, Point),
+    pub(super) ends: [Point; 2],
 }
 
-impl Task for Within<'_> {
+impl Task for Walk<'_> {
     type Output = ();
 
     #[inline(always)]
     fn run<A: Arith>(self) {
-        let Self {
-            track,
-            scene,
-            ends: (a, b),
-        } = self;
-        let (basis, phase) = (scene.basis, scene.phase);
+        let Self { track, scene, ends } = self;
         let mut from = std::mem::take(&mut track.from);
-        if a.s > 0.0 {
-            phase.exponentials::<A>(basis, a.s, &mut from);
-        } else {
-            from.start(phase.active);
-        }
-        if scene.followed(b.s - a.s) == scene.lanes() {
-            track.span::<A>(scene, &from, (a, b));
-            track.from = from;
-        } else {
-            let mut to = std::mem::take(&mut track.to);
-            track.last = a;
-            track.walk::<A>(scene, (&mut from, &mut to), b);
-            (track.from, track.to) = (from, to);
-        }
+        let mut to = std::mem::take(&mut track.to);
+        track.walk::<A>(scene, (&mut from, &mut to), ends);
+        (track.from, track.to) = (from, to);
     }
 }
 
@@ -68,8 +52,10 @@ impl Track {
         &mut self,
         scene: Scene,
         (from, to): (&mut Exponentials, &mut Exponentials),
-        b: Point,
+        [a, b]: [Point; 2],
     ) {
+        scene.phase.exponentials::<A>(scene.basis, a.s, from);
+        self.last = a;
         let mut length = b.s - from.s;
         // Parts as short as the last before a longer one is tried again.
         let mut patience = 0;
@@ -88,9 +74,9 @@ impl Track {
                     length = short.max(0.25 * h);
                     continue;
                 }
-                self.span::<A>(scene, from, (self.last, end));
+                self.span::<A>(scene, Ahead::Mixed(from), [self.last, end]);
             } else if follow == scene.lanes() {
-                self.span::<A>(scene, from, (self.last, end));
+                self.span::<A>(scene, Ahead::Mixed(from), [self.last, end]);
             }
             self.last = end;
             std::mem::swap(from, to);
