@@ -9,16 +9,17 @@
 //! what is left on either side bounded again, until nothing can pass. Roots of δ
 //! are found the same way. A step in which nothing can happen costs its bound.
 
+mod back;
 mod climb;
+#[cfg(test)]
+mod tests;
 mod walk;
 
-use climb::{Climb, Turns};
-pub(crate) use walk::LookBack;
-use walk::Walk;
+pub(crate) use back::LookBack;
 
 use super::asked::Asked;
 use super::basis::Basis;
-use super::hermite::{Bounds, End, Loss, Piece, Point, enclose};
+use super::hermite::{Bounds, End, Piece, Point};
 use super::lanes::{Arith, V, WIDTH};
 use super::panel::{Panel, PanelPhase};
 use super::phase::{Exponentials, Phase};
@@ -65,15 +66,6 @@ pub(crate) struct Scene<'a> {
     pub(crate) basis: &'a Basis,
     pub(crate) panel: &'a Panel,
     pub(crate) phase: &'a Phase,
-}
-
-/// How the lanes go on from the start of a part.
-#[derive(Clone, Copy)]
-pub(crate) enum Ahead<'a> {
-    /// All can be followed; a bound on the fourth derivatives.
-    Followed(V),
-    /// Some turn far.
-    Mixed(&'a Exponentials),
 }
 
 impl Scene<'_> {
@@ -252,83 +244,6 @@ impl Track {
     #[inline(always)]
     pub(crate) fn has_steps(&self) -> bool {
         !self.steps.is_empty()
-    }
-
-    /// Takes the steps that were seen into the figures.
-    #[inline(always)]
-    fn look_back<A: Arith>(&mut self, scene: Scene) {
-        let last = self.last;
-        for number in 0..self.steps.len() {
-            let ends = self.steps[number];
-            if scene.followed(ends[1].s - ends[0].s) == scene.lanes() {
-                self.span::<A>(scene, Ahead::Followed(ends[0].fourth), ends);
-            } else {
-                A::apart(Walk {
-                    track: self,
-                    scene,
-                    ends,
-                });
-            }
-        }
-        self.steps.clear();
-        self.last = last;
-    }
-
-    /// What Hermite's cubic may miss over a length h.
-    #[inline(always)]
-    fn loss<A: Arith>(&self, scene: Scene, ahead: Ahead, h: f64) -> Loss {
-        match ahead {
-            Ahead::Followed(fourth) => {
-                let square = h * h;
-                Loss {
-                    middle: fourth * V::splat(square * square * (1.0 / 144.0)),
-                    flat: V::ZERO,
-                }
-            }
-            Ahead::Mixed(e) => {
-                let lanes = scene.lanes();
-                self.state
-                    .loss::<A>(scene.basis, scene.panel, (e, lanes), h)
-            }
-        }
-    }
-
-    /// Takes the part between two points.
-    #[inline(always)]
-    fn span<A: Arith>(&mut self, scene: Scene, ahead: Ahead, [a, b]: [Point; 2]) {
-        let loss = self.loss::<A>(scene, ahead, b.s - a.s);
-        let bounds = enclose::<A>(&a, &b, &loss);
-        let over = bounds.high - self.high;
-        let under = self.low - bounds.low;
-        // Differences below rounding are not worth a climb.
-        let margin = self.margin();
-        let beyond = over.max(under) - margin;
-        if beyond.greatest() > 0.0 {
-            let noise = self.state.noise(b.s);
-            for k in 0..4 {
-                let margin = margin.0[k].max(noise.0[k]);
-                for (beyond, sign) in [(over.0[k], 1.0), (under.0[k], -1.0)] {
-                    if beyond > margin {
-                        A::apart(Climb {
-                            track: self,
-                            scene,
-                            ahead,
-                            ends: (&a, &b),
-                            figure: (k, sign),
-                            margin,
-                        });
-                    }
-                }
-            }
-        }
-        if self.may_turn(&bounds) {
-            A::apart(Turns {
-                track: self,
-                scene,
-                ahead,
-                ends: (&a, &b),
-            });
-        }
     }
 
     /// True when δ may change its sign, and that matters.

@@ -164,8 +164,8 @@ impl PanelPhase {
         }
     }
 
-    /// What Hermite's cubic may miss over a length h from the instant of `e`,
-    /// of the first `follow` lanes.
+    /// What Hermite's cubic may miss over a length h from the instant of `e`
+    /// (`None`: from the start of the phase on), of the first `follow` lanes.
     ///
     /// A lane of size z (decaying) misses at most z·(|λ|h)⁴/144 on the middle
     /// coefficient. Where it turns fast its own cubic is bounded instead: by
@@ -175,14 +175,14 @@ impl PanelPhase {
         &self,
         basis: &Basis,
         panel: &Panel,
-        (e, follow): (&Exponentials, usize),
+        (e, follow): (Option<&Exponentials>, usize),
         h: f64,
     ) -> Loss {
         let square = h * h;
         let mut middle = self.slow4 * V::splat(square * square * (1.0 / 144.0));
         let mut flat = V::ZERO;
         for b in 0..follow.div_ceil(WIDTH) {
-            let size = self.size[b] * e.size[b];
+            let size = e.map_or(self.size[b], |e| self.size[b] * e.size[b]);
             let level = basis.moduli[b].fma::<A>(V::splat(0.25 * h), V::splat(2.0));
             let fourth = basis.fourth[b] * V::splat(square * square * (1.0 / 144.0));
             let (bent, level_part) = (size * fourth, size * level);

@@ -1,11 +1,11 @@
 //! Climbing to what may pass the greatest value so far, and to the changes of
 //! sign of δ, within a step.
 
-use super::{Ahead, CUTS, Scene, Track, piece};
+use super::back::Ahead;
+use super::{CUTS, Scene, Track, piece};
 use crate::exact::bound::reversed;
 use crate::exact::hermite::{End, Piece, Point};
 use crate::exact::lanes::{Arith, Task};
-use crate::exact::phase::Exponentials;
 
 /// [`Track::climb`], out of line.
 pub(super) struct Climb<'a> {

@@ -1,27 +1,13 @@
-//! Looking back at steps, and parts of a step with lanes that turn far.
+//! Parts of a step with lanes that turn far.
 
-use super::{Ahead, FOLLOW, Scene, Track};
+use super::back::Ahead;
+use super::{FOLLOW, Scene, Track};
 use crate::exact::hermite::{Point, enclose};
 use crate::exact::lanes::{Arith, Task};
 use crate::exact::phase::Exponentials;
 
 /// Parts over which every lane is followed before a longer one is tried again.
 const PATIENCE: i32 = 4;
-
-/// [`Track::look_back`], out of line.
-pub(crate) struct LookBack<'a> {
-    pub(crate) track: &'a mut Track,
-    pub(crate) scene: Scene<'a>,
-}
-
-impl Task for LookBack<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<A: Arith>(self) {
-        self.track.look_back::<A>(self.scene);
-    }
-}
 
 /// [`Track::walk`], out of line.
 pub(super) struct Walk<'a> {
@@ -116,7 +102,7 @@ impl Track {
         let (mut a, mut b) = (self.last, *end);
         let mut loss = self
             .state
-            .loss::<A>(basis, panel, (from, follow), b.s - a.s);
+            .loss::<A>(basis, panel, (Some(from), follow), b.s - a.s);
         for k in follow..scene.lanes() {
             loss.flat = loss.flat + self.state.lane_size(panel, from, k);
             for (point, e) in [(&mut a, from), (&mut b, to)] {
