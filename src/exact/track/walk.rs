@@ -9,6 +9,9 @@ use crate::exact::phase::Exponentials;
 /// Parts over which every lane is followed before a longer one is tried again.
 const PATIENCE: i32 = 4;
 
+/// A longer part is so many times as long.
+const GROWTH: f64 = 4.0;
+
 /// [`Track::walk`], out of line.
 pub(super) struct Walk<'a> {
     pub(super) track: &'a mut Track,
@@ -55,7 +58,9 @@ impl Track {
             let follow = scene.followed(h);
             if follow < scene.lanes() && !self.ruled_out::<A>(scene, (from, to), &end, follow) {
                 let short = self.short(scene, from);
-                patience = PATIENCE;
+                // Where the lanes that matter would bear a longer part (none is
+                // left, in the end) only the slow motion sets new records.
+                patience = if short > GROWTH * h { 0 } else { PATIENCE };
                 if h > 1.01 * short {
                     length = short.max(0.25 * h);
                     continue;
@@ -66,7 +71,7 @@ impl Track {
             }
             self.last = end;
             std::mem::swap(from, to);
-            let growth = if patience > 0 { 1.0 } else { 4.0 };
+            let growth = if patience > 0 { 1.0 } else { GROWTH };
             patience = i32::max(patience - 1, 0);
             length = (growth * h).min(b.s - from.s);
         }
