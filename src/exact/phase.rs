@@ -120,6 +120,9 @@ impl Phase {
         problem
             .law
             .start::<A>(at.0, at.1, &mut self.span, &mut self.forcing);
+        if let Some(resonance) = &basis.resonance {
+            resonance.take(&mut self.forcing);
+        }
         self.reach = f64::INFINITY;
         match steady {
             Some(steady) => self.steady_polynomials(basis, steady, q, v),

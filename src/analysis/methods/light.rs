@@ -8,7 +8,7 @@ use crate::fault::Fault;
 use crate::integrate::{
     Dynamics, Method, Modes, Outcome, Settings, Sink, Statistics, Stop, SwitchEvent, integrate,
 };
-use crate::polynomial::{Step, evaluate};
+use crate::polynomial::Step;
 use crate::system::{InitialState, System};
 use std::time::Instant;
 
@@ -95,7 +95,7 @@ impl<'r> Listener<'r> {
 
     fn look(&mut self, step: &Step<'_>, s: f64, keep: bool) {
         for (index, track) in self.tracks.iter().enumerate() {
-            let value = evaluate(step.signal(track.coordinate), s).0;
+            let value = step.value(track.coordinate, s).0;
             let greatest = &mut self.trace.greatest[index];
             // A value that is no number must not be forgotten.
             if value.abs() > *greatest || value.is_nan() {
@@ -120,9 +120,7 @@ impl Sink for Listener<'_> {
 
     fn step(&mut self, step: &Step<'_>, _modes: &Modes) {
         self.trace.longest_step = self.trace.longest_step.max(step.length);
-        // The last sample must not be lost to rounding of the clock.
-        let until = step.end_time() + 1e-9 * self.duration / self.intervals as f64;
-        while self.next <= self.intervals && self.due() <= until {
+        while self.looks_within(step.end_time()) {
             let s = (self.due() - step.start) / step.length;
             self.look(step, s.clamp(0.0, step.end), true);
             self.next += 1;
@@ -135,6 +133,12 @@ impl Sink for Listener<'_> {
         if pair.is_some() {
             self.trace.switches.push(event.time);
         }
+    }
+
+    fn looks_within(&self, until: f64) -> bool {
+        // The last sample must not be lost to rounding of the clock.
+        let until = until + 1e-9 * self.duration / self.intervals as f64;
+        self.next <= self.intervals && self.due() <= until
     }
 }
 

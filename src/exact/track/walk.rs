@@ -1,4 +1,4 @@
-//! Parts of a step: through lanes that turn far, and halves before a climb.
+//! Parts of a step with lanes that turn far.
 
 use super::{FOLLOW, Scene, Track};
 use crate::exact::hermite::{Point, enclose};
@@ -25,40 +25,6 @@ impl Task for Walk<'_> {
     #[inline(always)]
     fn run<A: Arith>(self) {
         self.track.walk::<A>(self.scene, self.before, self.now);
-    }
-}
-
-/// A part of a step taken in two halves.
-pub(super) struct Halves<'a> {
-    pub(super) track: &'a mut Track,
-    pub(super) scene: Scene<'a>,
-    pub(super) before: &'a Exponentials,
-    pub(super) ends: (Point, Point),
-    pub(super) halvings: u8,
-}
-
-impl Task for Halves<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<A: Arith>(self) {
-        let Self {
-            track,
-            scene,
-            before,
-            ends: (a, b),
-            halvings,
-        } = self;
-        let Scene {
-            basis,
-            panel,
-            phase,
-        } = scene;
-        phase.exponentials::<A>(basis, 0.5 * (a.s + b.s), &mut track.e);
-        let middle = track.state.point::<A>(basis, panel, phase, &track.e);
-        for ends in [(a, middle), (middle, b)] {
-            track.between::<A>(scene, before, ends, halvings);
-        }
     }
 }
 

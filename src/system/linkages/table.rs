@@ -13,7 +13,8 @@ use crate::linkage::{Linkage, Reach, Reduced, Workspace};
 use std::f64::consts::PI;
 
 /// Points of an interpolation, one more than the degree.
-const POINTS: usize = 16;
+const POINTS: usize = 4 * FOURS;
+const FOURS: usize = 4;
 /// Coefficients at the end that must have died away …
 const TAIL: usize = 3;
 /// … to this share of the function.
@@ -24,6 +25,9 @@ const SMALL: f64 = 1e-2;
 const DEEPEST: u32 = 10;
 /// Most positions that are solved for the whole.
 const MOST_POSITIONS: usize = 30_000;
+/// Where what should have died away is more than this share, halves will not do
+/// either: halving divides it by 2^13 at most.
+const HOPELESS: f64 = 1e-8;
 /// Pieces at first.
 const FIRST: u32 = 3;
 /// No piece: the linkage is solved.
@@ -47,6 +51,8 @@ pub(super) struct Local {
 pub(crate) struct Table {
     start: f64,
     span: f64,
+    /// 1/`span`.
+    rate: f64,
     /// Whether everything repeats after `span`.
     periodic: bool,
     /// Piece in each of the finest intervals.
@@ -55,12 +61,12 @@ pub(crate) struct Table {
 }
 
 /// Polynomials in x = (place − centre)·scale for J, J′, W and D side by side,
-/// lowest power first.
+/// lowest power first, four powers together.
 #[derive(Clone, Debug)]
 struct Piece {
     centre: f64,
     scale: f64,
-    lanes: [Lanes; POINTS],
+    fours: [[Lanes; 4]; FOURS],
 }
 
 /// J, J′, W, D.
@@ -82,6 +88,7 @@ impl Table {
         let mut table = Self {
             start,
             span,
+            rate: 1.0 / span,
             periodic,
             index: vec![NONE; 1 << DEEPEST],
             pieces: Vec::new(),
@@ -95,9 +102,9 @@ impl Table {
     pub(super) fn at(&self, q: f64, order: usize) -> Option<Local> {
         let mut place = q - self.start;
         if self.periodic {
-            place -= self.span * (place / self.span).floor();
+            place -= self.span * floor(place * self.rate);
         }
-        let slot = place / self.span * self.index.len() as f64;
+        let slot = place * self.rate * self.index.len() as f64;
         if !(slot >= 0.0) {
             return None;
         }
@@ -122,25 +129,30 @@ impl Table {
 }
 
 impl Piece {
-    /// Values of all polynomials: even and odd powers apart, which the processor
-    /// takes side by side.
+    /// Values of all polynomials: every fourth power by itself, which the
+    /// processor takes side by side.
     #[inline]
     fn values(&self, x: f64) -> Lanes {
         let square = x * x;
-        let (mut even, mut odd) = ([0.0; 4], [0.0; 4]);
-        for pair in self.lanes.chunks_exact(2).rev() {
-            for lane in 0..4 {
-                even[lane] = even[lane] * square + pair[0][lane];
-                odd[lane] = odd[lane] * square + pair[1][lane];
+        let fourth = square * square;
+        let mut sums = self.fours[FOURS - 1];
+        for four in self.fours[..FOURS - 1].iter().rev() {
+            for (sums, four) in sums.iter_mut().zip(four) {
+                for lane in 0..4 {
+                    sums[lane] = sums[lane] * fourth + four[lane];
+                }
             }
         }
-        std::array::from_fn(|lane| even[lane] + x * odd[lane])
+        let [zero, one, two, three] = sums;
+        std::array::from_fn(|lane| {
+            (zero[lane] + x * one[lane]) + square * (two[lane] + x * three[lane])
+        })
     }
 
     /// Their derivatives by the input.
     fn slopes(&self, x: f64) -> Lanes {
         let (mut value, mut first) = ([0.0; 4], [0.0; 4]);
-        for c in self.lanes.iter().rev() {
+        for c in self.fours.iter().flatten().rev() {
             for lane in 0..4 {
                 first[lane] = first[lane] * x + value[lane];
                 value[lane] = value[lane] * x + c[lane];
@@ -148,6 +160,14 @@ impl Piece {
         }
         first.map(|first| first * self.scale)
     }
+}
+
+/// ⌊x⌋ without a call, which the plain processor would need; of what is no number
+/// or beyond 64 bits, something of that size.
+#[inline]
+fn floor(x: f64) -> f64 {
+    let whole = x as i64 as f64;
+    whole - f64::from(u8::from(whole > x))
 }
 
 /// Whether all forces are the same after one period: no spring winds up, and
@@ -176,9 +196,10 @@ struct Builder<'a> {
     linkage: &'a Linkage,
     workspace: Workspace,
     table: &'a mut Table,
-    /// Chebyshev's points and T_k there.
+    /// Chebyshev's points, T_k there, and the coefficients of T_k.
     points: [f64; POINTS],
-    values: [[f64; POINTS]; POINTS],
+    values: [Coefficients; POINTS],
+    powers: [Coefficients; POINTS],
     /// Greatest |J|, |W| and |D| met.
     sizes: [f64; 3],
     positions: usize,
@@ -193,36 +214,44 @@ impl<'a> Builder<'a> {
             table,
             points: std::array::from_fn(|j| angle(j).cos()),
             values: std::array::from_fn(|k| std::array::from_fn(|j| (k as f64 * angle(j)).cos())),
+            powers: powers(),
             sizes: [0.0; 3],
             positions: 0,
         }
     }
 
     fn build(&mut self) {
-        let count = 1u32 << FIRST;
         // All sizes first, so that every piece is judged by the same.
-        for piece in 0..count {
-            let _ = self.sample(FIRST, piece);
-        }
-        for piece in 0..count {
-            self.fit(FIRST, piece);
+        let whole: Vec<_> = (0..1 << FIRST)
+            .map(|piece| self.sample(FIRST, piece))
+            .collect();
+        for (piece, sampled) in (0..).zip(whole) {
+            self.fit(FIRST, piece, sampled);
         }
     }
 
-    /// Interpolates piece number `piece` of 2^`depth`, or halves it.
-    fn fit(&mut self, depth: u32, piece: u32) {
-        let sampled = self.sample(depth, piece);
-        if let Some(sampled) = sampled
-            && let Some(found) = self.interpolated(depth, piece, &sampled)
-        {
-            let number = self.table.pieces.len() as u16;
-            let finest = 1usize << (DEEPEST - depth);
-            let from = piece as usize * finest;
-            self.table.index[from..from + finest].fill(number);
-            self.table.pieces.push(found);
-        } else if depth < DEEPEST && self.positions < MOST_POSITIONS {
-            self.fit(depth + 1, 2 * piece);
-            self.fit(depth + 1, 2 * piece + 1);
+    /// Interpolates piece number `piece` of 2^`depth`, or divides it.
+    fn fit(&mut self, depth: u32, piece: u32, sampled: Option<[Coefficients; 3]>) {
+        let left_over = match sampled.map(|sampled| self.interpolated(depth, piece, &sampled)) {
+            Some(Ok(found)) => {
+                let number = self.table.pieces.len() as u16;
+                let finest = 1usize << (DEEPEST - depth);
+                let from = piece as usize * finest;
+                self.table.index[from..from + finest].fill(number);
+                self.table.pieces.push(found);
+                return;
+            }
+            Some(Err(left_over)) => left_over,
+            None => 0.0,
+        };
+        let wanted = if left_over > HOPELESS { 2 } else { 1 };
+        let levels = wanted.min(DEEPEST - depth);
+        for part in 0..(1 << levels) {
+            if levels > 0 && self.positions < MOST_POSITIONS {
+                let (depth, piece) = (depth + levels, (piece << levels) + part);
+                let sampled = self.sample(depth, piece);
+                self.fit(depth, piece, sampled);
+            }
         }
     }
 
@@ -239,7 +268,8 @@ impl<'a> Builder<'a> {
         self.positions += POINTS;
         for (j, x) in self.points.iter().enumerate() {
             let q = self.table.start + centre + half * x;
-            self.linkage.solve(q, 2, &mut self.workspace).ok()?;
+            // J′ is that of the polynomial.
+            self.linkage.solve(q, 1, &mut self.workspace).ok()?;
             let reduced: Reduced = self.linkage.reduced(&self.workspace);
             let values = [
                 reduced.inertia[0],
@@ -255,9 +285,17 @@ impl<'a> Builder<'a> {
         Some(sampled)
     }
 
-    fn interpolated(&self, depth: u32, piece: u32, sampled: &[Coefficients; 3]) -> Option<Piece> {
+    /// The polynomials of a piece, or the greatest share of a function that has
+    /// not died away.
+    fn interpolated(
+        &self,
+        depth: u32,
+        piece: u32,
+        sampled: &[Coefficients; 3],
+    ) -> Result<Piece, f64> {
         let (centre, half) = self.place(depth, piece);
         let mut found = [[0.0; POINTS]; 3];
+        let mut left_over = 0.0f64;
         for (k, values) in sampled.iter().enumerate() {
             let own = values
                 .iter()
@@ -268,22 +306,33 @@ impl<'a> Builder<'a> {
             } else {
                 own.max(SMALL * self.sizes[k])
             };
-            let coefficients = self.chebyshev(values);
-            let tail = &coefficients[POINTS - TAIL..];
-            if !tail.iter().all(|c| c.abs() <= NEGLIGIBLE * size) {
-                return None;
+            if size > 0.0 {
+                let coefficients = self.chebyshev(values);
+                for c in &coefficients[POINTS - TAIL..] {
+                    let share = c.abs() / size;
+                    // Not a number counts as too much.
+                    left_over = left_over.max(if share.is_nan() { 1.0 } else { share });
+                }
+                found[k] = self.in_powers(&coefficients);
             }
-            found[k] = powers(&coefficients);
+        }
+        if !(left_over <= NEGLIGIBLE) {
+            return Err(left_over);
         }
         let [inertia, force, damping] = found;
         let slope = |power: usize| match inertia.get(power + 1) {
             Some(next) => (power + 1) as f64 * next / half,
             None => 0.0,
         };
-        Some(Piece {
+        Ok(Piece {
             centre,
             scale: 1.0 / half,
-            lanes: std::array::from_fn(|k| [inertia[k], slope(k), force[k], damping[k]]),
+            fours: std::array::from_fn(|four| {
+                std::array::from_fn(|one| {
+                    let power = 4 * four + one;
+                    [inertia[power], slope(power), force[power], damping[power]]
+                })
+            }),
         })
     }
 
@@ -296,27 +345,31 @@ impl<'a> Builder<'a> {
             sum * if k == 0 { 1.0 } else { 2.0 } / POINTS as f64
         })
     }
+
+    /// From coefficients of T_k to those of powers.
+    fn in_powers(&self, chebyshev: &Coefficients) -> Coefficients {
+        let mut out = [0.0; POINTS];
+        for (c, powers) in chebyshev.iter().zip(&self.powers) {
+            for (out, t) in out.iter_mut().zip(powers) {
+                *out += c * t;
+            }
+        }
+        out
+    }
 }
 
-/// From coefficients of T_k to those of powers: T_{k+1} = 2x·T_k − T_{k−1}.
-fn powers(chebyshev: &Coefficients) -> Coefficients {
-    let mut before = [0.0; POINTS];
-    let mut now = [0.0; POINTS];
-    let mut out = [0.0; POINTS];
-    before[0] = 1.0;
-    now[1] = 1.0;
-    out[0] = chebyshev[0];
-    for c in &chebyshev[1..] {
-        for (out, t) in out.iter_mut().zip(&now) {
-            *out += c * t;
-        }
-        let mut next = before.map(|t| -t);
+/// Coefficients of T_k: T_{k+1} = 2x·T_k − T_{k−1}.
+fn powers() -> [Coefficients; POINTS] {
+    let mut all = [[0.0; POINTS]; POINTS];
+    all[0][0] = 1.0;
+    all[1][1] = 1.0;
+    for k in 1..POINTS - 1 {
+        all[k + 1] = all[k - 1].map(|t| -t);
         for power in 1..POINTS {
-            next[power] += 2.0 * now[power - 1];
+            all[k + 1][power] += 2.0 * all[k][power - 1];
         }
-        (before, now) = (now, next);
     }
-    out
+    all
 }
 
 #[cfg(test)]
