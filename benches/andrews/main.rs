@@ -208,7 +208,10 @@ fn main() {
                 for k in 0..=36 {
                     let t = 10f64.powf(-3.0 - 0.25 * f64::from(k));
                     let (f, r) = (full(Full::Blocks, t), reduced.error(t));
-                    println!("{t:.2e}  full {:.2e} {:4}   reduced {:.2e} {:4}", f.0, f.1, r.0, r.1);
+                    println!(
+                        "{t:.2e}  full {:.2e} {:4}   reduced {:.2e} {:4}",
+                        f.0, f.1, r.0, r.1
+                    );
                 }
             }
         }
