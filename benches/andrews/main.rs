@@ -200,15 +200,36 @@ fn main() {
                 println!("{:?}", start.elapsed() / 20_000);
             }
             "prepare" => {
-                for _ in 0..2000 {
-                    drop(black_box(Reduced::new()));
-                }
+                let d = Document::parse("andrews.json", SCENE.as_bytes()).expect("JSON");
+                let t = least(500, || {
+                    drop(black_box(Document::parse("andrews.json", SCENE.as_bytes())))
+                });
+                println!("parse {:.1} us", 1e6 * t);
+                let t = least(500, || {
+                    drop(black_box(d.scene(&BuiltIn, &Overrides::none())))
+                });
+                println!("scene {:.1} us", 1e6 * t);
+                let reading = d.scene(&BuiltIn, &Overrides::none()).expect("a scene");
+                let t = least(500, || drop(black_box(lower(&reading.scene))));
+                println!("lower {:.1} us", 1e6 * t);
+                let t = least(500, || {
+                    drop(black_box(
+                        lower(&reading.scene).map(|m| System::new(m).unwrap()),
+                    ))
+                });
+                println!("lower and system {:.1} us", 1e6 * t);
+                let system = System::new(lower(&reading.scene).unwrap()).unwrap();
+                let t = least(500, || drop(black_box(system.initial_state().unwrap())));
+                println!("start {:.1} us", 1e6 * t);
             }
             _ => {
                 for k in 0..=36 {
                     let t = 10f64.powf(-3.0 - 0.25 * f64::from(k));
                     let (f, r) = (full(Full::Blocks, t), reduced.error(t));
-                    println!("{t:.2e}  full {:.2e} {:4}   reduced {:.2e} {:4}", f.0, f.1, r.0, r.1);
+                    println!(
+                        "{t:.2e}  full {:.2e} {:4}   reduced {:.2e} {:4}",
+                        f.0, f.1, r.0, r.1
+                    );
                 }
             }
         }
