@@ -40,9 +40,9 @@
 //! - Modes that coincide or nearly do (critical damping, equal branches) are
 //!   taken together and lose no digits to speak of: the motion is right to
 //!   10⁻¹² through critical damping. Hardly damped modes that coincide without
-//!   independent eigenvectors are refused, and so is an undamped mode driven
-//!   within 10⁻⁸ of its own frequency; near it, digits are lost as the distance
-//!   from resonance. See [`Refusal`].
+//!   independent eigenvectors are refused. See [`Refusal`].
+//! - A hardly damped mode driven within 10⁻³ of its own frequency, or at it, costs
+//!   no digits but time: its phases last a tenth of the harmonic's period.
 //! - At most 256 combinations of engaged pairs are kept; at one more all are
 //!   forgotten and made again when met.
 //! - Position functions that vary with the state, dry friction and anything
@@ -116,6 +116,7 @@ mod polynomial;
 mod problem;
 mod regime;
 mod request;
+mod resonance;
 mod run;
 mod sample;
 mod search;

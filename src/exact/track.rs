@@ -11,7 +11,7 @@ mod climb;
 mod walk;
 
 use climb::{Climb, Turns};
-use walk::{Halves, Walk};
+use walk::Walk;
 
 use super::asked::Asked;
 use super::basis::Basis;
@@ -45,8 +45,12 @@ const CUTS: usize = 64;
 /// Lanes are followed over up to this many radians of theirs.
 const FOLLOW: f64 = 4.5;
 
-/// Most times that a part is halved before its summits are climbed.
-const HALVINGS: u8 = 2;
+/// No point of a phase.
+const UNKNOWN: Point = Point {
+    s: f64::NEG_INFINITY,
+    value: V::ZERO,
+    slope: V::ZERO,
+};
 
 /// What the figures are taken from.
 #[derive(Clone, Copy)]
@@ -87,8 +91,10 @@ pub(crate) struct Track {
     cap: f64,
     high: V,
     low: V,
-    /// The end of the step before.
+    /// The end of the step before, unless nothing was to be seen in it.
     last: Point,
+    /// Whether envelopes alone may tell that nothing happens in a step.
+    quiet: bool,
     /// Primitive of δ where it last changed its sign, or the phase began.
     turned: f64,
     /// Where δ changes its sign in a step, with its primitive there.
@@ -122,6 +128,7 @@ impl Track {
             high: V::ZERO,
             low: V::ZERO,
             last: Point::default(),
+            quiet: false,
             turned: 0.0,
             roots: Vec::with_capacity(CUTS),
             pieces: Vec::with_capacity(2 * CUTS + 2),
@@ -159,10 +166,26 @@ impl Track {
                 (self.high.0[k], self.low.0[k]) = (f64::INFINITY, f64::NEG_INFINITY);
             }
         }
-        self.last = self.state.point::<A>(basis, panel, phase, e);
+        self.quiet = self.nothing_between::<A>(0.0, 0.0);
+        self.last = if self.quiet {
+            UNKNOWN
+        } else {
+            self.state.point::<A>(basis, panel, phase, e)
+        };
         if self.asked.mean {
             self.turned = self.state.primitive::<A>(panel, phase, e);
         }
+    }
+
+    /// True when the envelopes tell that between two instants no figure can
+    /// pass its greatest value and δ keeps its sign.
+    #[inline(always)]
+    fn nothing_between<A: Arith>(&self, from: f64, to: f64) -> bool {
+        let Some(bounds) = self.state.envelope::<A>(from, to) else {
+            return false;
+        };
+        let beyond = (bounds.high - self.high).max(self.low - bounds.low);
+        beyond.greatest() <= 0.0 && !self.may_turn(&bounds)
     }
 
     /// Takes the step from `before` to `now` into the figures.
@@ -173,6 +196,16 @@ impl Track {
         before: &Exponentials,
         now: &Exponentials,
     ) {
+        if self.quiet {
+            if self.nothing_between::<A>(before.s, now.s) {
+                return;
+            }
+            if self.last.s != before.s {
+                self.last = self
+                    .state
+                    .point::<A>(scene.basis, scene.panel, scene.phase, before);
+            }
+        }
         if scene.followed(now.s - before.s) == scene.lanes() {
             let end = self
                 .state
@@ -193,20 +226,6 @@ impl Track {
     fn span<A: Arith>(&mut self, scene: Scene, before: &Exponentials, b: Point) {
         let a = self.last;
         self.last = b;
-        self.between::<A>(scene, before, (a, b), HALVINGS);
-    }
-
-    /// Takes the part between two points. It may be cut in half so many times
-    /// first, which settles most of what a bound over the whole leaves open,
-    /// for all figures at once.
-    #[inline(always)]
-    fn between<A: Arith>(
-        &mut self,
-        scene: Scene,
-        before: &Exponentials,
-        (a, b): (Point, Point),
-        halvings: u8,
-    ) {
         let (basis, panel) = (scene.basis, scene.panel);
         let h = b.s - a.s;
         let loss = self
@@ -219,17 +238,7 @@ impl Track {
         let margin = self.margin();
         let beyond = over.max(under) - margin;
         if beyond.greatest() > 0.0 {
-            if halvings > 0 {
-                A::apart(Halves {
-                    track: self,
-                    scene,
-                    before,
-                    ends: (a, b),
-                    halvings: halvings - 1,
-                });
-                return;
-            }
-            let noise = self.state.noise(basis, panel, b.s);
+            let noise = self.state.noise(b.s);
             for k in 0..4 {
                 let margin = margin.0[k].max(noise.0[k]);
                 for (beyond, sign) in [(over.0[k], 1.0), (under.0[k], -1.0)] {

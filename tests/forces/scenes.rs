@@ -269,3 +269,30 @@ fn what_cannot_be_answered_is_said() {
         "{text}"
     );
 }
+
+#[test]
+fn what_a_scene_expects_of_its_forces_is_judged() {
+    let folder = tempfile::tempdir().unwrap();
+    let forces = |text: String| {
+        std::fs::write(folder.path().join("scene.json"), text).unwrap();
+        let output = dam(&["forces", "scene.json"], folder.path());
+        let talk = String::from_utf8_lossy(&output.stderr).into_owned();
+        (output.status.code(), talk)
+    };
+    let text = std::fs::read_to_string(scene("slider_crank.json")).unwrap();
+    let (code, talk) = forces(text.clone());
+    assert_eq!(code, Some(0), "{talk}");
+    assert!(talk.contains("14 of 14 hold"), "{talk}");
+    let (code, talk) = forces(text.replace("66.262843", "66.2629"));
+    assert_eq!(code, Some(1), "{talk}");
+    assert!(
+        talk.contains("expectation failed: forces.mechanism.drive.greatest"),
+        "{talk}"
+    );
+    let (code, talk) = forces(text.replace("drive.greatest\"", "drive.greatst\""));
+    assert_eq!(code, Some(2), "{talk}");
+    assert!(
+        talk.contains("did you mean `forces.mechanism.drive.greatest`?"),
+        "{talk}"
+    );
+}

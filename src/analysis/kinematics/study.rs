@@ -10,7 +10,7 @@ use crate::linkage::{Cause, OutOfReach, Reach, Workspace};
 use crate::model::Coordinate;
 
 /// Positions, speeds and accelerations of a linkage over what was asked.
-pub fn kinematics<'a>(asked: &Asked<'a>) -> Kinematics<'a> {
+pub fn kinematics(asked: &Asked<'_>) -> Kinematics {
     let mut rows = Rows::new(asked);
     let stopped = rows.fill();
     let Rows {
@@ -24,7 +24,7 @@ pub fn kinematics<'a>(asked: &Asked<'a>) -> Kinematics<'a> {
     let extremes = extremes(asked, &places, &columns);
     Kinematics {
         object: asked.object.clone(),
-        linkage: asked.linkage,
+        linkage: asked.linkage.clone(),
         input: asked.input,
         motion: motion(asked),
         times: times(asked, &places, &inputs),
@@ -33,6 +33,7 @@ pub fn kinematics<'a>(asked: &Asked<'a>) -> Kinematics<'a> {
         transmission: summary::transmission(asked, &places),
         limits: limits(asked),
         closed,
+        warnings: warnings(&columns),
         axis: axis(asked, places),
         columns,
         frames,
@@ -53,6 +54,22 @@ fn axis(asked: &Asked<'_>, values: Vec<f64>) -> Axis {
             values,
         },
     }
+}
+
+/// Quantities that are beyond what can be written as a number.
+fn warnings(columns: &[Column]) -> Vec<String> {
+    let lost = |column: &&Column| !column.values.iter().all(|value| value.is_finite());
+    let names: Vec<String> = columns.iter().filter(lost).map(Column::name).collect();
+    let Some(first) = names.first() else {
+        return Vec::new();
+    };
+    let others = match names.len() {
+        1 => String::new(),
+        count => format!(" and {} others", count - 1),
+    };
+    vec![format!(
+        "`{first}`{others} grow beyond all numbers: the speed is too great"
+    )]
 }
 
 /// How the input moves, in words.

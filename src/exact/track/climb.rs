@@ -154,7 +154,7 @@ impl Track {
         before: &Exponentials,
         (a, b): (&Point, &Point),
     ) {
-        let noise = self.state.noise(scene.basis, scene.panel, b.s).0[0];
+        let noise = self.state.noise(b.s).0[0];
         self.roots.clear();
         self.pieces.clear();
         self.pieces.push(piece(a, b, 0, 1.0));

@@ -1,4 +1,4 @@
-//! Parts of a step: through lanes that turn far, and halves before a climb.
+//! Parts of a step with lanes that turn far.
 
 use super::{FOLLOW, Scene, Track};
 use crate::exact::hermite::{Point, enclose};
@@ -7,6 +7,9 @@ use crate::exact::phase::Exponentials;
 
 /// Parts over which every lane is followed before a longer one is tried again.
 const PATIENCE: i32 = 4;
+
+/// A longer part is so many times as long.
+const GROWTH: f64 = 4.0;
 
 /// [`Track::walk`], out of line.
 pub(super) struct Walk<'a> {
@@ -22,40 +25,6 @@ impl Task for Walk<'_> {
     #[inline(always)]
     fn run<A: Arith>(self) {
         self.track.walk::<A>(self.scene, self.before, self.now);
-    }
-}
-
-/// A part of a step taken in two halves.
-pub(super) struct Halves<'a> {
-    pub(super) track: &'a mut Track,
-    pub(super) scene: Scene<'a>,
-    pub(super) before: &'a Exponentials,
-    pub(super) ends: (Point, Point),
-    pub(super) halvings: u8,
-}
-
-impl Task for Halves<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<A: Arith>(self) {
-        let Self {
-            track,
-            scene,
-            before,
-            ends: (a, b),
-            halvings,
-        } = self;
-        let Scene {
-            basis,
-            panel,
-            phase,
-        } = scene;
-        phase.exponentials::<A>(basis, 0.5 * (a.s + b.s), &mut track.e);
-        let middle = track.state.point::<A>(basis, panel, phase, &track.e);
-        for ends in [(a, middle), (middle, b)] {
-            track.between::<A>(scene, before, ends, halvings);
-        }
     }
 }
 
@@ -87,7 +56,9 @@ impl Track {
             let follow = scene.followed(h);
             if follow < scene.lanes() && !self.ruled_out::<A>(scene, (&from, &to), &end, follow) {
                 let short = self.short(scene, &from);
-                patience = PATIENCE;
+                // Where the lanes that matter would bear a longer part (none is
+                // left, in the end) only the slow motion sets new records.
+                patience = if short > GROWTH * h { 0 } else { PATIENCE };
                 if h > 1.01 * short {
                     length = short.max(0.25 * h);
                     continue;
@@ -98,7 +69,7 @@ impl Track {
             }
             self.last = end;
             std::mem::swap(&mut from, &mut to);
-            let growth = if patience > 0 { 1.0 } else { 4.0 };
+            let growth = if patience > 0 { 1.0 } else { GROWTH };
             patience = i32::max(patience - 1, 0);
             length = (growth * h).min(now.s - from.s);
         }

@@ -75,6 +75,54 @@ fn breaks_in_time_end_a_step_exactly_and_are_told_to_the_sink() {
     }
 }
 
+/// Greatest error of the speed over the last step, relative.
+#[derive(Default)]
+struct LastSpeeds {
+    /// Time and speed at the start of the leg, acceleration over it.
+    leg: [f64; 3],
+    worst: f64,
+}
+
+impl Sink for LastSpeeds {
+    fn start(&mut self, _: f64, _: &[f64], _: &Modes) {}
+
+    fn step(&mut self, step: &Step<'_>, _: &Modes) {
+        let [start, speed, acceleration] = self.leg;
+        let mut y = [0.0; 2];
+        for k in 0..=10 {
+            let s = step.end * f64::from(k) / 10.0;
+            step.state(s, &mut y);
+            let expected = speed + acceleration * (step.start - start + s * step.length);
+            self.worst = self.worst.max((y[1] / expected - 1.0).abs());
+        }
+    }
+
+    fn switch(&mut self, event: &SwitchEvent<'_>) {
+        self.leg = [event.time, event.y[1], -3.0];
+        self.worst = 0.0;
+    }
+}
+
+#[test]
+fn a_short_last_step_from_a_great_angle_keeps_its_speeds() {
+    for rest in [1e-12, 1e-11, 1e-9, 1e-7, 1e-5] {
+        let system = Stepped {
+            breaks: vec![0.7],
+            accelerations: vec![20.0, -3.0],
+            scales: [1.0, 1.0],
+        };
+        for method in Method::ALL {
+            let (mut sink, modes) = (LastSpeeds::default(), Modes(vec![0]));
+            let settings = ordinary(method, 0.05);
+            let y0 = [1e4, 60.0];
+            let end = 0.7 + rest;
+            let outcome = integrate(&system, 0.0, end, &y0, &modes, &settings, &FREE, &mut sink);
+            assert_eq!(outcome.stop, Stop::Complete);
+            assert!(sink.worst < 1e-12, "{method}, {rest:e}: {:e}", sink.worst);
+        }
+    }
+}
+
 #[test]
 fn a_signal_that_is_no_coordinate_stops_the_mechanism_where_it_should() {
     // u = sin t: u² rises above ¾ at t = π/3.

@@ -167,6 +167,53 @@ fn travel(drawing: &Drawing<'_>, index: usize, extent: f64) -> [f64; 2] {
     ]
 }
 
+/// Both ends of a guide's rails in the frame of the ground, at every position:
+/// none for a guide of the ground.
+pub(super) fn rail_ends(
+    drawing: &Drawing<'_>,
+    index: usize,
+    extent: f64,
+) -> impl Iterator<Item = [f64; 2]> {
+    let pair = &drawing.spec.pairs[index];
+    let moving = pair.on.link.zip(match pair.kind {
+        PairKind::Sliding { direction, .. } => Some(direction),
+        PairKind::Revolute { .. } => None,
+    });
+    let ends = moving.map(|(link, direction)| {
+        let span = travel(drawing, index, extent);
+        (link, span.map(|along| on_axis(pair, direction, along)))
+    });
+    ends.into_iter().flat_map(|(link, ends)| {
+        let frames = drawing.frames.iter();
+        frames.flat_map(move |frame| ends.map(|end| frame[link].point(end)))
+    })
+}
+
+/// A place on a guide's axis, in the frame of the guide's link.
+fn on_axis(pair: &PairSpec, direction: f64, along: f64) -> [f64; 2] {
+    let [x, y] = pair.on.at;
+    [x + along * direction.cos(), y + along * direction.sin()]
+}
+
+/// The line that joins a guide's rails to the nearest place of their link, such
+/// as its pivot; none where one lies between the rails.
+fn stem(drawing: &Drawing<'_>, index: usize, [from, to]: [f64; 2]) -> Option<[[f64; 2]; 2]> {
+    let pair = &drawing.spec.pairs[index];
+    let (PairKind::Sliding { direction, .. }, Some(link)) = (pair.kind, pair.on.link) else {
+        return None;
+    };
+    let foot = |[x, y]: [f64; 2]| {
+        let (dx, dy) = (x - pair.on.at[0], y - pair.on.at[1]);
+        let along = dx * direction.cos() + dy * direction.sin();
+        on_axis(pair, direction, along.clamp(from, to))
+    };
+    let lines = shape::places(drawing.spec, link).into_iter();
+    let lines = lines.map(|place| [place, foot(place)]);
+    let length = |[a, b]: &[[f64; 2]; 2]| (a[0] - b[0]).hypot(a[1] - b[1]);
+    let shortest = lines.min_by(|a, b| length(a).total_cmp(&length(b)))?;
+    (length(&shortest) > 1e-9 * (to - from).abs()).then_some(shortest)
+}
+
 /// A point in the frame of the ground.
 fn place(frame: &[Placement], point: &PointOf) -> [f64; 2] {
     match point.link {
@@ -191,12 +238,7 @@ fn bars(drawing: &Drawing<'_>, view: &View, link: usize) -> String {
         let joined: Vec<String> = corners.iter().map(|corner| pixel(*corner)).collect();
         let closing = if corners.len() > 2 { "z" } else { "" };
         let d = format!("M{}{closing}", joined.join("L"));
-        let _ = write!(
-            out,
-            "<path class=\"edge\" d=\"{d}\" stroke-width=\"{}\"/><path class=\"body\" d=\"{d}\" \
-             stroke-width=\"{BAR}\"/>",
-            BAR + 2.4
-        );
+        out.push_str(&bar(&d));
     }
     for (index, pair) in spec.pairs.iter().enumerate() {
         let PairKind::Sliding { direction, .. } = pair.kind else {
@@ -204,6 +246,10 @@ fn bars(drawing: &Drawing<'_>, view: &View, link: usize) -> String {
         };
         if pair.on.link == Some(link) {
             let span = travel(drawing, index, view.extent);
+            if let Some([from, to]) = stem(drawing, index, span) {
+                let d = format!("M{}L{}", pixel(from), pixel(to));
+                out.push_str(&bar(&d));
+            }
             let _ = write!(
                 out,
                 "<g class=\"rail\" transform=\"translate({}) rotate({})\">{}</g>",
@@ -214,6 +260,15 @@ fn bars(drawing: &Drawing<'_>, view: &View, link: usize) -> String {
         }
     }
     out
+}
+
+/// A bar along a path, with its edge.
+fn bar(d: &str) -> String {
+    format!(
+        "<path class=\"edge\" d=\"{d}\" stroke-width=\"{}\"/><path class=\"body\" d=\"{d}\" \
+         stroke-width=\"{BAR}\"/>",
+        BAR + 2.4
+    )
 }
 
 /// A link's blocks, in pixels of its own frame.
