@@ -23,6 +23,7 @@ mod links;
 mod loads;
 mod observe;
 mod onset;
+mod outlook;
 mod pairs;
 mod passes;
 mod pattern;
