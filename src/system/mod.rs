@@ -15,6 +15,7 @@ mod check;
 mod dynamics;
 mod energy;
 mod frequencies;
+mod friction;
 mod frozen;
 mod growth;
 mod kappa;
@@ -133,6 +134,8 @@ pub struct Power {
     pub loads: f64,
     /// Dissipation in links, pairs and the dampers of linkages, ≥ 0.
     pub dissipated: f64,
+    /// Friction in the joints of linkages, ≥ 0.
+    pub friction: f64,
 }
 
 /// Energies at an instant (J).

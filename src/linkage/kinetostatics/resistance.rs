@@ -230,6 +230,12 @@ impl Kinetostatics {
         first * w.acceleration + second * w.speed * w.speed
     }
 
+    /// Size of the input coordinate that changes the position as a whole: 1 rad, or
+    /// the length scale of a driver that slides (m).
+    pub fn coordinate_scale(&self) -> f64 {
+        self.length / self.units[self.spec.driver]
+    }
+
     /// Greatest magnitude of the reactions found last (N, couples over the
     /// length scale).
     pub fn greatest_reaction(&self, w: &ForceWorkspace) -> f64 {
