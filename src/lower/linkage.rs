@@ -52,6 +52,7 @@ impl Lowering<'_> {
             node,
             linkage,
             outputs,
+            friction: None,
             object,
         });
     }
