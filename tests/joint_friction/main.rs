@@ -6,4 +6,6 @@ mod multipliers;
 mod oracle;
 mod support;
 
+mod closed_forms;
+mod motions;
 mod reference;

@@ -40,3 +40,16 @@ pub(crate) fn run_of(text: &str, overrides: &[&str]) -> RunResult {
     assert!(result.is_trusted(), "{:?}", result.figures.warnings);
     result
 }
+
+/// A figure that must have a value.
+pub(crate) fn figure(result: &RunResult, address: &str) -> f64 {
+    match result.figures.value(address) {
+        Ok(value) => value,
+        Err(error) => panic!("{address}: {error:?}"),
+    }
+}
+
+/// Why a run stopped before its end.
+pub(crate) fn stopped(result: &RunResult) -> Option<&str> {
+    result.figures.run.stopped.as_deref()
+}
