@@ -46,6 +46,7 @@ mod testing_random;
 mod tests;
 
 pub use frequencies::{Regime, VibrationMode};
+pub(crate) use friction::HELD;
 pub use reduce::Reduced;
 
 use crate::fault::Fault;

@@ -1,6 +1,5 @@
 //! What every object is doing: read off a complete evaluation.
 
-use super::friction::HELD;
 use super::frozen::{Chain, Frozen, Rigid, Step};
 use super::loads::is_motor;
 use super::passes::{Extent, Work};
@@ -208,7 +207,10 @@ impl System {
                 .map(|chain| frozen.dissipated(chain, y, modes))
                 .sum::<f64>()
                 + damped,
-            friction: frozen.friction_losses(work).map(|(_, loss)| loss).sum(),
+            friction: frozen
+                .friction_losses(&modes.0, work)
+                .map(|(_, loss)| loss)
+                .sum(),
         }
     }
 
@@ -216,13 +218,14 @@ impl System {
     /// it: object and loss (W).
     pub fn friction_losses<'a>(
         &'a self,
+        modes: &'a Modes,
         scratch: &'a Scratch,
     ) -> impl Iterator<Item = (usize, f64)> + 'a {
-        self.frozen.friction_losses(&scratch.work)
+        self.frozen.friction_losses(&modes.0, &scratch.work)
     }
 
     /// Objects whose joints have friction, each with the component of [`Modes`] that
-    /// says whether friction holds it ([`HELD`]); without one its motion is given.
+    /// says whether friction holds it; without one its motion is given.
     pub fn rubbing_objects(&self) -> impl Iterator<Item = (usize, Option<usize>)> + '_ {
         let groups = self.frozen.groups.iter();
         groups.flat_map(|group| {

@@ -66,12 +66,16 @@ impl Frozen {
     /// Power lost to friction in every object that has any (W).
     pub(in crate::system) fn friction_losses<'a>(
         &'a self,
+        modes: &'a [i64],
         work: &'a Work<f64>,
     ) -> impl Iterator<Item = (usize, f64)> + 'a {
-        let members = self.groups.iter().flat_map(|group| &group.members);
-        members.map(|member| {
-            let force = work.rubbing[member.linkage].force;
-            (member.object, 0.0 - force * work.speed[member.node])
+        self.groups.iter().flat_map(move |group| {
+            let held = group.component.is_some_and(|c| modes[c] == HELD);
+            group.members.iter().map(move |member| {
+                let force = work.rubbing[member.linkage].force;
+                let loss = 0.0 - force * work.speed[member.node];
+                (member.object, if held { 0.0 } else { loss })
+            })
         })
     }
 
