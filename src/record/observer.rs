@@ -51,6 +51,15 @@ impl<'s> Observer<'s> {
             .power(step.time(s), &self.y, modes, &mut self.scratch)
     }
 
+    /// Power lost to the friction of joints where the powers were asked for last, an
+    /// object each.
+    pub(crate) fn friction_losses<'a>(
+        &'a self,
+        modes: &'a Modes,
+    ) -> impl Iterator<Item = (usize, f64)> + 'a {
+        self.system.friction_losses(modes, &self.scratch)
+    }
+
     /// Energies at s.
     pub(crate) fn energy(&mut self, step: &Step<'_>, s: f64, modes: &Modes) -> Energy {
         step.state(s, &mut self.y);

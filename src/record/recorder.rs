@@ -1,6 +1,7 @@
 //! The listener that turns a run into a record and figures.
 
 use super::audit::{EnergyAudit, Ledger};
+use super::joints::JointTracker;
 use super::observer::Observer;
 use super::pairs::PairTracker;
 use super::peaks::PLACES;
@@ -52,6 +53,7 @@ pub struct Recorder<'s> {
     rows: Rows,
     objects: Vec<ObjectTracker>,
     pairs: Vec<PairTracker>,
+    joints: Vec<JointTracker>,
     ledger: Ledger,
     switches: Vec<SwitchRow>,
     separations: Vec<Interval>,
@@ -90,6 +92,10 @@ impl<'s> Recorder<'s> {
                 .map(|object| ObjectTracker::new(system, object, settings.window))
                 .collect(),
             pairs,
+            joints: system
+                .rubbing_objects()
+                .map(|(object, component)| JointTracker::new(object, component))
+                .collect(),
             ledger: Ledger::default(),
             switches: Vec::new(),
             separations: Vec::new(),
@@ -127,6 +133,10 @@ impl<'s> Recorder<'s> {
                     .any(|open| open.object == *id && open.from < to && open.to > from)
             });
             figures[object].pair = Some(pair);
+        }
+        for joints in std::mem::take(&mut self.joints) {
+            let object = joints.object;
+            figures[object].joints = Some(joints.finish(self.time));
         }
         let margins = self.margins(&mut figures);
         self.separations.sort_by(|a, b| {
@@ -188,7 +198,15 @@ impl<'s> Recorder<'s> {
             for (index, place) in PLACES.iter().enumerate().take(6).skip(1) {
                 let s = from + place * (to - from);
                 let power = self.observer.power(step, s, modes);
-                self.ledger.add(index, (to - from) * step.length, power);
+                let span = (to - from) * step.length;
+                self.ledger.add(index, span, power);
+                if self.joints.is_empty() {
+                    continue;
+                }
+                let losses = self.observer.friction_losses(modes);
+                for (joints, (_, loss)) in self.joints.iter_mut().zip(losses) {
+                    joints.add(index, span, loss);
+                }
             }
             from = to;
         }
@@ -273,6 +291,9 @@ impl Sink for Recorder<'_> {
         for pair in &mut self.pairs {
             pair.start(time, modes.0[pair.component]);
         }
+        for joints in &mut self.joints {
+            joints.start(time, modes);
+        }
         self.ledger.open(self.observer.energy_of(time, y, modes));
     }
 
@@ -293,6 +314,9 @@ impl Sink for Recorder<'_> {
 
     fn switch(&mut self, event: &SwitchEvent<'_>) {
         self.continues = false;
+        for joints in &mut self.joints {
+            joints.switch(event);
+        }
         let changed = |pair: &&mut PairTracker| {
             event.before.0[pair.component] != event.after.0[pair.component]
         };

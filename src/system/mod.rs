@@ -15,6 +15,7 @@ mod check;
 mod dynamics;
 mod energy;
 mod frequencies;
+mod friction;
 mod frozen;
 mod growth;
 mod kappa;
@@ -45,6 +46,7 @@ mod testing_random;
 mod tests;
 
 pub use frequencies::{Regime, VibrationMode};
+pub(crate) use friction::HELD;
 pub use reduce::Reduced;
 
 use crate::fault::Fault;
@@ -133,6 +135,8 @@ pub struct Power {
     pub loads: f64,
     /// Dissipation in links, pairs and the dampers of linkages, ≥ 0.
     pub dissipated: f64,
+    /// Friction in the joints of linkages, ≥ 0.
+    pub friction: f64,
 }
 
 /// Energies at an instant (J).

@@ -91,6 +91,13 @@ impl Solved {
         (self.place, self.order, self.reduced) = (q, order, None);
     }
 
+    /// The linkage at `q`, its derivatives up to `order`; `None` where it cannot be
+    /// assembled.
+    pub(super) fn placed(&mut self, q: f64, order: usize) -> Option<&Workspace> {
+        self.go_to(q, order);
+        self.assembled.then_some(&self.workspace)
+    }
+
     fn output(&mut self, output: usize, q: f64, order: usize) -> Jet {
         self.go_to(q, order);
         match self.assembled {
