@@ -4,7 +4,7 @@
 
 use crate::multipliers::{Mechanism, State, Vector, add, dot, minus, turned};
 use dam::linkage::spec::{PairKind, PairSpec};
-use nalgebra::DVector;
+use nalgebra::{DMatrix, DVector};
 
 /// Evaluations at most to locate an event.
 const TRIES: usize = 100;
@@ -138,17 +138,67 @@ fn rub(
     }
 }
 
+/// Gauss's elimination with row pivots that skips zeros, of which the matrix is
+/// full.
+struct Factors {
+    rows: Vec<Vec<f64>>,
+    order: Vec<usize>,
+}
+
+impl Factors {
+    fn new(matrix: &DMatrix<f64>) -> Self {
+        let n = matrix.nrows();
+        let row = |i: usize| matrix.row(i).iter().copied().collect();
+        let mut rows: Vec<Vec<f64>> = (0..n).map(row).collect();
+        let mut order: Vec<usize> = (0..n).collect();
+        for k in 0..n {
+            let size = |&i: &usize| rows[i][k].abs();
+            let pivot = (k..n)
+                .max_by(|a, b| size(a).total_cmp(&size(b)))
+                .expect("a row");
+            rows.swap(k, pivot);
+            order.swap(k, pivot);
+            let (upper, lower) = rows.split_at_mut(k + 1);
+            let top = &upper[k];
+            assert!(top[k] != 0.0, "independent pairs");
+            for row in lower.iter_mut().filter(|row| row[k] != 0.0) {
+                let factor = row[k] / top[k];
+                row[k] = factor;
+                for (entry, above) in row[k + 1..].iter_mut().zip(&top[k + 1..]) {
+                    *entry -= factor * above;
+                }
+            }
+        }
+        Self { rows, order }
+    }
+
+    fn solve(&self, right: &DVector<f64>) -> DVector<f64> {
+        let mut x: Vec<f64> = self.order.iter().map(|&i| right[i]).collect();
+        let part = |row: &[f64], x: &[f64]| -> f64 {
+            let pairs = row.iter().zip(x).filter(|(entry, _)| **entry != 0.0);
+            pairs.map(|(entry, x)| entry * x).sum()
+        };
+        for (i, row) in self.rows.iter().enumerate() {
+            x[i] -= part(&row[..i], &x[..i]);
+        }
+        for (i, row) in self.rows.iter().enumerate().rev() {
+            x[i] = (x[i] - part(&row[i + 1..], &x[i + 1..])) / row[i];
+        }
+        DVector::from_vec(x)
+    }
+}
+
 /// Accelerations and multipliers, sliding in the given directions; `None` where
 /// the fixed point is not found.
 fn solve(m: &Mechanism<'_>, state: &State, signs: &Signs) -> Option<DVector<f64>> {
     let (matrix, plain) = m.equations(state);
-    let factors = matrix.lu();
-    let mut found = factors.solve(&plain).expect("independent pairs");
+    let factors = Factors::new(&matrix);
+    let mut found = factors.solve(&plain);
     let mut settled = 0;
     for _ in 0..ITERATIONS {
         let mut right = plain.clone();
         rub(m, state, signs, &found, &mut right);
-        let next = factors.solve(&right).expect("independent pairs");
+        let next = factors.solve(&right);
         let change = (&next - &found).amax();
         found = next;
         // Rounding is reached a few iterations later.
