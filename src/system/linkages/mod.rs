@@ -17,6 +17,9 @@ use std::cell::RefCell;
 use std::sync::Arc;
 use table::{Local, Table};
 
+/// Weights count as nothing below this share of the greatest that they could be.
+const ROUNDING: f64 = 1e-12;
+
 /// Share of a limited reach at each end that is not sampled.
 const EDGE: f64 = 0.05;
 
@@ -120,14 +123,33 @@ impl Solved {
             return 0.0;
         };
         let [inertia, slope, _] = reduced.inertia;
+        // Weights across the motion leave rounding, which is no force.
+        let weight = reduced.potential[1];
+        let rounding = ROUNDING * self.greatest_weight();
         let parts = [
             inertia * acceleration + 0.5 * slope * rate * rate,
-            reduced.potential[1],
+            if weight.abs() <= rounding {
+                0.0
+            } else {
+                weight
+            },
             reduced.force[0],
             reduced.damping[0] * rate,
         ];
         let sum: f64 = parts.iter().map(|part| part.abs()).sum();
         if sum.is_finite() { sum } else { 0.0 }
+    }
+
+    /// What the weights would be at the input if all of them acted along the motion.
+    fn greatest_weight(&self) -> f64 {
+        let spec = self.linkage.spec();
+        let [gx, gy] = spec.gravity;
+        let links = spec.links.iter().enumerate().map(|(index, link)| {
+            let [x, y, turning] = self.workspace.transfer(index, 1);
+            let arm = link.centre[0].hypot(link.centre[1]);
+            link.mass * (x.hypot(y) + arm * turning.abs())
+        });
+        links.sum::<f64>() * gx.hypot(gy)
     }
 
     /// `None` where it cannot be assembled.
