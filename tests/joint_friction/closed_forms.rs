@@ -98,7 +98,7 @@ fn wheel(speed: f64, torque: f64) -> String {
 #[test]
 fn a_wheel_is_slowed_evenly_by_the_friction_of_its_pin_and_stays() {
     let moment = 0.2 * 0.025 * 12.0 * G;
-    for (speed, torque) in [(3.0, 0.0), (-3.0, 0.0), (3.0, -0.4), (3.0, 0.5)] {
+    for (speed, torque) in [(3.0, 0.0), (-3.0, 0.0), (3.0, -0.4), (3.0, 0.2)] {
         let found = run_of(&wheel(speed, torque), &[]);
         let slowing = (moment - torque * f64::signum(speed)) / 0.4;
         let angle = speed * speed / (2.0 * slowing) * f64::signum(speed);

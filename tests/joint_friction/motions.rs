@@ -98,10 +98,10 @@ fn a_pendulum_swings_out_by_the_friction_of_its_pin() {
         angle: -0.4,
         speed: 5.0,
     };
-    let text = scene_of(&format!("{}, {PENDULUM}", motor.text()), &run_text(12.0));
+    let text = scene_of(&format!("{}, {PENDULUM}", motor.text()), &run_text(13.0));
     let spec = linkage_of(&read(&text, &[]), "m");
     let (mechanism, start) = motor.mechanism(&spec);
-    let (course, worth) = reference(&mechanism, &start, 12.0, 24_000);
+    let (course, worth) = reference(&mechanism, &start, 13.0, 130);
     assert!(worth < 1e-9, "the reference stands: {worth:e}");
     assert!(
         course.stops.len() > 5 && course.rest > 0.5,
@@ -123,10 +123,10 @@ fn a_slider_crank_with_friction_everywhere_turns_twice_under_a_motor() {
         speed: 6.0,
     };
     let objects = format!("{}, {}", motor.text(), slider_crank(0.12));
-    let text = scene_of(&objects, &run_text(1.1));
+    let text = scene_of(&objects, &run_text(0.5));
     let spec = linkage_of(&read(&text, &[]), "m");
     let (mechanism, start) = motor.mechanism(&spec);
-    let (course, worth) = reference(&mechanism, &start, 1.1, 8_000);
+    let (course, worth) = reference(&mechanism, &start, 0.5, 100);
     assert!(worth < 2e-8, "the reference stands: {worth:e}");
     // Two turns at least: the slide turns round twice a turn.
     assert!(course.state.place[2] > 4.0 * std::f64::consts::PI && course.changes >= 4);
@@ -146,7 +146,7 @@ fn a_slider_crank_runs_out_and_stays_where_friction_holds_it() {
     let text = scene_of(&objects, &run_text(2.0));
     let spec = linkage_of(&read(&text, &[]), "m");
     let (mechanism, start) = motor.mechanism(&spec);
-    let (course, worth) = reference(&mechanism, &start, 2.0, 12_000);
+    let (course, worth) = reference(&mechanism, &start, 2.0, 200);
     assert!(worth < 2e-8, "the reference stands: {worth:e}");
     assert!(
         !course.stops.is_empty() && course.rest > 0.0,
@@ -193,7 +193,7 @@ fn what_hangs_rigidly_on_an_output_loads_the_pairs_like_a_part_of_the_link() {
     let own = scene(&plain(2.2, -55.0, ""));
     let spec = linkage_of(&read(&own, &[]), "m");
     let (mechanism, start) = motor.mechanism(&spec);
-    let (course, worth) = reference(&mechanism, &start, 0.8, 6_000);
+    let (course, worth) = reference(&mechanism, &start, 0.8, 100);
     assert!(worth < 2e-8, "the reference stands: {worth:e}");
     assert_same(&run_of(&own, &[]), &course, 0, 1e-7);
     let tool = r#", "tool": { "kind": "slider", "input": "m.slide", "position": { "ratio": 1 }, "inertia": 0.7, "masses": 0,
@@ -280,7 +280,7 @@ fn an_elastic_tool_behind_the_slide_presses_on_the_pairs() {
         torque: motor.torque,
         rotor: motor.inertia,
     };
-    let (course, worth) = reference(&mechanism, &start, 0.8, 8_000);
+    let (course, worth) = reference(&mechanism, &start, 0.8, 120);
     assert!(worth < 2e-8, "the reference stands: {worth:e}");
     let found = run_of(&text, &[]);
     assert_same(&found, &course, 0, 1e-7);

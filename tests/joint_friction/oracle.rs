@@ -1,13 +1,13 @@
 //! Linkages with joint friction in absolute coordinates: friction from the
 //! Lagrange multipliers by a fixed point, directions by the signs of the pairs'
-//! speeds, changes of sign located by bisection of a step.
+//! speeds, changes of sign located to rounding.
 
 use crate::multipliers::{Mechanism, State, Vector, add, dot, minus, turned};
 use dam::linkage::spec::{PairKind, PairSpec};
-use nalgebra::DVector;
+use nalgebra::{DMatrix, DVector};
 
-/// Bisections of a step: to rounding.
-const HALVINGS: usize = 60;
+/// Evaluations at most to locate an event.
+const TRIES: usize = 100;
 /// Fixed-point iterations at most.
 const ITERATIONS: usize = 400;
 
@@ -62,18 +62,47 @@ fn pattern(m: &Mechanism<'_>, state: &State) -> Vec<f64> {
     m.spec.pairs.iter().map(sign).collect()
 }
 
+/// Which way everything slides, and how the blocks' corners are pressed: held
+/// over a step, so that it is smooth.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Signs {
+    /// Of the pairs' speeds.
+    pub(crate) pairs: Vec<f64>,
+    /// Of the forces on both corners of each pair's block; `None`: as they turn out.
+    pub(crate) corners: Option<Vec<[f64; 2]>>,
+}
+
+/// Forces on both corners of a block; of a pin nothing.
+fn corner_forces(pair: &PairSpec, [a, b]: [f64; 2]) -> [f64; 2] {
+    match pair.kind {
+        PairKind::Revolute { .. } => [1.0; 2],
+        PairKind::Sliding {
+            corners: [forward, back],
+            ..
+        } => {
+            // N₁ + N₂ = a, b₁·N₁ + b₂·N₂ = b: two corners carry both.
+            let first = (b - back * a) / (forward - back);
+            [first, a - first]
+        }
+    }
+}
+
+/// Force and couple (or both forces) on link j from i: −λ.
+fn reaction(m: &Mechanism<'_>, index: usize, found: &DVector<f64>) -> [f64; 2] {
+    let n = 3 * m.spec.links.len();
+    [-found[n + 2 * index], -found[n + 2 * index + 1]]
+}
+
 /// Friction of all pairs on the links, given the multipliers and the signs.
-/// Force and couple on link j from i are −λ.
 fn rub(
     m: &Mechanism<'_>,
     state: &State,
-    signs: &[f64],
+    signs: &Signs,
     found: &DVector<f64>,
     right: &mut DVector<f64>,
 ) {
-    let n = 3 * m.spec.links.len();
-    for (index, (pair, sign)) in m.spec.pairs.iter().zip(signs).enumerate() {
-        let [a, b] = [-found[n + 2 * index], -found[n + 2 * index + 1]];
+    for (index, (pair, sign)) in m.spec.pairs.iter().zip(&signs.pairs).enumerate() {
+        let [a, b] = reaction(m, index, found);
         let (on, block) = (m.point(&pair.on, state), m.point(&pair.link, state));
         let mut act = |link: Option<usize>, force: Vector, couple: f64| {
             let Some(link) = link else { return };
@@ -91,17 +120,17 @@ fn rub(
             }
             PairKind::Sliding {
                 direction,
-                corners: [forward, back],
                 half_height,
                 ..
             } => {
-                // N₁ + N₂ = a, b₁·N₁ + b₂·N₂ = b: two corners carry both.
-                let first = (b - back * a) / (forward - back);
-                let second = a - first;
+                let forces = corner_forces(pair, [a, b]);
+                let held = signs.corners.as_ref().map(|corners| corners[index]);
+                let pressed = held.unwrap_or(forces.map(f64::signum));
+                let [first, second] = [pressed[0] * forces[0], pressed[1] * forces[1]];
                 let t = turned([1.0, 0.0], direction + m.angle(on.link, &state.place));
-                let pull = -sign * pair.friction * (first.abs() + second.abs());
+                let pull = -sign * pair.friction * (first + second);
                 // A corner that is pressed towards +n touches below the axis.
-                let couple = -sign * pair.friction * half_height * (first + second);
+                let couple = -sign * pair.friction * half_height * a;
                 act(block.link, t.map(|part| part * pull), couple);
                 act(on.link, t.map(|part| -part * pull), -couple);
             }
@@ -109,24 +138,90 @@ fn rub(
     }
 }
 
-/// Accelerations of all links, sliding in the given directions; `None` where
+/// Gauss's elimination with row pivots that skips zeros, of which the matrix is
+/// full.
+struct Factors {
+    rows: Vec<Vec<f64>>,
+    order: Vec<usize>,
+}
+
+impl Factors {
+    fn new(matrix: &DMatrix<f64>) -> Self {
+        let n = matrix.nrows();
+        let row = |i: usize| matrix.row(i).iter().copied().collect();
+        let mut rows: Vec<Vec<f64>> = (0..n).map(row).collect();
+        let mut order: Vec<usize> = (0..n).collect();
+        for k in 0..n {
+            let size = |&i: &usize| rows[i][k].abs();
+            let pivot = (k..n)
+                .max_by(|a, b| size(a).total_cmp(&size(b)))
+                .expect("a row");
+            rows.swap(k, pivot);
+            order.swap(k, pivot);
+            let (upper, lower) = rows.split_at_mut(k + 1);
+            let top = &upper[k];
+            assert!(top[k] != 0.0, "independent pairs");
+            for row in lower.iter_mut().filter(|row| row[k] != 0.0) {
+                let factor = row[k] / top[k];
+                row[k] = factor;
+                for (entry, above) in row[k + 1..].iter_mut().zip(&top[k + 1..]) {
+                    *entry -= factor * above;
+                }
+            }
+        }
+        Self { rows, order }
+    }
+
+    fn solve(&self, right: &DVector<f64>) -> DVector<f64> {
+        let mut x: Vec<f64> = self.order.iter().map(|&i| right[i]).collect();
+        let part = |row: &[f64], x: &[f64]| -> f64 {
+            let pairs = row.iter().zip(x).filter(|(entry, _)| **entry != 0.0);
+            pairs.map(|(entry, x)| entry * x).sum()
+        };
+        for (i, row) in self.rows.iter().enumerate() {
+            x[i] -= part(&row[..i], &x[..i]);
+        }
+        for (i, row) in self.rows.iter().enumerate().rev() {
+            x[i] = (x[i] - part(&row[i + 1..], &x[i + 1..])) / row[i];
+        }
+        DVector::from_vec(x)
+    }
+}
+
+/// Accelerations and multipliers, sliding in the given directions; `None` where
 /// the fixed point is not found.
-pub(crate) fn accelerations(m: &Mechanism<'_>, state: &State, signs: &[f64]) -> Option<Vec<f64>> {
-    let n = 3 * m.spec.links.len();
+fn solve(m: &Mechanism<'_>, state: &State, signs: &Signs) -> Option<DVector<f64>> {
     let (matrix, plain) = m.equations(state);
-    let factors = matrix.lu();
-    let mut found = factors.solve(&plain).expect("independent pairs");
+    let factors = Factors::new(&matrix);
+    let mut found = factors.solve(&plain);
+    let mut settled = 0;
     for _ in 0..ITERATIONS {
         let mut right = plain.clone();
         rub(m, state, signs, &found, &mut right);
-        let next = factors.solve(&right).expect("independent pairs");
+        let next = factors.solve(&right);
         let change = (&next - &found).amax();
         found = next;
-        if change <= 1e-14 * (1.0 + found.amax()) {
-            return Some(found.as_slice()[..n].to_vec());
+        // Rounding is reached a few iterations later.
+        settled += usize::from(change <= 1e-12 * (1.0 + found.amax()));
+        if settled == 3 {
+            return Some(found);
         }
     }
     None
+}
+
+/// Accelerations of all links; `None` where there is no solution.
+pub(crate) fn accelerations(m: &Mechanism<'_>, state: &State, signs: &Signs) -> Option<Vec<f64>> {
+    let n = 3 * m.spec.links.len();
+    solve(m, state, signs).map(|found| found.as_slice()[..n].to_vec())
+}
+
+/// Forces on all corners.
+fn corners(m: &Mechanism<'_>, state: &State, signs: &Signs) -> Vec<[f64; 2]> {
+    let found = solve(m, state, signs).expect("a solution");
+    let pairs = m.spec.pairs.iter().enumerate();
+    let of = |(index, pair): (usize, &PairSpec)| corner_forces(pair, reaction(m, index, &found));
+    pairs.map(of).collect()
 }
 
 /// Power of friction in a state, ≤ 0: what accelerates the masses less what
@@ -145,7 +240,11 @@ fn power(m: &Mechanism<'_>, state: &State, accelerations: &[f64]) -> f64 {
 }
 
 /// Acceleration of the input pair, when everything starts from rest.
-fn start(m: &Mechanism<'_>, state: &State, signs: &[f64]) -> Option<f64> {
+fn start(m: &Mechanism<'_>, state: &State, pairs: &[f64]) -> Option<f64> {
+    let signs = &Signs {
+        pairs: pairs.to_vec(),
+        corners: None,
+    };
     let found = accelerations(m, state, signs)?;
     let moved = State {
         place: state.place.clone(),
@@ -167,37 +266,73 @@ pub(crate) fn decide(m: &Mechanism<'_>, state: &State, pattern: &[f64]) -> Going
     }
 }
 
-/// One step of the classical Runge–Kutta method, directions fixed.
-fn step(m: &Mechanism<'_>, state: &State, signs: &[f64], h: f64) -> (State, f64) {
-    let of = |state: &State| accelerations(m, state, signs).expect("a solution");
-    let moved = |speed: &[f64], a: &[f64], h: f64| State {
-        place: add(&state.place, speed, h),
-        speed: add(&state.speed, a, h),
+/// One step by the modified midpoint rule, extrapolated to order 10; signs are
+/// held. With the work that friction takes on the way.
+fn step(m: &Mechanism<'_>, state: &State, signs: &Signs, h: f64) -> (State, f64) {
+    let n = state.place.len();
+    // Places, speeds and work as one list.
+    let slope = |y: &[f64]| {
+        let state = unpacked(y, n);
+        let a = accelerations(m, &state, signs).expect("a solution");
+        let power = -power(m, &state, &a);
+        [state.speed, a, vec![power]].concat()
     };
-    let a1 = of(state);
-    let s2 = moved(&state.speed, &a1, 0.5 * h);
-    let a2 = of(&s2);
-    let s3 = moved(&s2.speed, &a2, 0.5 * h);
-    let a3 = of(&s3);
-    let s4 = moved(&s3.speed, &a3, h);
-    let a4 = of(&s4);
-    let mean = |parts: [&[f64]; 4]| -> Vec<f64> {
-        let [a, b, c, d] = parts;
-        let one = |i: usize| (a[i] + 2.0 * (b[i] + c[i]) + d[i]) / 6.0;
-        (0..a.len()).map(one).collect()
-    };
-    let speed = mean([&state.speed, &s2.speed, &s3.speed, &s4.speed]);
-    let found = moved(&speed, &mean([&a1, &a2, &a3, &a4]), h);
-    let loss = [
-        (state, &a1, 1.0),
-        (&s2, &a2, 2.0),
-        (&s3, &a3, 2.0),
-        (&s4, &a4, 1.0),
-    ]
-    .iter()
-    .map(|(state, a, weight)| -power(m, state, a) * weight / 6.0 * h)
-    .sum();
-    (found, loss)
+    let start = [&state.place[..], &state.speed[..], &[0.0]].concat();
+    let first = slope(&start);
+    let mut above: Vec<Vec<f64>> = Vec::new();
+    for row in 0..5 {
+        let substeps = 2 * (row + 1);
+        let little = h / substeps as f64;
+        let (mut before, mut here) = (start.clone(), add(&start, &first, little));
+        for _ in 1..substeps {
+            let next = add(&before, &slope(&here), 2.0 * little);
+            (before, here) = (here, next);
+        }
+        // Aitken and Neville, in squares of the substep.
+        let mut entries = vec![here];
+        for (column, left) in above.iter().enumerate() {
+            let ratio = substeps as f64 / (2 * (row - column)) as f64;
+            let last = &entries[column];
+            let change = add(last, left, -1.0);
+            let better = add(last, &change, 1.0 / (ratio * ratio - 1.0));
+            entries.push(better);
+        }
+        above = entries;
+    }
+    let found = &above[above.len() - 1];
+    (unpacked(found, n), found[2 * n])
+}
+
+fn unpacked(y: &[f64], n: usize) -> State {
+    State {
+        place: y[..n].to_vec(),
+        speed: y[n..2 * n].to_vec(),
+    }
+}
+
+/// Where a function of the step falls below zero, from both sides, to
+/// rounding: regula falsi (Illinois).
+fn crossing(h: f64, start: f64, end: f64, of: impl Fn(f64) -> f64) -> [f64; 2] {
+    let (mut low, mut high) = ((0.0, start.max(0.0)), (h, end));
+    for round in 0..TRIES {
+        if high.0 - low.0 <= 4.0 * f64::EPSILON * h {
+            break;
+        }
+        let share = match round % 4 {
+            3 => 0.5,
+            _ => low.1 / (low.1 - high.1),
+        };
+        let middle = low.0 + share * (high.0 - low.0);
+        let value = of(middle);
+        if value < 0.0 {
+            high = (middle, value);
+            low.1 *= 0.5;
+        } else {
+            low = (middle, value);
+            high.1 *= 0.5;
+        }
+    }
+    [low.0, high.0]
 }
 
 /// Goes from `from` with steps of `h` through all changes of direction up to
@@ -216,6 +351,16 @@ pub(crate) fn integrate(m: &Mechanism<'_>, from: &State, duration: f64, steps: u
         true => Going::Forwards,
         false => Going::Backwards,
     };
+    let signs_of = |state: &State, seen: &[f64], going: Going| {
+        let mut signs = Signs {
+            pairs: seen.iter().map(|sign| sign * going.sign()).collect(),
+            corners: None,
+        };
+        let forces = corners(m, state, &signs).into_iter();
+        signs.corners = Some(forces.map(|of| of.map(f64::signum)).collect());
+        signs
+    };
+    let mut signs = signs_of(from, &seen, going);
     let grid = duration / steps as f64;
     let mut time = 0.0;
     while time < duration - 1e-13 * duration {
@@ -226,56 +371,88 @@ pub(crate) fn integrate(m: &Mechanism<'_>, from: &State, duration: f64, steps: u
         }
         let next = (((time / grid) * (1.0 + 1e-12)).floor() + 1.0) * grid;
         let h = next.min(duration) - time;
-        let signs: Vec<f64> = seen.iter().map(|sign| sign * going.sign()).collect();
         let reach = |h: f64| step(m, &course.state, &signs, h);
-        let stopped = |state: &State| rate(m, driver, state) * going.sign() <= 0.0;
-        let turned = |state: &State| pattern(m, state) != seen;
-        let bisect = |h: f64, over: &dyn Fn(&State) -> bool| {
-            let (mut low, mut high) = (0.0, h);
-            for _ in 0..HALVINGS {
-                let middle = 0.5 * (low + high);
-                match over(&reach(middle).0) {
-                    true => high = middle,
-                    false => low = middle,
-                }
-            }
-            (low, high)
+        // Events, the stop first: pairs and corners are looked at before it.
+        // Each is a function that falls below zero.
+        let stop = |state: &State| rate(m, driver, state) * going.sign();
+        let turn = |state: &State| {
+            let input = rate(m, driver, state);
+            let pairs = m.spec.pairs.iter().zip(&seen);
+            pairs.fold(f64::INFINITY, |least, (pair, sign)| {
+                least.min(rate(m, pair, state) / input * sign)
+            })
         };
-        let (mut ahead, mut loss) = reach(h);
-        let mut taken = h;
-        let mut halt = false;
-        if stopped(&ahead) {
-            // Just before the stop, so that the pattern can be seen.
-            taken = bisect(h, &stopped).0;
-            (ahead, loss) = reach(taken);
-            halt = true;
+        let tip = |state: &State| {
+            let held = signs.corners.iter().flatten().flatten();
+            let forces = corners(m, state, &signs);
+            let pairs = forces.iter().flatten().zip(held);
+            pairs.fold(f64::INFINITY, |least, (force, sign)| {
+                least.min(force * sign)
+            })
+        };
+        let locate = |h: f64, of: &dyn Fn(&State) -> f64| {
+            let end = of(&reach(h).0);
+            (end < 0.0).then(|| crossing(h, of(&course.state), end, |h| of(&reach(h).0)))
+        };
+        let (mut taken, mut event) = (h, Event::None);
+        if let Some([before, _]) = locate(taken, &stop) {
+            // Just before the stop, so that the directions can be seen.
+            (taken, event) = (before, Event::Stop);
         }
-        if taken > 0.0 && rate(m, driver, &ahead) != 0.0 && turned(&ahead) {
-            let high = bisect(taken, &turned).1;
-            if high < taken {
-                taken = high;
-                (ahead, loss) = reach(taken);
-                halt = false;
-            }
-            course.changes += 1;
-            seen = pattern(m, &ahead);
+        if taken > 0.0
+            && let Some([_, after]) = locate(taken, &turn)
+        {
+            (taken, event) = (after, Event::Turn);
         }
+        if taken > 0.0
+            && let Some([_, after]) = locate(taken, &tip)
+        {
+            (taken, event) = (after, Event::Tip);
+        }
+        let (ahead, loss) = reach(taken);
+        let signs_of_forces = |forces: Vec<[f64; 2]>| -> Vec<[f64; 2]> {
+            forces.into_iter().map(|of| of.map(f64::signum)).collect()
+        };
+        let tips = (event == Event::Tip).then(|| signs_of_forces(corners(m, &ahead, &signs)));
         time += taken;
         course.loss += loss;
         course.state = ahead;
-        if halt {
-            course.stops.push(time);
-            course.state.speed.iter_mut().for_each(|speed| *speed = 0.0);
-            going = decide(m, &course.state, &seen);
-            if going != Going::Rests {
+        match event {
+            Event::None => {}
+            Event::Tip => signs.corners = tips,
+            Event::Turn => {
+                course.changes += 1;
+                seen = pattern(m, &course.state);
+                signs = signs_of(&course.state, &seen, going);
+            }
+            Event::Stop => {
+                course.stops.push(time);
+                course.state.speed.iter_mut().for_each(|speed| *speed = 0.0);
+                going = decide(m, &course.state, &seen);
+                if going == Going::Rests {
+                    continue;
+                }
                 // Off the spot, in the direction decided.
-                let signs: Vec<f64> = seen.iter().map(|sign| sign * going.sign()).collect();
+                signs = signs_of(&course.state, &seen, going);
                 let little = 1e-9 * grid;
-                (course.state, loss) = step(m, &course.state, &signs, little);
+                let (off, loss) = step(m, &course.state, &signs, little);
+                course.state = off;
                 course.loss += loss;
                 time += little;
             }
         }
     }
     course
+}
+
+/// What ends a step early.
+#[derive(Clone, Copy, PartialEq)]
+enum Event {
+    None,
+    /// The input stops.
+    Stop,
+    /// A pair changes its direction.
+    Turn,
+    /// The force on a corner changes its sign.
+    Tip,
 }

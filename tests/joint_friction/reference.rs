@@ -2,7 +2,7 @@
 //! equations of motion at single positions.
 
 use crate::multipliers::Mechanism;
-use crate::oracle::{Going, accelerations, decide, integrate};
+use crate::oracle::{Going, Signs, accelerations, decide, integrate};
 use crate::support::{linkage_of, read, scene_of};
 use dam::linkage::Linkage;
 use dam::linkage::kinetostatics::{Kinetostatics, Options, Outcome};
@@ -61,9 +61,12 @@ fn accelerations_agree_with_the_free_body_equations_at_single_positions() {
             rotor: 0.0,
         };
         let state = mechanism.start(&linkage, q, speed);
-        let signs: Vec<f64> = (0..4)
-            .map(|pair| (at.pair(pair).first * speed).signum())
-            .collect();
+        let signs = Signs {
+            pairs: (0..4)
+                .map(|pair| (at.pair(pair).first * speed).signum())
+                .collect(),
+            corners: None,
+        };
         let by_multipliers = accelerations(&mechanism, &state, &signs).expect("a solution");
         let miss = by_multipliers[2] - acceleration;
         assert!(miss.abs() < 1e-9 * acceleration.abs(), "at {q}: {miss:e}");
@@ -88,11 +91,35 @@ fn a_wheel_stops_by_the_friction_of_its_pin() {
         torque: 0.0,
         rotor: 0.0,
     };
-    let course = integrate(&mechanism, &mechanism.start(&linkage, 0.0, 3.0), 4.0, 40);
+    let course = integrate(&mechanism, &mechanism.start(&linkage, 0.0, 3.0), 4.0, 10);
     let slowing = 0.2 * 0.025 * 12.0 * 9.81 / 0.3;
     assert_eq!(course.stops.len(), 1);
     approx::assert_abs_diff_eq!(course.stops[0], 3.0 / slowing, epsilon = 1e-11);
     approx::assert_abs_diff_eq!(course.state.place[2], 4.5 / slowing, epsilon = 1e-11);
     approx::assert_abs_diff_eq!(course.loss, 0.5 * 0.3 * 9.0, epsilon = 1e-11);
     assert_eq!(decide(&mechanism, &course.state, &[1.0]), Going::Rests);
+}
+
+/// Without friction it is the integration without friction.
+#[test]
+fn without_friction_it_is_the_plain_integration() {
+    let text = scene_of(
+        &format!("{MOTOR}, {}", slider_crank(0.0)),
+        r#""duration": 0.1"#,
+    );
+    let spec = linkage_of(&read(&text, &[]), "m");
+    let linkage = Linkage::new(spec.clone()).expect("a linkage");
+    let mechanism = Mechanism {
+        spec: &spec,
+        torque: 1.0,
+        rotor: 0.02,
+    };
+    let start = mechanism.start(&linkage, 0.0, 3.0);
+    let (one, two) = (
+        integrate(&mechanism, &start, 0.3, 20).state,
+        mechanism.integrate(&start, 0.3, 300),
+    );
+    for (one, two) in one.place.iter().zip(&two.place) {
+        approx::assert_abs_diff_eq!(one, two, epsilon = 1e-9);
+    }
 }

@@ -37,7 +37,12 @@ pub(crate) fn run_of(text: &str, overrides: &[&str]) -> RunResult {
     let system = System::new(model).unwrap_or_else(|faults| panic!("{faults:?}"));
     let settings = RunSettings::of(&scene).expect("settings");
     let result = run(&system, &settings, &Control::default(), &mut []).expect("a run");
-    assert!(result.is_trusted(), "{:?}", result.figures.warnings);
+    let (stop, warnings) = (&result.outcome.stop, &result.figures.warnings);
+    assert!(
+        result.is_trusted(),
+        "{stop:?} at {}, {warnings:?}",
+        result.outcome.time
+    );
     result
 }
 
