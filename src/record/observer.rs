@@ -60,6 +60,12 @@ impl<'s> Observer<'s> {
         self.system.friction_losses(modes, &self.scratch)
     }
 
+    /// A number that changes at kinks of the friction, where the system was looked at
+    /// last.
+    pub(crate) fn friction_side(&self, modes: &Modes) -> u64 {
+        self.system.friction_side(modes, &self.scratch)
+    }
+
     /// Energies at s.
     pub(crate) fn energy(&mut self, step: &Step<'_>, s: f64, modes: &Modes) -> Energy {
         step.state(s, &mut self.y);

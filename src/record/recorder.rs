@@ -13,6 +13,9 @@ use crate::integrate::{Modes, Sink, SwitchEvent};
 use crate::polynomial::Step;
 use crate::system::{ObjectState, System};
 
+/// Bisections that a kink of the friction is located by.
+const KINK_BISECTIONS: usize = 24;
+
 /// What to record.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RecorderSettings {
@@ -54,6 +57,8 @@ pub struct Recorder<'s> {
     objects: Vec<ObjectTracker>,
     pairs: Vec<PairTracker>,
     joints: Vec<JointTracker>,
+    /// [`Observer::friction_side`] at the places of the present step.
+    sides: [u64; 7],
     ledger: Ledger,
     switches: Vec<SwitchRow>,
     separations: Vec<Interval>,
@@ -96,6 +101,7 @@ impl<'s> Recorder<'s> {
                 .rubbing_objects()
                 .map(|(object, component)| JointTracker::new(object, component))
                 .collect(),
+            sides: [0; 7],
             ledger: Ledger::default(),
             switches: Vec::new(),
             separations: Vec::new(),
@@ -191,6 +197,7 @@ impl<'s> Recorder<'s> {
             let x = step.signal(pair.coordinate());
             pair.leaves_flank(modes.0[pair.component], x, step.end)
         }));
+        self.add_kinks_of_friction(step, modes);
         self.kinks.sort_by(f64::total_cmp);
         self.kinks.push(step.end);
         let mut from = 0.0;
@@ -213,16 +220,42 @@ impl<'s> Recorder<'s> {
         self.ledger.see(self.observer.energy(step, step.end, modes));
     }
 
+    /// Kinks of the friction in the joints: between neighbouring places that differ.
+    fn add_kinks_of_friction(&mut self, step: &Step<'_>, modes: &Modes) {
+        let places = StepView::places(step.end);
+        for index in 0..6 {
+            let before = self.sides[index];
+            if before == self.sides[index + 1] {
+                continue;
+            }
+            let [mut low, mut high] = [places[index], places[index + 1]];
+            for _ in 0..KINK_BISECTIONS {
+                let middle = 0.5 * (low + high);
+                self.observer.at(step, middle, modes);
+                match self.observer.friction_side(modes) == before {
+                    true => low = middle,
+                    false => high = middle,
+                }
+            }
+            self.kinks.push(high);
+        }
+    }
+
     /// States of all objects at all places.
     fn observe_step(&mut self, step: &Step<'_>, places: &[f64; 7], modes: &Modes) {
         let count = self.objects.len();
         if self.continues {
             self.states.copy_within(6 * count.., 0);
+            self.sides[0] = self.sides[6];
         }
         for (index, &place) in places.iter().enumerate() {
             if index > 0 || !self.continues {
                 let states = self.observer.at(step, place, modes);
                 self.states[index * count..(index + 1) * count].copy_from_slice(states);
+                self.sides[index] = match self.joints.is_empty() {
+                    true => 0,
+                    false => self.observer.friction_side(modes),
+                };
             }
         }
     }

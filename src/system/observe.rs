@@ -224,6 +224,12 @@ impl System {
         self.frozen.friction_losses(&modes.0, &scratch.work)
     }
 
+    /// A number that changes where friction has a kink: where a corner of a block
+    /// begins to press on the other side of its guide. As of the last evaluation.
+    pub(crate) fn friction_side(&self, modes: &Modes, scratch: &Scratch) -> u64 {
+        self.frozen.pressing_corners(&modes.0, &scratch.work)
+    }
+
     /// Objects whose joints have friction, each with the component of [`Modes`] that
     /// says whether friction holds it; without one its motion is given.
     pub fn rubbing_objects(&self) -> impl Iterator<Item = (usize, Option<usize>)> + '_ {

@@ -7,5 +7,6 @@ mod oracle;
 mod support;
 
 mod closed_forms;
+mod groups;
 mod motions;
 mod reference;

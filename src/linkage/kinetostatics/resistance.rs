@@ -236,6 +236,16 @@ impl Kinetostatics {
         self.length / self.units[self.spec.driver]
     }
 
+    /// Which corners of blocks with friction press with a positive normal force, as
+    /// bits (of the first 32 blocks): a change makes a kink in the friction.
+    pub fn pressing_corners(&self, w: &ForceWorkspace) -> u64 {
+        let guides = w.terms.iter().filter(|term| term.width() == 2);
+        guides.take(32).fold(0, |bits, term| {
+            let [first, second] = [0, 1].map(|k| u64::from(w.unknowns[term.unknown + k] > 0.0));
+            bits << 2 | first << 1 | second
+        })
+    }
+
     /// Greatest magnitude of the reactions found last (N, couples over the
     /// length scale).
     pub fn greatest_reaction(&self, w: &ForceWorkspace) -> f64 {

@@ -11,6 +11,8 @@
 //! linkage a track of the places at which pairs change theirs. `standstill` decides
 //! what happens where a group stops, and when it breaks loose again.
 
+mod force;
+mod hold;
 mod passes;
 mod standstill;
 

@@ -1,42 +1,15 @@
 //! Friction within an evaluation: after the forces, before the accelerations.
 
+use super::force::Moving;
 use super::{Direction, Group, HELD, Member, Obstacle, UNSETTLED};
-use crate::linkage::kinetostatics::{ForceFailure, Options, Resisted};
+use crate::linkage::kinetostatics::ForceFailure;
 use crate::system::frozen::{Frozen, segment};
 use crate::system::passes::{Extent, Work};
 use crate::system::quantity::Quantity;
 
-/// Friction is found to rounding: the equations of motion are differentiated.
-const TOLERANCE: f64 = 1e-14;
 /// Rounds over the linkages of a group at most, and what they may still change.
 const ROUNDS: usize = 200;
 const SETTLED: f64 = 1e-14;
-/// Steps of differences: of the position in the linkage's own lengths, and of the speed,
-/// relative.
-const STEP: f64 = 1e-5;
-
-/// How a linkage moves in one question.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Moving<N> {
-    /// Speed of its input.
-    pub(super) speed: N,
-    /// Acceleration of its input without its own friction.
-    pub(super) free: N,
-    /// ∂q̈/∂T.
-    pub(super) mobility: N,
-    /// Direction, −1 or 1.
-    pub(super) direction: f64,
-    /// Segment of its course.
-    pub(super) segment: i64,
-}
-
-pub(super) fn options(search: bool) -> Options {
-    Options {
-        tolerance: TOLERANCE,
-        search,
-        ..Options::default()
-    }
-}
 
 impl Frozen {
     /// Adds the friction of all joints to the forces, along with what it hands on
@@ -77,6 +50,23 @@ impl Frozen {
                 (member.object, if held { 0.0 } else { loss })
             })
         })
+    }
+
+    /// Which corners of blocks press, as found last; one number for all linkages.
+    pub(in crate::system) fn pressing_corners(&self, modes: &[i64], work: &Work<f64>) -> u64 {
+        let mut sum = 0u64;
+        for group in &self.groups {
+            if group.component.is_some_and(|c| modes[c] == HELD) {
+                continue;
+            }
+            for member in &group.members {
+                if let Some(forces) = &work.rubbing[member.linkage].forces {
+                    let bits = member.kinetostatics.pressing_corners(forces);
+                    sum = sum.rotate_left(7) ^ bits;
+                }
+            }
+        }
+        sum
     }
 
     /// The force of a chain's links on a root that is one of its masses.
@@ -196,115 +186,6 @@ impl Frozen {
         }
     }
 
-    /// A group that friction holds: no force is left on its root.
-    fn hold<N: Quantity>(
-        &self,
-        group: &Group,
-        state: &[N],
-        modes: &[i64],
-        extent: Extent,
-        work: &mut Work<N>,
-    ) {
-        let link = self.link_force(group, state, work);
-        if extent == Extent::Full {
-            let missing = work.force[group.root] + link;
-            self.share_hold(group, -missing.value(), modes, work);
-        }
-        work.force[group.root] = -link;
-    }
-
-    /// What holds a group, handed out to its linkages in the proportion of what they
-    /// can hold at most: their parts are not determined.
-    fn share_hold<N: Quantity>(&self, group: &Group, hold: f64, modes: &[i64], work: &mut Work<N>) {
-        if hold == 0.0 {
-            return;
-        }
-        // Friction holds against the direction of a start.
-        let most = self.impending(group, -hold.signum(), modes, work);
-        let limit = |member: &Member| work.rubbing[member.linkage].force.value();
-        let limits: Vec<f64> = group.members.iter().map(limit).collect();
-        for (member, limit) in group.members.iter().zip(limits) {
-            let share = match most {
-                Some(most) if most != 0.0 => hold / most * limit,
-                // Whatever holds it, a single one holds it alone.
-                _ => {
-                    let [ratio, _] = self.along(member, N::from(0.0), work);
-                    hold / ratio.value() / group.members.len() as f64
-                }
-            };
-            work.rubbing[member.linkage].force = N::from(share);
-            self.push(member, N::from(share), work);
-        }
-    }
-
-    /// Friction of a group at rest that is about to start in a direction, on its
-    /// root; `None` where no force would start it. Each linkage's part is in `work`;
-    /// the forces are left as they were.
-    pub(super) fn impending<N: Quantity>(
-        &self,
-        group: &Group,
-        root: f64,
-        modes: &[i64],
-        work: &mut Work<N>,
-    ) -> Option<f64> {
-        let mut sum = 0.0;
-        let mut locked = false;
-        for member in group.members.iter().rev() {
-            let [ratio, _] = self.along(member, N::from(0.0), work);
-            let direction = match member.direction {
-                Direction::OfRoot(sign) => sign * root,
-                Direction::Own { .. } => sign_of(ratio.value()) * root,
-            };
-            let zero = N::from(0.0);
-            let moving = Moving {
-                speed: zero,
-                free: zero,
-                mobility: zero,
-                direction,
-                segment: self.segment_towards(member, direction, modes, work),
-            };
-            let force = self.friction(member, &moving, false, work);
-            let force = N::from(force.value());
-            locked |= !force.value().is_finite();
-            let force = if locked { N::from(0.0) } else { force };
-            work.rubbing[member.linkage].force = force;
-            work.rubbing[member.linkage].failure = None;
-            self.push(member, force, work);
-            sum += (ratio * force).value();
-        }
-        for member in &group.members {
-            let force = work.rubbing[member.linkage].force;
-            self.push(member, -force, work);
-        }
-        (!locked).then_some(sum)
-    }
-
-    /// The segment of a linkage's course that it enters in a direction; at its
-    /// edges another one than that of the modes.
-    pub(super) fn segment_towards<N: Quantity>(
-        &self,
-        member: &Member,
-        direction: f64,
-        modes: &[i64],
-        work: &Work<N>,
-    ) -> i64 {
-        let now = segment(modes, member.segment);
-        let breaks = &member.reversals.breaks;
-        if breaks.is_empty() {
-            return now;
-        }
-        let q = work.displacement[member.node].value();
-        let (low, high) = breaks.edges(now);
-        let near = 1e-9 * member.kinetostatics.length_scale().max(q.abs()).max(1.0);
-        if direction < 0.0 && (q - low).abs() <= near {
-            now - 1
-        } else if direction > 0.0 && (q - high).abs() <= near {
-            now + 1
-        } else {
-            now
-        }
-    }
-
     /// Friction of linkages whose motion is given: it only loads the drive.
     fn rub_driven<N: Quantity>(&self, group: &Group, modes: &[i64], work: &mut Work<N>) {
         let root = work.acceleration[group.root];
@@ -329,111 +210,6 @@ impl Frozen {
             work.rubbing[member.linkage].force = force;
             self.push(member, force, work);
         }
-    }
-
-    /// T of one linkage, with its derivatives; not a number, and the reason in
-    /// `work`, where there is none (or, where others are searched for, several).
-    pub(super) fn friction<N: Quantity>(
-        &self,
-        member: &Member,
-        moving: &Moving<N>,
-        search: bool,
-        work: &mut Work<N>,
-    ) -> N {
-        let options = options(search);
-        let q = work.displacement[member.node];
-        let Work {
-            rubbing,
-            linkages,
-            force,
-            mass,
-            ..
-        } = work;
-        let own = &mut rubbing[member.linkage];
-        let (Some(forces), Some(beside)) = (&mut own.forces, &mut own.beside) else {
-            return N::from(f64::NAN);
-        };
-        for (k, &node) in member.outputs.iter().enumerate() {
-            own.loads[k] = force[node].value();
-            own.inertias[k] = mass[node].value();
-        }
-        let asked = Resisted {
-            coordinate: q.value(),
-            speed: moving.speed.value(),
-            free_acceleration: moving.free.value(),
-            mobility: moving.mobility.value(),
-            loads: &own.loads,
-            inertias: &own.inertias,
-            direction: moving.direction,
-            senses: member.reversals.at(moving.segment),
-        };
-        let solver = &member.kinetostatics;
-        let mut solved = linkages[member.linkage].borrow_mut();
-        let Some(at) = solved.placed(q.value(), 2) else {
-            return N::from(f64::NAN);
-        };
-        let found = match solver.resist(at, &asked, &options, forces) {
-            Ok(found) if !search || found.solutions == 1 => found,
-            Ok(_) => {
-                own.failure = Some(Obstacle::Several);
-                return N::from(f64::NAN);
-            }
-            Err(failure) => {
-                own.failure = Some(Obstacle::Failed(failure));
-                return N::from(f64::NAN);
-            }
-        };
-        let mut sum = N::from(found.force);
-        if N::DERIVATIVES <= 2 {
-            return sum;
-        }
-        let mut add = |value: N, slope: f64| {
-            sum += (value - N::from(value.value())).scale(slope);
-        };
-        let by_free = solver.resistance_slopes(forces, &mut own.by_loads);
-        add(moving.free, by_free);
-        add(moving.mobility, by_free * found.force);
-        for (k, &node) in member.outputs.iter().enumerate() {
-            add(force[node], own.by_loads[k]);
-            let acceleration = solver.output_acceleration(k, forces);
-            add(mass[node], -own.by_loads[k] * acceleration);
-        }
-        let linkage = &self.linkages[member.linkage].linkage;
-        let step = STEP * solver.coordinate_scale();
-        let mut at_place = |place: f64| {
-            linkage.solve(place, 2, beside).ok()?;
-            let asked = Resisted {
-                coordinate: place,
-                ..asked
-            };
-            let found = solver.resist(&*beside, &asked, &options, forces).ok()?;
-            Some(found.force)
-        };
-        let by_place = slope(q.value(), step, found.force, &mut at_place);
-        add(q, by_place);
-        let rates = asked.speed.abs().max(asked.free_acceleration.abs().sqrt());
-        let mut at_speed = |speed: f64| {
-            let asked = Resisted { speed, ..asked };
-            let found = solver.resist(at, &asked, &options, forces).ok()?;
-            Some(found.force)
-        };
-        let by_speed = match rates {
-            0.0 => 0.0,
-            rates => slope(asked.speed, STEP * rates, found.force, &mut at_speed),
-        };
-        add(moving.speed, by_speed);
-        sum
-    }
-}
-
-/// Derivative of a function by a central difference, one-sided where it does not
-/// exist on both sides.
-fn slope(x: f64, step: f64, here: f64, f: &mut impl FnMut(f64) -> Option<f64>) -> f64 {
-    match (f(x + step), f(x - step)) {
-        (Some(above), Some(below)) => (above - below) / (2.0 * step),
-        (Some(above), None) => (above - here) / step,
-        (None, Some(below)) => (here - below) / step,
-        (None, None) => f64::NAN,
     }
 }
 

@@ -1,7 +1,8 @@
 //! Where a group stops: does it turn back, go on, or rest? And when does what rests
 //! break loose?
 
-use super::passes::{Moving, sign_of};
+use super::force::Moving;
+use super::passes::sign_of;
 use super::{Direction, Group, HELD, Obstacle, UNSETTLED, UNSOLVED};
 use crate::integrate::{Modes, PhysicalStop, Probe};
 use crate::linkage::kinetostatics::ForceFailure;
