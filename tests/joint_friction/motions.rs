@@ -149,11 +149,7 @@ fn a_slider_crank_runs_out_and_stays_where_friction_holds_it() {
     let (mechanism, start) = motor.mechanism(&spec);
     let (course, worth) = reference(&mechanism, &start, 2.0, 200);
     assert!(worth < 2e-6, "the reference stands: {worth:e}");
-    assert!(
-        !course.stops.is_empty(),
-        "{:?}",
-        course.stops
-    );
+    assert!(!course.stops.is_empty(), "{:?}", course.stops);
     let found = run_of(&text, &[]);
     assert_same(&found, &course, 0, 1e-7);
 }
