@@ -84,7 +84,9 @@ pub(super) fn warnings_of(
     run: &RunSummary,
 ) -> Vec<Warning> {
     let mut warnings = Vec::new();
-    if recorded.not_finite || !recorded.audit.error().is_finite() {
+    // What locks at the very start has no accelerations there, and says so.
+    let locks = run.time == 0.0 && run.stopped.as_deref() == Some("self_locking");
+    if (recorded.not_finite && !locks) || !recorded.audit.error().is_finite() {
         warnings.push(Warning::NotFinite);
     }
     let (error, bound) = (run.energy_error, EnergyAudit::bound(settings.tolerance));

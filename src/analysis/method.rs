@@ -149,6 +149,7 @@ fn situation(system: &System, settings: &RunSettings) -> Situation {
             .chain(shown_frequencies(system))
             .fold(slowest, f64::max),
         expands: system.expands(),
+        kinks: system.rubbing_objects().next().is_some(),
         tolerance: settings.tolerance,
         coordinates: system.coordinates(),
         duration: settings.duration,

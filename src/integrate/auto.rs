@@ -16,6 +16,9 @@ pub struct Situation {
     pub resolved: f64,
     /// True when the motion has a power series ([`Dynamics::expands`]).
     pub expands: bool,
+    /// True when the equations have kinks that no switch marks (blocks whose corners
+    /// change the side on which they press): long steps of high order miss them.
+    pub kinks: bool,
     /// Error wanted, relative to the scales of the state.
     pub tolerance: f64,
     /// Number of coordinates.
@@ -131,9 +134,11 @@ pub fn choose(situation: &Situation) -> (Method, String) {
     };
     let implicit = |behaviour: &Behaviour| behaviour.stable.is_infinite();
     let least = |wanted: bool| {
-        let fit = BEHAVIOURS
-            .iter()
-            .filter(|b| implicit(b) == wanted && (situation.expands || b.method != Method::Taylor));
+        let fit = BEHAVIOURS.iter().filter(|b| {
+            implicit(b) == wanted
+                && (situation.expands || b.method != Method::Taylor)
+                && !(situation.kinks && b.method == Method::Radau)
+        });
         fit.min_by(|a, b| a.work(situation).total_cmp(&b.work(situation)))
             .expect("the list has methods of both kinds")
     };
@@ -234,6 +239,7 @@ mod tests {
             fastest: fastest_rate(&system, 0.0, &y, &modes),
             resolved: 1e4,
             expands: true,
+            kinks: false,
             tolerance,
             coordinates: masses,
             duration: 0.5,
@@ -260,6 +266,7 @@ mod tests {
             fastest: 0.0,
             resolved: 0.0,
             expands: true,
+            kinks: false,
             tolerance: 1e-8,
             coordinates: 1,
             duration: 2.0,
@@ -274,6 +281,7 @@ mod tests {
             fastest: 1e7,
             resolved: 100.0,
             expands: false,
+            kinks: false,
             tolerance: 1e-5,
             coordinates: 4,
             duration: 1.0,
@@ -285,6 +293,9 @@ mod tests {
         situation.tolerance = 1e-11;
         let (method, why) = choose(&situation);
         assert_eq!(method, Method::Dop853);
+        situation.kinks = true;
+        (situation.fastest, situation.tolerance) = (1e7, 1e-8);
+        assert_eq!(choose(&situation).0, Method::Rodas5p);
         assert!(why.contains("the tolerance asks for steps"), "{why}");
     }
 

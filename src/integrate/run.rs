@@ -74,6 +74,8 @@ pub(super) struct Run<'a, D: Dynamics> {
     probes: Vec<Probe>,
     /// Memory of the probes.
     probed: Vec<f64>,
+    /// True before the first step after the start and after every switch.
+    fresh: bool,
     zero_at_start: Vec<Guard>,
     switches_at_once: u32,
     /// How often the step under way has been shortened to end just behind a switch.
@@ -118,6 +120,7 @@ impl<'a, D: Dynamics> Run<'a, D> {
             watches: Vec::new(),
             probes: Vec::new(),
             probed: vec![0.0; 2 * coordinates],
+            fresh: true,
             zero_at_start: Vec::new(),
             switches_at_once: 0,
             drawn_in: 0,
@@ -304,6 +307,7 @@ impl<'a, D: Dynamics> Run<'a, D> {
         drop(modes);
         std::mem::swap(&mut self.from, &mut self.to);
         self.zero_at_start.clear();
+        self.fresh = false;
         self.switches_at_once = 0;
         self.check_limits()
     }
@@ -314,9 +318,11 @@ impl<'a, D: Dynamics> Run<'a, D> {
         self.evaluator.derivatives(time, y, &mut dy);
         self.from.set(self.evaluator, time, y, &dy);
         self.to.dy = dy;
+        let obstacle = self.evaluator.take_obstacle();
         self.evaluator.take_not_finite();
         if let Some(index) = self.from.not_finite() {
-            self.stop = Some(self.not_finite(index));
+            let stop = obstacle.map(Stop::Physical);
+            self.stop = Some(stop.unwrap_or_else(|| self.not_finite(index)));
         }
     }
 

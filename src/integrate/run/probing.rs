@@ -50,8 +50,8 @@ impl<D: Dynamics> Run<'_, D> {
     fn fires(&self, probe: &Probe, end: f64, y: &mut [f64]) -> Option<f64> {
         let mut low = 0.0;
         // The start of a step is the end of the last one, unless something has
-        // switched there: cheap to look at where it is looked at often.
-        if probe.looks > 1 && self.is_positive(probe, 0.0, y) {
+        // switched there.
+        if self.fresh && self.is_positive(probe, 0.0, y) {
             return Some(0.0);
         }
         for look in 1..=probe.looks {

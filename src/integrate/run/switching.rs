@@ -91,6 +91,7 @@ impl<D: Dynamics> Run<'_, D> {
 
     /// Puts new modes in force at (`time`, `y`) and tells the sink.
     fn enter(&mut self, time: f64, y: &[f64], before: Modes, after: Modes, watch: Option<&Watch>) {
+        self.fresh = true;
         *self.evaluator.modes.borrow_mut() = after.clone();
         self.evaluator.dynamics.watches(&after, &mut self.watches);
         self.evaluator.dynamics.probes(&after, &mut self.probes);
