@@ -8,5 +8,8 @@ mod support;
 
 mod closed_forms;
 mod groups;
+mod methods;
 mod motions;
 mod reference;
+mod scenes;
+mod stops;
