@@ -152,6 +152,14 @@ impl Dynamics for Driven<'_> {
         }
     }
 
+    fn size(&self, index: usize, value: f64) -> f64 {
+        if self.idle {
+            1.0
+        } else {
+            self.system.size(index, value)
+        }
+    }
+
     fn state_name(&self, index: usize) -> String {
         if self.idle {
             "idle coordinate".to_owned()

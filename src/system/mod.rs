@@ -23,6 +23,7 @@ mod links;
 mod loads;
 mod observe;
 mod onset;
+mod outlook;
 mod pairs;
 mod passes;
 mod pattern;
@@ -43,6 +44,7 @@ mod testing;
 mod testing_random;
 #[cfg(test)]
 mod tests;
+mod trains;
 
 pub use frequencies::{Regime, VibrationMode};
 pub use reduce::Reduced;

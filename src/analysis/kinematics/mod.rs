@@ -13,7 +13,7 @@ mod summary;
 
 pub use ask::{Asked, MOST_POSITIONS, Over, Question, whole_travel};
 pub use columns::Quantity;
-pub use study::kinematics;
+pub use study::{even_motion, kinematics};
 pub use subject::{Subject, linkage_of};
 
 use crate::linkage::Linkage;
