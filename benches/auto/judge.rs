@@ -17,6 +17,9 @@ const HOPELESS: f64 = 4.0;
 const LONGEST: Duration = Duration::from_secs(4);
 /// A method whose motion takes this share more than the fastest one's is not timed again.
 const LIKELY: f64 = 1.6;
+/// A tolerance bounds the error of a step; an error of δ that grows beyond it by
+/// more than this over the run is a failure.
+const FAIR: f64 = 100.0;
 /// Time for the repetitions of a scenario's runs at a tolerance (s).
 const BUDGET: f64 = 0.25;
 
@@ -132,10 +135,10 @@ fn at(case: &Case, found: &Study, tolerance: f64, chart: bool) -> Result<Told, S
     if chart {
         println!("  {tolerance:.0e}: {}: {}", summary.method, summary.why);
     }
-    let fit = converged(found, tolerance);
+    let fit = fit(found, tolerance);
     let least =
         |points: &[(Method, f64)]| points.iter().copied().min_by(|a, b| a.1.total_cmp(&b.1));
-    let best = least(&fit).ok_or("no method converges")?;
+    let best = least(&fit).ok_or("no method keeps it")?;
     let alone = summary.method == auto.method.name();
     let own = found.methods.iter().find(|line| line.method == auto.method);
     let own = own.and_then(|line| point(line, tolerance));
@@ -153,7 +156,7 @@ fn at(case: &Case, found: &Study, tolerance: f64, chart: bool) -> Result<Told, S
     }
     let (seconds, of_rivals) = timed(case, &rivals, tolerance);
     let of_rivals: Vec<(Method, f64)> = rivals.into_iter().zip(of_rivals).collect();
-    // A method that does not converge is no rival; as `auto`'s own it was only timed.
+    // A method that fails is no rival; as `auto`'s own it was only timed.
     let of_rivals: Vec<(Method, f64)> = of_rivals
         .into_iter()
         .filter(|(method, _)| fit.iter().any(|(other, _)| other == method))
@@ -168,17 +171,26 @@ fn at(case: &Case, found: &Study, tolerance: f64, chart: bool) -> Result<Told, S
         error: own.filter(|_| alone).and_then(|point| point.error),
         run: Pair {
             auto: seconds,
-            best: least(&of_rivals).ok_or("no method converges")?,
+            best: least(&of_rivals).ok_or("no method keeps it")?,
         },
         motion,
     }))
 }
 
-/// The methods that converged at a tolerance, with the times of their motion (s).
-fn converged(found: &Study, tolerance: f64) -> Vec<(Method, f64)> {
+/// True unless a run with this verdict and error has failed.
+fn fair(verdict: Verdict, error: Option<f64>, tolerance: f64) -> bool {
+    match verdict {
+        Verdict::Converged => true,
+        Verdict::Inaccurate => error.is_some_and(|error| error <= FAIR * tolerance),
+        _ => false,
+    }
+}
+
+/// The methods that did not fail at a tolerance, with the times of their motion (s).
+fn fit(found: &Study, tolerance: f64) -> Vec<(Method, f64)> {
     let points = found.methods.iter().filter_map(|line| {
         let point = point(line, tolerance)?;
-        let fit = point.verdict == Verdict::Converged;
+        let fit = fair(point.verdict, point.error, tolerance);
         Some((line.method, point.measured_seconds.filter(|_| fit)?))
     });
     points.collect()
@@ -267,7 +279,9 @@ impl Line {
             Told::Judged(judged) => judged,
         };
         let error = match (judged.error, judged.verdict) {
-            (Some(error), Verdict::Converged) => format!("{error:.0e}"),
+            (Some(error), verdict) if fair(verdict, Some(error), self.tolerance) => {
+                format!("{error:.0e}")
+            }
             (None, Verdict::Converged | Verdict::NotJudged) => "–".to_owned(),
             (_, verdict) => verdict.words().to_owned(),
         };
@@ -314,10 +328,8 @@ impl Worst {
             return;
         };
         self.judged += 1;
-        self.failed += usize::from(!matches!(
-            judged.verdict,
-            Verdict::Converged | Verdict::NotJudged
-        ));
+        let fair = fair(judged.verdict, judged.error, line.tolerance);
+        self.failed += usize::from(!fair && judged.verdict != Verdict::NotJudged);
         self.run = self.run.max(judged.run.ratio());
         let motion = judged.motion.as_ref().map_or(0.0, Pair::ratio);
         self.motion = self.motion.max(motion);

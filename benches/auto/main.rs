@@ -1,6 +1,8 @@
 //! Does `method: auto` choose well? On every scenario that has something to
 //! integrate, at tolerances 1e-4, 1e-7 and 1e-10: the time of `auto` over that
-//! of the fastest method that `dam methods` finds to have converged.
+//! of the fastest method that, by `dam methods`, fails in nothing: it comes to the end
+//! with all switches and an error of at most a hundred times the tolerance, which
+//! bounds the error of a step and not of a run.
 //!
 //! `cargo bench --bench auto [-- PART_OF_NAME] [--chart] [--markdown]`: a line a
 //! scenario and tolerance, and in the end the greatest ratios. `--chart` prints

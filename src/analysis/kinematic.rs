@@ -236,4 +236,8 @@ impl Sink for WithoutIdle<'_> {
             ..event.clone()
         });
     }
+
+    fn looks_within(&self, until: f64) -> bool {
+        self.0.looks_within(until)
+    }
 }

@@ -10,7 +10,7 @@ use super::smoothness::{Smoothness, smooth_length};
 use super::tracker::{ObjectTracker, StepView};
 use super::{Interval, ObjectFigures, PairFigures, Record, SwitchRow};
 use crate::integrate::{Modes, Sink, SwitchEvent};
-use crate::polynomial::Step;
+use crate::polynomial::{MAX_DEGREE, Step};
 use crate::system::{Energy, ObjectState, Power, System};
 
 /// What to record.
@@ -193,7 +193,8 @@ impl<'s> Recorder<'s> {
     fn balance_step(&mut self, step: &Step<'_>, modes: &Modes) {
         self.kinks.clear();
         self.kinks.extend(self.pairs.iter().filter_map(|pair| {
-            let x = step.signal(pair.coordinate());
+            let mut room = [0.0; MAX_DEGREE + 1];
+            let x = step.signal(pair.coordinate(), &mut room);
             pair.leaves_flank(modes.0[pair.component], x, step.end)
         }));
         if self.kinks.is_empty() {
@@ -298,7 +299,9 @@ impl<'s> Recorder<'s> {
         }
         for pair in &mut self.pairs {
             let mode = modes.0[pair.component];
-            pair.step(mode, step.signal(pair.coordinate()), step.end);
+            let mut room = [0.0; MAX_DEGREE + 1];
+            let x = step.signal(pair.coordinate(), &mut room);
+            pair.step(mode, x, step.end);
         }
         // The end of this step is the start of the next.
         self.states.copy_within(6 * self.objects.len().., 0);
@@ -328,7 +331,7 @@ impl Sink for Recorder<'_> {
         }
         let (length, most) = (step.end * step.length, pieces::most(step.degree));
         self.longest = self.longest.max(length);
-        // In pieces of what is short already, speeds drown in rounding.
+        // What is short already needs no pieces.
         if !self.settings.long_steps || most as f64 * length <= self.longest {
             return self.short_step(step, modes);
         }

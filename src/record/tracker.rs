@@ -4,7 +4,7 @@ use super::peaks::{PLACES, Peak};
 use super::subdivision::{integral_of_magnitude, maximum, minimum};
 use super::{FinalState, ObjectFigures};
 use crate::model::{Closure, Model};
-use crate::polynomial::Step;
+use crate::polynomial::{MAX_DEGREE, Step};
 use crate::system::{ObjectState, System};
 
 /// A quantity of an object whose greatest magnitude is wanted.
@@ -122,7 +122,8 @@ impl ObjectTracker {
     pub(crate) fn step(&mut self, view: &StepView<'_>, look: &mut dyn FnMut(f64) -> ObjectState) {
         let step = view.step;
         if let Some(deviation) = &mut self.deviation {
-            let delta = step.signal(deviation.coordinate);
+            let mut room = [0.0; MAX_DEGREE + 1];
+            let delta = step.signal(deviation.coordinate, &mut room);
             deviation.greatest = maximum(delta, step.end, deviation.greatest);
             deviation.least = minimum(delta, step.end, deviation.least);
             deviation.integral += step.length * integral_of_magnitude(delta, step.end);

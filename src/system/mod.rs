@@ -44,6 +44,7 @@ mod testing;
 mod testing_random;
 #[cfg(test)]
 mod tests;
+mod trains;
 
 pub use frequencies::{Regime, VibrationMode};
 pub use reduce::Reduced;

@@ -9,10 +9,10 @@
 //! Written once for every kind of number.
 
 use super::frozen::{Chain, Frozen, Step, segment};
-use super::linkages::Solved;
+use super::linkages::{Cursor, Solved};
 use super::links::LinkForces;
 use super::quantity::Quantity;
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 
 /// A law at an instant.
 #[derive(Clone, Copy, Debug)]
@@ -49,6 +49,8 @@ pub(super) struct Work<N> {
     pub(super) reduced_inertia: Vec<N>,
     /// The linkages, solved once for all that looks at them.
     pub(super) linkages: Vec<RefCell<Solved>>,
+    /// Where their tables were last looked up.
+    pub(super) cursors: Vec<Cell<Cursor>>,
 }
 
 impl<N: Quantity> Work<N> {
@@ -72,6 +74,7 @@ impl<N: Quantity> Work<N> {
             reaction: vec![zero; frozen.chains.len()],
             reduced_inertia: vec![zero; frozen.linkages.len()],
             linkages: frozen.linkage_memory(),
+            cursors: vec![Cell::default(); frozen.linkages.len()],
         }
     }
 }
@@ -103,6 +106,9 @@ impl Frozen {
             }
             if self.coupled.is_empty() {
                 return;
+            }
+            if !self.trains.is_empty() {
+                return self.evaluate_trains(time, state, modes, work, out);
             }
         }
         self.motion(time, state, modes, extent, work);
