@@ -23,15 +23,34 @@ pub struct Step<'a> {
     pub coordinates: usize,
     /// Degree of the polynomials.
     pub degree: usize,
-    /// Bernstein coefficients, `degree + 1` for each signal.
+    /// What the signals are counted from, one number for each signal: near their
+    /// values at s = 0, so that over a short step a great value (an angle after many
+    /// turns) does not swallow its rate.
+    pub bases: &'a [f64],
+    /// Bernstein coefficients less the base, `degree + 1` for each signal.
     pub coefficients: &'a [f64],
 }
 
 impl<'a> Step<'a> {
-    /// Bernstein coefficients of a signal.
-    pub fn signal(&self, index: usize) -> &'a [f64] {
+    /// Bernstein coefficients of a signal less its base.
+    pub fn differences(&self, index: usize) -> &'a [f64] {
         let width = self.degree + 1;
         &self.coefficients[index * width..(index + 1) * width]
+    }
+
+    /// Bernstein coefficients of a signal, put into `room`.
+    pub fn signal<'r>(&self, index: usize, room: &'r mut Coefficients) -> &'r [f64] {
+        let (base, differences) = (self.bases[index], self.differences(index));
+        for (value, difference) in room.iter_mut().zip(differences) {
+            *value = base + difference;
+        }
+        &room[..differences.len()]
+    }
+
+    /// Value and rate of a signal at s.
+    pub fn value(&self, index: usize, s: f64) -> (f64, f64) {
+        let (difference, slope) = evaluate(self.differences(index), s);
+        (self.bases[index] + difference, slope / self.length)
     }
 
     /// Time at s.
@@ -47,10 +66,36 @@ impl<'a> Step<'a> {
     /// The state y = [u, u′] at s.
     pub fn state(&self, s: f64, y: &mut [f64]) {
         for index in 0..self.coordinates {
-            let (value, slope) = evaluate(self.signal(index), s);
+            let (value, rate) = self.value(index, s);
             y[index] = value;
-            y[self.coordinates + index] = slope / self.length;
+            y[self.coordinates + index] = rate;
         }
+    }
+}
+
+/// Bernstein coefficients, with room for the highest degree.
+pub type Coefficients = [f64; MAX_DEGREE + 1];
+
+/// Roundings of its values that the gain of a signal over a step may be off.
+const ROUNDINGS: f64 = 4.0;
+
+/// What a signal gains over a step of a `length`, given (s, ṡ, s̈) at its ends: the
+/// difference of the values, where rates and accelerations tell it otherwise; where
+/// they agree within the rounding of the values, as they tell it. (Over a short
+/// step they are right to more digits than the values have left.)
+pub(crate) fn gain(from: &[f64], to: &[f64], length: f64) -> f64 {
+    let told = length * (0.5 * (from[1] + to[1]) + length / 12.0 * (from[2] - to[2]));
+    told_gain(told, from[0], to[0])
+}
+
+/// What a signal gains between two values: as it is `told`, where that is their
+/// difference within their rounding.
+pub(crate) fn told_gain(told: f64, from: f64, to: f64) -> f64 {
+    let difference = to - from;
+    if (told - difference).abs() <= ROUNDINGS * f64::EPSILON * (from.abs() + to.abs()) {
+        told
+    } else {
+        difference
     }
 }
 
@@ -89,15 +134,13 @@ const LONG: usize = 9;
 fn evaluate_long(degree: usize, s: f64, coefficient: impl Fn(usize) -> f64) -> (f64, f64) {
     let q = s / (1.0 - s);
     let first = coefficient(0);
-    let (mut value, mut slope, mut binomial, mut lower) = (0.0, 0.0, 1.0, 1.0);
+    let (binomials, lower) = (&BINOMIALS[degree], &BINOMIALS[degree - 1]);
     let mut above = coefficient(degree) - first;
-    value = value * q + above;
+    let (mut value, mut slope) = (above, 0.0);
     for i in (0..degree).rev() {
         let here = coefficient(i) - first;
-        binomial *= (i + 1) as f64 / (degree - i) as f64;
-        value = value * q + binomial * here;
-        slope = slope * q + lower * (above - here);
-        lower *= i as f64 / (degree - i) as f64;
+        value = value * q + binomials[i] * here;
+        slope = slope * q + lower[i] * (above - here);
         above = here;
     }
     let power = (1.0 - s).powi(degree as i32 - 1);
@@ -105,6 +148,24 @@ fn evaluate_long(degree: usize, s: f64, coefficient: impl Fn(usize) -> f64) -> (
         first + power * (1.0 - s) * value,
         degree as f64 * power * slope,
     )
+}
+
+/// (n over k), which are exact as numbers.
+static BINOMIALS: [[f64; MAX_DEGREE + 1]; MAX_DEGREE + 1] = binomials();
+
+const fn binomials() -> [[f64; MAX_DEGREE + 1]; MAX_DEGREE + 1] {
+    let mut table = [[0.0; MAX_DEGREE + 1]; MAX_DEGREE + 1];
+    let mut n = 0;
+    while n <= MAX_DEGREE {
+        table[n][0] = 1.0;
+        let mut k = 1;
+        while k <= n {
+            table[n][k] = table[n - 1][k - 1] + table[n - 1][k];
+            k += 1;
+        }
+        n += 1;
+    }
+    table
 }
 
 /// Highest degree of a continuous output.

@@ -2,11 +2,14 @@
 //! pairs for the first time, not at every switch.
 
 use dam::exact::{
-    ExactTree, Law, Request, Sine, TimeLoad, TreeMass, TreeObject, TreePair, TreeProblem,
+    ExactTree, ForcePiece, ForceSource, LAW_DEGREE, Law, Request, Sine, TimeLoad, TreeMass,
+    TreeObject, TreePair, TreeProblem,
 };
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
 thread_local! {
     static ALLOCATIONS: Cell<u64> = const { Cell::new(0) };
@@ -85,4 +88,45 @@ fn switches_allocate_nothing() {
     // The list of switches, which is handed out, doubles its room twice.
     assert!(long - short <= 2, "{short} {long}");
     assert!(short > 10, "the counter counts: {short}");
+}
+
+/// A load in pieces of 20 ms, which counts how often one is made.
+#[derive(Debug, Default)]
+struct Pieces(AtomicUsize);
+
+impl ForceSource for Pieces {
+    fn piece(&self, time: f64) -> ForcePiece {
+        self.0.fetch_add(1, Relaxed);
+        let start = 0.02 * (time / 0.02 + 1e-9).floor();
+        let mut coefficients = [0.0; LAW_DEGREE + 1];
+        coefficients[..2].copy_from_slice(&[-3.0, 100.0]);
+        ForcePiece {
+            start,
+            end: start + 0.02,
+            coefficients,
+        }
+    }
+}
+
+#[test]
+fn a_piece_of_a_load_is_made_once_and_not_at_every_switch() {
+    let source = Arc::new(Pieces::default());
+    let mut problem = problem();
+    let load = TimeLoad::Pieces(Arc::clone(&source) as Arc<dyn ForceSource>);
+    problem.masses[1].loads.push(load);
+    let tree = ExactTree::new(problem);
+    let run = |end: f64| {
+        let request = Request {
+            figures: true,
+            audit: true,
+            ..Request::new(end, 0)
+        };
+        let before = source.0.load(Relaxed);
+        let run = tree.run(&request).expect("runs");
+        (source.0.load(Relaxed) - before, run.switches.len())
+    };
+    let ((short, few), (long, many)) = (run(0.2), run(2.0));
+    assert!(many > few + 50, "{few} {many}");
+    // Ninety pieces more, one of them perhaps begun twice by rounding.
+    assert!((90..=92).contains(&(long - short)), "{short} {long}");
 }

@@ -482,3 +482,36 @@ fn once_the_transient_is_gone_a_cycle_costs_what_the_forced_motion_costs() {
         );
     }
 }
+
+#[test]
+fn figures_of_a_stiff_mechanism_cost_what_those_of_a_soft_one_cost() {
+    // δ rises slowly for a quarter of a turn after a start that shakes every mode:
+    // each instant sets a new record.
+    let least = |stiffness: f64| {
+        let mut masses = vec![
+            TreeMass::new(0.05, None, stiffness, 0.0),
+            TreeMass::new(0.05, Some(0), stiffness, 0.0),
+        ];
+        for mass in &mut masses {
+            mass.damping = 0.3 * (stiffness * mass.inertia).sqrt();
+        }
+        masses[1].loads.push(TimeLoad::Constant(-600.0));
+        let mut p = problem(masses, vec![sine(1.57, 6.283, 0.0)]);
+        p.speed = vec![1e-3, -2e-3];
+        let tree = ExactTree::new(p);
+        let request = Request {
+            figures: true,
+            ..Request::new(0.25, 0)
+        };
+        let mut best = std::time::Duration::MAX;
+        for _ in 0..30 {
+            let begun = std::time::Instant::now();
+            let run = tree.run(&request).expect("runs");
+            best = best.min(begun.elapsed());
+            assert!(run.figures[0].delta_max > -1200.0 / stiffness);
+        }
+        best.as_secs_f64()
+    };
+    let (soft, stiff) = (least(1e6), least(1e12));
+    assert!(stiff < 10.0 * soft, "{stiff} for {soft}");
+}

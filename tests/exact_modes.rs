@@ -182,3 +182,33 @@ fn several_parts_float_at_once() {
     let e = motion_error(&run, &expected);
     assert!(e < 1e-12, "{e:e}");
 }
+
+#[test]
+fn a_part_that_floats_may_be_dragged_ever_so_lightly() {
+    // Open, two masses fall against a damper to the ground: a mode 0 beside one
+    // that decays with b/ΣJ, which is next to nothing.
+    for drag in [1e-6, 1e-3, 0.1, 3.0, 100.0] {
+        let mut head = TreeMass::new(1.0, None, 4e4, 0.0);
+        head.pair = TreePair::Force { opens: 1.0 };
+        let mut tail = TreeMass::new(0.5, Some(0), 5e3, 2.0);
+        tail.ground_damping = drag;
+        tail.loads.push(TimeLoad::Constant(-20.0));
+        let mut problem = problem(vec![head, tail], vec![sine(0.01, 30.0, 0.0)]);
+        problem.displacement = vec![0.01, 0.0101];
+        problem.speed = vec![1.0, 1.1];
+        let mut series = Series::new(&problem, vec![PairState::Free; 2], 1.0 / 4096.0);
+        let expected = rows(&mut series, 0.3, 60);
+        let request = Request {
+            all_masses: true,
+            audit: true,
+            ..Request::new(0.3, 60)
+        };
+        let run = ExactTree::new(problem.clone()).run(&request).expect("runs");
+        assert_eq!(run.switches.len(), series.met.len(), "drag {drag:e}");
+        let (error, audit) = (motion_error(&run, &expected), run.audit.expect("audit"));
+        // What is left of cancelling: the time over which the drag tells.
+        let bound = 1e-12 + 1e-13 / drag;
+        assert!(error < bound, "drag {drag:e}: {error:e}");
+        assert!(audit.error() < bound, "drag {drag:e}: {:e}", audit.error());
+    }
+}

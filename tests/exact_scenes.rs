@@ -400,6 +400,77 @@ fn random_scenes_agree_with_integration_at_a_tight_tolerance() {
     );
 }
 
+/// q̈ + ω²q = aω²sin ωt from rest: q = a(sin ωt − ωt cos ωt)/2, greatest after whole
+/// half-turns n, where it is aπn/2.
+#[test]
+fn a_scene_at_resonance_grows_as_the_closed_form_says() {
+    let (a, omega, duration) = (0.01, 100.0f64, 3.1);
+    let objects = json!({
+        "drive": { "kind": "drive", "motion": { "speed": omega } },
+        "arm": { "kind": "rocker", "input": "drive", "position": { "sine": { "amplitude": a } },
+            "inertia": 1, "stiffness": omega * omega, "masses": 1 },
+    });
+    let settings = json!({ "duration": duration, "samples": 400, "start": "on_law" });
+    let (system, settings) = prepare(&objects, &settings).expect("a scene");
+    let exact = solve(&system, &settings, Method::Exact, 1e-12).expect("runs");
+    assert!(
+        exact.is_trusted() && exact.is_complete(),
+        "{:?}",
+        exact.outcome
+    );
+    assert!(exact.audit.error() < 1e-11, "{:e}", exact.audit.error());
+    let at = |t: f64| 0.5 * a * ((omega * t).sin() - omega * t * (omega * t).cos());
+    let columns = delta_columns(&exact);
+    let (_, delta) = columns.iter().find(|c| c.0 == "arm").expect("a column");
+    for (t, delta) in exact.record.times.iter().zip(*delta) {
+        assert!(
+            (delta - at(*t)).abs() < 1e-12 * 0.5 * a * omega * duration,
+            "{t}: {delta}"
+        );
+    }
+    // 3.1 s are 98.7 half-turns.
+    let summit = |turns: f64| 0.5 * a * std::f64::consts::PI * turns;
+    let figures = &exact.figures.objects["arm"];
+    approx::assert_relative_eq!(figures.delta_max, summit(97.0), max_relative = 1e-12);
+    approx::assert_relative_eq!(figures.delta_min, -summit(98.0), max_relative = 1e-12);
+    compare_quick(&system, &settings, &exact, "at resonance");
+}
+
+#[test]
+fn drives_that_accelerate_or_repeat_a_plan_are_propagated_too() {
+    let accelerated = json!({ "acceleration": 90, "start_speed": -12 });
+    let plan = json!({ "plan": { "period": 0.08, "advance": "180 deg", "phase": 0.01, "stations": [
+        { "at": 0, "displacement": 0, "motion": "modified_sine" },
+        { "at": 0.05, "displacement": "180 deg", "motion": "dwell" } ] } });
+    let cam = json!({ "cam": { "lift": 0.1, "rise": "100 deg", "dwell": "30 deg",
+        "return": "120 deg", "law": "4-5-6-7" } });
+    let sine = json!({ "sine": { "amplitude": 0.1 } });
+    for motion in [accelerated, plan] {
+        for position in [&cam, &sine] {
+            let objects = json!({
+                "drive": { "kind": "drive", "motion": motion },
+                "arm": { "kind": "rocker", "input": "drive", "position": position,
+                    "inertia": 0.1, "stiffness": 1e5, "masses": 2, "damping_capacity": 1.0,
+                    "pair": { "closure": "force" },
+                    "loads": { "closing": { "constant": -40 }, "window": { "window":
+                        { "from": 0.02, "to": 0.05, "force": -9 } } } },
+            });
+            let settings = json!({ "duration": 0.5, "start": "on_law", "samples": 200 });
+            let (system, settings) = prepare(&objects, &settings).expect("a scene");
+            let parts = Parts::of(&system);
+            assert!(parts.is_whole(), "{:?}", parts.refusals);
+            let exact = solve(&system, &settings, Method::Exact, 1e-12).expect("it runs");
+            let fine = solve(&system, &settings, Method::Dop853, 1e-12).expect("it starts");
+            assert!(exact.is_complete() && fine.is_complete());
+            assert!(exact.audit.error() < 1e-10, "{:e}", exact.audit.error());
+            let counts = [&exact, &fine].map(|result| result.outcome.statistics.switches);
+            assert_eq!(counts[0], counts[1], "{objects}");
+            let off = difference(&exact, &fine);
+            assert!(off < 1e-8, "{off:e} {objects}");
+        }
+    }
+}
+
 #[test]
 fn a_thousand_cycles_bring_no_drift() {
     let cam = json!({ "cam": { "lift": 0.1, "rise": "110 deg", "dwell": "20 deg", "return": "130 deg", "law": "modified_trapezoid" } });

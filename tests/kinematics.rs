@@ -40,7 +40,7 @@ fn question(over: Option<Over>, positions: usize) -> Question {
     }
 }
 
-fn column<'a>(found: &'a Kinematics<'_>, name: &str) -> &'a [f64] {
+fn column<'a>(found: &'a Kinematics, name: &str) -> &'a [f64] {
     let mut columns = found.columns.iter();
     let column = columns.find(|column| column.name() == name);
     &column.unwrap_or_else(|| panic!("no column {name}")).values
@@ -290,4 +290,114 @@ fn the_program_prints_tables_documents_and_pictures_and_says_what_is_wrong() {
         assert_eq!(code, Some(2), "{arguments:?}: {error}");
         assert!(error.contains(message), "{arguments:?}: {error}");
     }
+}
+
+fn ran(arguments: &[&str]) -> (Option<i32>, String, String) {
+    let out = dam(arguments);
+    let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
+    (out.status.code(), text(&out.stdout), text(&out.stderr))
+}
+
+const SLEY: &str = r#"{ "dam": 1, "name": "Sley", "objects": {
+    "crank": { "kind": "drive", "motion": { "speed": "300 rpm" } },
+    "sley": { "kind": "rocker", "input": "crank", "inertia": 0.15, "masses": 0,
+      "position": { "four_bar": { "crank": 0.04, "coupler": 0.12, "rocker": 0.1, "frame": 0.13 } } } EXPECT
+  "run": { "duration": 1 } }"#;
+
+/// A position function has the kinematics of the linkage that it is short for.
+#[test]
+fn a_position_function_is_looked_at_as_its_linkage() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = scene_file(folder.path(), &SLEY.replace("EXPECT", "},"));
+    let (code, document, _) = ran(&["kinematics", &scene, "--json"]);
+    assert_eq!(code, Some(0));
+    let document: serde_json::Value = serde_json::from_str(&document).unwrap();
+    assert_eq!(document["object"], "sley");
+    // Crank and coupler in line at both ends of the stroke.
+    let at_pivot = |reach: f64| {
+        PI - ((0.13f64 * 0.13 + 0.1 * 0.1 - reach * reach) / (2.0 * 0.13 * 0.1)).acos()
+    };
+    let stroke = document["strokes"][0]["stroke"].as_f64().unwrap();
+    let wanted = at_pivot(0.08) - at_pivot(0.16);
+    assert!((stroke - wanted).abs() < 1e-12, "{stroke} {wanted}");
+    // Its forces cannot be told: it has no pairs.
+    let (code, _, error) = ran(&["forces", &scene]);
+    assert_eq!(code, Some(2));
+    assert!(error.contains("write it as a linkage"), "{error}");
+    let without = r#"{ "dam": 1, "name": "none", "objects": {
+        "crank": { "kind": "drive", "motion": { "speed": 1 } } }, "run": { "duration": 1 } }"#;
+    let scene = scene_file(folder.path(), without);
+    let (code, _, error) = ran(&["kinematics", &scene]);
+    assert_eq!(code, Some(2));
+    assert!(error.contains("`four_bar`"), "{error}");
+}
+
+#[test]
+fn what_a_scene_expects_of_its_kinematics_is_judged() {
+    let folder = tempfile::tempdir().unwrap();
+    let expect = |figure: &str, value: &str| {
+        let text = format!(
+            r#"}}, "expect": [ {{ "figure": "kinematics.sley.{figure}", "value": {value}, "within": 1e-3 }} ],"#
+        );
+        scene_file(folder.path(), &SLEY.replace("EXPECT", &text))
+    };
+    let ratio = "rocker.time_ratio";
+    let scene = expect("rocker.displacement.least", "1.6208");
+    let (code, _, talk) = ran(&["kinematics", &scene]);
+    assert_eq!(code, Some(0), "{talk}");
+    assert!(talk.contains("1 of 1 hold"), "{talk}");
+    // Another question has no expectations, and a run has none of these.
+    let (code, _, talk) = ran(&["kinematics", &scene, "--positions", "10"]);
+    assert!(code == Some(0) && !talk.contains("hold"), "{talk}");
+    let (code, _, talk) = ran(&["run", &scene]);
+    assert!(code == Some(0) && !talk.contains("expectations"), "{talk}");
+    let (code, document, _) = ran(&["kinematics", &expect(ratio, "7"), "--json"]);
+    assert_eq!(code, Some(1));
+    let document: serde_json::Value = serde_json::from_str(&document).unwrap();
+    assert_eq!(document["expect"][0]["holds"], false);
+    for (figure, words) in [
+        (
+            "rocker.time_ratios",
+            "did you mean `kinematics.sley.rocker.time_ratio`?",
+        ),
+        ("wheel.speed.least", "there is no figure"),
+    ] {
+        let (code, _, error) = ran(&["check", &expect(figure, "1")]);
+        assert_eq!(code, Some(2));
+        assert!(error.contains(words), "{error}");
+    }
+    let scene = scene_file(
+        folder.path(),
+        &SLEY.replace(
+            "EXPECT",
+            r#"}, "expect": [
+            { "figure": "kinematics.sly.rocker.stroke", "value": 1, "within": 1 },
+            { "figure": "kinematics.sley", "value": 1, "within": 1 },
+            { "figure": "kinematics.sley.rocker.stroke", "value": "5 mm", "within": 1 } ],"#,
+        ),
+    );
+    let (code, _, error) = ran(&["check", &scene]);
+    assert_eq!(code, Some(2));
+    for words in ["did you mean `sley`?", "names no figure", "5 mm"] {
+        assert!(error.contains(words), "{words}: {error}");
+    }
+}
+
+#[test]
+fn speeds_beyond_all_numbers_are_not_passed_over() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = scene_file(folder.path(), &SLEY.replace("EXPECT", "},"));
+    let (code, _, talk) = ran(&["kinematics", &scene, "--speed", "1e300"]);
+    assert_eq!(code, Some(1));
+    assert!(talk.contains("grow beyond all numbers"), "{talk}");
+}
+
+#[test]
+fn a_check_tells_how_far_an_input_can_go() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = scene_file(folder.path(), FOUR_BAR);
+    let (code, text, _) = ran(&["check", &scene]);
+    assert_eq!(code, Some(0));
+    assert!(text.contains("`bars`: input from -66.4"), "{text}");
+    assert!(text.contains("dead position"), "{text}");
 }

@@ -5,7 +5,7 @@ use dam::analysis::axis::Axis;
 use dam::analysis::map::{
     Cell, Listener, MapResult, Panels, Question, Silent, Study, journal, map,
 };
-use dam::report::map::{document, map_csv, text};
+use dam::report::map::{MapReport, document, map_csv, page, text};
 use dam::report::svg;
 use dam::scene::{BuiltIn, Document};
 use std::collections::BTreeMap;
@@ -60,6 +60,44 @@ fn the_same_bytes_for_any_number_of_threads() {
         assert!(one == other, "{threads} threads");
     }
     assert!(!one.contains("NaN") && !one.contains("inf"));
+}
+
+#[test]
+fn panels_are_told_apart_everywhere() {
+    let scene = load();
+    let study = small(&scene);
+    let result = run(&study, BTreeMap::new(), 2, &Silent);
+    let report = MapReport {
+        study: &study,
+        result: &result,
+        scene: scene.text(),
+        version: "1",
+    };
+    let (page, picture) = (page(&report), svg::map::svg(&study, &result));
+    for (letter, load) in [("a", "-600"), ("b", "-900")] {
+        let label = format!("{letter}  rocker.loads.closing.constant = {load}");
+        assert!(picture.contains(&label), "{label}");
+        let row = format!("<th class=\"words\">{label}</th>");
+        assert!(page.contains(&row), "{row}");
+    }
+    let csv = map_csv(&study, &result).unwrap();
+    let mut table = csv::Reader::from_reader(csv.as_bytes());
+    let head: Vec<String> = table.headers().unwrap().iter().map(str::to_owned).collect();
+    let wanted = [
+        "panel",
+        "settings",
+        "rocker.inertia [kg m²]",
+        "rocker.stiffness [N m/rad]",
+        "rocker.delta_max [rad]",
+    ];
+    assert_eq!(head[..5], wanted);
+    let rows: Vec<_> = table.records().map(Result::unwrap).collect();
+    assert_eq!(rows.len(), 40);
+    assert_eq!(&rows[39][1], "rocker.loads.closing.constant = -900");
+    assert_eq!((&rows[39][2], &rows[39][3]), ("0.16", "10000000.0"));
+    let json = document(&study, &result);
+    assert_eq!(json["x"]["unit"], "kg m²");
+    assert_eq!(json["y"]["unit"], "N m/rad");
 }
 
 /// Keeps the lines of a journal.

@@ -3,6 +3,7 @@
 use dam::analysis::expectations::check;
 use dam::analysis::run::run;
 use dam::analysis::steady;
+use dam::analysis::studied::{check_all, unknown_figures};
 use dam::analysis::{Control, RunSettings};
 use dam::lower::lower;
 use dam::scene::{BuiltIn, Document, Overrides};
@@ -56,6 +57,12 @@ fn judge(path: &Path) -> Result<(), String> {
         return Err(format!("not to be trusted: {:?}", result.figures.warnings));
     }
     let mut verdicts = check(expect, &result);
+    let model = system.model();
+    let unknown = unknown_figures(expect, model);
+    if !unknown.is_empty() {
+        return Err(format!("{unknown:?}"));
+    }
+    verdicts.extend(check_all(expect, model, settings.duration)?);
     if verdicts.len() < expect.len() {
         let spec = reading.scene.steady.clone().unwrap_or_default();
         let answer = steady::steady_motion(&system, &settings, &spec)

@@ -18,8 +18,9 @@ use dam::integrate::{
     Dynamics, Limits, Method, Modes, Settings, Sink, Stop, SwitchEvent, integrate,
 };
 use dam::lower::lower;
+use dam::model::Model;
 use dam::polynomial::Step;
-use dam::scene::{BuiltIn, Document, Overrides};
+use dam::scene::{BuiltIn, Document, Overrides, Reading};
 use dam::system::System;
 use full::{Full, START};
 use ode_solvers::SVector;
@@ -75,7 +76,8 @@ fn full(how: Full, tolerance: f64) -> Result {
     (errors.fold(0.0, f64::max), u64::from(counts.accepted_steps))
 }
 
-/// Keeps the state at the end of the last step.
+/// Keeps the state at the end of the last step, and looks at nothing else, as
+/// the other solver does.
 struct Last(Vec<f64>);
 
 impl Sink for Last {
@@ -88,6 +90,10 @@ impl Sink for Last {
     }
 
     fn switch(&mut self, _: &SwitchEvent<'_>) {}
+
+    fn looks_within(&self, _: f64) -> bool {
+        false
+    }
 }
 
 struct Reduced {
@@ -96,13 +102,22 @@ struct Reduced {
     modes: Modes,
 }
 
+/// The scene, read.
+fn read() -> Reading {
+    let document = Document::parse("andrews.json", SCENE.as_bytes()).expect("JSON");
+    document
+        .scene(&BuiltIn, &Overrides::none())
+        .expect("a scene")
+}
+
+/// Its model, the structure of the linkage found.
+fn model(reading: &Reading) -> Model {
+    lower(&reading.scene).expect("a model")
+}
+
 impl Reduced {
     fn new() -> Self {
-        let document = Document::parse("andrews.json", SCENE.as_bytes()).expect("JSON");
-        let reading = document
-            .scene(&BuiltIn, &Overrides::none())
-            .expect("a scene");
-        let system = System::new(lower(&reading.scene).expect("a model")).expect("a system");
+        let system = System::new(model(&read())).expect("a system");
         let start = system.initial_state().expect("a start");
         Self {
             system,
@@ -201,7 +216,6 @@ fn main() {
             drop(black_box(reduced.solve(black_box(of_reduced))))
         }));
     }
-    let prepare = least(20, || drop(black_box(Reduced::new())));
     println!("Andrews' squeezing mechanism to 0.03 s, positions to 1e-6, Dop853");
     let line = |name: &str, tolerance: f64, (error, steps): Result, time: f64| {
         println!(
@@ -229,8 +243,27 @@ fn main() {
         reduced.error(of_reduced),
         own,
     );
+    told_of_preparing();
+}
+
+/// What is done once a scene.
+fn told_of_preparing() {
+    let reading = read();
+    let found = model(&reading);
+    let read = least(200, || drop(black_box(read())));
+    let structure = least(200, || drop(black_box(model(&reading))));
+    let [frozen, copied] = [true, false].map(|frozen| {
+        least(200, || {
+            let model = black_box(found.clone());
+            if frozen {
+                drop(black_box(System::new(model)));
+            }
+        })
+    });
     println!(
-        "reading the scene and finding the structure: {:.3} ms",
-        1e3 * prepare
+        "once a scene: reading {:.3} ms, structure and reach {:.3} ms, tables of J and the forces {:.3} ms",
+        1e3 * read,
+        1e3 * structure,
+        1e3 * (frozen - copied)
     );
 }

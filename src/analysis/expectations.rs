@@ -45,17 +45,25 @@ impl Verdict {
     }
 }
 
-/// True for figures of the steady motion, which no run has.
-fn of_steady_motion(expectation: &Expectation) -> bool {
-    matches!(&expectation.what, Expected::Figure { figure, .. } if figure.starts_with("steady."))
+/// First names of figures that no run has: those of the steady motion and of
+/// the studies of linkages.
+const OTHERS: [&str; 3] = ["steady.", "kinematics.", "forces."];
+
+/// True for figures that a run has.
+pub fn of_run(expectation: &Expectation) -> bool {
+    match &expectation.what {
+        Expected::Figure { figure, .. } => !OTHERS.iter().any(|other| figure.starts_with(other)),
+        Expected::Stops { .. } => true,
+    }
 }
 
 /// Judges every expectation of a run, in their order. (Those of the steady
-/// motion are judged by [`super::steady::check`].)
+/// motion are judged by [`super::steady::check`], those of kinematics and forces
+/// by [`super::studied`].)
 pub fn check(expectations: &[Expectation], result: &RunResult) -> Vec<Verdict> {
     expectations
         .iter()
-        .filter(|expectation| !of_steady_motion(expectation))
+        .filter(|expectation| of_run(expectation))
         .map(|expectation| Verdict {
             source: expectation.source.clone(),
             ..match &expectation.what {
@@ -82,7 +90,7 @@ pub fn unknown_figures(expectations: &[Expectation], model: &Model) -> Vec<Fault
             return None;
         };
         // How many switches there will be is not known before the run.
-        if figure.contains(".pair.switch_times.") || of_steady_motion(expectation) {
+        if figure.contains(".pair.switch_times.") || !of_run(expectation) {
             return None;
         }
         let Err(AddressError::Unknown { close }) = figures.value(figure) else {
@@ -102,7 +110,7 @@ pub fn unknown_figures(expectations: &[Expectation], model: &Model) -> Vec<Fault
 }
 
 /// A hint naming similar addresses; empty when there are none.
-fn did_you_mean(close: &[String]) -> String {
+pub(super) fn did_you_mean(close: &[String]) -> String {
     if close.is_empty() {
         String::new()
     } else {

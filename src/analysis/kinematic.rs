@@ -156,6 +156,14 @@ impl Dynamics for Driven<'_> {
         }
     }
 
+    fn size(&self, index: usize, value: f64) -> f64 {
+        if self.idle {
+            1.0
+        } else {
+            self.system.size(index, value)
+        }
+    }
+
     fn state_name(&self, index: usize) -> String {
         if self.idle {
             "idle coordinate".to_owned()
@@ -251,5 +259,9 @@ impl Sink for WithoutIdle<'_> {
             y: &[],
             ..event.clone()
         });
+    }
+
+    fn looks_within(&self, until: f64) -> bool {
+        self.0.looks_within(until)
     }
 }

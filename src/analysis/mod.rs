@@ -18,6 +18,7 @@ pub mod run;
 mod settings;
 pub mod spread;
 pub mod steady;
+pub mod studied;
 #[cfg(test)]
 pub(crate) mod testing;
 mod warning;

@@ -115,6 +115,7 @@ fn attempt(
             switch_rows: settings.switch_rows,
             window: window.as_ref().ok().copied(),
             long_steps: matches!(choice.method, Method::Taylor | Method::Radau),
+            tolerance: settings.tolerance,
         },
     );
     let mut all: Vec<&mut dyn Sink> = vec![&mut recorder];

@@ -4,6 +4,9 @@ use super::args::CheckArgs;
 use super::console;
 use super::failure::{Failure, Status};
 use super::input::Input;
+use dam::analysis::kinematics::Subject;
+use dam::linkage::Reach;
+use dam::model::{Coordinate, Model};
 use serde_json::json;
 
 /// Checks a scene as far as is possible without running it.
@@ -14,6 +17,7 @@ pub(crate) fn command(args: &CheckArgs) -> Result<Status, Failure> {
     let warnings = &ready.reading.warnings;
     let model = ready.system.model();
     let said: Vec<&String> = model.warnings.iter().chain(&start.warnings).collect();
+    let reaches = reaches(model);
     let scene = ready.scene();
     if args.scene.json {
         console::json(&json!({
@@ -23,6 +27,7 @@ pub(crate) fn command(args: &CheckArgs) -> Result<Status, Failure> {
             "errors": [],
             "warnings": warnings.json(),
             "remarks": said,
+            "reaches": reaches,
         }))?;
         return Ok(Status::Answered);
     }
@@ -41,7 +46,25 @@ pub(crate) fn command(args: &CheckArgs) -> Result<Status, Failure> {
         scene.objects.len(),
         &scene.hash[..16]
     ));
+    for reach in reaches {
+        console::data(&format!("{reach}\n"));
+    }
     Ok(Status::Answered)
+}
+
+/// Linkages, and position functions that are the short form of one, whose input
+/// cannot go everywhere: how far it can.
+fn reaches(model: &Model) -> Vec<String> {
+    let parts = model.objects.iter();
+    let subjects = parts.filter_map(|part| Subject::of(model, Some(&part.id)).ok());
+    let limited = subjects.filter_map(|subject| {
+        let range = subject.linkage.range();
+        let limited = matches!(range.reach, Reach::Interval { .. });
+        let turning = subject.input == Coordinate::Turning;
+        let words = range.describe(subject.linkage.structure(), turning);
+        limited.then(|| format!("`{}`: input {words}", subject.object))
+    });
+    limited.collect()
 }
 
 /// Prints the JSON Schema of scenes.

@@ -2,15 +2,18 @@
 
 use super::args::{ConventionName, Direction, ForcesArgs};
 use super::console;
+use super::expected;
 use super::failure::{Failure, Status};
 use super::input::{Input, Ready};
 use super::kinematics::{asked_over, quantity};
 use super::output::{OutputFolder, ResultFile};
+use dam::analysis::expectations::Verdict;
 use dam::analysis::forces::{
     Course, ForceSettings, ForceStudy, LinkagePositions, compare_massless, course_of,
     course_of_record, only_loaded_output, study,
 };
-use dam::analysis::kinematics::{Asked, Question, linkage_of, whole_travel};
+use dam::analysis::kinematics::{Asked, Question, even_motion, linkage_of, whole_travel};
+use dam::analysis::studied::{POSITIONS, check_forces};
 use dam::fault::Fault;
 use dam::linkage::Linkage;
 use dam::linkage::kinetostatics::{Convention, ForceFailure, Kinetostatics, Options};
@@ -76,20 +79,46 @@ pub(crate) fn command(args: &ForcesArgs) -> Result<Status, Failure> {
         scene: input.text(),
         version: env!("CARGO_PKG_VERSION"),
     };
+    let verdicts = verdicts(args, &ready, object, &found);
     if let Some(folder) = &folder {
-        folder.write("forces", report.hash, &files(&report)?)?;
+        folder.write("forces", report.hash, &files(&report, &verdicts)?)?;
     }
-    show(args, &report)?;
+    show(args, &report, &verdicts)?;
     talk(args, &found, behind(model, object));
+    if !args.scene.quiet {
+        expected::talk(&verdicts);
+    }
     if let (Some(folder), false) = (&folder, args.scene.quiet) {
         folder.tell_report();
     }
-    Ok(
-        match found.rows.iter().all(|row| row.forces.is_ok()) && found.worst_balance() < 1e-8 {
-            true => Status::Answered,
-            false => Status::NotTrusted,
-        },
-    )
+    let solved = found.rows.iter().all(|row| row.forces.is_ok());
+    let sound = solved && found.worst_balance() < 1e-8;
+    Ok(match sound && expected::hold(&verdicts) {
+        true => Status::Answered,
+        false => Status::NotTrusted,
+    })
+}
+
+/// Another mechanism than the scene's, or another question, has no expectations.
+fn verdicts(args: &ForcesArgs, ready: &Ready, object: &str, found: &ForceStudy) -> Vec<Verdict> {
+    let course = &args.course;
+    let same_course = !course.turn
+        && course.range.is_none()
+        && course.time.is_none()
+        && args.record.is_none()
+        && args.speed.is_none()
+        && args.acceleration.is_none()
+        && args.compare_massless.is_empty()
+        && args.positions as usize == POSITIONS;
+    let same_forces = args.scene.set.is_empty()
+        && args.load.is_none()
+        && args.convention == ConventionName::Paper
+        && !args.frictionless
+        && args.direction.is_none();
+    match same_course && same_forces {
+        true => check_forces(&ready.scene().expect, object, found),
+        false => Vec::new(),
+    }
 }
 
 /// Faults with their place in the scene where they have one.
@@ -198,14 +227,7 @@ fn course(
             speed,
             acceleration,
             ..
-        } if *acceleration == 0.0 => format!("speed {speed} {unit}/s at every position"),
-        Course::Even {
-            speed,
-            acceleration,
-            ..
-        } => format!(
-            "speed {speed} {unit}/s and acceleration {acceleration} {unit}/s² at every position"
-        ),
+        } => even_motion([*speed, *acceleration], unit),
     };
     Ok((course, motion))
 }
@@ -255,9 +277,9 @@ fn read(path: &Path) -> Result<String, String> {
     Ok(text)
 }
 
-fn show(args: &ForcesArgs, report: &ForcesReport<'_>) -> Result<(), Failure> {
+fn show(args: &ForcesArgs, report: &ForcesReport<'_>, verdicts: &[Verdict]) -> Result<(), Failure> {
     if args.scene.json {
-        console::json(&document(report))?;
+        console::json(&expected::beside(document(report), verdicts))?;
     } else if args.csv {
         console::data(&forces_csv(report.study).map_err(|error| error.to_string())?);
     } else {
@@ -305,9 +327,9 @@ fn talk(args: &ForcesArgs, found: &ForceStudy, behind: Vec<&str>) {
     }
 }
 
-fn files(report: &ForcesReport<'_>) -> Result<Vec<ResultFile>, Failure> {
+fn files(report: &ForcesReport<'_>, verdicts: &[Verdict]) -> Result<Vec<ResultFile>, Failure> {
     let table = forces_csv(report.study).map_err(|error| error.to_string())?;
-    let document = document(report);
+    let document = expected::beside(document(report), verdicts);
     let mut files = vec![
         ResultFile::new(FILES[0], table),
         ResultFile::new(FILES[1], format!("{document:#}\n")),

@@ -4,6 +4,7 @@ use super::args::SceneArgs;
 use super::failure::Failure;
 use dam::analysis::RunSettings;
 use dam::analysis::expectations::unknown_figures;
+use dam::analysis::studied;
 use dam::diagnostics::Diagnostics;
 use dam::lower::lower;
 use dam::scene::{BuiltIn, Catalogue, Document, Layered, Overrides, Reading, Scene};
@@ -82,7 +83,9 @@ impl Input {
         let reading = self.decode(further)?;
         let diagnose = |faults: Vec<dam::fault::Fault>| reading.places.diagnose(&faults);
         let model = lower(&reading.scene).map_err(diagnose)?;
-        let faults = unknown_figures(&reading.scene.expect, &model);
+        let expect = &reading.scene.expect;
+        let mut faults = unknown_figures(expect, &model);
+        faults.extend(studied::unknown_figures(expect, &model));
         if !faults.is_empty() {
             return Err(diagnose(faults).into());
         }

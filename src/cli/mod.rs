@@ -6,6 +6,7 @@ mod cam;
 mod check;
 mod compare;
 mod console;
+mod expected;
 mod failure;
 mod forces;
 mod input;

@@ -7,7 +7,7 @@ use super::input::{Input, Ready};
 use super::output::{OutputFolder, ResultFile};
 use super::progress::Progress;
 use super::{interrupt, tables, terminal};
-use dam::analysis::expectations::{Verdict, check};
+use dam::analysis::expectations::{Verdict, check, of_run};
 use dam::analysis::run::{RunResult, run};
 use dam::analysis::spread::{Spread, spread};
 use dam::analysis::{Control, RunSettings};
@@ -151,7 +151,7 @@ fn talk(ready: &Ready, result: &RunResult, verdicts: &[Verdict], seconds: f64) {
     let held = verdicts.iter().filter(|verdict| verdict.holds).count();
     if !verdicts.is_empty() {
         console::talk(&format!("expectations: {held} of {} hold", verdicts.len()));
-    } else if !ready.scene().expect.is_empty() {
+    } else if ready.scene().expect.iter().any(of_run) {
         console::talk("expectations: not judged, --set changes the scene");
     }
     console::talk(&format!("computed in {seconds:.3} s"));

@@ -245,7 +245,7 @@ fn potential(problem: &TreeProblem, at: &Instant<'_>) -> f64 {
         if !varying(mass) {
             let mut force = [0.0; LAW_DEGREE + 1];
             for load in &mass.loads {
-                load.add(0.0, 0.0, &mut force);
+                load.add(0.0, 0.0, &mut None, &mut force);
             }
             sum -= force[0] * place;
         }

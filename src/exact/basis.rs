@@ -14,24 +14,20 @@
 //! centre moves as η̈ = xᵀf/xᵀJx and is kept in closed form apart from the lanes.
 
 mod part;
+mod response;
 
 use super::lanes::{SIN_COS_LIMIT, V, WIDTH};
 use super::pencil::C;
+use super::polynomial::SLOW;
 use super::problem::{PairState, TreeProblem};
+use super::resonance::Resonance;
 use part::parts;
+use response::{law_force, response};
 
 const ZERO: C = C::new(0.0, 0.0);
 
 /// A lane is followed over steps of up to this many radians of it.
 const FOLLOW: f64 = 3.2;
-
-/// A mode nearer than this share of Ω to iΩ is refused: its answer, which grows
-/// as t·e^{iΩt}, would come out as a difference of two terms of 1/|iΩ − λ| that
-/// keeps fewer than eight digits.
-const RESONANT: f64 = 1e-8;
-
-const RESONANCE: &str =
-    "the law excites an undamped mode at its own frequency (change either by one part in 10⁷)";
 
 /// What a lane of the propagation stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -97,6 +93,8 @@ pub(crate) struct Basis {
     pub(crate) extent: Vec<V>,
     /// Longest phase (s) for which sine and cosine are accurate.
     pub(crate) longest: f64,
+    /// Longest phase (s) over which what drifts against dampers is a power series.
+    pub(crate) drift: f64,
     /// Vectors that never fade: at least one, and all with a harmonic.
     pub(crate) kept: usize,
     /// Lane of each harmonic.
@@ -109,6 +107,8 @@ pub(crate) struct Basis {
     pub(crate) rigid: Vec<Rigid>,
     /// Constant force of the flanks in contact (springs relaxed at the flank).
     pub(crate) flank_force: Vec<f64>,
+    /// The harmonics whose lanes stay empty, for they are at a mode's own frequency.
+    pub(crate) resonance: Option<Resonance>,
 }
 
 /// Why a basis could not be made.
@@ -122,6 +122,7 @@ impl Basis {
         let n = problem.masses.len();
         let mut lanes = Vec::new();
         let mut rigid: Vec<Rigid> = Vec::new();
+        let mut resonant = Vec::new();
         for part in parts(problem, states) {
             part.modes(n, &mut lanes)?;
             rigid.extend(part.rigid(n));
@@ -134,11 +135,14 @@ impl Basis {
                     .sum();
                 part.push.push(push);
             }
-            let response = response(problem, &lanes, &rigid, omega)?;
+            let shape = response(problem, &lanes, &rigid, omega).unwrap_or_else(|| {
+                resonant.push((j, omega));
+                vec![ZERO; n]
+            });
             lanes.push(Lane {
                 kind: LaneKind::Harmonic(j),
                 lambda: C::new(0.0, omega),
-                shape: response,
+                shape,
                 row_q: vec![ZERO; n],
                 row_v: vec![ZERO; n],
                 row_f: vec![ZERO; n],
@@ -153,7 +157,9 @@ impl Basis {
         if !sound {
             return Err(NoBasis("a mode is not finite".into()));
         }
-        Ok(Self::packed(n, lanes, rigid, flank_force(problem, states)))
+        let mut basis = Self::packed(n, lanes, rigid, flank_force(problem, states));
+        basis.resonance = Resonance::new(resonant);
+        Ok(basis)
     }
 
     fn packed(n: usize, lanes: Vec<Lane>, rigid: Vec<Rigid>, flank_force: Vec<f64>) -> Self {
@@ -200,6 +206,7 @@ impl Basis {
         );
         let fastest = lanes.iter().fold(0.0f64, |m, l| m.max(l.lambda.im.abs()));
         let longest = 0.5 * SIN_COS_LIMIT / fastest;
+        let drift = drift(&lanes);
         let mut harmonic = Vec::new();
         for (k, lane) in lanes.iter().enumerate() {
             if let LaneKind::Harmonic(j) = lane.kind {
@@ -213,6 +220,7 @@ impl Basis {
         Self {
             masses: n,
             blocks,
+            drift,
             kept,
             re,
             im,
@@ -231,76 +239,24 @@ impl Basis {
             rigid,
             lanes,
             flank_force,
+            resonance: None,
         }
     }
 }
 
-/// Force on mass i of a law Re(z): f = Re(F z) with L̇ = iΩL.
-pub(crate) fn law_force(problem: &TreeProblem, i: usize, lambda: C) -> C {
-    let mass = &problem.masses[i];
-    -(lambda * lambda * mass.inertia + lambda * mass.ground_damping + mass.ground_stiffness)
-        * mass.ratio
-}
-
-/// Response of the elastic modes to a unit harmonic of the law; the rigid
-/// motion of floating parts is kept apart, and F is freed of it first, so that
-/// base acceleration, which moves a floating part rigidly, leaves the elastic
-/// modes at rest.
-fn response(
-    problem: &TreeProblem,
-    lanes: &[Lane],
-    rigid: &[Rigid],
-    omega: f64,
-) -> Result<Vec<C>, NoBasis> {
-    let n = problem.masses.len();
-    let drive = C::new(0.0, omega);
-    let mut force: Vec<C> = (0..n).map(|i| law_force(problem, i, drive)).collect();
-    for part in rigid {
-        let push: C = (0..n).map(|i| force[i] * part.row_f[i]).sum();
-        for (i, f) in force.iter_mut().enumerate() {
-            *f -= push * (problem.masses[i].inertia * part.shape[i]);
-        }
+/// A part that only dampers hold has a mode 0 and one that decays slowly, whose
+/// answers to a force, finite polynomials of 1/λ², would cancel; as power series,
+/// which hold for a while, they hardly do.
+fn drift(lanes: &[Lane]) -> f64 {
+    if lanes.iter().all(|lane| lane.lambda != ZERO) {
+        return f64::INFINITY;
     }
-    let mut out = vec![ZERO; n];
-    for lane in lanes {
-        let (mut own, mut mirrored, mut size) = (ZERO, ZERO, 0.0);
-        for (r, f) in lane.row_f.iter().zip(&force) {
-            own += r * f;
-            mirrored += r.conj() * f;
-            size += r.norm() * f.norm();
-        }
-        if (drive - lane.lambda).norm() < RESONANT * omega {
-            // What is at right angles to the force stays at rest.
-            if own.norm() > 1e-12 * size {
-                return Err(NoBasis(RESONANCE.into()));
-            }
-            own = ZERO;
-        }
-        let off = |lambda: C, push: C| {
-            if push == ZERO {
-                ZERO
-            } else {
-                push / (drive - lambda)
-            }
-        };
-        if lane.lambda.im == 0.0 {
-            let a = off(lane.lambda, own);
-            for (sum, shape) in out.iter_mut().zip(&lane.shape) {
-                *sum += shape * a;
-            }
-        } else {
-            let a = off(lane.lambda, own) * 0.5;
-            let b = off(lane.lambda.conj(), mirrored) * 0.5;
-            for (sum, shape) in out.iter_mut().zip(&lane.shape) {
-                *sum += shape * a + shape.conj() * b;
-            }
-        }
-    }
-    if out.iter().all(|c| c.re.is_finite() && c.im.is_finite()) {
-        Ok(out)
-    } else {
-        Err(NoBasis(RESONANCE.into()))
-    }
+    let modes = lanes.iter().filter(|lane| lane.kind == LaneKind::Mode);
+    let sizes = modes.map(|lane| lane.lambda.norm());
+    let slowest = sizes
+        .filter(|size| *size > 0.0)
+        .fold(f64::INFINITY, f64::min);
+    0.99 * SLOW / slowest
 }
 
 /// Engaged on a flank at x = ∓η/2 the link is relaxed there, not at 0.

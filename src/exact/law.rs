@@ -75,6 +75,8 @@ pub(crate) struct Forcing {
     pub(crate) law: [f64; LAW_DEGREE + 3],
     /// Highest power in `law` that is not zero.
     pub(crate) degree: usize,
+    /// Longest time that it holds for besides (s).
+    pub(crate) reach: f64,
 }
 
 impl Law {
@@ -105,6 +107,7 @@ impl Law {
             harmonics: vec![Complex::new(0.0, 0.0); self.frequencies().len()],
             law: [0.0; LAW_DEGREE + 3],
             degree: 0,
+            reach: f64::INFINITY,
         }
     }
 
@@ -130,6 +133,11 @@ impl Law {
                     };
                     // A sin θ = Re(−iA e^{iθ}).
                     *z = Complex::new(sine.amplitude * sin, -sine.amplitude * cos);
+                }
+                if out.reach < f64::INFINITY {
+                    // What harmonics at resonance have left.
+                    out.law.fill(0.0);
+                    out.reach = f64::INFINITY;
                 }
                 out.law[0] = mean + slope * time;
                 out.law[1] = *slope;

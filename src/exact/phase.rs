@@ -14,7 +14,7 @@ use super::lanes::{Arith, V, WIDTH, exp, reduced_one, sin_cos, sin_cos_one};
 use super::law::{Forcing, PolynomialSpan};
 use super::pencil::C;
 use super::polynomial::Steady;
-use super::problem::TreeProblem;
+use super::problem::{ForcePiece, TreeProblem};
 
 /// Room for the coefficients of a polynomial part.
 pub(crate) const POLY: usize = 32;
@@ -80,6 +80,8 @@ pub(crate) struct Phase {
     pub(super) span: Option<PolynomialSpan>,
     /// Forces on the masses as polynomials.
     pub(super) force: Vec<f64>,
+    /// Pieces in force of all loads, mass by mass.
+    pub(super) held: Vec<Option<ForcePiece>>,
 }
 
 impl Phase {
@@ -99,6 +101,7 @@ impl Phase {
             forcing: problem.law.forcing(),
             span: None,
             force: vec![0.0; n * POLY],
+            held: vec![None; problem.masses.iter().map(|mass| mass.loads.len()).sum()],
         }
     }
 
@@ -117,6 +120,9 @@ impl Phase {
         problem
             .law
             .start::<A>(at.0, at.1, &mut self.span, &mut self.forcing);
+        if let Some(resonance) = &basis.resonance {
+            resonance.take(&mut self.forcing);
+        }
         self.reach = f64::INFINITY;
         match steady {
             Some(steady) => self.steady_polynomials(basis, steady, q, v),
@@ -286,16 +292,19 @@ impl Phase {
 }
 
 impl Exponentials {
-    /// Takes over the first `active` vectors of another.
+    /// Those of the start of a phase, of its first `active` vectors.
     #[inline(always)]
-    pub(crate) fn copy(&mut self, other: &Self, active: usize) {
-        self.s = other.s;
+    pub(crate) fn start(&mut self, active: usize) {
+        self.s = 0.0;
+        self.swings.fill(Swing {
+            cos: 1.0,
+            ..Swing::default()
+        });
         for b in 0..active {
-            self.re[b] = other.re[b];
-            self.im[b] = other.im[b];
-            self.size[b] = other.size[b];
+            self.re[b] = V::splat(1.0);
+            self.im[b] = V::ZERO;
+            self.size[b] = V::splat(1.0);
         }
-        self.swings.copy_from_slice(&other.swings);
     }
 
     pub(crate) fn new(blocks: usize, harmonics: usize) -> Self {

@@ -9,7 +9,7 @@ use super::problem::{TimeLoad, TreeMass, TreeProblem};
 
 /// A mode with |λ|·(length of the span) below this gets its response to a
 /// polynomial as a Taylor series, the others as a finite polynomial.
-const SLOW: f64 = 3.0;
+pub(super) const SLOW: f64 = 3.0;
 
 /// The response to forces that never change: P_i of a steady problem.
 #[derive(Clone, Debug)]
@@ -21,7 +21,7 @@ pub(crate) struct Steady {
 }
 
 impl Steady {
-    /// `None` when loads or law make the polynomial part change with time.
+    /// `None` when loads, law or resonance make the polynomial part change with time.
     pub(crate) fn new(problem: &TreeProblem, basis: &Basis) -> Option<Self> {
         let constant = |m: &TreeMass| m.loads.iter().all(|l| matches!(l, TimeLoad::Constant(_)));
         let grounded = |m: &TreeMass| m.ground_stiffness != 0.0 || m.ground_damping != 0.0;
@@ -31,7 +31,7 @@ impl Steady {
             }
             Law::Spans(_) => false,
         };
-        if !law || !problem.masses.iter().all(constant) {
+        if !law || basis.resonance.is_some() || !problem.masses.iter().all(constant) {
             return None;
         }
         let mut phase = Phase::new(problem, basis.blocks);
@@ -101,7 +101,7 @@ impl Phase {
         v: &[f64],
     ) {
         self.clear();
-        self.reach = self.forces(problem, basis);
+        self.reach = self.forces(problem, basis).min(basis.drift);
         self.elastic_polynomials(basis, self.reach);
         self.rigid_polynomials(basis, q, v);
     }
@@ -112,11 +112,12 @@ impl Phase {
         let (start, law, degree) = (self.start, self.forcing.law, self.forcing.degree);
         let mut end = self.forcing.end;
         self.force.fill(0.0);
+        let mut held = self.held.iter_mut();
         for (i, mass) in problem.masses.iter().enumerate() {
             let f = &mut self.force[i * POLY..(i + 1) * POLY];
             f[0] = basis.flank_force[i] - mass.ground_stiffness * mass.offset;
-            for load in &mass.loads {
-                end = end.min(load.add(start, self.low, f));
+            for (load, held) in mass.loads.iter().zip(&mut held) {
+                end = end.min(load.add(start, self.low, held, f));
             }
             for k in 0..=degree {
                 let (first, second) = ((k + 1) as f64, ((k + 1) * (k + 2)) as f64);
@@ -128,7 +129,7 @@ impl Phase {
                         + mass.ground_stiffness * law[k]);
             }
         }
-        (end - start) - self.low
+        ((end - start) - self.low).min(self.forcing.reach)
     }
 
     /// Adds to P_i what the elastic modes answer to the polynomial forces.

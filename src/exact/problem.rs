@@ -158,8 +158,15 @@ pub struct ForcePiece {
 
 impl TimeLoad {
     /// Adds W to a polynomial of at least [`LAW_DEGREE`] + 1 coefficients in
-    /// the time from `time` + `low` on; returns how long it holds (s).
-    pub(crate) fn add(&self, time: f64, low: f64, force: &mut [f64]) -> f64 {
+    /// the time from `time` + `low` on; returns how long it holds (s). `held`
+    /// keeps the piece in force, which is made anew only where it ends.
+    pub(crate) fn add(
+        &self,
+        time: f64,
+        low: f64,
+        held: &mut Option<ForcePiece>,
+        force: &mut [f64],
+    ) -> f64 {
         match self {
             Self::Constant(value) => {
                 force[0] += value;
@@ -186,7 +193,9 @@ impl TimeLoad {
                 }
             }
             Self::Pieces(source) => {
-                let mut piece = source.piece(time);
+                let holds = |piece: &ForcePiece| piece.start <= time && time < piece.end;
+                let mut piece = held.filter(holds).unwrap_or_else(|| source.piece(time));
+                *held = Some(piece);
                 shift(&mut piece.coefficients, (time - piece.start) + low);
                 for (force, c) in force.iter_mut().zip(piece.coefficients) {
                     *force += c;

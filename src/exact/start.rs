@@ -146,7 +146,7 @@ fn derivatives(problem: &TreeProblem, states: &[PairState], orders: usize) -> Ve
             }
             let mut load = [0.0; LAW_DEGREE + 1];
             for own in &mass.loads {
-                own.add(0.0, 0.0, &mut load);
+                own.add(0.0, 0.0, &mut None, &mut load);
             }
             let factorial: f64 = (1..=order).map(|k| k as f64).product();
             force[i] += load.get(order).map_or(0.0, |c| c * factorial);

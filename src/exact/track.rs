@@ -1,21 +1,25 @@
 //! Figures between samples: extremes and the mean deviation, exactly.
 //!
 //! The four functionals of an object are evaluated with their slopes at both
-//! ends of every step of the switch search and bounded between
-//! ([`super::hermite`]). Where one might pass the greatest value met so far, the
-//! step is cut at the summit of its cubic, the summit polished, and what is left
-//! on either side bounded again, until nothing can pass. Roots of δ are found
-//! the same way. A step in which nothing can happen costs its bound.
+//! ends of every step of the switch search, unless envelopes tell that nothing
+//! happens in it. The values met there are noted at once; once the phase has
+//! been gone through (or so many steps), the functionals are bounded within the
+//! steps ([`super::hermite`]). Where one might pass the greatest value met so
+//! far, the step is cut at the summit of its cubic, the summit polished, and
+//! what is left on either side bounded again, until nothing can pass. Roots of δ
+//! are found the same way. A step in which nothing can happen costs its bound.
 
+mod back;
 mod climb;
+#[cfg(test)]
+mod tests;
 mod walk;
 
-use climb::{Climb, Turns};
-use walk::{Halves, Walk};
+pub(crate) use back::LookBack;
 
 use super::asked::Asked;
 use super::basis::Basis;
-use super::hermite::{Bounds, End, Piece, Point, enclose};
+use super::hermite::{Bounds, End, Piece, Point};
 use super::lanes::{Arith, V, WIDTH};
 use super::panel::{Panel, PanelPhase};
 use super::phase::{Exponentials, Phase};
@@ -45,8 +49,16 @@ const CUTS: usize = 64;
 /// Lanes are followed over up to this many radians of theirs.
 const FOLLOW: f64 = 4.5;
 
-/// Most times that a part is halved before its summits are climbed.
-const HALVINGS: u8 = 2;
+/// No point of a phase.
+const UNKNOWN: Point = Point {
+    s: f64::NEG_INFINITY,
+    value: V::ZERO,
+    slope: V::ZERO,
+    fourth: V::ZERO,
+};
+
+/// Steps that are looked at together.
+const TOGETHER: usize = 32;
 
 /// What the figures are taken from.
 #[derive(Clone, Copy)]
@@ -87,8 +99,12 @@ pub(crate) struct Track {
     cap: f64,
     high: V,
     low: V,
-    /// The end of the step before.
+    /// The end of the step before, unless nothing was to be seen in it.
     last: Point,
+    /// Steps to be looked at.
+    steps: Vec<[Point; 2]>,
+    /// Whether envelopes alone may tell that nothing happens in a step.
+    quiet: bool,
     /// Primitive of δ where it last changed its sign, or the phase began.
     turned: f64,
     /// Where δ changes its sign in a step, with its primitive there.
@@ -122,6 +138,8 @@ impl Track {
             high: V::ZERO,
             low: V::ZERO,
             last: Point::default(),
+            steps: Vec::with_capacity(TOGETHER),
+            quiet: false,
             turned: 0.0,
             roots: Vec::with_capacity(CUTS),
             pieces: Vec::with_capacity(2 * CUTS + 2),
@@ -159,101 +177,73 @@ impl Track {
                 (self.high.0[k], self.low.0[k]) = (f64::INFINITY, f64::NEG_INFINITY);
             }
         }
-        self.last = self.state.point::<A>(basis, panel, phase, e);
+        self.quiet = self.nothing_between::<A>(0.0, 0.0);
+        self.last = UNKNOWN;
+        if !self.quiet {
+            self.stand_at::<A>(scene, e);
+        }
         if self.asked.mean {
             self.turned = self.state.primitive::<A>(panel, phase, e);
         }
     }
 
-    /// Takes the step from `before` to `now` into the figures.
+    /// True when the envelopes tell that between two instants no figure can
+    /// pass its greatest value and δ keeps its sign.
     #[inline(always)]
-    pub(crate) fn step<A: Arith>(
-        &mut self,
-        scene: Scene,
-        before: &Exponentials,
-        now: &Exponentials,
-    ) {
-        if scene.followed(now.s - before.s) == scene.lanes() {
-            let end = self
-                .state
-                .point::<A>(scene.basis, scene.panel, scene.phase, now);
-            self.span::<A>(scene, before, end);
-        } else {
-            A::apart(Walk {
-                track: self,
-                scene,
-                before,
-                now,
-            });
-        }
+    fn nothing_between<A: Arith>(&self, from: f64, to: f64) -> bool {
+        let Some(bounds) = self.state.envelope::<A>(from, to) else {
+            return false;
+        };
+        let beyond = (bounds.high - self.high).max(self.low - bounds.low);
+        beyond.greatest() <= 0.0 && !self.may_turn(&bounds)
     }
 
-    /// Takes the part from the last point to `b`, which begins at `before`.
+    /// Evaluates at the instant of `e` and notes what is greater than before.
     #[inline(always)]
-    fn span<A: Arith>(&mut self, scene: Scene, before: &Exponentials, b: Point) {
-        let a = self.last;
-        self.last = b;
-        self.between::<A>(scene, before, (a, b), HALVINGS);
-    }
-
-    /// Takes the part between two points. It may be cut in half so many times
-    /// first, which settles most of what a bound over the whole leaves open,
-    /// for all figures at once.
-    #[inline(always)]
-    fn between<A: Arith>(
-        &mut self,
-        scene: Scene,
-        before: &Exponentials,
-        (a, b): (Point, Point),
-        halvings: u8,
-    ) {
-        let (basis, panel) = (scene.basis, scene.panel);
-        let h = b.s - a.s;
-        let loss = self
-            .state
-            .loss::<A>(basis, panel, (before, scene.lanes()), h);
-        let bounds = enclose::<A>(&a, &b, &loss);
-        let over = bounds.high - self.high;
-        let under = self.low - bounds.low;
-        // Differences below rounding are not worth a climb.
-        let margin = self.margin();
-        let beyond = over.max(under) - margin;
-        if beyond.greatest() > 0.0 {
-            if halvings > 0 {
-                A::apart(Halves {
-                    track: self,
-                    scene,
-                    before,
-                    ends: (a, b),
-                    halvings: halvings - 1,
-                });
-                return;
-            }
-            let noise = self.state.noise(basis, panel, b.s);
+    fn stand_at<A: Arith>(&mut self, scene: Scene, e: &Exponentials) {
+        let Scene {
+            basis,
+            panel,
+            phase,
+        } = scene;
+        self.last = self.state.point::<A>(basis, panel, phase, e);
+        let value = self.last.value;
+        let (over, under) = (value - self.high, self.low - value);
+        if over.max(under).greatest() > 0.0 {
             for k in 0..4 {
-                let margin = margin.0[k].max(noise.0[k]);
                 for (beyond, sign) in [(over.0[k], 1.0), (under.0[k], -1.0)] {
-                    if beyond > margin {
-                        A::apart(Climb {
-                            track: self,
-                            scene,
-                            before,
-                            ends: (&a, &b),
-                            figure: (k, sign),
-                            margin,
-                        });
+                    if beyond > 0.0 {
+                        self.note(k, sign, sign * value.0[k]);
                     }
                 }
             }
         }
-        if self.may_turn(&bounds) {
-            A::apart(Turns {
-                track: self,
-                scene,
-                before,
-                ends: (&a, &b),
-            });
+    }
+
+    /// Notes the step from the local time `from` to the instant of `now`.
+    #[inline(always)]
+    pub(crate) fn see<A: Arith>(&mut self, scene: Scene, from: f64, now: &Exponentials) {
+        if self.quiet && self.nothing_between::<A>(from, now.s) {
+            return;
         }
+        if self.last.s != from {
+            let mut e = std::mem::take(&mut self.e);
+            scene.phase.exponentials::<A>(scene.basis, from, &mut e);
+            self.stand_at::<A>(scene, &e);
+            self.e = e;
+        }
+        let before = self.last;
+        self.stand_at::<A>(scene, now);
+        self.steps.push([before, self.last]);
+        if self.steps.len() == TOGETHER {
+            A::apart(LookBack { track: self, scene });
+        }
+    }
+
+    /// True when there are steps to be looked at.
+    #[inline(always)]
+    pub(crate) fn has_steps(&self) -> bool {
+        !self.steps.is_empty()
     }
 
     /// True when δ may change its sign, and that matters.

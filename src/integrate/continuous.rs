@@ -9,7 +9,7 @@
 //! points degree 8, whose error is of order h⁸; a second raise makes it h⁹.
 
 use super::{Dynamics, evaluator::Evaluator};
-use crate::polynomial::Step;
+use crate::polynomial::{Step, gain, told_gain};
 use nalgebra::DMatrix;
 
 /// Inner point of the first raise.
@@ -73,6 +73,7 @@ pub(super) struct Output {
     degree: usize,
     start: f64,
     length: f64,
+    bases: Vec<f64>,
     coefficients: Vec<f64>,
     inner: End,
     accelerations: Vec<[f64; THREE.len()]>,
@@ -84,6 +85,8 @@ pub(super) struct Output {
 /// the k middle coefficients follow from a linear system.
 struct Raise {
     points: &'static [f64],
+    /// Weights of all coefficients in p″/(d(d−1)) at each point.
+    weights: Vec<[f64; HIGHEST + 1]>,
     inverse: DMatrix<f64>,
 }
 
@@ -94,6 +97,7 @@ impl Output {
             degree: 5,
             start: 0.0,
             length: 1.0,
+            bases: vec![0.0; signals],
             coefficients: vec![0.0; signals * (HIGHEST + 1)],
             inner: End::new(coordinates, signals),
             accelerations: vec![[0.0; THREE.len()]; signals],
@@ -111,15 +115,24 @@ impl Output {
             end,
             coordinates: self.coordinates,
             degree: self.degree,
+            bases: &self.bases,
             coefficients: &self.coefficients[..signals * (self.degree + 1)],
+        }
+    }
+
+    /// A step between two ends.
+    fn begin(&mut self, from: &End, to: &End, degree: usize) {
+        self.start = from.time;
+        self.length = to.time - from.time;
+        self.degree = degree;
+        for (base, signal) in self.bases.iter_mut().zip(&from.signals) {
+            *base = signal[0];
         }
     }
 
     /// The quintic between two ends.
     pub(super) fn quintic(&mut self, from: &End, to: &End) {
-        self.start = from.time;
-        self.length = to.time - from.time;
-        self.degree = 5;
+        self.begin(from, to, 5);
         self.fill_ends(from, to);
     }
 
@@ -133,9 +146,7 @@ impl Output {
         degree: usize,
         share: f64,
     ) {
-        self.start = from.time;
-        self.length = to.time - from.time;
-        self.degree = degree;
+        self.begin(from, to, degree);
         self.coefficients.resize(series.len(), 0.0);
         self.coefficients.copy_from_slice(series);
         let rows = self.coefficients.chunks_exact_mut(degree + 1);
@@ -146,35 +157,29 @@ impl Output {
                 factor *= share * k as f64 / (degree + 1 - k) as f64;
                 *c *= factor;
             }
-            // … summed up to Bernstein coefficients, without the value at the
-            // start, so that a great common value costs no digits.
+            // … summed up to Bernstein coefficients.
             row[0] = 0.0;
             for level in 1..=degree {
                 for k in (level..=degree).rev() {
                     row[k] += row[k - 1];
                 }
             }
-            for c in row.iter_mut() {
-                *c += a[0];
-            }
-            row[0] = a[0];
-            row[degree] = b[0];
+            row[degree] = told_gain(row[degree], a[0], b[0]);
         }
     }
 
-    /// The motion itself: polynomials of a degree in Bernstein form.
+    /// The motion itself: polynomials of a degree in Bernstein form, less the values
+    /// at the start.
     pub(super) fn bernstein(&mut self, from: &End, to: &End, coefficients: &[f64], degree: usize) {
-        self.start = from.time;
-        self.length = to.time - from.time;
-        self.degree = degree;
+        self.begin(from, to, degree);
         let most = self.coefficients.len().max(coefficients.len());
         self.coefficients.resize(most, 0.0);
         self.coefficients[..coefficients.len()].copy_from_slice(coefficients);
         let rows = self.coefficients.chunks_exact_mut(degree + 1);
         for (row, (a, b)) in rows.zip(from.signals.iter().zip(&to.signals)) {
-            row[0] = a[0];
-            row[degree] = b[0];
-            row[degree - 1] = b[0] - self.length / degree as f64 * b[1];
+            row[0] = 0.0;
+            row[degree] = told_gain(row[degree], a[0], b[0]);
+            row[degree - 1] = row[degree] - self.length / degree as f64 * b[1];
         }
     }
 
@@ -186,9 +191,7 @@ impl Output {
         middle: &[f64],
         to: &End,
     ) {
-        self.start = from.time;
-        self.length = to.time - from.time;
-        self.degree = 5;
+        self.begin(from, to, 5);
         // Accelerations are not asked for: any derivative will do.
         self.inner
             .set(evaluator, self.start + 0.5 * self.length, middle, &to.dy);
@@ -196,17 +199,16 @@ impl Output {
         let ends = from.signals.iter().zip(&to.signals);
         let rows = self.coefficients.chunks_exact_mut(6);
         for ((row, (a, b)), m) in rows.zip(ends).zip(&self.inner.signals) {
-            let base = a[0];
-            let (end, value, slope) = (b[0] - base, m[0] - base, h * m[1]);
+            let (end, value, slope) = (gain(a, b, h), m[0] - a[0], h * m[1]);
             let (second, fifth) = (0.2 * h * a[1], end - 0.2 * h * b[1]);
             let sum = 0.1 * (32.0 * value - 5.0 * second - 5.0 * fifth - end);
             let difference = 1.6 * slope + 0.5 * (3.0 * second - 3.0 * fifth - end);
-            row[0] = base;
-            row[1] = base + second;
-            row[2] = base + 0.5 * (sum - difference);
-            row[3] = base + 0.5 * (sum + difference);
-            row[4] = base + fifth;
-            row[5] = b[0];
+            row[0] = 0.0;
+            row[1] = second;
+            row[2] = 0.5 * (sum - difference);
+            row[3] = 0.5 * (sum + difference);
+            row[4] = fifth;
+            row[5] = end;
         }
     }
 
@@ -264,38 +266,33 @@ impl Output {
         let second = h * h / (degree * (degree - 1)) as f64;
         let rows = self.coefficients.chunks_exact_mut(degree + 1);
         for (row, (a, b)) in rows.zip(from.signals.iter().zip(&to.signals)) {
-            row[0] = a[0];
-            row[1] = a[0] + first * a[1];
-            row[2] = a[0] + 2.0 * first * a[1] + second * a[2];
-            row[degree] = b[0];
-            row[degree - 1] = b[0] - first * b[1];
-            row[degree - 2] = b[0] - 2.0 * first * b[1] + second * b[2];
+            let end = gain(a, b, h);
+            row[0] = 0.0;
+            row[1] = first * a[1];
+            row[2] = 2.0 * first * a[1] + second * a[2];
+            row[degree] = end;
+            row[degree - 1] = end - first * b[1];
+            row[degree - 2] = end - 2.0 * first * b[1] + second * b[2];
             row[3..degree - 2].fill(0.0);
         }
     }
 
     /// The middle coefficients, from the accelerations at the inner points.
-    ///
-    /// Only differences against the first coefficient enter, so that a great
-    /// common value (an angle after many turns) costs no digits.
     fn fill_middle(&mut self, count: usize) {
         let degree = self.degree;
         let scale = self.length * self.length / (degree * (degree - 1)) as f64;
         let raise = if count == 1 { &self.one } else { &self.three };
         let rows = self.coefficients.chunks_exact_mut(degree + 1);
         for (row, wanted) in rows.zip(&self.accelerations) {
-            let base = row[0];
             let mut missing = [0.0; THREE.len()];
-            for (k, &s) in raise.points.iter().enumerate() {
-                let known: f64 = (0..=degree)
-                    .filter(|i| !(3..degree - 2).contains(i))
-                    .map(|i| curvature_weight(degree, i, s) * (row[i] - base))
-                    .sum();
+            for (k, weights) in raise.weights.iter().enumerate() {
+                // The middle coefficients are still zero.
+                let known: f64 = row.iter().zip(weights).map(|(c, w)| c * w).sum();
                 missing[k] = scale * wanted[k] - known;
             }
             for i in 0..count {
                 let sum: f64 = (0..count).map(|k| raise.inverse[(i, k)] * missing[k]).sum();
-                row[3 + i] = base + sum;
+                row[3 + i] = sum;
             }
         }
     }
@@ -304,13 +301,24 @@ impl Output {
 impl Raise {
     fn new(points: &'static [f64]) -> Self {
         let count = points.len();
-        let matrix = DMatrix::from_fn(count, count, |k, i| {
-            curvature_weight(5 + count, 3 + i, points[k])
-        });
+        let degree = 5 + count;
+        let weights: Vec<[f64; HIGHEST + 1]> = (points.iter())
+            .map(|&s| {
+                std::array::from_fn(|i| match i <= degree {
+                    true => curvature_weight(degree, i, s),
+                    false => 0.0,
+                })
+            })
+            .collect();
+        let matrix = DMatrix::from_fn(count, count, |k, i| weights[k][3 + i]);
         let inverse = matrix
             .try_inverse()
             .expect("inner points are distinct: the system is regular");
-        Self { points, inverse }
+        Self {
+            points,
+            weights,
+            inverse,
+        }
     }
 }
 

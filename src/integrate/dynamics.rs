@@ -209,6 +209,13 @@ pub trait Dynamics: Sync {
     /// tolerance × scale (all > 0 and finite).
     fn scales(&self) -> &[f64];
 
+    /// Size of a state entry that errors are measured by. Default: its scale and
+    /// its value together. The angle of a rotor, which grows with every turn, is not
+    /// known less well for that.
+    fn size(&self, index: usize, value: f64) -> f64 {
+        self.scales()[index] + value.abs()
+    }
+
     /// Name of a state entry, for messages: "rocker, mass 2: speed".
     fn state_name(&self, index: usize) -> String;
 

@@ -2,10 +2,9 @@
 //! roots is skipped (see [`crate::polynomial`]).
 
 use super::{Guard, Watch, continuous::End};
-use crate::polynomial::{MAX_DEGREE, Step, evaluate, first_both_positive, first_positive};
-
-/// Bernstein coefficients of a guard, with room for the highest degree.
-type Coefficients = [f64; MAX_DEGREE + 1];
+use crate::polynomial::{
+    Coefficients, MAX_DEGREE, Step, evaluate, first_both_positive, first_positive,
+};
 
 /// A switch found on a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -81,11 +80,11 @@ impl Stretch<'_> {
     /// as numbers can tell: the line between its exact ends.
     fn straighten(&self, guard: &Guard, out: &mut [f64]) {
         let degree = out.len() - 1;
-        let signal = self.step.signal(guard.signal);
+        let differences = self.step.differences(guard.signal);
+        let size = self.step.bases[guard.signal].abs() + largest(differences);
         let rate = degree as f64 / self.step.length;
         let rounding = f64::EPSILON
-            * (guard.offset.abs()
-                + largest(signal) * (guard.displacement.abs() + guard.speed.abs() * rate));
+            * (guard.offset.abs() + size * (guard.displacement.abs() + guard.speed.abs() * rate));
         let (from, to) = (out[0], out[degree]);
         let line = |i: usize| from + (to - from) * i as f64 / degree as f64;
         let bent = |(i, c): (usize, &f64)| (c - line(i)).abs() > ROUNDINGS * rounding;
@@ -99,13 +98,14 @@ impl Stretch<'_> {
     /// next; a guard known to be zero at the start is shifted to be so.
     fn guard(&self, guard: &Guard, sign: f64) -> Coefficients {
         let degree = self.step.degree;
-        let signal = self.step.signal(guard.signal);
+        let signal = self.step.differences(guard.signal);
+        let offset = guard.offset + guard.displacement * self.step.bases[guard.signal];
         let rate = degree as f64 / self.step.length;
         let slope = |i: usize| (signal[i + 1] - signal[i]) * rate;
         let mut out = [0.0; MAX_DEGREE + 1];
         let share = 1.0 / degree as f64;
         for (i, (c, &value)) in out.iter_mut().zip(signal).enumerate() {
-            let mut sum = guard.offset + guard.displacement * value;
+            let mut sum = offset + guard.displacement * value;
             if guard.speed != 0.0 {
                 let before = if i > 0 { i as f64 * slope(i - 1) } else { 0.0 };
                 let after = if i < degree {

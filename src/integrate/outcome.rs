@@ -195,4 +195,11 @@ pub trait Sink {
 
     /// A switch of a pair, or a change of formula, after the step that led to it.
     fn switch(&mut self, event: &SwitchEvent<'_>);
+
+    /// False when in steps that end at or before the time `until` it looks at
+    /// nothing but their ends: what lies between may then be told less accurately
+    /// than the ends. Default: true.
+    fn looks_within(&self, _until: f64) -> bool {
+        true
+    }
 }

@@ -207,10 +207,14 @@ fn not_assemblable(
     (message, hint.to_owned())
 }
 
-/// A number with six digits, without zeros at the end.
+/// A number with six digits, without zeros at the end; with an exponent where it
+/// is very large or small.
 pub(super) fn short(number: f64) -> String {
     let rounded: f64 = format!("{number:.5e}").parse().unwrap_or(number);
-    rounded.to_string()
+    match rounded.abs() {
+        0.0 | 1e-6..1e10 => rounded.to_string(),
+        _ => format!("{rounded:e}"),
+    }
 }
 
 /// The course before anything is known of it but its start.

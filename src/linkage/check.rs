@@ -1,5 +1,6 @@
 //! Checks of the plain numbers of a linkage, all at once.
 
+use super::assemble::short;
 use super::spec::{AssemblyChoice, ForceLaw, LinkageSpec, OutputKind, PairKind, PairSpec, PointOf};
 use crate::fault::{Fault, Faults};
 
@@ -7,6 +8,8 @@ use crate::fault::{Fault, Faults};
 const MOST_LINKS: usize = 100;
 /// Longest distance of a point from its frame (m), so that squares stay numbers.
 const FARTHEST: f64 = 1e9;
+/// Least size of a whole linkage (m), so that squares stay numbers.
+const SMALLEST: f64 = 1e-9;
 
 /// Everything wrong with the numbers of a linkage, each taken for itself.
 pub(super) fn check(spec: &LinkageSpec) -> Result<(), Vec<Fault>> {
@@ -36,8 +39,10 @@ pub(super) fn check(spec: &LinkageSpec) -> Result<(), Vec<Fault>> {
         Some(_) => {}
         None => found.add("driver", "there is no such pair", "name one of the pairs"),
     }
+    extent(spec, found);
     assembly(spec, found);
     found.finite("start", spec.start);
+    moderate(found, "start", spec.start);
     if let Some([from, to]) = spec.travel
         && !(from <= spec.start && spec.start <= to && from < to)
     {
@@ -96,9 +101,33 @@ fn links(spec: &LinkageSpec, found: &mut Faults) {
 fn place(found: &mut Faults, path: &str, at: [f64; 2]) {
     for (k, &coordinate) in at.iter().enumerate() {
         if !(coordinate.abs() <= FARTHEST) {
-            let message = format!("{coordinate} is not a finite number below {FARTHEST:e}");
+            let message = format!(
+                "{} is not a finite number below {FARTHEST:e}",
+                short(coordinate)
+            );
             found.add(format!("{path}[{k}]"), message, "");
         }
+    }
+}
+
+/// Requires that a finite number is not too great for what is done with it.
+fn moderate(found: &mut Faults, path: &str, value: f64) {
+    if value.is_finite() && value.abs() > FARTHEST {
+        found.add(path, format!("{} is above {FARTHEST:e}", short(value)), "");
+    }
+}
+
+/// Requires that the linkage is no mere point.
+fn extent(spec: &LinkageSpec, found: &mut Faults) {
+    let ends = spec
+        .pairs
+        .iter()
+        .flat_map(|pair| [pair.on.at, pair.link.at]);
+    let largest = ends.flatten().fold(0.0, |most: f64, x| most.max(x.abs()));
+    if largest > 0.0 && largest < SMALLEST {
+        let message = format!("all points of the pairs lie within {} m", short(largest));
+        let hint = "give the lengths in metres, or with their unit";
+        found.add("links", message, hint);
     }
 }
 
@@ -131,6 +160,7 @@ fn pair(spec: &LinkageSpec, pair: &PairSpec, found: &mut Faults) {
     match pair.kind {
         PairKind::Revolute { diameter } => {
             found.not_negative(&format!("{path}.diameter"), diameter);
+            moderate(found, &format!("{path}.diameter"), diameter);
         }
         PairKind::Sliding {
             direction,
@@ -141,6 +171,7 @@ fn pair(spec: &LinkageSpec, pair: &PairSpec, found: &mut Faults) {
             found.finite(&format!("{path}.direction"), direction);
             found.finite(&format!("{path}.angle"), angle);
             found.not_negative(&format!("{path}.half_height"), half_height);
+            moderate(found, &format!("{path}.half_height"), half_height);
             place(found, &format!("{path}.corners"), corners);
             if corners[0] < corners[1] {
                 let message = format!("{} lies behind {}", corners[0], corners[1]);

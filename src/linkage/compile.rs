@@ -140,7 +140,10 @@ fn sliding_loops(spec: &LinkageSpec, faults: &mut Faults) {
         if a == b {
             faults.add(
                 format!("pairs.{}", pair.name),
-                "it closes a loop of sliding pairs, in which the angles are fixed twice",
+                format!(
+                    "`{}` closes a loop of sliding pairs, in which the angles are fixed twice",
+                    pair.name
+                ),
                 "make one pair of the loop a pin: a loop needs at least two pins",
             );
         }
@@ -345,7 +348,10 @@ fn coinciding(
             let [one, other] = [outer[k], inner].map(|pair| &spec.pairs[pair].name);
             faults.add(
                 format!("links.{}", spec.links[link].name),
-                format!("its pins {one} and {other} lie in the same place, it is free to turn"),
+                format!(
+                    "the pins {one} and {other} of `{0}` lie in the same place, `{0}` is free to turn",
+                    spec.links[link].name
+                ),
                 "move one of the points, or join the other two links directly",
             );
         }

@@ -79,6 +79,13 @@ pub struct PairSpec {
     pub friction: f64,
 }
 
+impl PairSpec {
+    /// True for a block on a guide.
+    pub fn slides(&self) -> bool {
+        matches!(self.kind, PairKind::Sliding { .. })
+    }
+}
+
 /// Turning or sliding.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum PairKind {

@@ -1,10 +1,10 @@
 //! Linkages: an input node that carries the whole, and a node for each output.
 
 use super::Lowering;
-use super::reach::{place, range};
-use crate::linkage::Linkage;
+use super::reach::{DEAD, place, range};
 use crate::linkage::kinetostatics::Kinetostatics;
 use crate::linkage::spec::{PairKind, PairSpec};
+use crate::linkage::{Cause, Linkage, Reach};
 use crate::model::{Closure, DampingLaw, Law, LinkageBody, Node, NodeMotion, Pair};
 use crate::object::spec::DrivenLinkage;
 use crate::position::{LinkageOutput, Position, linkage_reach};
@@ -151,7 +151,19 @@ impl Lowering<'_> {
         let jet = position.jet(0, 0.0);
         let ends = [reach.0, reach.1].map(|q| (q - jet.value) / jet.first);
         let of_driver = (ends[0].min(ends[1]), ends[0].max(ends[1]));
-        self.limit(id, input, of_driver);
+        self.limit(id, input, of_driver, ends_in_words(linkage));
+    }
+}
+
+/// What is at the ends of a linkage's reach.
+fn ends_in_words(linkage: &Linkage) -> &'static str {
+    let Reach::Interval { lower, upper } = linkage.range().reach else {
+        return DEAD;
+    };
+    match [lower, upper].map(|end| matches!(end.cause, Cause::DeadPosition { .. })) {
+        [true, true] => DEAD,
+        [false, false] => "at the end of its travel",
+        _ => "in a dead position or at the end of its travel",
     }
 }
 

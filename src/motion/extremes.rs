@@ -2,9 +2,13 @@
 
 use super::law::Peak;
 
-/// Intervals a piece is searched in: a polynomial of the highest degree allowed
-/// has far fewer turning points.
+/// Intervals a piece is searched in at least: a polynomial of the highest degree
+/// allowed has far fewer turning points. At most, for what oscillates.
 const INTERVALS: usize = 64;
+const MOST_INTERVALS: usize = 1 << 14;
+
+/// Intervals for each turning point that is met.
+const A_TURN: usize = 8;
 
 /// Differences that count as rounding when two extremes are compared.
 const SAME: f64 = 1e-13;
@@ -22,27 +26,62 @@ pub(crate) fn greatest(
     };
     for (piece, from, to) in pieces {
         let at = |x: f64| value(piece, x);
+        let count = intervals(at, from, to);
         let place = |i: usize| match i {
             0 => from,
-            INTERVALS => to,
-            i => from + (to - from) * i as f64 / INTERVALS as f64,
+            i if i == count => to,
+            i => from + (to - from) * i as f64 / count as f64,
         };
-        let samples: Vec<f64> = (0..=INTERVALS).map(|i| at(place(i))).collect();
-        for i in 0..=INTERVALS {
+        let samples: Vec<f64> = (0..=count).map(|i| at(place(i))).collect();
+        for i in 0..=count {
             best.raise(samples[i], place(i));
-            let inner = i > 0 && i < INTERVALS;
+            let inner = i > 0 && i < count;
             if inner && samples[i] >= samples[i - 1] && samples[i] >= samples[i + 1] {
                 let (value, x) = golden(at, place(i - 1), place(i + 1));
                 best.raise(value, x);
             }
         }
         // Steep ends: the greatest value may lie within the outer intervals.
-        for (a, b) in [(0, 1), (INTERVALS - 1, INTERVALS)] {
+        for (a, b) in [(0, 1), (count - 1, count)] {
             let (value, x) = golden(at, place(a), place(b));
             best.raise(value, x);
         }
     }
     best
+}
+
+/// Intervals that a piece is to be searched in: so many that there are several to
+/// each turning point. The places looked at are spread unevenly, so that no
+/// oscillation passes for a slow one by keeping step with them.
+fn intervals(at: impl Fn(f64) -> f64, from: f64, to: f64) -> usize {
+    let mut count = INTERVALS;
+    while count < MOST_INTERVALS {
+        let place = |i: usize| {
+            let even = i as f64 / count as f64;
+            let uneven = even + 0.07 * (std::f64::consts::PI * even).sin().powi(2);
+            from + (to - from) * uneven
+        };
+        let samples: Vec<f64> = (0..=count).map(|i| at(place(i))).collect();
+        if A_TURN * turns(&samples) <= count {
+            break;
+        }
+        count *= 2;
+    }
+    count
+}
+
+/// Number of turning points among samples, those of rounding left out.
+fn turns(samples: &[f64]) -> usize {
+    let size = samples.iter().fold(0.0f64, |most, x| most.max(x.abs()));
+    let (mut last, mut count) = (0.0, 0);
+    for pair in samples.windows(2) {
+        let change = pair[1] - pair[0];
+        if change.abs() > SAME * size {
+            count += usize::from(change * last < 0.0);
+            last = change;
+        }
+    }
+    count
 }
 
 impl Peak {
@@ -94,5 +133,20 @@ mod tests {
             |piece, x| if piece == 0 { x } else { -x },
         );
         assert_eq!((at_end.value, at_end.at), (1.0, 1.0));
+    }
+
+    #[test]
+    fn the_intervals_follow_the_harmonic() {
+        // Harmonics that keep step with 64, 128, … intervals among them.
+        for harmonic in [1.0, 31.0, 64.0, 192.0, 200.0, 256.0, 1024.0] {
+            // A wave under a slow rise: its last crest is the greatest, and comes late.
+            let (turn, rise) = (std::f64::consts::TAU * harmonic, 1e-3);
+            let value = |x: f64| rise * x + (turn * x - 0.75 * std::f64::consts::TAU).cos();
+            let found = greatest([(0, 0.0, 1.0)].into_iter(), |_, x| value(x));
+            let late = (rise / turn).asin() / turn;
+            let crest = 1.0 - 0.25 / harmonic + late;
+            approx::assert_relative_eq!(found.value, value(crest), max_relative = 1e-13);
+            approx::assert_abs_diff_eq!(found.at, crest, epsilon = 1e-7);
+        }
     }
 }

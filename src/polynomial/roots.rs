@@ -5,10 +5,7 @@
 //! without variation there is no root, with one there is exactly one. Intervals
 //! with more are halved (de Casteljau) until one of the two cases holds.
 
-use super::{MAX_DEGREE, evaluate, parts};
-
-/// Coefficients of one polynomial on a part of the interval.
-type Coefficients = [f64; MAX_DEGREE + 1];
+use super::{Coefficients, MAX_DEGREE, evaluate, parts};
 
 /// Halvings after which two roots closer than rounding are taken for none.
 const DEEPEST: u32 = 52;

@@ -10,6 +10,7 @@ mod cam;
 mod four_bar;
 mod linkage;
 mod reach;
+mod short_form;
 mod slider_crank;
 mod slotted_link;
 mod spec;

@@ -99,6 +99,13 @@ impl SlottedLink {
         .jet()
     }
 
+    /// The angle of the crank or of the link at `phi`, whatever the output is.
+    pub(super) fn angle_of(&self, part: SlottedOutput, phi: f64) -> f64 {
+        let mut other = self.clone();
+        other.spec.output = part;
+        other.jet(phi).value
+    }
+
     /// φ2 or S over φ1.
     fn of_crank(&self, angle: f64) -> Series<4> {
         let SlottedLinkSpec {

@@ -10,6 +10,7 @@ mod peaks;
 mod pieces;
 mod recorder;
 mod rows;
+mod smoothness;
 mod subdivision;
 mod tee;
 mod tracker;

@@ -44,6 +44,19 @@ impl<'s> Observer<'s> {
         &self.states
     }
 
+    /// What all objects are doing at s, into `states`, with powers and energies.
+    pub(crate) fn closely(
+        &mut self,
+        step: &Step<'_>,
+        s: f64,
+        modes: &Modes,
+        states: &mut [ObjectState],
+    ) -> (Power, Energy) {
+        step.state(s, &mut self.y);
+        self.system
+            .observe_closely(step.time(s), &self.y, modes, &mut self.scratch, states)
+    }
+
     /// Powers at s.
     pub(crate) fn power(&mut self, step: &Step<'_>, s: f64, modes: &Modes) -> Power {
         step.state(s, &mut self.y);
@@ -64,13 +77,6 @@ impl<'s> Observer<'s> {
     /// last.
     pub(crate) fn friction_side(&self, modes: &Modes) -> u64 {
         self.system.friction_side(modes, &self.scratch)
-    }
-
-    /// Energies at s.
-    pub(crate) fn energy(&mut self, step: &Step<'_>, s: f64, modes: &Modes) -> Energy {
-        step.state(s, &mut self.y);
-        self.system
-            .energy(step.time(s), &self.y, modes, &mut self.scratch)
     }
 
     /// Energies at a state.

@@ -79,6 +79,12 @@ impl Peak {
         if time(places[6]) < self.bounds[0] || time(places[0]) > self.bounds[1] {
             return;
         }
+        let most = values.iter().copied().fold(f64::MIN, f64::max);
+        let least = values.iter().copied().fold(f64::MAX, f64::min);
+        // No parabola through three neighbours rises by more than their range.
+        if most + 2.0 * (most - least) <= self.value {
+            return;
+        }
         for (&place, &value) in places.iter().zip(values) {
             self.see(time(place), value);
         }

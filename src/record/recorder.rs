@@ -7,11 +7,12 @@ use super::pairs::PairTracker;
 use super::peaks::PLACES;
 use super::pieces::{self, Pieces};
 use super::rows::{Rows, is_finite};
+use super::smoothness::{Smoothness, smooth_length};
 use super::tracker::{ObjectTracker, StepView};
 use super::{Interval, ObjectFigures, PairFigures, Record, SwitchRow};
 use crate::integrate::{Modes, Sink, SwitchEvent};
-use crate::polynomial::Step;
-use crate::system::{ObjectState, System};
+use crate::polynomial::{MAX_DEGREE, Step};
+use crate::system::{Energy, ObjectState, Power, System};
 
 /// Bisections that a kink of the friction is located by.
 const KINK_BISECTIONS: usize = 24;
@@ -30,6 +31,8 @@ pub struct RecorderSettings {
     /// True for power series and collocation, whose steps may be whole
     /// oscillations long: they are looked at in pieces.
     pub long_steps: bool,
+    /// Tolerance of the run: the finer, the smaller the pieces.
+    pub tolerance: f64,
 }
 
 /// What a recorder has gathered when the run is over.
@@ -72,7 +75,14 @@ pub struct Recorder<'s> {
     /// Ends of the parts of the present step between kinks of the powers.
     kinks: Vec<f64>,
     not_finite: bool,
+    /// Powers at the places of the present step, energies at its end.
+    powers: [Power; 7],
+    energy: Energy,
     pieces: Pieces,
+    parts: Pieces,
+    smoothness: Smoothness,
+    /// Length of a piece that was smooth enough (s).
+    smooth: f64,
     /// Longest step so far (s).
     longest: f64,
 }
@@ -111,7 +121,12 @@ impl<'s> Recorder<'s> {
             continues: false,
             kinks: Vec::new(),
             not_finite: false,
+            powers: [Power::default(); 7],
+            energy: Energy::default(),
             pieces: Pieces::default(),
+            parts: Pieces::default(),
+            smoothness: Smoothness::new(settings.tolerance),
+            smooth: 0.0,
             longest: 0.0,
             settings,
         }
@@ -194,10 +209,17 @@ impl<'s> Recorder<'s> {
     fn balance_step(&mut self, step: &Step<'_>, modes: &Modes) {
         self.kinks.clear();
         self.kinks.extend(self.pairs.iter().filter_map(|pair| {
-            let x = step.signal(pair.coordinate());
+            let mut room = [0.0; MAX_DEGREE + 1];
+            let x = step.signal(pair.coordinate(), &mut room);
             pair.leaves_flank(modes.0[pair.component], x, step.end)
         }));
         self.add_kinks_of_friction(step, modes);
+        if self.kinks.is_empty() && self.joints.is_empty() {
+            for (index, power) in self.powers.iter().enumerate().take(6).skip(1) {
+                self.ledger.add(index, step.end * step.length, *power);
+            }
+            return self.ledger.see(self.energy);
+        }
         self.kinks.sort_by(f64::total_cmp);
         self.kinks.push(step.end);
         let mut from = 0.0;
@@ -217,7 +239,7 @@ impl<'s> Recorder<'s> {
             }
             from = to;
         }
-        self.ledger.see(self.observer.energy(step, step.end, modes));
+        self.ledger.see(self.energy);
     }
 
     /// Kinks of the friction in the joints: between neighbouring places that differ.
@@ -241,17 +263,15 @@ impl<'s> Recorder<'s> {
         }
     }
 
-    /// States of all objects at all places.
-    fn observe_step(&mut self, step: &Step<'_>, places: &[f64; 7], modes: &Modes) {
+    /// States of all objects at all places, with powers and energies.
+    fn observe_step(&mut self, step: &Step<'_>, modes: &Modes) {
         let count = self.objects.len();
-        if self.continues {
-            self.states.copy_within(6 * count.., 0);
-            self.sides[0] = self.sides[6];
-        }
+        let places = StepView::places(step.end);
         for (index, &place) in places.iter().enumerate() {
             if index > 0 || !self.continues {
-                let states = self.observer.at(step, place, modes);
-                self.states[index * count..(index + 1) * count].copy_from_slice(states);
+                let states = &mut self.states[index * count..(index + 1) * count];
+                let (power, energy) = self.observer.closely(step, place, modes, states);
+                (self.powers[index], self.energy) = (power, energy);
                 self.sides[index] = match self.joints.is_empty() {
                     true => 0,
                     false => self.observer.friction_side(modes),
@@ -276,8 +296,33 @@ impl<'s> Recorder<'s> {
         }
     }
 
+    /// A long step or a piece of it, in up to `most` parts, if it takes so many
+    /// until it is smooth.
+    fn long_step(&mut self, step: &Step<'_>, most: usize, modes: &Modes) {
+        self.observe_step(step, modes);
+        let roughness = self.smoothness.of(&self.states, &self.objects);
+        let length = step.end * step.length;
+        let needed = smooth_length(length, roughness);
+        let count = ((length / needed) as usize).min(most - 1) + 1;
+        self.smooth = self.smooth.min(needed);
+        if count == 1 || !self.states.iter().all(is_finite) {
+            return self.take_step(step, modes);
+        }
+        // The state at its start is that of its first part.
+        self.continues = true;
+        let mut parts = std::mem::take(&mut self.parts);
+        parts.each(step, count, |part| self.short_step(part, modes));
+        self.parts = parts;
+    }
+
     /// A step within which a motion bends once.
     fn short_step(&mut self, step: &Step<'_>, modes: &Modes) {
+        self.observe_step(step, modes);
+        self.take_step(step, modes);
+    }
+
+    /// Takes a step into account that has been observed.
+    fn take_step(&mut self, step: &Step<'_>, modes: &Modes) {
         while let Some(time) = self.rows.due(step.end_time()) {
             let s = ((time - step.start) / step.length).clamp(0.0, step.end);
             let states = self.observer.at(step, s, modes);
@@ -285,7 +330,6 @@ impl<'s> Recorder<'s> {
         }
         let places = StepView::places(step.end);
         self.time = step.end_time();
-        self.observe_step(step, &places, modes);
         self.continues = self.states.iter().all(is_finite);
         if !self.continues {
             self.not_finite = true;
@@ -305,8 +349,13 @@ impl<'s> Recorder<'s> {
         }
         for pair in &mut self.pairs {
             let mode = modes.0[pair.component];
-            pair.step(mode, step.signal(pair.coordinate()), step.end);
+            let mut room = [0.0; MAX_DEGREE + 1];
+            let x = step.signal(pair.coordinate(), &mut room);
+            pair.step(mode, x, step.end);
         }
+        // The end of this step is the start of the next.
+        self.states.copy_within(6 * self.objects.len().., 0);
+        self.sides[0] = self.sides[6];
     }
 }
 
@@ -334,14 +383,18 @@ impl Sink for Recorder<'_> {
         if step.end <= 0.0 {
             return;
         }
-        let (length, count) = (step.end * step.length, pieces::count(step.degree));
+        let (length, most) = (step.end * step.length, pieces::most(step.degree));
         self.longest = self.longest.max(length);
-        // In pieces of what is short already, speeds drown in rounding.
-        if !self.settings.long_steps || count as f64 * length <= self.longest {
+        // What is short already needs no pieces.
+        if !self.settings.long_steps || most as f64 * length <= self.longest {
             return self.short_step(step, modes);
         }
+        // As long as those that were smooth in the last step.
+        let count = ((length / self.smooth) as usize).min(most - 1) + 1;
+        let parts = most.div_ceil(count);
+        self.smooth = f64::INFINITY;
         let mut pieces = std::mem::take(&mut self.pieces);
-        pieces.each(step, count, |piece| self.short_step(piece, modes));
+        pieces.each(step, count, |piece| self.long_step(piece, parts, modes));
         self.pieces = pieces;
     }
 

@@ -24,4 +24,8 @@ impl Sink for Tee<'_, '_> {
             sink.switch(event);
         }
     }
+
+    fn looks_within(&self, until: f64) -> bool {
+        self.0.iter().any(|sink| sink.looks_within(until))
+    }
 }

@@ -4,7 +4,7 @@ use super::peaks::{PLACES, Peak};
 use super::subdivision::{integral_of_magnitude, maximum, minimum};
 use super::{FinalState, ObjectFigures};
 use crate::model::{Closure, Model};
-use crate::polynomial::Step;
+use crate::polynomial::{MAX_DEGREE, Step};
 use crate::system::{ObjectState, System};
 
 /// A quantity of an object whose greatest magnitude is wanted.
@@ -17,6 +17,9 @@ const READINGS: [Reading; 4] = [
     |state| state.reaction,
     |state| state.contact_force,
 ];
+
+/// Those of them that show best whether a step is smooth.
+pub(super) const FOLLOWED: [Reading; 3] = [READINGS[1], READINGS[2], READINGS[3]];
 
 /// The states of all objects at [`PLACES`] within a step, and the means to
 /// look in between.
@@ -38,7 +41,17 @@ impl StepView<'_> {
     }
 
     fn values(&self, object: usize, read: impl Fn(&ObjectState) -> f64) -> [f64; 7] {
-        std::array::from_fn(|place| read(&self.states[place * self.objects + object]))
+        Self::read(self.states, self.objects, object, read)
+    }
+
+    /// What is read off an object at all places.
+    pub(super) fn read(
+        states: &[ObjectState],
+        objects: usize,
+        object: usize,
+        read: impl Fn(&ObjectState) -> f64,
+    ) -> [f64; 7] {
+        std::array::from_fn(|place| read(&states[place * objects + object]))
     }
 }
 
@@ -109,7 +122,8 @@ impl ObjectTracker {
     pub(crate) fn step(&mut self, view: &StepView<'_>, look: &mut dyn FnMut(f64) -> ObjectState) {
         let step = view.step;
         if let Some(deviation) = &mut self.deviation {
-            let delta = step.signal(deviation.coordinate);
+            let mut room = [0.0; MAX_DEGREE + 1];
+            let delta = step.signal(deviation.coordinate, &mut room);
             deviation.greatest = maximum(delta, step.end, deviation.greatest);
             deviation.least = minimum(delta, step.end, deviation.least);
             deviation.integral += step.length * integral_of_magnitude(delta, step.end);
@@ -129,6 +143,11 @@ impl ObjectTracker {
             peak.follow(&view.places, &values, time, |s| -look(s).contact_force);
         }
         self.last = view.states[6 * view.objects + self.object];
+    }
+
+    /// The greatest magnitudes of what is [`FOLLOWED`] so far.
+    pub(super) fn greatest(&self) -> [f64; 3] {
+        [1, 2, 3].map(|reading| magnitude(&self.peaks[reading]))
     }
 
     /// The object's state last seen.

@@ -6,7 +6,16 @@ use crate::read::{Node, Value};
 use std::ops::Range;
 
 /// Names that address the scene itself and cannot be ids.
-pub(super) const RESERVED: [&str; 6] = ["run", "steady", "expect", "objects", "name", "dam"];
+pub(super) const RESERVED: [&str; 8] = [
+    "run",
+    "steady",
+    "kinematics",
+    "forces",
+    "expect",
+    "objects",
+    "name",
+    "dam",
+];
 
 /// Part of an address, with its bytes in the text of the address.
 #[derive(Clone, Debug, PartialEq, Eq)]

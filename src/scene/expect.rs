@@ -4,7 +4,7 @@ use super::objects::Known;
 use super::{Expectation, Expected};
 use crate::model::owner_of;
 use crate::object::Measures;
-use crate::read::{Bounds, Fields, Slot, Wanted, closest, quoted_list};
+use crate::read::{Bounds, Fields, Slot, Wanted, closest, did_you_mean, quoted_list};
 use crate::units::{Quantity, quantities as q};
 
 /// Reasons for which a run may be expected to stop.
@@ -96,7 +96,8 @@ fn expectation(fields: &mut Fields<'_>, known: &Known) -> Option<Expectation> {
     let mut about = fields.one_of("what is expected");
     about.case(
         "figure",
-        "Address of a figure: `rocker.delta_max`, `rocker.pair.separations`, `run.switches`.",
+        "Address of a figure: `rocker.delta_max`, `run.switches`; `steady.period`; \
+         `kinematics.press.ram.time_ratio`, `forces.press.drive.greatest`.",
         |slot| figure(slot, known),
     );
     about.case(
@@ -237,6 +238,9 @@ fn figure(mut slot: Slot<'_>, known: &Known) -> Option<About> {
         unknown(&mut slot, "steady", name, names);
         return None;
     }
+    if owner == "kinematics" || owner == "forces" {
+        return study_figure(&mut slot, known, address);
+    }
     let Some(object) = known.objects.get(owner) else {
         let ids = known.objects.keys().map(String::as_str).chain(["run"]);
         let guess = closest(owner, ids);
@@ -267,6 +271,34 @@ fn figure(mut slot: Slot<'_>, known: &Known) -> Option<About> {
             None
         }
     }
+}
+
+/// The address of a figure of a linkage's kinematics or forces,
+/// `forces.press.drive.greatest`. Which figures there are is known only when the
+/// linkage is; so they are plain numbers in SI units.
+fn study_figure(slot: &mut Slot<'_>, known: &Known, address: String) -> Option<About> {
+    let mut parts = address.splitn(3, '.');
+    let (study, object, name) = (parts.next()?, parts.next(), parts.next());
+    let (Some(object), Some(_)) = (object, name) else {
+        let message = format!("`{address}` names no figure");
+        let fault = slot.refuse("unknown-figure", message);
+        let hint = format!(
+            "write {study}.object.figure, as in `{study}.press.{}`",
+            match study {
+                "forces" => "drive.greatest",
+                _ => "ram.speed.greatest",
+            }
+        );
+        fault.hints.push(hint);
+        return None;
+    };
+    if known.objects.contains_key(object) {
+        return Some(About::Figure(address, q::NUMBER.into()));
+    }
+    let hint = did_you_mean(object, known.objects.keys().map(String::as_str));
+    let fault = slot.refuse("unknown-object", format!("unknown object `{object}`"));
+    fault.hints.extend(hint);
+    None
 }
 
 fn unknown<'a>(

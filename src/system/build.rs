@@ -6,6 +6,7 @@ use super::frozen::{
 use super::linkages::{FrozenLinkage, OutputPlace};
 use super::loads::{Argument, FrozenLoad};
 use super::pairs::Contact;
+use super::trains::trains;
 use crate::fault::Fault;
 use crate::model::{Law, LinkBase, LoadLaw, Model, NodeMotion, TrackSource};
 
@@ -350,6 +351,7 @@ impl<'a> Builder<'a> {
         }
         frozen.branches = branches;
         frozen.coupled = coupled;
+        frozen.trains = trains(frozen);
     }
 }
 

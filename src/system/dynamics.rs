@@ -33,6 +33,9 @@ impl Bundle {
     }
 }
 
+/// Share of a rotor's angle that counts for its size.
+const TURNED: f64 = 0.01;
+
 impl Dynamics for System {
     type Scratch = Scratch;
 
@@ -217,6 +220,13 @@ impl Dynamics for System {
 
     fn scales(&self) -> &[f64] {
         self.scales_of_state()
+    }
+
+    fn size(&self, index: usize, value: f64) -> f64 {
+        // Only rotors have no link; their angle stays well above its rounding.
+        let turns = index < self.frozen.coordinates && self.frozen.stiffness[index] == 0.0;
+        let share = if turns { TURNED } else { 1.0 };
+        self.scales_of_state()[index] + share * value.abs()
     }
 
     fn state_name(&self, index: usize) -> String {

@@ -27,6 +27,11 @@ impl Frozen {
         work: &mut Work<N>,
     ) -> [N; 2] {
         self.motion(time, state, modes, Extent::Full, work);
+        self.energy_of(state, work)
+    }
+
+    /// The same where the motion is known.
+    pub(super) fn energy_of<N: Quantity>(&self, state: &[N], work: &Work<N>) -> [N; 2] {
         let (mut kinetic, mut elastic) = (N::from(0.0), N::from(0.0));
         for (&inertia, &speed) in self.inertia.iter().zip(&work.speed) {
             kinetic += (speed * speed).scale(0.5 * inertia);

@@ -9,6 +9,7 @@ use super::friction::Group;
 use super::linkages::{FrozenLinkage, OutputPlace};
 use super::loads::FrozenLoad;
 use super::pairs::Contact;
+use super::trains::Train;
 use crate::breaks::Breaks;
 use crate::jet::Jet;
 use crate::motion::DriveMotion;
@@ -29,6 +30,8 @@ pub(super) struct Frozen {
     pub(super) branches: Vec<Branch>,
     /// The steps that the right-hand side needs besides the branches.
     pub(super) coupled: Vec<Step>,
+    /// All of `coupled`, if it consists of rigid trains.
+    pub(super) trains: Vec<Train>,
     /// Laws, one for each chain and each rigid node.
     pub(super) laws: Vec<FrozenLaw>,
     /// Chains.

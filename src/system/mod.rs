@@ -24,6 +24,7 @@ mod links;
 mod loads;
 mod observe;
 mod onset;
+mod outlook;
 mod pairs;
 mod passes;
 mod pattern;
@@ -44,6 +45,7 @@ mod testing;
 mod testing_random;
 #[cfg(test)]
 mod tests;
+mod trains;
 
 pub use frequencies::{Regime, VibrationMode};
 pub(crate) use friction::HELD;

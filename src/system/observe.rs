@@ -3,7 +3,7 @@
 use super::frozen::{Chain, Frozen, Rigid, Step};
 use super::loads::is_motor;
 use super::passes::{Extent, Work};
-use super::{ObjectState, Power, Scratch, System};
+use super::{Energy, ObjectState, Power, Scratch, System};
 use crate::integrate::Modes;
 use crate::model::{Closure, LoadLaw, Model, ObjectPart, Pair};
 
@@ -118,7 +118,36 @@ impl System {
         out: &mut [ObjectState],
     ) {
         self.evaluate_fully(time, y, modes, scratch);
+        self.read_states(time, y, modes, &scratch.work, out);
+    }
+
+    /// The same, with the powers of [`Self::power`] and the energies of
+    /// [`Self::energy`] from the same evaluation.
+    pub fn observe_closely(
+        &self,
+        time: f64,
+        y: &[f64],
+        modes: &Modes,
+        scratch: &mut Scratch,
+        out: &mut [ObjectState],
+    ) -> (Power, Energy) {
+        self.evaluate_fully(time, y, modes, scratch);
         let work = &scratch.work;
+        self.read_states(time, y, modes, work, out);
+        let [kinetic, elastic] = self.frozen.energy_of(y, work);
+        let energy = Energy { kinetic, elastic };
+        (self.read_power(time, y, modes, work), energy)
+    }
+
+    /// States, read off a complete evaluation.
+    fn read_states(
+        &self,
+        time: f64,
+        y: &[f64],
+        modes: &Modes,
+        work: &Work<f64>,
+        out: &mut [ObjectState],
+    ) {
         for (out, place) in out.iter_mut().zip(&self.places) {
             *out = ObjectState {
                 displacement: work.displacement[place.node],
@@ -182,7 +211,12 @@ impl System {
     /// Powers of drives, loads and dampers. Allocates nothing.
     pub fn power(&self, time: f64, y: &[f64], modes: &Modes, scratch: &mut Scratch) -> Power {
         self.evaluate_fully(time, y, modes, scratch);
-        let (frozen, work) = (&self.frozen, &scratch.work);
+        self.read_power(time, y, modes, &scratch.work)
+    }
+
+    /// Powers, read off a complete evaluation.
+    fn read_power(&self, time: f64, y: &[f64], modes: &Modes, work: &Work<f64>) -> Power {
+        let frozen = &self.frozen;
         let drive = |step: &Step| match step {
             Step::Prescribed(drive) => self.drive_moment(drive.node, work) * work.speed[drive.node],
             _ => 0.0,

@@ -63,7 +63,8 @@ impl Frozen {
         let mut work = Work::new(self);
         let mut accelerations = vec![Series::constant(0.0, 0.0); n];
         for power in 0..=ORDER - 2 {
-            let time = Series::time();
+            // One power beyond: no more is known of the motion.
+            let time = Series::time(power + 1);
             self.evaluate(
                 time,
                 &motion,

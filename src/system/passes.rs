@@ -10,10 +10,10 @@
 
 use super::friction::Rubbing;
 use super::frozen::{Chain, Frozen, Step, segment};
-use super::linkages::Solved;
+use super::linkages::{Cursor, Solved};
 use super::links::LinkForces;
 use super::quantity::Quantity;
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 
 /// A law at an instant.
 #[derive(Clone, Copy, Debug)]
@@ -52,6 +52,8 @@ pub(super) struct Work<N> {
     pub(super) linkages: Vec<RefCell<Solved>>,
     /// The friction of their joints.
     pub(super) rubbing: Vec<Rubbing<N>>,
+    /// Where their tables were last looked up.
+    pub(super) cursors: Vec<Cell<Cursor>>,
 }
 
 impl<N: Quantity> Work<N> {
@@ -76,6 +78,7 @@ impl<N: Quantity> Work<N> {
             reduced_inertia: vec![zero; frozen.linkages.len()],
             linkages: frozen.linkage_memory(),
             rubbing: frozen.rubbing_memory(),
+            cursors: vec![Cell::default(); frozen.linkages.len()],
         }
     }
 }
@@ -107,6 +110,9 @@ impl Frozen {
             }
             if self.coupled.is_empty() {
                 return;
+            }
+            if !self.trains.is_empty() {
+                return self.evaluate_trains(time, state, modes, work, out);
             }
         }
         self.motion(time, state, modes, extent, work);

@@ -25,6 +25,10 @@ const DIFFERENCE_NOISE: f64 = 1e-6;
 /// A truncated Taylor series Σ c_k·t^k.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Series {
+    /// Powers above are not worked out, and 0. What is made of several series
+    /// goes as far as the longest of them: constants are exact as they stand,
+    /// and what varies is all made to the same order.
+    order: usize,
     /// c_k.
     pub(super) coefficients: [f64; ORDER + 1],
     /// Sum of the absolute values of what was added up to c_k.
@@ -34,23 +38,30 @@ pub(super) struct Series {
 impl Series {
     /// A constant known up to rounding of numbers of a size.
     pub(super) fn constant(value: f64, size: f64) -> Self {
-        let mut series = Self {
-            coefficients: [0.0; ORDER + 1],
-            magnitudes: [0.0; ORDER + 1],
-        };
+        let mut series = Self::zero(0);
         series.set(0, value, size);
         series
     }
 
-    /// The time itself, t.
-    pub(super) fn time() -> Self {
-        let mut series = Self::constant(0.0, 0.0);
+    /// Zero, with powers up to `order`.
+    fn zero(order: usize) -> Self {
+        Self {
+            order,
+            coefficients: [0.0; ORDER + 1],
+            magnitudes: [0.0; ORDER + 1],
+        }
+    }
+
+    /// The time itself, t; its functions are worked out up to a power.
+    pub(super) fn time(order: usize) -> Self {
+        let mut series = Self::zero(order);
         series.set(1, 1.0, 1.0);
         series
     }
 
     /// Sets a coefficient; `size` is that of the numbers it came from.
     pub(super) fn set(&mut self, power: usize, value: f64, size: f64) {
+        self.order = self.order.max(power);
         self.coefficients[power] = value;
         self.magnitudes[power] = size.abs().max(value.abs());
     }
@@ -62,8 +73,8 @@ impl Series {
 
     /// Derivative with respect to time.
     pub(super) fn rate(&self) -> Self {
-        let mut rate = Self::constant(0.0, 0.0);
-        for power in 1..=ORDER {
+        let mut rate = Self::zero(self.order.saturating_sub(1));
+        for power in 1..=self.order {
             let factor = power as f64;
             rate.coefficients[power - 1] = factor * self.coefficients[power];
             rate.magnitudes[power - 1] = factor * self.magnitudes[power];
@@ -80,7 +91,8 @@ impl Series {
 
     /// The power of that coefficient.
     pub(super) fn leading(&self) -> Option<usize> {
-        let mut both = self.coefficients.iter().zip(&self.magnitudes);
+        let coefficients = &self.coefficients[..=self.order];
+        let mut both = coefficients.iter().zip(&self.magnitudes);
         both.position(|(value, size)| value.abs() > ROUNDING * size)
     }
 
@@ -98,16 +110,18 @@ impl Series {
         sum
     }
 
-    fn map(self, f: impl Fn(f64) -> f64, size: impl Fn(f64) -> f64) -> Self {
-        Self {
-            coefficients: self.coefficients.map(f),
-            magnitudes: self.magnitudes.map(size),
+    fn map(mut self, f: impl Fn(f64) -> f64, size: impl Fn(f64) -> f64) -> Self {
+        for power in 0..=self.order {
+            self.coefficients[power] = f(self.coefficients[power]);
+            self.magnitudes[power] = size(self.magnitudes[power]);
         }
+        self
     }
 
     fn sum(self, other: Self, sign: f64) -> Self {
         let mut sum = self;
-        for power in 0..=ORDER {
+        sum.order = self.order.max(other.order);
+        for power in 0..=other.order {
             sum.coefficients[power] += sign * other.coefficients[power];
             sum.magnitudes[power] += other.magnitudes[power];
         }
@@ -204,9 +218,10 @@ impl Sub for Series {
 impl Mul for Series {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
-        let mut product = Self::constant(0.0, 0.0);
-        for i in 0..=ORDER {
-            for j in 0..=ORDER - i {
+        let order = self.order.max(other.order);
+        let mut product = Self::zero(order);
+        for i in 0..=self.order {
+            for j in 0..=other.order.min(order - i) {
                 product.coefficients[i + j] += self.coefficients[i] * other.coefficients[j];
                 product.magnitudes[i + j] += self.magnitudes[i] * other.magnitudes[j];
             }
@@ -219,9 +234,10 @@ impl Div for Series {
     type Output = Self;
     /// Division by a series that does not start at zero.
     fn div(self, other: Self) -> Self {
-        let mut quotient = Self::constant(0.0, 0.0);
+        let order = self.order.max(other.order);
+        let mut quotient = Self::zero(order);
         let start = other.coefficients[0];
-        for power in 0..=ORDER {
+        for power in 0..=order {
             let (mut value, mut size) = (self.coefficients[power], self.magnitudes[power]);
             for i in 0..power {
                 value -= quotient.coefficients[i] * other.coefficients[power - i];
@@ -255,7 +271,7 @@ impl SubAssign for Series {
 
 #[cfg(test)]
 mod tests {
-    use super::{Quantity, Series};
+    use super::{ORDER, Quantity, Series};
     use crate::number::Number;
     use crate::position::Position;
 
@@ -268,7 +284,7 @@ mod tests {
 
     #[test]
     fn a_law_is_composed_with_a_motion_to_the_fourth_order() {
-        let t = Series::time();
+        let t = Series::time(ORDER);
         let phi = Series::from(0.4) + t.scale(3.0) + (t * t).scale(0.7);
         let [value, first, _] = phi.lift(|phi| SINE.jet(0, phi));
         // The series agrees with the law along the motion, to its order.
@@ -286,7 +302,7 @@ mod tests {
 
     #[test]
     fn quotients_undo_products() {
-        let t = Series::time();
+        let t = Series::time(ORDER);
         let a = Series::from(2.0) + t.scale(0.5) - (t * t).scale(0.25);
         let b = Series::from(-1.5) + t + (t * t * t).scale(0.2);
         let quotient = (a * b) / b;
@@ -299,7 +315,7 @@ mod tests {
     #[test]
     fn what_is_zero_up_to_rounding_does_not_decide_a_sign() {
         // U″ of sin 2φ at φ = π is 10⁻¹⁵, not zero; U‴ < 0 decides.
-        let phi = Series::from(std::f64::consts::PI) + Series::time();
+        let phi = Series::from(std::f64::consts::PI) + Series::time(ORDER);
         let [_, _, second] = phi.lift(|phi| SINE.jet(0, phi));
         assert!(second.value() > 0.0 && second.value() < 1e-14);
         assert_eq!(second.sign(), -1.0);

@@ -269,3 +269,61 @@ fn what_cannot_be_answered_is_said() {
         "{text}"
     );
 }
+
+#[test]
+fn what_a_scene_expects_of_its_forces_is_judged() {
+    let folder = tempfile::tempdir().unwrap();
+    let forces = |text: String| {
+        std::fs::write(folder.path().join("scene.json"), text).unwrap();
+        let output = dam(&["forces", "scene.json"], folder.path());
+        let talk = String::from_utf8_lossy(&output.stderr).into_owned();
+        (output.status.code(), talk)
+    };
+    let text = std::fs::read_to_string(scene("slider_crank.json")).unwrap();
+    let (code, talk) = forces(text.clone());
+    assert_eq!(code, Some(0), "{talk}");
+    assert!(talk.contains("14 of 14 hold"), "{talk}");
+    let (code, talk) = forces(text.replace("66.262843", "66.2629"));
+    assert_eq!(code, Some(1), "{talk}");
+    assert!(
+        talk.contains("expectation failed: forces.mechanism.drive.greatest"),
+        "{talk}"
+    );
+    let (code, talk) = forces(text.replace("drive.greatest\"", "drive.greatst\""));
+    assert_eq!(code, Some(2), "{talk}");
+    assert!(
+        talk.contains("did you mean `forces.mechanism.drive.greatest`?"),
+        "{talk}"
+    );
+}
+
+/// Under a law of the drive the forces go with the time, from rest on; over one
+/// turn they sum up like those over the turn.
+#[test]
+fn a_law_of_the_drive_gives_the_motion() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = scene("slotted_lever.json");
+    let law = r#"drive.motion={"run_up": {"speed": "200 rpm", "time": "0.5 s"}}"#;
+    let output = dam(
+        &["forces", &scene, "--time", "0.5 s", "--set", law],
+        folder.path(),
+    );
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let cycle = |over: &[&str]| -> Value {
+        let mut arguments = vec!["forces", &scene, "--json"];
+        arguments.extend(over);
+        let found: Value = serde_json::from_slice(&dam(&arguments, folder.path()).stdout).unwrap();
+        found["cycle"].clone()
+    };
+    let period = (TAU / 12.0).to_string();
+    let (of_time, of_turn) = (cycle(&["--time", &period]), cycle(&["--turn"]));
+    assert_eq!(of_time["closed"], true);
+    for name in ["loss", "drive_work", "rms_drive", "duration"] {
+        let (a, b) = (number(&of_time[name]), number(&of_turn[name]));
+        assert!((a - b).abs() < 1e-9 * b.abs(), "{name}: {a} {b}");
+    }
+    assert_eq!(
+        of_time["efficiency"].is_null(),
+        of_turn["efficiency"].is_null()
+    );
+}

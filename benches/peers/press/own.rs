@@ -5,7 +5,7 @@ use crate::solution::Solution;
 use dam::analysis::run::run;
 use dam::analysis::{Control, RunSettings};
 use dam::integrate::{Limits, Method, Modes, Settings, Sink, Stop, SwitchEvent, integrate};
-use dam::polynomial::{Step, evaluate};
+use dam::polynomial::Step;
 
 /// Collects δ at equal intervals and counts the switches.
 struct Listener {
@@ -28,8 +28,7 @@ impl Sink for Listener {
                 break;
             }
             let place = ((time - step.start) / step.length).min(step.end);
-            self.samples
-                .push(evaluate(step.signal(self.coordinate), place).0);
+            self.samples.push(step.value(self.coordinate, place).0);
         }
     }
 

@@ -44,8 +44,18 @@ pub struct MasslessPoint {
     pub speed: f64,
     /// χ with masses at each coordinate.
     pub chi: Vec<Option<f64>>,
-    /// Greatest |χ − χ massless| over the greatest |χ massless|.
+    /// Greatest |χ − χ massless| over the greatest |χ massless|, where both exist.
     pub deviation: f64,
+    /// Positions at which only one of the two models has a χ: masses decide
+    /// there whether friction locks.
+    pub missing: usize,
+}
+
+impl MasslessPoint {
+    /// True when masses change χ by more than [`NEGLIGIBLE`].
+    pub fn matters(&self) -> bool {
+        self.missing > 0 || !(self.deviation <= NEGLIGIBLE)
+    }
 }
 
 /// Compares the massless with the full model over an even course, for every
@@ -95,15 +105,18 @@ pub fn compare_massless<S: PositionSource>(
         let pairs = chi.iter().zip(&massless);
         let differences = pairs.filter_map(|(a, b)| Some(((*a)? - (*b)?).abs()));
         let deviation = differences.fold(0.0, f64::max) / greatest;
+        let pairs = chi.iter().zip(&massless);
+        let missing = pairs.filter(|(a, b)| a.is_some() != b.is_some()).count();
         MasslessPoint {
             parameter,
             speed,
-            chi,
             deviation,
+            missing,
+            chi,
         }
     };
     let points: Vec<MasslessPoint> = parameters.iter().map(|value| at(*value)).collect();
-    let negligible_up_to = limit(&points, |parameter| at(parameter).deviation);
+    let negligible_up_to = limit(&points, |parameter| at(parameter).matters());
     Ok(MasslessComparison {
         coordinates: (0..course.len())
             .map(|index| course.parameter(index))
@@ -169,9 +182,9 @@ fn ratios<S: PositionSource>(
     (chi, load)
 }
 
-/// The parameter at which the deviation reaches [`NEGLIGIBLE`].
-fn limit(points: &[MasslessPoint], mut deviation: impl FnMut(f64) -> f64) -> Option<f64> {
-    let above = points.iter().filter(|point| point.deviation > NEGLIGIBLE);
+/// The parameter from which on masses matter.
+fn limit(points: &[MasslessPoint], mut matters: impl FnMut(f64) -> bool) -> Option<f64> {
+    let above = points.iter().filter(|point| point.matters());
     let first = above.min_by(|a, b| a.parameter.total_cmp(&b.parameter));
     let Some(first) = first else {
         return points.iter().map(|point| point.parameter).reduce(f64::max);
@@ -179,7 +192,7 @@ fn limit(points: &[MasslessPoint], mut deviation: impl FnMut(f64) -> f64) -> Opt
     let (mut low, mut high) = (0.0, first.parameter);
     for _ in 0..BISECTIONS {
         let middle = 0.5 * (low + high);
-        if deviation(middle) > NEGLIGIBLE {
+        if matters(middle) {
             high = middle;
         } else {
             low = middle;

@@ -2,9 +2,10 @@
 
 use super::course::Course;
 use super::study::span;
+use super::subject::Subject;
 use crate::jet::Jet;
 use crate::linkage::Linkage;
-use crate::model::{Coordinate, LinkageBody, Model};
+use crate::model::{Coordinate, Model};
 
 /// Most rows of a study.
 pub const MOST_POSITIONS: usize = 1_000_000;
@@ -53,7 +54,7 @@ pub struct Question {
 #[derive(Clone, Debug)]
 pub struct Asked<'a> {
     pub(in crate::analysis) object: String,
-    pub(in crate::analysis) linkage: &'a Linkage,
+    pub(in crate::analysis) linkage: Linkage,
     pub(in crate::analysis) input: Coordinate,
     /// Whether each output turns or slides.
     pub(super) outputs: Vec<Coordinate>,
@@ -67,58 +68,38 @@ pub struct Asked<'a> {
     pub(in crate::analysis) unit_rate: bool,
 }
 
-/// The linkage with this id, or the only one.
-///
-/// # Errors
-/// There is none, or more than one and no id; in words.
-pub fn linkage_of<'m>(model: &'m Model, id: Option<&str>) -> Result<&'m LinkageBody, String> {
-    let name = |body: &LinkageBody| model.objects[body.object].id.clone();
-    match (id, model.linkages.as_slice()) {
-        (_, []) => Err("the scene has no object of kind `linkage`".to_owned()),
-        (None, [only]) => Ok(only),
-        (None, several) => {
-            let names: Vec<String> = several.iter().map(name).collect();
-            Err(format!(
-                "the scene has several linkages: say which by --object ({})",
-                names.join(", ")
-            ))
-        }
-        (Some(id), bodies) => bodies.iter().find(|body| name(body) == id).ok_or_else(|| {
-            let names: Vec<String> = bodies.iter().map(name).collect();
-            format!(
-                "`{id}` is no linkage of the scene; one of {}",
-                names.join(", ")
-            )
-        }),
-    }
-}
-
 impl<'a> Asked<'a> {
     /// Makes the question complete.
     ///
     /// # Errors
     /// What cannot be answered, in words.
     pub fn new(model: &'a Model, question: &Question) -> Result<Self, String> {
-        let body = linkage_of(model, question.object.as_deref())?;
-        let part = &model.objects[body.object];
-        let course = Course::of(model, body.node);
+        let subject = Subject::of(model, question.object.as_deref())?;
+        Self::of(model, subject, question)
+    }
+
+    /// The same for a subject that is known already; the question's `object` is
+    /// not looked at.
+    ///
+    /// # Errors
+    /// What cannot be answered, in words.
+    pub fn of(model: &'a Model, subject: Subject, question: &Question) -> Result<Self, String> {
+        let course = Course::of(model, subject.node);
         let uniform = course.as_ref().and_then(Course::constant_speed);
         let over = match question.over {
             Some(over) => over,
-            None => default_over(&body.linkage, course.is_some(), uniform, question.duration),
+            None => default_over(
+                &subject.linkage,
+                course.is_some(),
+                uniform,
+                question.duration,
+            ),
         };
-        let of_output = |name: &str| {
-            let id = format!("{}.{name}", part.id);
-            model.objects.iter().find(|part| part.id == id)
-        };
-        let spec = body.linkage.spec();
         let asked = Self {
-            object: part.id.clone(),
-            linkage: &body.linkage,
-            input: part.coordinate,
-            outputs: (spec.outputs.iter())
-                .map(|output| of_output(&output.name).map_or(Coordinate::Turning, |p| p.coordinate))
-                .collect(),
+            object: subject.object,
+            linkage: subject.linkage,
+            input: subject.input,
+            outputs: subject.outputs,
             course,
             over,
             positions: question.positions,
@@ -190,8 +171,8 @@ impl<'a> Asked<'a> {
     }
 
     fn outside(&self, at: f64) -> bool {
-        let [from, to] = self.linkage.range().ends();
-        !(from < at && at < to)
+        let mut work = self.linkage.workspace();
+        self.linkage.solve(at, 0, &mut work).is_err()
     }
 
     pub(super) fn range_in_words(&self) -> String {

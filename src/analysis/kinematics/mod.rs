@@ -6,23 +6,26 @@ mod ask;
 mod columns;
 mod course;
 mod extremes;
+mod figures;
 mod study;
+mod subject;
 mod summary;
 
-pub use ask::{Asked, MOST_POSITIONS, Over, Question, linkage_of, whole_travel};
+pub use ask::{Asked, MOST_POSITIONS, Over, Question, whole_travel};
 pub use columns::Quantity;
-pub use study::kinematics;
+pub use study::{even_motion, kinematics};
+pub use subject::{Subject, linkage_of};
 
 use crate::linkage::Linkage;
 use crate::model::Coordinate;
 
 /// What a study found.
 #[derive(Clone, Debug)]
-pub struct Kinematics<'a> {
+pub struct Kinematics {
     /// The object's id.
     pub object: String,
     /// The linkage.
-    pub linkage: &'a Linkage,
+    pub linkage: Linkage,
     /// Whether the input turns or slides.
     pub input: Coordinate,
     /// What leads from row to row.
@@ -48,6 +51,8 @@ pub struct Kinematics<'a> {
     pub limits: Vec<Limit>,
     /// Where and why the rows end before what was asked.
     pub stopped: Option<Stopped>,
+    /// What else the user should know.
+    pub warnings: Vec<String>,
 }
 
 /// What leads from row to row.

@@ -10,7 +10,7 @@ use crate::linkage::{Cause, OutOfReach, Reach, Workspace};
 use crate::model::Coordinate;
 
 /// Positions, speeds and accelerations of a linkage over what was asked.
-pub fn kinematics<'a>(asked: &Asked<'a>) -> Kinematics<'a> {
+pub fn kinematics(asked: &Asked<'_>) -> Kinematics {
     let mut rows = Rows::new(asked);
     let stopped = rows.fill();
     let Rows {
@@ -24,7 +24,7 @@ pub fn kinematics<'a>(asked: &Asked<'a>) -> Kinematics<'a> {
     let extremes = extremes(asked, &places, &columns);
     Kinematics {
         object: asked.object.clone(),
-        linkage: asked.linkage,
+        linkage: asked.linkage.clone(),
         input: asked.input,
         motion: motion(asked),
         times: times(asked, &places, &inputs),
@@ -33,6 +33,7 @@ pub fn kinematics<'a>(asked: &Asked<'a>) -> Kinematics<'a> {
         transmission: summary::transmission(asked, &places),
         limits: limits(asked),
         closed,
+        warnings: warnings(&columns),
         axis: axis(asked, places),
         columns,
         frames,
@@ -55,6 +56,22 @@ fn axis(asked: &Asked<'_>, values: Vec<f64>) -> Axis {
     }
 }
 
+/// Quantities that are beyond what can be written as a number.
+fn warnings(columns: &[Column]) -> Vec<String> {
+    let lost = |column: &&Column| !column.values.iter().all(|value| value.is_finite());
+    let names: Vec<String> = columns.iter().filter(lost).map(Column::name).collect();
+    let Some(first) = names.first() else {
+        return Vec::new();
+    };
+    let others = match names.len() {
+        1 => String::new(),
+        count => format!(" and {} others", count - 1),
+    };
+    vec![format!(
+        "`{first}`{others} grow beyond all numbers: the speed is too great"
+    )]
+}
+
 /// How the input moves, in words.
 fn motion(asked: &Asked<'_>) -> String {
     let unit = unit_of(asked.input);
@@ -65,11 +82,24 @@ fn motion(asked: &Asked<'_>) -> String {
             "speed 1 {unit}/s at every position (no speed is given: speeds are first transfer \
              functions)"
         ),
-        _ if acceleration == 0.0 => format!("speed {speed} {unit}/s at every position"),
-        _ => format!(
-            "speed {speed} {unit}/s and acceleration {acceleration} {unit}/s² at every position"
-        ),
+        _ => even_motion([speed, acceleration], unit),
     }
+}
+
+/// Speed and acceleration that are the same at every position, in words.
+pub fn even_motion([speed, acceleration]: [f64; 2], unit: &str) -> String {
+    let short = |value: f64| match format!("{value:.7e}").parse::<f64>() {
+        Ok(rounded) if rounded == 0.0 || (1e-6..1e9).contains(&rounded.abs()) => {
+            rounded.to_string()
+        }
+        _ => format!("{value:.7e}"),
+    };
+    let speed = short(speed);
+    if acceleration == 0.0 {
+        return format!("speed {speed} {unit}/s at every position");
+    }
+    let acceleration = short(acceleration);
+    format!("speed {speed} {unit}/s and acceleration {acceleration} {unit}/s² at every position")
 }
 
 /// Time of each row: at constant speed over a turn or range.

@@ -49,6 +49,15 @@ impl Panels {
             if all.panels.len() * own.len() > MOST_PANELS {
                 return Err(format!("more than {MOST_PANELS} panels are wanted"));
             }
+            let paths = |panel: &Panel| -> Vec<String> {
+                let settings = panel.settings.iter();
+                let path = |setting: &String| setting.split('=').next().map(str::to_owned);
+                settings.filter_map(path).collect()
+            };
+            let before = paths(&all.panels[0]);
+            if let Some(twice) = paths(&own[0]).iter().find(|path| before.contains(path)) {
+                return Err(format!("`{text}`: `{twice}` is varied twice; {FORM}"));
+            }
             all.columns = own.len();
             let outer = std::mem::take(&mut all.panels);
             all.panels = outer
@@ -80,6 +89,15 @@ fn parse_one(text: &str) -> Result<Vec<Panel>, String> {
         let values: Vec<&str> = values.split(',').map(str::trim).collect();
         if path.is_empty() || values.iter().any(|value| value.is_empty()) {
             return Err("an address or a value is missing".to_owned());
+        }
+        let twice = |panel: &Panel| {
+            panel
+                .settings
+                .iter()
+                .any(|s| s.split('=').next() == Some(path))
+        };
+        if panels.first().is_some_and(twice) {
+            return Err(format!("`{path}` is varied twice"));
         }
         if index == 0 {
             panels = vec![Panel::default(); values.len()];
@@ -138,9 +156,12 @@ mod tests {
             ("=1,2", "missing"),
             ("a.b=1,,2", "missing"),
             ("a.b=1,2; c.d=1", "1 values"),
+            ("a.b=1,2; a.b=3,4", "`a.b` is varied twice"),
             (&format!("a.b={}", vec!["1"; 65].join(",")), "more than 64"),
         ] {
             assert!(parse(&[text]).unwrap_err().contains(word), "{text}");
         }
+        let twice = parse(&["a.b=1,2", "c.d=1,2; a.b=3,4"]).unwrap_err();
+        assert!(twice.contains("`a.b` is varied twice"), "{twice}");
     }
 }

@@ -3,11 +3,12 @@
 
 use crate::analysis::kinematic::Driven;
 use crate::analysis::{Control, RunSettings, exact};
+use crate::exact::Asked;
 use crate::fault::Fault;
 use crate::integrate::{
     Dynamics, Method, Modes, Outcome, Settings, Sink, Statistics, Stop, SwitchEvent, integrate,
 };
-use crate::polynomial::{Step, evaluate};
+use crate::polynomial::Step;
 use crate::system::{InitialState, System};
 use std::time::Instant;
 
@@ -94,7 +95,7 @@ impl<'r> Listener<'r> {
 
     fn look(&mut self, step: &Step<'_>, s: f64, keep: bool) {
         for (index, track) in self.tracks.iter().enumerate() {
-            let value = evaluate(step.signal(track.coordinate), s).0;
+            let value = step.value(track.coordinate, s).0;
             let greatest = &mut self.trace.greatest[index];
             // A value that is no number must not be forgotten.
             if value.abs() > *greatest || value.is_nan() {
@@ -119,9 +120,7 @@ impl Sink for Listener<'_> {
 
     fn step(&mut self, step: &Step<'_>, _modes: &Modes) {
         self.trace.longest_step = self.trace.longest_step.max(step.length);
-        // The last sample must not be lost to rounding of the clock.
-        let until = step.end_time() + 1e-9 * self.duration / self.intervals as f64;
-        while self.next <= self.intervals && self.due() <= until {
+        while self.looks_within(step.end_time()) {
             let s = (self.due() - step.start) / step.length;
             self.look(step, s.clamp(0.0, step.end), true);
             self.next += 1;
@@ -134,6 +133,12 @@ impl Sink for Listener<'_> {
         if pair.is_some() {
             self.trace.switches.push(event.time);
         }
+    }
+
+    fn looks_within(&self, until: f64) -> bool {
+        // The last sample must not be lost to rounding of the clock.
+        let until = until + 1e-9 * self.duration / self.intervals as f64;
+        self.next <= self.intervals && self.due() <= until
     }
 }
 
@@ -212,6 +217,14 @@ fn exact_run(
         .run(settings.duration, samples, None, &limits)
         .map_err(|refusal| format!("{}: {}", refusal.object, refusal.reason))?;
     let seconds = begun.elapsed().as_secs_f64();
+    // Others look at the ends of their steps too; here there are none, and
+    // samples may lie beside the greatest deviation.
+    let extremes = found.is_complete().then(|| {
+        let asked = |_| Asked::DEVIATION;
+        let run = ready.run(settings.duration, 0, Some(&asked), &limits);
+        run.ok()
+    });
+    let extremes = extremes.flatten();
     let mut trace = Trace::EMPTY;
     for track in tracks {
         let own = found.objects.iter().find(|o| o.object == track.object);
@@ -225,7 +238,10 @@ fn exact_run(
         // The sample at t = 0 is the start.
         let mut samples = vec![initial.y[track.coordinate]];
         samples.extend_from_slice(&own.delta);
-        let greatest = samples.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
+        let between = extremes
+            .as_ref()
+            .map_or(0.0, |run| greatest(run, track.object));
+        let greatest = samples.iter().fold(between, |a: f64, b| a.max(b.abs()));
         trace.greatest.push(greatest);
         trace.samples.push(samples);
         trace.switches.extend_from_slice(&own.switch_times);
@@ -247,6 +263,13 @@ fn exact_run(
         outcome,
         seconds,
     })
+}
+
+/// Greatest |δ| of an object over a run.
+fn greatest(run: &exact::QuickRun, object: usize) -> f64 {
+    let own = run.objects.iter().find(|own| own.object == object);
+    let figures = own.and_then(|own| own.figures.as_ref());
+    figures.map_or(0.0, |figures| figures.delta_max.max(-figures.delta_min))
 }
 
 /// Every reason against a method, in one line.

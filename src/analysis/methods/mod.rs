@@ -31,4 +31,4 @@ pub use reference::{AGREE, Distance, HORIZON, Reference};
 pub use setting::{Setting, all_methods, is_exact, is_fixed_step};
 pub use stability::{series_limit, stability_limit};
 pub use study::{MethodLine, Now, Plan, Study, study};
-pub use verdict::{GROWN, INACCURATE, Verdict};
+pub use verdict::{GROWN, Verdict};

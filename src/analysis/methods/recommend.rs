@@ -1,10 +1,9 @@
 //! Which method to take for the asked accuracy.
 
 use super::study::MethodLine;
-use super::verdict::Verdict;
 use serde::Serialize;
 
-/// The fastest point that converged to the asked accuracy.
+/// The fastest point with an error within the asked accuracy.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Recommendation {
     /// The method's name; null when no method reaches the accuracy.
@@ -21,13 +20,14 @@ pub struct Recommendation {
     pub text: String,
 }
 
-/// The fastest of all points that converged with an error within `accuracy`.
+/// The fastest of all points that came to the end, all switches found, with an
+/// error within `accuracy`, whether or not their own tolerance was finer still.
 pub fn recommend(lines: &[MethodLine], accuracy: f64) -> Recommendation {
     let points = || {
         lines
             .iter()
             .flat_map(|line| line.points.iter().map(move |point| (line, point)))
-            .filter(|(_, point)| point.verdict == Verdict::Converged)
+            .filter(|(_, point)| point.verdict.has_an_error())
     };
     let fit = points().filter(|(_, p)| p.error.is_some_and(|error| error <= accuracy));
     let seconds = |point: &super::Point| point.measured_seconds.unwrap_or(f64::INFINITY);

@@ -8,11 +8,11 @@ use super::recommend::{Recommendation, recommend};
 use super::reference::{Distance, Reference, Truth, find};
 use super::setting::{Setting, all_methods, is_fixed_step, ladder};
 use super::stability::{Spectrum, degree, remark};
-use super::verdict::{INACCURATE, judge};
+use super::verdict::judge;
 use crate::analysis::{Control, RunSettings};
 use crate::fault::Fault;
 use crate::integrate::Method;
-use crate::system::System;
+use crate::system::{InitialState, System};
 use serde::Serialize;
 use std::sync::atomic::Ordering;
 use std::time::Duration;
@@ -74,8 +74,6 @@ pub struct Study {
     pub hash: String,
     /// Error of δ wanted, relative to max|δ|.
     pub accuracy: f64,
-    /// An error beyond the tolerance times this is inaccurate.
-    pub inaccurate_factor: f64,
     /// False when interrupted: what is there was done until then.
     pub complete: bool,
     /// Simulated time (s).
@@ -119,10 +117,7 @@ pub fn study(
     progress: &mut dyn FnMut(&Now),
 ) -> Result<Study, Vec<Fault>> {
     let tracks = tracks(system);
-    if tracks.is_empty() {
-        return Err(vec![nothing_to_choose()]);
-    }
-    let initial = system.initial_state()?;
+    let initial = start(system)?;
     let problem = Problem {
         system,
         initial: &initial,
@@ -160,7 +155,6 @@ pub fn study(
         scene: settings.scene.clone(),
         hash: settings.hash.clone(),
         accuracy: plan.accuracy,
-        inaccurate_factor: INACCURATE,
         complete,
         duration: settings.duration,
         samples: settings.samples,
@@ -170,6 +164,17 @@ pub fn study(
         recommendation: recommend(&methods, plan.accuracy),
         methods,
     })
+}
+
+/// The start of a system that there is something to study in.
+///
+/// # Errors
+/// The same as those of [`study`].
+pub(super) fn start(system: &System) -> Result<InitialState, Vec<Fault>> {
+    match tracks(system).is_empty() {
+        true => Err(vec![nothing_to_choose()]),
+        false => system.initial_state(),
+    }
 }
 
 fn nothing_to_choose() -> Fault {

@@ -2,7 +2,7 @@
 
 use super::setting::{first_step, is_fixed_step};
 use super::stability::Spectrum;
-use super::study::{MethodLine, Now, Plan, Study, study};
+use super::study::{MethodLine, Now, Plan, Study, start, study};
 use super::verdict::Verdict;
 use crate::analysis::axis::Axis;
 use crate::analysis::{Control, RunSettings};
@@ -81,7 +81,7 @@ impl Slice {
 /// The fastest point of a method that is within the accuracy.
 fn cheapest(line: &MethodLine, accuracy: f64) -> Option<&super::Point> {
     let fit = line.points.iter().filter(|point| {
-        point.verdict == Verdict::Converged && point.error.is_some_and(|error| error <= accuracy)
+        point.verdict.has_an_error() && point.error.is_some_and(|error| error <= accuracy)
     });
     fit.min_by(|a, b| {
         let seconds = |p: &super::Point| p.measured_seconds.unwrap_or(f64::INFINITY);
@@ -96,7 +96,8 @@ fn cheapest(line: &MethodLine, accuracy: f64) -> Option<&super::Point> {
 /// first of `plan.steps`, else half the greatest stable one at the first value.
 ///
 /// # Errors
-/// The first error of `prepare`, or of a start that cannot be found.
+/// The first error of `prepare`, or of a start that cannot be found, at any value:
+/// all are tried before the first is studied.
 pub fn sweep<E>(
     axis: &Axis,
     plan: &Plan,
@@ -112,6 +113,10 @@ pub fn sweep<E>(
         fixed_step: None,
         slices: Vec::new(),
     };
+    for x in axis.values() {
+        let (system, _) = prepare(x)?;
+        start(&system).map_err(|faults| fail(x, faults))?;
+    }
     for (index, x) in axis.values().into_iter().enumerate() {
         let (system, settings) = prepare(x)?;
         if found.fixed_step.is_none() {

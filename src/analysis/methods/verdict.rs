@@ -8,10 +8,9 @@ use crate::analysis::spread::CHANGE;
 use crate::integrate::Stop;
 use serde::Serialize;
 
-/// A method that reports success is inaccurate when its error exceeds what was
-/// asked by this factor: tolerances bound the error of a step, and some growth
-/// of it over a run is fair.
-pub const INACCURATE: f64 = 100.0;
+/// A scene that multiplies a small difference so many times is named as the
+/// cause of an error.
+const MULTIPLIES: f64 = 100.0;
 
 /// A deviation this many times that of the reference has grown.
 pub const GROWN: f64 = 3.0;
@@ -27,9 +26,10 @@ const AT_ONCE: usize = 32;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Verdict {
-    /// The error is what was asked for.
+    /// The error is within the tolerance; of a fixed step, within the accuracy
+    /// asked for.
     Converged,
-    /// It reported success, but the error exceeds what was asked.
+    /// It reported success, but the error exceeds that.
     Inaccurate,
     /// The motion grows as the true one does not.
     Unstable,
@@ -50,6 +50,12 @@ pub enum Verdict {
 }
 
 impl Verdict {
+    /// True where the run came to its end with all switches, so that its error
+    /// says all there is to say.
+    pub(super) fn has_an_error(self) -> bool {
+        matches!(self, Self::Converged | Self::Inaccurate)
+    }
+
     /// In words.
     pub fn words(self) -> &'static str {
         match self {
@@ -109,7 +115,8 @@ pub(super) fn judge(
     let error =
         truth.and_then(|truth| distance(&truth.trace, &timed.trace, &truth.sizes, truth.until));
     let broken = truth.and_then(|truth| broken_off(timed, truth, growth, bound));
-    let (verdict, cause) = match broken.or_else(|| stopped(timed, growth, bound)) {
+    let stopped = || stopped(timed, truth.is_some(), growth, bound);
+    let (verdict, cause) = match broken.or_else(stopped) {
         Some(found) => found,
         None => match truth {
             None => (
@@ -147,12 +154,18 @@ fn broken_off(
             "{found} switches by t = {:.6} s, where the run was stopped; in truth {total} in all",
             timed.outcome.time
         );
-        (Verdict::Chatter, cause)
+        (Verdict::Chatter, with_limit(cause, timed, bound))
     })
 }
 
-/// The verdict on a run that did not reach its end.
-fn stopped(timed: &Timed, growth: Option<f64>, bound: Option<&Bound>) -> Option<(Verdict, String)> {
+/// The verdict on a run that did not reach its end. `known`: a reference got
+/// there, within the same bound on switches.
+fn stopped(
+    timed: &Timed,
+    known: bool,
+    growth: Option<f64>,
+    bound: Option<&Bound>,
+) -> Option<(Verdict, String)> {
     let time = timed.outcome.time;
     let at = format!("at t = {time:.6} s");
     let found = match &timed.outcome.stop {
@@ -166,8 +179,12 @@ fn stopped(timed: &Timed, growth: Option<f64>, bound: Option<&Bound>) -> Option<
             Verdict::TimeLimit,
             format!("stopped {at} after {bound} steps"),
         ),
-        Stop::TooManySwitches { bound } => {
-            (Verdict::Chatter, format!("more than {bound} switches {at}"))
+        Stop::TooManySwitches { bound: most } => {
+            let cause = format!("more than {most} switches {at}");
+            match known || at_once(&timed.trace) {
+                true => (Verdict::Chatter, with_limit(cause, timed, bound)),
+                false => (Verdict::GaveUp, cause),
+            }
         }
         Stop::StepFloor { step } => (
             Verdict::StepFloor,
@@ -184,7 +201,7 @@ fn stopped(timed: &Timed, growth: Option<f64>, bound: Option<&Bound>) -> Option<
             }
         }
         Stop::Method { reason, .. } => match at_once(&timed.trace) {
-            true => (Verdict::Chatter, reason.clone()),
+            true => (Verdict::Chatter, with_limit(reason.clone(), timed, bound)),
             false => (Verdict::GaveUp, format!("{reason} ({at})")),
         },
     };
@@ -212,8 +229,8 @@ fn ended(
         return (Verdict::Unstable, grown(timed, growth, bound));
     }
     let found = count(&timed.trace, truth.public.horizon);
-    if let Some(judged) = switches(found, truth.public.switches) {
-        return judged;
+    if let Some((verdict, cause)) = switches(found, truth.public.switches) {
+        return (verdict, with_limit(cause, timed, bound));
     }
     let Some(error) = error else {
         let stop = match &timed.outcome.stop {
@@ -230,16 +247,15 @@ fn ended(
         Some(tolerance) => (tolerance, "tolerance"),
         None => (accuracy, "accuracy asked for"),
     };
-    let allowed = (INACCURATE * asked).max(3.0 * truth.public.resolution);
-    if error <= allowed {
-        return (Verdict::Converged, converged(error, asked, name, truth));
+    if error <= asked.max(3.0 * truth.public.resolution) {
+        return (Verdict::Converged, converged(error, asked, name));
     }
     let mut cause = format!(
         "the error is {} times the {name} of {asked:.0e}, although it reported success",
         times(error / asked)
     );
     let multiplied = truth.public.moved / CHANGE;
-    if multiplied > INACCURATE && error <= 10.0 * multiplied * asked {
+    if multiplied > MULTIPLIES && error <= 10.0 * multiplied * asked {
         cause.push_str(&format!(
             "; the scene itself multiplies small differences {}-fold",
             times(multiplied)
@@ -256,23 +272,18 @@ fn ended(
 }
 
 fn times(factor: f64) -> String {
-    match factor < 1e4 {
-        true => format!("{factor:.0}"),
-        false => format!("{factor:.1e}"),
+    match factor {
+        ..100.0 => format!("{factor:.1}"),
+        ..1e4 => format!("{factor:.0}"),
+        _ => format!("{factor:.1e}"),
     }
 }
 
-fn converged(error: f64, asked: f64, name: &str, truth: &Truth) -> String {
-    if error <= 3.0 * truth.public.resolution {
-        return "as near to the reference as can be told".to_owned();
+fn converged(error: f64, asked: f64, name: &str) -> String {
+    match error <= asked {
+        true => format!("the error is within the {name} of {asked:.0e}"),
+        false => "as near to the reference as can be told".to_owned(),
     }
-    if error <= asked {
-        return format!("the error is within the {name} of {asked:.0e}");
-    }
-    format!(
-        "the error is {:.1} times the {name} of {asked:.0e}",
-        error / asked
-    )
 }
 
 /// The verdict on a count of switches that is not the true one.
@@ -314,6 +325,18 @@ fn beyond(timed: &Timed, bound: Option<&Bound>) -> Option<f64> {
     let bound = bound?;
     let product = bound.rate() * timed.trace.longest_step;
     (product > bound.limit).then_some(product)
+}
+
+/// A cause, with the limit of stability where the step exceeds it.
+fn with_limit(cause: String, timed: &Timed, bound: Option<&Bound>) -> String {
+    let beyond = beyond(timed, bound).zip(bound);
+    beyond.map_or(cause.clone(), |(product, bound)| {
+        let place = axis(bound.eigenvalue);
+        format!(
+            "{cause}; |λ|h = {product:.3} exceeds the limit {:.3} {place}",
+            bound.limit
+        )
+    })
 }
 
 /// Why a motion has grown.

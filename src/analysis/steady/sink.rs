@@ -35,6 +35,10 @@ impl Sink for Last {
         self.y.copy_from_slice(event.y);
         self.switches += 1;
     }
+
+    fn looks_within(&self, _: f64) -> bool {
+        false
+    }
 }
 
 /// Keeps the displacements at equal steps.
@@ -62,8 +66,7 @@ impl Sink for Grid {
     fn start(&mut self, _: f64, _: &[f64], _: &Modes) {}
 
     fn step(&mut self, step: &Step<'_>, _: &Modes) {
-        let reached = step.end_time() * (1.0 + 1e-12);
-        while self.next as f64 * self.step <= reached {
+        while self.looks_within(step.end_time()) {
             let time = self.next as f64 * self.step;
             let s = ((time - step.start) / step.length).clamp(0.0, step.end);
             step.state(s, &mut self.y);
@@ -75,4 +78,8 @@ impl Sink for Grid {
     }
 
     fn switch(&mut self, _: &SwitchEvent<'_>) {}
+
+    fn looks_within(&self, until: f64) -> bool {
+        self.next as f64 * self.step <= until * (1.0 + 1e-12)
+    }
 }

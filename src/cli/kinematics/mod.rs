@@ -3,12 +3,15 @@
 
 use super::args::{CourseArgs, KinematicsArgs};
 use super::console;
+use super::expected;
 use super::failure::{Failure, Status};
 use super::input::{Input, Ready};
 use super::output::{OutputFolder, ResultFile};
+use dam::analysis::expectations::Verdict;
 use dam::analysis::kinematics::{
-    Asked, Kinematics, Over, Question, kinematics, linkage_of, whole_travel,
+    Asked, Kinematics, Over, Question, Subject, kinematics, whole_travel,
 };
+use dam::analysis::studied::{POSITIONS, check_kinematics};
 use dam::linkage::Linkage;
 use dam::model::Coordinate;
 use dam::object::Measures;
@@ -31,33 +34,58 @@ pub(crate) fn command(args: &KinematicsArgs) -> Result<Status, Failure> {
     let input = Input::load(&args.scene)?;
     let ready = input.prepare(&[])?;
     let model = ready.system.model();
-    let body = linkage_of(model, args.course.object.as_deref())?;
-    let coordinate = model.objects[body.object].coordinate;
-    let mut question = question(args, &ready, coordinate)?;
+    let subject = Subject::of(model, args.course.object.as_deref())?;
+    let mut question = question(args, &ready, subject.input)?;
     if let Some(at) = &args.svg {
-        place(&mut question, at, &body.linkage, coordinate)?;
+        place(&mut question, at, &subject.linkage, subject.input)?;
     }
-    let asked = Asked::new(model, &question)?;
+    let asked = Asked::of(model, subject, &question)?;
     let folder = OutputFolder::asked(&args.out, &ready.scene().name, &FILES)?;
     let found = kinematics(&asked);
+    let verdicts = verdicts(args, &ready, &found);
     if let Some(folder) = &folder {
-        let files = files(&input, &ready, &found)?;
+        let files = files(&input, &ready, &found, &verdicts)?;
         folder.write("kinematics", &ready.scene().hash, &files)?;
     }
-    show(args, &ready, &found, question.also)?;
+    show(args, &ready, &found, &verdicts, question.also)?;
+    if !args.scene.quiet {
+        for warning in &found.warnings {
+            console::talk(&format!("warning: {warning}"));
+        }
+        expected::talk(&verdicts);
+    }
     if let (Some(folder), false) = (&folder, args.scene.quiet) {
         folder.tell_report();
     }
-    Ok(match found.stopped {
-        None => Status::Answered,
-        Some(_) => Status::NotTrusted,
+    let whole = found.stopped.is_none() && found.warnings.is_empty();
+    Ok(match whole && expected::hold(&verdicts) {
+        true => Status::Answered,
+        false => Status::NotTrusted,
     })
+}
+
+/// Another mechanism than the scene's, or another question, has no expectations.
+fn verdicts(args: &KinematicsArgs, ready: &Ready, found: &Kinematics) -> Vec<Verdict> {
+    let course = &args.course;
+    let as_scene = args.scene.set.is_empty()
+        && !course.turn
+        && course.range.is_none()
+        && course.time.is_none()
+        && args.speed.is_none()
+        && args.acceleration.is_none()
+        && args.svg.is_none()
+        && args.positions as usize == POSITIONS;
+    match as_scene {
+        true => check_kinematics(&ready.scene().expect, found),
+        false => Vec::new(),
+    }
 }
 
 fn show(
     args: &KinematicsArgs,
     ready: &Ready,
-    found: &Kinematics<'_>,
+    found: &Kinematics,
+    verdicts: &[Verdict],
     also: Option<f64>,
 ) -> Result<(), Failure> {
     let scene = ready.scene();
@@ -72,7 +100,8 @@ fn show(
             }
         }
     } else if args.scene.json {
-        console::json(&document(&scene.name, &scene.hash, found))?;
+        let document = document(&scene.name, &scene.hash, found);
+        console::json(&expected::beside(document, verdicts))?;
     } else if args.csv {
         console::data(&kinematics_csv(found).map_err(|error| error.to_string())?);
     } else {
@@ -169,7 +198,12 @@ pub(super) fn range_of(text: &str, own: Measures) -> Result<Over, Failure> {
     })
 }
 
-fn files(input: &Input, ready: &Ready, found: &Kinematics<'_>) -> Result<Vec<ResultFile>, Failure> {
+fn files(
+    input: &Input,
+    ready: &Ready,
+    found: &Kinematics,
+    verdicts: &[Verdict],
+) -> Result<Vec<ResultFile>, Failure> {
     let scene = ready.scene();
     let report = page(&KinematicsReport {
         found,
@@ -179,6 +213,7 @@ fn files(input: &Input, ready: &Ready, found: &Kinematics<'_>) -> Result<Vec<Res
         version: env!("CARGO_PKG_VERSION"),
     });
     let document = document(&scene.name, &scene.hash, found);
+    let document = expected::beside(document, verdicts);
     Ok(vec![
         ResultFile::new(
             FILES[0],

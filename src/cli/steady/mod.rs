@@ -4,6 +4,7 @@ pub(crate) mod args;
 mod machine;
 
 use super::console;
+use super::expected;
 use super::failure::{Failure, Status};
 use super::input::{Input, Ready};
 use super::output::{OutputFolder, ResultFile};
@@ -84,9 +85,9 @@ pub(crate) fn command(args: &SteadyArgs) -> Result<Status, Failure> {
     };
     tell(args, &answered, folder.as_ref())?;
     if !args.quiet {
-        talk(&verdicts);
+        expected::talk(&verdicts);
     }
-    match verdicts.iter().all(|verdict| verdict.holds) {
+    match expected::hold(&verdicts) {
         true => Ok(Status::Answered),
         false => Ok(Status::NotTrusted),
     }
@@ -247,16 +248,6 @@ fn orbit_csv(answer: &dam::analysis::steady::PeriodicAnswer) -> Result<String, F
     }
     let bytes = writer.into_inner().map_err(|error| error.to_string())?;
     Ok(String::from_utf8(bytes).map_err(|error| error.to_string())?)
-}
-
-fn talk(verdicts: &[Verdict]) {
-    for verdict in verdicts.iter().filter(|verdict| !verdict.holds) {
-        console::talk(&format!("expectation failed: {}", verdict.message));
-    }
-    let held = verdicts.iter().filter(|verdict| verdict.holds).count();
-    if !verdicts.is_empty() {
-        console::talk(&format!("expectations: {held} of {} hold", verdicts.len()));
-    }
 }
 
 /// The JSON document of a machine that is no scene.

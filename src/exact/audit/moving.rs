@@ -72,13 +72,17 @@ impl Moving<'_> {
     fn loads(&mut self, law: &[f64; POLY], work: &mut Work) {
         let (phase, h) = (self.phase, self.h);
         self.room.forces.clear();
+        let mut held = phase.held.iter();
         for (i, mass) in self.problem.masses.iter().enumerate() {
+            let own = mass.loads.iter().zip(&mut held);
             if !varying(mass) {
+                own.for_each(drop);
                 continue;
             }
             let mut force = [0.0; POLY];
-            for load in &mass.loads {
-                load.add(phase.start, phase.low, &mut force[..=LAW_DEGREE]);
+            for (load, held) in own {
+                let mut held = *held;
+                load.add(phase.start, phase.low, &mut held, &mut force[..=LAW_DEGREE]);
             }
             let mut speed = law.map(|c| c * mass.ratio);
             for k in 1..=phase.degree {

@@ -9,7 +9,6 @@ use crate::model::{
     Closure, DampingLaw, Law as ModelLaw, LinkBase, Model, NodeMotion, ObjectPart, Pair,
     TrackSource,
 };
-use crate::motion::DriveMotion;
 use crate::system::System;
 
 /// What a node is to exact propagation.
@@ -97,16 +96,6 @@ impl<'m> Builder<'m> {
         let part = &self.model.objects[object];
         let node = part.nodes[0];
         match &self.model.nodes[node].motion {
-            NodeMotion::Prescribed {
-                motion: DriveMotion::Plan(plan),
-                ..
-            } if plan.spec().period.is_some() => {
-                self.refuse(object, "its plan of motion over time repeats without end");
-            }
-            NodeMotion::Prescribed {
-                motion: DriveMotion::Accelerated { .. },
-                ..
-            } => self.refuse(object, "it is accelerated without end"),
             NodeMotion::Prescribed { motion, .. } => {
                 self.roles[node] = Role::Prescribed(Course::new(motion), Vec::new());
             }

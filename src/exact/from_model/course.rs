@@ -42,7 +42,7 @@ pub(crate) struct Course {
     pub(crate) stages: Vec<Stage>,
     /// Breaks and joints of the motion over time.
     breaks: Breaks,
-    joints: Vec<f64>,
+    joints: Breaks,
 }
 
 /// The formulas in force just after an instant.
@@ -83,11 +83,15 @@ pub(crate) enum Rhythm {
 impl Course {
     /// A drive's own motion.
     pub(crate) fn new(motion: &DriveMotion) -> Self {
+        let breaks = motion.breaks();
         Self {
             motion: motion.clone(),
             stages: Vec::new(),
-            breaks: motion.breaks(),
-            joints: motion.joints(),
+            joints: Breaks {
+                points: motion.joints(),
+                period: breaks.period,
+            },
+            breaks,
         }
     }
 
@@ -106,20 +110,43 @@ impl Course {
         on
     }
 
-    /// Time from which on the drive turns uniformly (s).
+    /// Time from which on the drive turns uniformly, or goes on by one formula,
+    /// or repeats itself (s).
     pub(crate) fn settled(&self) -> f64 {
-        self.joints.last().copied().unwrap_or(0.0).max(0.0)
+        match (self.joints.period, self.joints.points.last()) {
+            (None, Some(last)) => last.max(0.0),
+            _ => 0.0,
+        }
+    }
+
+    /// The first joint of the motion over time after `time`; +∞: there is none.
+    fn joint_after(&self, time: f64) -> f64 {
+        let later = |joint: &f64| *joint > time + near(time, *joint);
+        let found = match self.joints.period {
+            None => self.joints.points.iter().copied().find(later),
+            Some(_) => {
+                let now = self.joints.locate(time, 1.0);
+                let ahead = now..=now + self.joints.points.len() as i64 + 1;
+                let mut ends = ahead.map(|segment| self.joints.edges(segment).1);
+                ends.find(later)
+            }
+        };
+        found.unwrap_or(f64::INFINITY)
+    }
+
+    /// About the time that the drive takes for its next turn from `time` on
+    /// (s); +∞ at rest.
+    pub(crate) fn turn(&self, time: f64) -> f64 {
+        let now = self.at(&self.formulas(time), 0, time);
+        TAU / (now.speed.abs() + (TAU * now.acceleration.abs()).sqrt())
     }
 
     /// The formulas in force just after `time`.
     pub(crate) fn formulas(&self, time: f64) -> Formulas {
-        let near = |a: f64, b: f64| ROUNDING * a.abs().max(b.abs());
-        let later = |&&joint: &&f64| joint > time + near(time, joint);
-        let until = self.joints.iter().find(later).copied();
         let piece = self.breaks.locate(time + near(time, 0.0), 1.0);
         let mut formulas = Formulas {
             piece,
-            until: until.unwrap_or(f64::INFINITY),
+            until: self.joint_after(time),
             segments: Vec::with_capacity(self.stages.len()),
             limits: Vec::with_capacity(self.stages.len()),
         };
@@ -182,7 +209,16 @@ impl Course {
     pub(crate) fn rhythm(&self) -> Rhythm {
         let settled = self.settled();
         let formulas = self.formulas(settled);
-        let mut rhythm = Rhythm::Uniform(self.at(&formulas, 0, settled).speed);
+        let speed = self.at(&formulas, 0, settled).speed;
+        let mut rhythm = match &self.motion {
+            DriveMotion::Accelerated { acceleration, .. } if *acceleration != 0.0 => Rhythm::None,
+            DriveMotion::Plan(plan) => {
+                let spec = plan.spec();
+                let repeats = |period| Rhythm::Periodic(period, spec.advance);
+                spec.period.map_or(Rhythm::Uniform(speed), repeats)
+            }
+            _ => Rhythm::Uniform(speed),
+        };
         for stage in &self.stages {
             rhythm = stage.rhythm(rhythm);
         }
@@ -252,6 +288,11 @@ impl Stage {
             }
         }
     }
+}
+
+/// Rounding of two instants.
+fn near(a: f64, b: f64) -> f64 {
+    ROUNDING * a.abs().max(b.abs())
 }
 
 /// Slope and value at zero of a position function that is a straight line.

@@ -161,16 +161,11 @@ impl CourseLaw {
         match self.cycle {
             Some(cycle) => 0.5 * cycle.period,
             None => {
-                // A turn of the drive at its present speed.
-                let formulas = self.course.formulas(time);
-                let speed = self.course.at(&formulas, 0, time).speed.abs();
-                let rest = formulas.until - time;
+                let rest = self.course.formulas(time).until - time;
                 if rest.is_finite() {
                     rest
-                } else if speed > 0.0 {
-                    std::f64::consts::TAU / speed
                 } else {
-                    1e9
+                    self.course.turn(time).min(1e9)
                 }
             }
         }

@@ -57,14 +57,8 @@ pub(super) fn table(breaks: &Breaks, pieces: &[LinearPiece], factor: f64) -> Opt
 
 impl CourseLoad {
     fn longest(&self, time: f64) -> f64 {
-        let formulas = self.course.formulas(time);
-        let speed = self.course.at(&formulas, 0, time).speed.abs();
-        let rest = formulas.until - time;
-        if speed > 0.0 {
-            rest.min(std::f64::consts::TAU / speed)
-        } else {
-            rest.min(1e9)
-        }
+        let rest = self.course.formulas(time).until - time;
+        rest.min(self.course.turn(time)).min(1e9)
     }
 }
 

@@ -40,10 +40,41 @@ fn motions() -> Vec<DriveMotion> {
             law: Some(RunLawName::UnequalTrapezoid.into()),
         },
         DriveMotionSpec::Table { points },
+        DriveMotionSpec::Accelerated {
+            acceleration: 190.0,
+            speed: -23.0,
+            angle: 0.4,
+        },
+        DriveMotionSpec::Plan(over_time()),
     ]
     .iter()
     .map(|spec| DriveMotion::new(spec).expect("a motion"))
     .collect()
+}
+
+fn station(at: f64, displacement: f64, motion: Motion) -> Station {
+    Station {
+        at,
+        displacement,
+        speed: None,
+        acceleration: None,
+        order: 2,
+        motion,
+    }
+}
+
+/// A plan over time that turns the drive once in every 70 ms, with a stop.
+fn over_time() -> CycleSpec {
+    CycleSpec {
+        stations: vec![
+            station(0.0, 0.0, Motion::Law(LawName::ModifiedSine.into())),
+            station(0.03, 2.5, Motion::Dwell),
+            station(0.04, 2.5, Motion::Smooth),
+        ],
+        period: Some(0.07),
+        advance: std::f64::consts::TAU,
+        phase: 0.01,
+    }
 }
 
 fn cam(rise_law: LawName, return_law: LawName) -> Position {
@@ -113,14 +144,6 @@ fn positions() -> Vec<Position> {
 
 /// A plan that advances by 0.3 in every turn.
 fn plan() -> Position {
-    let station = |at, displacement, motion| Station {
-        at,
-        displacement,
-        speed: None,
-        acceleration: None,
-        order: 2,
-        motion,
-    };
     let spec = CycleSpec {
         stations: vec![
             station(0.0, 0.0, Motion::Law(LawName::ModifiedSine.into())),

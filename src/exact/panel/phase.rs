@@ -2,7 +2,7 @@
 
 use super::Panel;
 use crate::exact::basis::Basis;
-use crate::exact::hermite::{Loss, Point};
+use crate::exact::hermite::{Bounds, Loss, Point};
 use crate::exact::lanes::{Arith, V, WIDTH};
 use crate::exact::pencil::C;
 use crate::exact::phase::{Exponentials, POLY, Phase, Swing};
@@ -26,6 +26,8 @@ pub(crate) struct PanelPhase {
     slow4: V,
     /// |amplitude| of the lanes at the start.
     size: Vec<V>,
+    /// What all lanes together amount to at most.
+    whole: V,
 }
 
 impl PanelPhase {
@@ -36,6 +38,7 @@ impl PanelPhase {
             arcs: Vec::with_capacity(flights),
             slow4: V::ZERO,
             size: vec![V::ZERO; blocks],
+            whole: V::ZERO,
         }
     }
 
@@ -45,6 +48,11 @@ impl PanelPhase {
         for b in 0..basis.blocks {
             let (re, im) = (phase.re[b], phase.im[b]);
             self.size[b] = re.fma::<A>(re, im * im).map(f64::sqrt);
+        }
+        self.whole = V::ZERO;
+        for (k, size) in panel.sizes.iter().enumerate() {
+            let own = V::splat(self.size[k / WIDTH].0[k % WIDTH]);
+            self.whole = size[0].fma::<A>(own, self.whole);
         }
         self.take_polynomials::<A>(panel, phase);
         self.slow4 = if self.degree > 3 {
@@ -122,7 +130,7 @@ impl PanelPhase {
         sum
     }
 
-    /// Values and slopes at the instant of `e`.
+    /// Values and slopes at the instant of `e`, and bounds on the fourth derivatives.
     #[inline(always)]
     pub(crate) fn point<A: Arith>(
         &self,
@@ -132,27 +140,32 @@ impl PanelPhase {
         e: &Exponentials,
     ) -> Point {
         let [mut value, mut slope] = self.slow_two::<A>(e);
+        let mut fourth = self.slow4;
         let lanes = basis.lanes.len().min(phase.active * WIDTH);
         for b in 0..phase.active {
             let (zr, zi) = (phase.re[b], phase.im[b]);
             let re = zr.fma::<A>(e.re[b], -(zi * e.im[b]));
             let im = zr.fma::<A>(e.im[b], zi * e.re[b]);
+            let size = self.size[b] * e.size[b];
             for i in 0..WIDTH.min(lanes - b * WIDTH) {
                 let w = &panel.weights[8 * (b * WIDTH + i)..][..4];
                 let (pr, pi) = (V::splat(re.0[i]), V::splat(-im.0[i]));
                 value = w[0].fma::<A>(pr, w[1].fma::<A>(pi, value));
                 slope = w[2].fma::<A>(pr, w[3].fma::<A>(pi, slope));
+                let own = panel.sizes[b * WIDTH + i][1];
+                fourth = own.fma::<A>(V::splat(size.0[i]), fourth);
             }
         }
         Point {
             s: e.s,
             value,
             slope,
+            fourth,
         }
     }
 
-    /// What Hermite's cubic may miss over a length h from the instant of `e`,
-    /// of the first `follow` lanes.
+    /// What Hermite's cubic may miss over a length h from the instant of `e`
+    /// (`None`: from the start of the phase on), of the first `follow` lanes.
     ///
     /// A lane of size z (decaying) misses at most z·(|λ|h)⁴/144 on the middle
     /// coefficient. Where it turns fast its own cubic is bounded instead: by
@@ -162,14 +175,14 @@ impl PanelPhase {
         &self,
         basis: &Basis,
         panel: &Panel,
-        (e, follow): (&Exponentials, usize),
+        (e, follow): (Option<&Exponentials>, usize),
         h: f64,
     ) -> Loss {
         let square = h * h;
         let mut middle = self.slow4 * V::splat(square * square * (1.0 / 144.0));
         let mut flat = V::ZERO;
         for b in 0..follow.div_ceil(WIDTH) {
-            let size = self.size[b] * e.size[b];
+            let size = e.map_or(self.size[b], |e| self.size[b] * e.size[b]);
             let level = basis.moduli[b].fma::<A>(V::splat(0.25 * h), V::splat(2.0));
             let fourth = basis.fourth[b] * V::splat(square * square * (1.0 / 144.0));
             let (bent, level_part) = (size * fourth, size * level);
@@ -219,15 +232,50 @@ impl PanelPhase {
         (a, r)
     }
 
+    /// Bounds between two instants with every lane within its envelope at the
+    /// start of the phase; nothing has to be evaluated for them. `None` under
+    /// a law or loads of higher powers of time.
+    #[inline(always)]
+    pub(crate) fn envelope<A: Arith>(&self, from: f64, to: f64) -> Option<Bounds> {
+        if self.degree > 2 {
+            return None;
+        }
+        let [a, b, c] = [self.poly[0], self.poly[1], self.poly[2]];
+        let (s, h) = (V::splat(from), V::splat(to - from));
+        // Bernstein coefficients of the parabola.
+        let first = c.fma::<A>(s, b).fma::<A>(s, a);
+        let slope = (c + c).fma::<A>(s, b);
+        let middle = slope.fma::<A>(V::splat(0.5) * h, first);
+        let last = c.fma::<A>(h, slope).fma::<A>(h, first);
+        let spread = self.whole + self.swung(to);
+        Some(Bounds {
+            low: first.min(middle.min(last)) - spread,
+            high: first.max(middle.max(last)) + spread,
+        })
+    }
+
+    /// What the arcs amount to at most up to the local time s:
+    /// 1 − cos x ≤ x²/2, x − sin x ≤ x³/6.
+    #[inline(always)]
+    fn swung(&self, s: f64) -> V {
+        let mut sum = V::ZERO;
+        for arc in &self.arcs {
+            let x = arc.omega * s;
+            let (even, odd) = (V::splat((0.5 * x * x).min(2.0)), V::splat(x * x * x / 6.0));
+            let [ar, ai, br, bi] = arc.c.map(|v| v.map(f64::abs));
+            sum = sum + (ar + br) * even + ai * odd + bi * V::splat(x.min(1.0));
+        }
+        sum
+    }
+
     /// Rounding of the four up to the local time s.
-    pub(crate) fn noise(&self, basis: &Basis, panel: &Panel, s: f64) -> V {
+    #[inline(always)]
+    pub(crate) fn noise(&self, s: f64) -> V {
         let mut sum = V::ZERO;
         for k in (0..=self.degree).rev() {
             sum = sum * V::splat(s) + self.poly[k].map(f64::abs);
         }
-        for k in 0..basis.lanes.len() {
-            sum = sum + panel.sizes[k][0] * V::splat(self.size[k / WIDTH].0[k % WIDTH]);
-        }
+        sum = sum + self.whole;
         for arc in &self.arcs {
             let x = (arc.omega * s).min(2.0);
             let [ar, ai, br, bi] = arc.c.map(|v| v.map(f64::abs));

@@ -4,7 +4,7 @@ use super::branch::Branch;
 use super::given::Given;
 use crate::exact::MOST_ORDERS;
 use crate::integrate::Dynamics;
-use crate::polynomial::{Step, raise};
+use crate::polynomial::{Step, gain, raise};
 use crate::system::System;
 
 /// Degree of the trees' polynomials: eight derivatives at either end.
@@ -28,6 +28,7 @@ pub(super) struct Output {
     extra: Vec<[f64; 3]>,
     start: f64,
     length: f64,
+    bases: Vec<f64>,
     coefficients: Vec<f64>,
 }
 
@@ -46,6 +47,7 @@ impl Output {
             right: end,
             start: 0.0,
             length: 1.0,
+            bases: vec![0.0; signals],
             coefficients: vec![0.0; signals * (DEGREE + 1)],
         }
     }
@@ -78,7 +80,8 @@ impl Output {
         self.coefficients.resize(signals * width, 0.0);
         let rows = self.coefficients.chunks_exact_mut(width);
         let ends = self.left.coordinates.iter().zip(&self.right.coordinates);
-        for (row, (left, right)) in rows.zip(ends) {
+        for ((row, base), (left, right)) in rows.zip(&mut self.bases).zip(ends) {
+            *base = left[0];
             hermite(&mut row[..=DEGREE], left, right, self.length);
             raise(row, DEGREE);
         }
@@ -86,10 +89,14 @@ impl Output {
             for (number, &coordinate) in given.coordinates.iter().enumerate() {
                 let row = &mut self.coefficients[coordinate * width..][..width];
                 given.part(number, (from, to), row);
+                self.bases[coordinate] = given.step.bases[number];
             }
         }
         let rows = self.coefficients.chunks_exact_mut(width).skip(self.count);
-        for (row, (left, right)) in rows.zip(self.left.extra.iter().zip(&self.right.extra)) {
+        let rows = rows.zip(&mut self.bases[self.count..]);
+        let ends = self.left.extra.iter().zip(&self.right.extra);
+        for ((row, base), (left, right)) in rows.zip(ends) {
+            *base = left[0];
             hermite(&mut row[..6], left, right, self.length);
             raise(row, 5);
         }
@@ -108,6 +115,7 @@ impl Output {
             end: 1.0,
             coordinates: self.count,
             degree: self.degree,
+            bases: &self.bases,
             coefficients: &self.coefficients,
         }
     }
@@ -125,7 +133,7 @@ fn take(end: &mut End, branches: &[Branch<'_>]) {
 }
 
 /// Bernstein's coefficients of the polynomial with given derivatives at both
-/// ends of an interval of length h: b_i = Σ_k C(i, k)·(d − k)!/d!·hᵏ·f⁽ᵏ⁾ from
+/// ends of an interval of length h, less the value at the left: b_i = Σ_k C(i, k)·(d − k)!/d!·hᵏ·f⁽ᵏ⁾ from
 /// the left, mirrored from the right.
 fn hermite(out: &mut [f64], left: &[f64], right: &[f64], h: f64) {
     let degree = out.len() - 1;
@@ -138,6 +146,8 @@ fn hermite(out: &mut [f64], left: &[f64], right: &[f64], h: f64) {
         scaled[1][k] = sign * factor * right[k];
         factor *= h / (degree - k) as f64;
     }
+    scaled[0][0] = 0.0;
+    scaled[1][0] = gain(left, right, h);
     for i in 0..orders {
         let mut sums = [0.0; 2];
         let mut choose = 1.0;
@@ -171,7 +181,8 @@ mod tests {
             let s = f64::from(i) / 20.0;
             let (value, slope) = evaluate(&row, s);
             let t = rate * (from + s * h);
-            approx::assert_abs_diff_eq!(value, t.sin(), epsilon = 1e-14);
+            let difference = t.sin() - (rate * from).sin();
+            approx::assert_abs_diff_eq!(value, difference, epsilon = 1e-14);
             approx::assert_abs_diff_eq!(slope / h, rate * t.cos(), epsilon = 1e-12);
         }
     }

@@ -16,8 +16,8 @@ impl Given<'_> {
         let (n, length) = (y.len() / 2, self.step.length);
         let s = self.local(time);
         for (number, &coordinate) in self.coordinates.iter().enumerate() {
-            let row = self.step.signal(number);
-            let (value, slope) = evaluate(row, s);
+            let row = self.step.differences(number);
+            let (value, rate) = self.step.value(number, s);
             let degree = row.len() - 1;
             let mut slopes = [0.0; MAX_DEGREE];
             for (k, slope) in slopes[..degree].iter_mut().enumerate() {
@@ -28,16 +28,16 @@ impl Given<'_> {
                 _ => evaluate(&slopes[..degree], s).1,
             };
             y[coordinate] = value;
-            y[n + coordinate] = slope / length;
-            dy[coordinate] = slope / length;
+            y[n + coordinate] = rate;
+            dy[coordinate] = rate;
             dy[n + coordinate] = bend / (length * length);
         }
     }
 
-    /// Bernstein's coefficients of a coordinate between two instants of the
-    /// step, raised to the degree of the row.
+    /// Bernstein's coefficients of a coordinate, less its base, between two instants
+    /// of the step, raised to the degree of the row.
     pub(super) fn part(&self, number: usize, (from, to): (f64, f64), row: &mut [f64]) {
-        let own = self.step.signal(number);
+        let own = self.step.differences(number);
         let degree = own.len() - 1;
         let mut whole = [0.0; MAX_DEGREE + 1];
         let mut part = [0.0; MAX_DEGREE + 1];
@@ -74,6 +74,7 @@ mod tests {
             end: 0.9,
             coordinates: 2,
             degree: 3,
+            bases: &[0.0; 2],
             coefficients: &coefficients,
         };
         let given = Given {
@@ -83,7 +84,7 @@ mod tests {
         let (from, to) = (2.1, 2.3);
         let mut row = [0.0; 9];
         given.part(1, (from, to), &mut row);
-        let at = |time: f64| evaluate(step.signal(1), (time - 2.0) / 0.5);
+        let at = |time: f64| evaluate(step.differences(1), (time - 2.0) / 0.5);
         for share in [0.0, 0.4, 1.0] {
             let time: f64 = from + share * (to - from);
             let (value, slope) = evaluate(&row, share);

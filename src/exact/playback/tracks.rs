@@ -7,7 +7,6 @@ use crate::exact::from_model::{Course, Target, fit, within};
 use crate::integrate::{Dynamics, Modes};
 use crate::model::TrackSource;
 use crate::system::System;
-use std::f64::consts::TAU;
 
 /// A track over a prescribed displacement.
 struct Follower<'a> {
@@ -113,9 +112,7 @@ impl Follower<'_> {
             .course
             .around(self.breaks, &self.course.formulas(time), time);
         while time < end {
-            let formulas = self.course.formulas(time);
-            let speed = self.course.at(&formulas, 0, time).speed.abs();
-            let turn = if speed > 0.0 { TAU / speed } else { end };
+            let turn = self.course.turn(time).min(end);
             let axis = Some(self.breaks);
             let found = fit(
                 self.course,

@@ -1,7 +1,7 @@
 //! A step from its stages: the new state, its error, the continuous output.
 
 use super::newton::Stages;
-use super::{Attempt, Radau, SAFETY};
+use super::{Attempt, Radau, allowed};
 use crate::integrate::Dynamics;
 use crate::integrate::linear::{Entry, Lanes};
 use crate::integrate::run::Run;
@@ -9,7 +9,7 @@ use crate::integrate::run::Run;
 impl<const S: usize, const L: usize> Radau<S, L> {
     /// One step of a length: the new state and its derivative.
     pub(super) fn attempt<D: Dynamics>(&mut self, run: &Run<'_, D>, length: f64) -> Attempt {
-        let tolerance = SAFETY * run.tolerance();
+        let tolerance = allowed(run.tolerance());
         if !self.stages.solve(run, length, tolerance) {
             return Attempt::NotConverged;
         }
@@ -62,13 +62,13 @@ impl<const S: usize, const L: usize> Radau<S, L> {
         }
     }
 
-    /// The polynomial of a signal from its value, rate and acceleration at the start
-    /// and its rates at the stages. True when the acceleration was made use of: its
+    /// The polynomial of a signal, less its value at the start, from rate and
+    /// acceleration there and its rates at the stages. True when the acceleration was made use of: its
     /// part is at most what is `allowed`.
     fn signal(
         &mut self,
         index: usize,
-        [value, rate, acceleration]: [f64; 3],
+        [_, rate, acceleration]: [f64; 3],
         rates: &[f64; S],
         length: f64,
         allowed: f64,
@@ -95,7 +95,7 @@ impl<const S: usize, const L: usize> Radau<S, L> {
                 .map(|(a, b)| a * b)
                 .sum();
             let straight = length * rate * k as f64 / degree as f64;
-            *out = value + (straight + curved + bend * output.bend[k]);
+            *out = straight + curved + bend * output.bend[k];
         }
         bends
     }

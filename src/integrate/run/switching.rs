@@ -7,6 +7,9 @@ use crate::integrate::{Dynamics, Guard, Modes, Stop, SwitchEvent, Watch};
 /// Switches at one and the same instant after which a run is given up.
 const MOST_AT_ONCE: u32 = 64;
 
+/// Switches within so many roundings of the clock are at one instant.
+const AT_ONCE: f64 = 4.0;
+
 impl<D: Dynamics> Run<'_, D> {
     /// The step up to a switch, and the switch.
     pub(super) fn cut(&mut self, found: Located) -> Verdict {
@@ -24,6 +27,9 @@ impl<D: Dynamics> Run<'_, D> {
         };
         if found.s > 0.0 {
             self.sink.step(&step, &self.evaluator.modes.borrow());
+        }
+        // What has just switched is still zero while the clock has hardly moved.
+        if found.s * step.length > AT_ONCE * f64::EPSILON * step.start.abs() {
             self.zero_at_start.clear();
         }
         self.zero_at_start.extend(causes);

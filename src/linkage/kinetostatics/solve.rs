@@ -11,6 +11,8 @@ use std::fmt;
 pub const BAD_CONDITION: f64 = 1e12;
 /// Condition number from which W counts as singular.
 const SINGULAR: f64 = 1e15;
+/// Forces from which on their squares would not be numbers (N).
+const TOO_GREAT: f64 = 1e150;
 /// Ratio of pivots below which the condition number is looked at.
 const SMALL_PIVOT: f64 = 1e-7;
 
@@ -84,7 +86,7 @@ pub enum ForceFailure {
         /// Iterations of all methods tried.
         iterations: usize,
     },
-    /// A position, force or inertia is not a finite number.
+    /// A position, force or inertia is not a finite number, or its square is not.
     NotFinite,
     /// Nothing has inertia, so that there is no equation of motion.
     NoInertia,
@@ -105,7 +107,10 @@ impl fmt::Display for ForceFailure {
                 f,
                 "self-locking or not convergent: no reactions agree with their friction (last change {change:.1e} after {iterations} iterations)"
             ),
-            Self::NotFinite => write!(f, "a position, force or inertia is not a finite number"),
+            Self::NotFinite => write!(
+                f,
+                "a position, force or inertia is not a finite number, or too great to reckon with"
+            ),
             Self::NoInertia => write!(f, "nothing has inertia: the acceleration is undefined"),
         }
     }
@@ -245,6 +250,10 @@ impl Kinetostatics {
             solutions = self.search_others(found, &mut convergence, w);
         }
         if solutions == 0 {
+            w.without_friction();
+            if !(w.scale() < TOO_GREAT) {
+                return Err(ForceFailure::NotFinite);
+            }
             return Err(ForceFailure::SelfLocking {
                 change: convergence.change,
                 iterations: convergence.iterations,

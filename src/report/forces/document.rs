@@ -133,6 +133,7 @@ fn comparison(found: &MasslessComparison) -> Value {
             "parameter": point.parameter,
             "speed": point.speed,
             "deviation": point.deviation,
+            "missing": point.missing,
             "chi": point.chi,
         })
     });

@@ -177,27 +177,47 @@ fn sensitivities(out: &mut String, report: &ForcesReport<'_>) {
 
 fn massless(out: &mut String, report: &ForcesReport<'_>) {
     let Some(found) = report.massless else { return };
+    let study = report.study;
+    let columns = columns(&study.linkage, study.settings.output);
+    let unit = |name: &str| {
+        let column = columns.iter().find(|column| column.name == name);
+        column.map_or("", |column| column.unit.as_str())
+    };
     let _ = writeln!(
         out,
         "\nMASSLESS AGAINST FULL MODEL\nmoving mass {}, load {}, greatest |χ| without masses {}\n\
-         {:>12} {:>14} {:>18}",
+         {:>14} {:>16} {:>18}",
         shown(found.mass, "kg"),
-        significant(found.load, 6),
-        significant(found.greatest, 6),
-        "m·ω²/P",
+        shown(found.load, unit("load")),
+        shown(found.greatest, unit("chi")),
+        parameter_name(study.coordinate_unit(), unit("load")),
         "speed",
         "greatest change"
     );
     for point in &found.points {
+        let missing = match point.missing {
+            0 => String::new(),
+            count => format!(", at {count} positions only one model moves"),
+        };
         let _ = writeln!(
             out,
-            "{:>12} {:>14} {:>16} %",
+            "{:>14} {:>16} {:>16} %{missing}",
             significant(point.parameter, 4),
-            significant(point.speed, 6),
+            shown(point.speed, unit("speed")),
             significant(100.0 * point.deviation, 3)
         );
     }
     let _ = writeln!(out, "{}", verdict(found));
+}
+
+/// m·ω²/P with its unit, kg·(rad/s)²/N = 1/m for an input that turns.
+fn parameter_name(input: &str, load: &str) -> &'static str {
+    match (input, load) {
+        ("rad", "N") => "m·ω²/P, 1/m",
+        ("rad", _) => "m·ω²/M, 1/m²",
+        (_, "N") => "m·v²/P, m",
+        _ => "m·v²/M",
+    }
 }
 
 /// Up to where masses may be left out.

@@ -7,7 +7,7 @@ use crate::report::csv::{number, write};
 ///
 /// # Errors
 /// Never in practice: writing into memory.
-pub fn kinematics_csv(found: &Kinematics<'_>) -> Result<String, csv::Error> {
+pub fn kinematics_csv(found: &Kinematics) -> Result<String, csv::Error> {
     let axis = format!("{} [{}]", found.axis.name, found.axis.unit);
     let names = found.columns.iter();
     let names = names.map(|column| format!("{} [{}]", column.name(), column.unit));

@@ -4,7 +4,7 @@ use crate::analysis::kinematics::Kinematics;
 use serde_json::{Map, Value, json};
 
 /// Everything, in SI units: structure, summary, and every column.
-pub fn document(scene: &str, hash: &str, found: &Kinematics<'_>) -> Value {
+pub fn document(scene: &str, hash: &str, found: &Kinematics) -> Value {
     let structure = found.linkage.structure();
     let groups: Vec<String> = (0..structure.groups.len())
         .map(|group| structure.describe(group))
@@ -36,16 +36,17 @@ pub fn document(scene: &str, hash: &str, found: &Kinematics<'_>) -> Value {
         "stopped": found.stopped.as_ref().map(|stop| json!({
             "at": stop.at, "input": stop.input, "because": stop.cause,
         })),
+        "warnings": found.warnings,
         "columns": columns,
     })
 }
 
-fn limits(found: &Kinematics<'_>) -> Vec<Value> {
+fn limits(found: &Kinematics) -> Vec<Value> {
     let limit = |limit: &crate::analysis::kinematics::Limit| json!({ "at": limit.at, "because": limit.cause });
     found.limits.iter().map(limit).collect()
 }
 
-fn strokes(found: &Kinematics<'_>) -> Vec<Value> {
+fn strokes(found: &Kinematics) -> Vec<Value> {
     let strokes = found.strokes.iter().map(|stroke| {
         let end = |(at, value): (f64, f64)| json!({ "input": at, "value": value });
         json!({
@@ -62,7 +63,7 @@ fn strokes(found: &Kinematics<'_>) -> Vec<Value> {
     strokes.collect()
 }
 
-fn transmission(found: &Kinematics<'_>) -> Vec<Value> {
+fn transmission(found: &Kinematics) -> Vec<Value> {
     let angles = found.transmission.iter().map(|angle| {
         let end = |(at, value): (f64, f64)| json!({ "at": at, "value": value });
         json!({

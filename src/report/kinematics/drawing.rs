@@ -8,13 +8,13 @@ const MOST_FRAMES: usize = 721;
 
 /// The drawing with the paths of all points that are no pins of the ground, and
 /// arrows of speed and acceleration.
-pub fn drawing<'a>(found: &'a Kinematics<'_>) -> Drawing<'a> {
+pub fn drawing<'a>(found: &'a Kinematics) -> Drawing<'a> {
     let rows = thinned(found.frames.len());
     with_rows(found, &rows)
 }
 
 /// The picture of one row, with the paths of all rows.
-pub fn picture(found: &Kinematics<'_>, row: usize) -> String {
+pub fn picture(found: &Kinematics, row: usize) -> String {
     let all: Vec<usize> = (0..found.frames.len()).collect();
     with_rows(found, &all).svg(row)
 }
@@ -24,7 +24,7 @@ fn thinned(count: usize) -> Vec<usize> {
     (0..count).step_by(stride).collect()
 }
 
-fn with_rows<'a>(found: &'a Kinematics<'_>, rows: &[usize]) -> Drawing<'a> {
+fn with_rows<'a>(found: &'a Kinematics, rows: &[usize]) -> Drawing<'a> {
     let placed = |row: &usize| {
         let links = found.frames[*row].iter();
         links
@@ -82,7 +82,7 @@ struct Point<'a> {
     values: [&'a [f64]; 6],
 }
 
-fn points<'a>(found: &'a Kinematics<'_>) -> Vec<Point<'a>> {
+fn points<'a>(found: &'a Kinematics) -> Vec<Point<'a>> {
     let find = |owner: &str, quantity: Quantity| {
         let mut columns = found.columns.iter();
         columns.find(|column| column.owner == owner && column.quantity == quantity)

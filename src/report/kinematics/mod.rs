@@ -17,12 +17,12 @@ use crate::analysis::kinematics::Kinematics;
 use crate::report::quantity::{significant, with_unit};
 
 /// A place on the axis for reading: angles in degrees.
-pub(super) fn place(found: &Kinematics<'_>, at: f64) -> String {
+pub(super) fn place(found: &Kinematics, at: f64) -> String {
     angle_or(at, found.axis.unit)
 }
 
 /// An input coordinate for reading.
-pub(super) fn input(found: &Kinematics<'_>, at: f64) -> String {
+pub(super) fn input(found: &Kinematics, at: f64) -> String {
     let unit = match found.input {
         crate::model::Coordinate::Turning => "rad",
         crate::model::Coordinate::Sliding => "m",

@@ -12,7 +12,7 @@ use std::fmt::Write as _;
 #[derive(Clone, Copy, Debug)]
 pub struct KinematicsReport<'a> {
     /// What was found.
-    pub found: &'a Kinematics<'a>,
+    pub found: &'a Kinematics,
     /// Name of the scene.
     pub name: &'a str,
     /// SHA-256 of the canonical scene.
@@ -38,6 +38,9 @@ pub fn page(report: &KinematicsReport<'_>) -> String {
             escape(&input(found, stop.input)),
             escape(&stop.cause)
         );
+    }
+    for warning in &found.warnings {
+        let _ = writeln!(body, "<p class=\"soft\">Warning: {}</p>", escape(warning));
     }
     body.push_str(&drawing(found).section("mechanism"));
     body.push_str(&structure(found));
@@ -75,7 +78,7 @@ pub fn page(report: &KinematicsReport<'_>) -> String {
     shell(report.name, &body, &PlotData::new(&[]).json())
 }
 
-fn structure(found: &Kinematics<'_>) -> String {
+fn structure(found: &Kinematics) -> String {
     let structure = found.linkage.structure();
     let mut groups = String::new();
     for group in 0..structure.groups.len() {
@@ -88,7 +91,7 @@ fn structure(found: &Kinematics<'_>) -> String {
     )
 }
 
-fn strokes(found: &Kinematics<'_>) -> String {
+fn strokes(found: &Kinematics) -> String {
     if found.strokes.is_empty() {
         return String::new();
     }
@@ -118,7 +121,7 @@ fn strokes(found: &Kinematics<'_>) -> String {
     )
 }
 
-fn transmission(found: &Kinematics<'_>) -> String {
+fn transmission(found: &Kinematics) -> String {
     if found.transmission.is_empty() {
         return String::new();
     }
@@ -142,7 +145,7 @@ fn transmission(found: &Kinematics<'_>) -> String {
     )
 }
 
-fn extremes(found: &Kinematics<'_>) -> String {
+fn extremes(found: &Kinematics) -> String {
     let mut rows = String::new();
     for (column, extremes) in found.columns.iter().zip(&found.extremes) {
         let end = |(at, value): (f64, f64)| {

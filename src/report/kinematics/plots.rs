@@ -13,7 +13,7 @@ pub(super) struct Group {
 }
 
 /// The plots: links, points, sliding pairs, outputs.
-pub(super) fn groups(found: &Kinematics<'_>) -> Vec<Group> {
+pub(super) fn groups(found: &Kinematics) -> Vec<Group> {
     use Quantity as Q;
     let links: Vec<String> = names(&found.linkage.spec().links, |link| {
         format!("links.{}", link.name)
@@ -98,7 +98,7 @@ fn names<T>(list: &[T], name: impl Fn(&T) -> String) -> Vec<String> {
 }
 
 /// One chart a unit; what is zero throughout gets none.
-fn charts(found: &Kinematics<'_>, name: &str, owners: &[String], quantity: Quantity) -> Vec<Chart> {
+fn charts(found: &Kinematics, name: &str, owners: &[String], quantity: Quantity) -> Vec<Chart> {
     let mut charts: Vec<Chart> = Vec::new();
     for owner in owners {
         let mut columns = found.columns.iter();
@@ -126,7 +126,7 @@ fn charts(found: &Kinematics<'_>, name: &str, owners: &[String], quantity: Quant
     charts
 }
 
-fn axis(found: &Kinematics<'_>) -> Axis {
+fn axis(found: &Kinematics) -> Axis {
     let (symbol, unit) = match found.axis.unit {
         "rad" => ("q", "deg"),
         "m" => ("q", "m"),
@@ -138,7 +138,7 @@ fn axis(found: &Kinematics<'_>) -> Axis {
     }
 }
 
-fn curve(found: &Kinematics<'_>, column: &Column) -> Curve {
+fn curve(found: &Kinematics, column: &Column) -> Curve {
     let degrees = found.axis.unit == "rad";
     let place = |at: f64| if degrees { at.to_degrees() } else { at };
     let points = found.axis.values.iter().zip(&column.values);

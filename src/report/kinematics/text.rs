@@ -6,7 +6,7 @@ use crate::report::quantity::{significant, with_unit};
 use std::fmt::Write as _;
 
 /// Structure, extremes, strokes, transmission angles, limits.
-pub fn text(scene: &str, found: &Kinematics<'_>) -> String {
+pub fn text(scene: &str, found: &Kinematics) -> String {
     let mut out = format!("{scene}\n{}\n", headline(found));
     if let Some(stop) = &found.stopped {
         let _ = writeln!(
@@ -30,7 +30,7 @@ pub fn text(scene: &str, found: &Kinematics<'_>) -> String {
     out
 }
 
-fn headline(found: &Kinematics<'_>) -> String {
+fn headline(found: &Kinematics) -> String {
     let (from, to) = (found.axis.values.first(), found.axis.values.last());
     let end = |at: Option<&f64>| at.map_or("–".to_owned(), |&at| place(found, at));
     format!(
@@ -63,11 +63,13 @@ fn told(quantity: Quantity) -> bool {
             | Q::AccelerationSize
             | Q::RelativeSpeed
             | Q::RelativeAcceleration
+            | Q::TransportAccelerationAlong
+            | Q::TransportAccelerationAcross
             | Q::CoriolisAcceleration
     )
 }
 
-fn row(out: &mut String, found: &Kinematics<'_>, column: &Column, extremes: &Extremes) {
+fn row(out: &mut String, found: &Kinematics, column: &Column, extremes: &Extremes) {
     let end = |(at, value): (f64, f64)| (angle_or(value, &column.unit), place(found, at));
     let ((least, at_least), (greatest, at_greatest)) =
         (end(extremes.least), end(extremes.greatest));
@@ -78,13 +80,13 @@ fn row(out: &mut String, found: &Kinematics<'_>, column: &Column, extremes: &Ext
     );
 }
 
-pub(super) fn reach(found: &Kinematics<'_>) -> String {
+pub(super) fn reach(found: &Kinematics) -> String {
     let turning = found.input == crate::model::Coordinate::Turning;
     let range = found.linkage.range();
     range.describe(found.linkage.structure(), turning)
 }
 
-fn strokes(out: &mut String, found: &Kinematics<'_>) {
+fn strokes(out: &mut String, found: &Kinematics) {
     if found.strokes.is_empty() {
         return;
     }
@@ -110,7 +112,7 @@ fn strokes(out: &mut String, found: &Kinematics<'_>) {
     }
 }
 
-fn transmission(out: &mut String, found: &Kinematics<'_>) {
+fn transmission(out: &mut String, found: &Kinematics) {
     if found.transmission.is_empty() {
         return;
     }

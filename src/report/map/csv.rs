@@ -2,8 +2,8 @@
 
 use crate::analysis::map::{MapResult, Study};
 
-/// The cells of all panels: panel (counted from 1), the values of the
-/// parameters, value, verdict, cause, how far the figure moves under a tiny
+/// The cells of all panels: panel (counted from 1), of several panels what each
+/// differs in, the values of the parameters, value, verdict, cause, how far the figure moves under a tiny
 /// change of the loads, and the margin of the rigid mechanism. What is not
 /// known is left empty; cells that were not worked out are left out.
 ///
@@ -11,16 +11,17 @@ use crate::analysis::map::{MapResult, Study};
 /// Those of the writer; none in memory.
 pub fn map_csv(study: &Study<'_>, result: &MapResult) -> Result<String, csv::Error> {
     let mut writer = csv::Writer::from_writer(Vec::new());
-    let head = |axis: &crate::analysis::axis::Axis| match axis.unit.as_str() {
-        "" => axis.path.clone(),
-        unit => format!("{} [{unit}]", axis.path),
+    let head = |name: &str, unit: &str| match unit {
+        "" => name.to_owned(),
+        unit => format!("{name} [{unit}]"),
     };
-    let mut names = vec!["panel".to_owned(), head(&study.x)];
-    names.extend(study.y.as_ref().map(head));
-    names.push(match study.unit {
-        "" => study.figure.clone(),
-        unit => format!("{} [{unit}]", study.figure),
-    });
+    let [x_unit, y_unit] = &study.parameter_units;
+    let several = study.panels.panels.len() > 1;
+    let mut names = vec!["panel".to_owned()];
+    names.extend(several.then(|| "settings".to_owned()));
+    names.push(head(&study.x.path, x_unit));
+    names.extend(study.y.as_ref().map(|y| head(&y.path, y_unit)));
+    names.push(head(&study.figure, study.unit));
     names.extend(["verdict", "cause", "moved", "rigid_margin"].map(str::to_owned));
     writer.write_record(&names)?;
     let number = |value: Option<f64>| value.map(|value| format!("{value:?}")).unwrap_or_default();
@@ -28,7 +29,9 @@ pub fn map_csv(study: &Study<'_>, result: &MapResult) -> Result<String, csv::Err
         for (index, cell) in cells.iter().enumerate() {
             let Some(cell) = cell else { continue };
             let (x, y) = study.place(index);
-            let mut row = vec![(panel + 1).to_string(), number(Some(x))];
+            let mut row = vec![(panel + 1).to_string()];
+            row.extend(several.then(|| study.panels.panels[panel].label.clone()));
+            row.push(number(Some(x)));
             row.extend(y.map(|y| number(Some(y))));
             row.push(number(cell.value));
             row.push(cell.verdict.name().to_owned());

@@ -34,8 +34,8 @@ pub fn document(study: &Study<'_>, result: &MapResult) -> Value {
         "hash": study.hash,
         "figure": study.figure,
         "unit": study.unit,
-        "x": axis(&study.x),
-        "y": study.y.as_ref().map(axis),
+        "x": axis(&study.x, &study.parameter_units[0]),
+        "y": study.y.as_ref().map(|y| axis(y, &study.parameter_units[1])),
         "complete": result.complete,
         "thresholds": {
             "thrown_off": THROWN_OFF,
@@ -48,6 +48,8 @@ pub fn document(study: &Study<'_>, result: &MapResult) -> Value {
     })
 }
 
-fn axis(axis: &Axis) -> Value {
-    json!({ "path": axis.path, "unit": axis.unit, "log": axis.log, "values": axis.values() })
+/// An axis with the unit of its values: the one it was given in, else the SI
+/// unit of the parameter where it is known.
+fn axis(axis: &Axis, unit: &str) -> Value {
+    json!({ "path": axis.path, "unit": unit, "log": axis.log, "values": axis.values() })
 }

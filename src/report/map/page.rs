@@ -1,5 +1,6 @@
 //! A map as a page that opens without a network.
 
+use crate::analysis::axis::Axis;
 use crate::analysis::map::{
     Cell, MOST_STEPS, MapResult, NEAR_HARMONIC, RESONANCE, STEADY, Study, THROWN_OFF, Verdict,
     summary,
@@ -7,7 +8,7 @@ use crate::analysis::map::{
 use crate::analysis::spread::{CHANGE, DETERMINED};
 use crate::report::html::data::PlotData;
 use crate::report::html::{facts, header, scene, shell};
-use crate::report::quantity::{escape, with_unit};
+use crate::report::quantity::{escape, significant, with_unit};
 use crate::report::svg;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -75,13 +76,12 @@ fn counts(report: &MapReport<'_>) -> String {
         let _ = write!(head, "<th>{}</th>", verdict.words());
     }
     let mut rows = String::new();
-    for panel in &panels {
-        let label = if panel.label.is_empty() {
-            "map"
-        } else {
-            &panel.label
+    for (index, panel) in panels.iter().enumerate() {
+        let label = match panel.label.as_str() {
+            "" => "map".to_owned(),
+            label => format!("{}  {label}", svg::map::letter(index)),
         };
-        let _ = write!(rows, "<tr><th>{}</th>", escape(label));
+        let _ = write!(rows, "<tr><th class=\"words\">{}</th>", escape(&label));
         for verdict in &occurring {
             let _ = write!(
                 rows,
@@ -198,7 +198,7 @@ fn causes(report: &MapReport<'_>) -> String {
                 rows,
                 "<tr><td>{}</td><td></td><td class=\"left\">{}</td><td class=\"left\">and {} \
                  more, in map.csv</td></tr>",
-                panel + 1,
+                name(report, panel),
                 verdict.words(),
                 count - MOST_CAUSES
             );
@@ -214,17 +214,34 @@ fn causes(report: &MapReport<'_>) -> String {
     )
 }
 
+/// A panel as the picture calls it.
+fn name(report: &MapReport<'_>, panel: usize) -> String {
+    match report.study.panels.panels.len() {
+        1 => "map".to_owned(),
+        _ => svg::map::letter(panel),
+    }
+}
+
+/// A value of a parameter to six digits: all of them are in the table of the map.
+fn short(axis: &Axis, value: f64) -> String {
+    let number = significant(value, 6);
+    match axis.unit.as_str() {
+        "" => number,
+        unit => format!("{number} {unit}"),
+    }
+}
+
 fn cause(report: &MapReport<'_>, panel: usize, index: usize, cell: &Cell) -> String {
     let study = report.study;
     let (x, y) = study.place(index);
-    let mut place = study.x.written(x);
+    let mut place = short(&study.x, x);
     if let (Some(axis), Some(y)) = (&study.y, y) {
-        let _ = write!(place, "; {}", axis.written(y));
+        let _ = write!(place, "; {}", short(axis, y));
     }
     format!(
         "<tr><td>{}</td><td class=\"left\">{}</td><td class=\"left\">{}</td>\
          <td class=\"words\">{}</td></tr>\n",
-        panel + 1,
+        name(report, panel),
         escape(&place),
         cell.verdict.words(),
         escape(&cell.cause)

@@ -1,6 +1,6 @@
 //! The part of the plane that is shown, and its scale.
 
-use super::{Drawing, Placement, arrows, shape};
+use super::{Drawing, Placement, arrows, guides, shape};
 
 /// Largest picture (pixels).
 const WIDEST: f64 = 860.0;
@@ -48,6 +48,11 @@ impl View {
             area.take(*point);
         }
         let extent = Self::around(&area).extent;
+        for pair in 0..drawing.spec.pairs.len() {
+            for end in guides::rail_ends(drawing, pair, extent) {
+                area.take(end);
+            }
+        }
         for set in &drawing.arrows {
             let scale = arrows::metres(set, extent);
             for arrow in &set.arrows {

@@ -6,8 +6,8 @@ use crate::report::quantity::{escape, significant, with_unit};
 
 /// How points are marked and times are measured.
 pub(super) fn timing_note() -> &'static str {
-    "<p class=\"soft\">Filled marks: converged; open marks: inaccurate or not judged; crosses: \
-     failed; marks with an arrow: the reference, whose error is at most its distance from the \
+    "<p class=\"soft\">Filled marks: converged, the error is within the tolerance (of a fixed \
+     step, within the accuracy asked for); open marks: inaccurate or not judged; crosses: failed; marks with an arrow: the reference, whose error is at most its distance from the \
      nearest other method. Pointing at a mark tells its cause. Times are wall-clock times from \
      the system ready to all samples of δ and all switch times, single thread, medians of \
      repeated runs; they vary from run to run and from machine to machine.</p>\n"

@@ -10,10 +10,12 @@
 
 use crate::linkage::spec::{ForceLaw, LinkageSpec};
 use crate::linkage::{Linkage, Reach, Reduced, Workspace};
+use std::cell::Cell;
 use std::f64::consts::PI;
 
 /// Points of an interpolation, one more than the degree.
-const POINTS: usize = 16;
+const POINTS: usize = 4 * FOURS;
+const FOURS: usize = 4;
 /// Coefficients at the end that must have died away …
 const TAIL: usize = 3;
 /// … to this share of the function.
@@ -24,23 +26,15 @@ const SMALL: f64 = 1e-2;
 const DEEPEST: u32 = 10;
 /// Most positions that are solved for the whole.
 const MOST_POSITIONS: usize = 30_000;
+/// Where what should have died away is more than this share, halves will not do
+/// either: halving divides it by 2^13 at most.
+const HOPELESS: f64 = 1e-8;
 /// Pieces at first.
 const FIRST: u32 = 3;
 /// No piece: the linkage is solved.
 const NONE: u16 = u16::MAX;
 
 type Coefficients = [f64; POINTS];
-
-/// J, W and D at a place with their derivatives.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Local {
-    /// J, J′, J″.
-    pub(super) inertia: [f64; 3],
-    /// W, W′.
-    pub(super) force: [f64; 2],
-    /// D, D′.
-    pub(super) damping: [f64; 2],
-}
 
 /// The pieces.
 #[derive(Clone, Debug)]
@@ -55,16 +49,17 @@ pub(crate) struct Table {
 }
 
 /// Polynomials in x = (place − centre)·scale for J, J′, W and D side by side,
-/// lowest power first.
+/// lowest power first, four powers together: the lanes of the first, of the
+/// second, …
 #[derive(Clone, Debug)]
-struct Piece {
+pub(super) struct Piece {
     centre: f64,
     scale: f64,
-    lanes: [Lanes; POINTS],
+    fours: [[f64; 16]; FOURS],
 }
 
 /// J, J′, W, D.
-type Lanes = [f64; 4];
+pub(super) type Lanes = [f64; 4];
 
 impl Table {
     /// The table of a linkage; `None` when its input goes on for ever without
@@ -90,57 +85,78 @@ impl Table {
         (!table.pieces.is_empty()).then_some(table)
     }
 
-    /// J, W and D at an input; `None` where there is no piece.
+    /// The piece at an input and the place on it; `None` where there is none. The
+    /// cursor says which piece was found last, and is moved.
     #[inline]
-    pub(super) fn at(&self, q: f64, order: usize) -> Option<Local> {
-        let mut place = q - self.start;
-        if self.periodic {
-            place -= self.span * (place / self.span).floor();
+    pub(super) fn locate(&self, q: f64, cursor: &Cell<Cursor>) -> Option<(&Piece, f64)> {
+        let last = cursor.get();
+        let piece = self.pieces.get(last.piece)?;
+        let x = (q - last.centre) * piece.scale;
+        if x.abs() <= 1.0 {
+            return Some((piece, x));
         }
-        let slot = place / self.span * self.index.len() as f64;
+        let found = self.search(q)?;
+        cursor.set(found);
+        let piece = &self.pieces[found.piece];
+        Some((piece, (q - found.centre) * piece.scale))
+    }
+
+    fn search(&self, q: f64) -> Option<Cursor> {
+        let turns = match self.periodic {
+            true => ((q - self.start) / self.span).floor(),
+            false => 0.0,
+        };
+        let begin = self.start + turns * self.span;
+        let slot = (q - begin) / self.span * self.index.len() as f64;
         if !(slot >= 0.0) {
             return None;
         }
-        let piece = self
-            .pieces
-            .get(usize::from(*self.index.get(slot as usize)?))?;
-        let x = (place - piece.centre) * piece.scale;
-        let [inertia, slope, force, damping] = piece.values(x);
-        let mut local = Local {
-            inertia: [inertia, slope, 0.0],
-            force: [force, 0.0],
-            damping: [damping, 0.0],
-        };
-        if order > 2 {
-            let [_, second, force, damping] = piece.slopes(x);
-            local.inertia[2] = second;
-            local.force[1] = force;
-            local.damping[1] = damping;
+        let piece = usize::from(*self.index.get(slot as usize)?);
+        let centre = begin + self.pieces.get(piece)?.centre;
+        Some(Cursor { piece, centre })
+    }
+}
+
+/// The piece that was found last; none at first.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::system) struct Cursor {
+    piece: usize,
+    /// The input at its centre, all turns counted.
+    centre: f64,
+}
+
+impl Default for Cursor {
+    fn default() -> Self {
+        Self {
+            piece: 0,
+            centre: f64::NAN,
         }
-        Some(local)
     }
 }
 
 impl Piece {
-    /// Values of all polynomials: even and odd powers apart, which the processor
-    /// takes side by side.
+    /// Values of all polynomials (G. Estrin's scheme): whatever does not wait for
+    /// anything else the processor takes side by side.
     #[inline]
-    fn values(&self, x: f64) -> Lanes {
+    pub(super) fn values(&self, x: f64) -> Lanes {
         let square = x * x;
-        let (mut even, mut odd) = ([0.0; 4], [0.0; 4]);
-        for pair in self.lanes.chunks_exact(2).rev() {
-            for lane in 0..4 {
-                even[lane] = even[lane] * square + pair[0][lane];
-                odd[lane] = odd[lane] * square + pair[1][lane];
-            }
+        let fourth = square * square;
+        let eighth = fourth * fourth;
+        let [a, b, c, d] = &self.fours;
+        let mut sums = [0.0; 16];
+        for i in 0..16 {
+            sums[i] = (a[i] + fourth * b[i]) + eighth * (c[i] + fourth * d[i]);
         }
-        std::array::from_fn(|lane| even[lane] + x * odd[lane])
+        std::array::from_fn(|lane| {
+            let low = sums[lane] + x * sums[4 + lane];
+            low + square * (sums[8 + lane] + x * sums[12 + lane])
+        })
     }
 
     /// Their derivatives by the input.
-    fn slopes(&self, x: f64) -> Lanes {
+    pub(super) fn slopes(&self, x: f64) -> Lanes {
         let (mut value, mut first) = ([0.0; 4], [0.0; 4]);
-        for c in self.lanes.iter().rev() {
+        for c in self.fours.as_flattened().rchunks_exact(4) {
             for lane in 0..4 {
                 first[lane] = first[lane] * x + value[lane];
                 value[lane] = value[lane] * x + c[lane];
@@ -176,9 +192,10 @@ struct Builder<'a> {
     linkage: &'a Linkage,
     workspace: Workspace,
     table: &'a mut Table,
-    /// Chebyshev's points and T_k there.
+    /// Chebyshev's points, T_k there, and the coefficients of T_k.
     points: [f64; POINTS],
-    values: [[f64; POINTS]; POINTS],
+    values: [Coefficients; POINTS],
+    powers: [Coefficients; POINTS],
     /// Greatest |J|, |W| and |D| met.
     sizes: [f64; 3],
     positions: usize,
@@ -193,36 +210,44 @@ impl<'a> Builder<'a> {
             table,
             points: std::array::from_fn(|j| angle(j).cos()),
             values: std::array::from_fn(|k| std::array::from_fn(|j| (k as f64 * angle(j)).cos())),
+            powers: powers(),
             sizes: [0.0; 3],
             positions: 0,
         }
     }
 
     fn build(&mut self) {
-        let count = 1u32 << FIRST;
         // All sizes first, so that every piece is judged by the same.
-        for piece in 0..count {
-            let _ = self.sample(FIRST, piece);
-        }
-        for piece in 0..count {
-            self.fit(FIRST, piece);
+        let whole: Vec<_> = (0..1 << FIRST)
+            .map(|piece| self.sample(FIRST, piece))
+            .collect();
+        for (piece, sampled) in (0..).zip(whole) {
+            self.fit(FIRST, piece, sampled);
         }
     }
 
-    /// Interpolates piece number `piece` of 2^`depth`, or halves it.
-    fn fit(&mut self, depth: u32, piece: u32) {
-        let sampled = self.sample(depth, piece);
-        if let Some(sampled) = sampled
-            && let Some(found) = self.interpolated(depth, piece, &sampled)
-        {
-            let number = self.table.pieces.len() as u16;
-            let finest = 1usize << (DEEPEST - depth);
-            let from = piece as usize * finest;
-            self.table.index[from..from + finest].fill(number);
-            self.table.pieces.push(found);
-        } else if depth < DEEPEST && self.positions < MOST_POSITIONS {
-            self.fit(depth + 1, 2 * piece);
-            self.fit(depth + 1, 2 * piece + 1);
+    /// Interpolates piece number `piece` of 2^`depth`, or divides it.
+    fn fit(&mut self, depth: u32, piece: u32, sampled: Option<[Coefficients; 3]>) {
+        let left_over = match sampled.map(|sampled| self.interpolated(depth, piece, &sampled)) {
+            Some(Ok(found)) => {
+                let number = self.table.pieces.len() as u16;
+                let finest = 1usize << (DEEPEST - depth);
+                let from = piece as usize * finest;
+                self.table.index[from..from + finest].fill(number);
+                self.table.pieces.push(found);
+                return;
+            }
+            Some(Err(left_over)) => left_over,
+            None => 0.0,
+        };
+        let wanted = if left_over > HOPELESS { 2 } else { 1 };
+        let levels = wanted.min(DEEPEST - depth);
+        for part in 0..(1 << levels) {
+            if levels > 0 && self.positions < MOST_POSITIONS {
+                let (depth, piece) = (depth + levels, (piece << levels) + part);
+                let sampled = self.sample(depth, piece);
+                self.fit(depth, piece, sampled);
+            }
         }
     }
 
@@ -239,7 +264,8 @@ impl<'a> Builder<'a> {
         self.positions += POINTS;
         for (j, x) in self.points.iter().enumerate() {
             let q = self.table.start + centre + half * x;
-            self.linkage.solve(q, 2, &mut self.workspace).ok()?;
+            // J′ is that of the polynomial.
+            self.linkage.solve(q, 1, &mut self.workspace).ok()?;
             let reduced: Reduced = self.linkage.reduced(&self.workspace);
             let values = [
                 reduced.inertia[0],
@@ -255,9 +281,17 @@ impl<'a> Builder<'a> {
         Some(sampled)
     }
 
-    fn interpolated(&self, depth: u32, piece: u32, sampled: &[Coefficients; 3]) -> Option<Piece> {
+    /// The polynomials of a piece, or the greatest share of a function that has
+    /// not died away.
+    fn interpolated(
+        &self,
+        depth: u32,
+        piece: u32,
+        sampled: &[Coefficients; 3],
+    ) -> Result<Piece, f64> {
         let (centre, half) = self.place(depth, piece);
         let mut found = [[0.0; POINTS]; 3];
+        let mut left_over = 0.0f64;
         for (k, values) in sampled.iter().enumerate() {
             let own = values
                 .iter()
@@ -268,22 +302,33 @@ impl<'a> Builder<'a> {
             } else {
                 own.max(SMALL * self.sizes[k])
             };
-            let coefficients = self.chebyshev(values);
-            let tail = &coefficients[POINTS - TAIL..];
-            if !tail.iter().all(|c| c.abs() <= NEGLIGIBLE * size) {
-                return None;
+            if size > 0.0 {
+                let coefficients = self.chebyshev(values);
+                for c in &coefficients[POINTS - TAIL..] {
+                    let share = c.abs() / size;
+                    // Not a number counts as too much.
+                    left_over = left_over.max(if share.is_nan() { 1.0 } else { share });
+                }
+                found[k] = self.in_powers(&coefficients);
             }
-            found[k] = powers(&coefficients);
+        }
+        if !(left_over <= NEGLIGIBLE) {
+            return Err(left_over);
         }
         let [inertia, force, damping] = found;
         let slope = |power: usize| match inertia.get(power + 1) {
             Some(next) => (power + 1) as f64 * next / half,
             None => 0.0,
         };
-        Some(Piece {
+        Ok(Piece {
             centre,
             scale: 1.0 / half,
-            lanes: std::array::from_fn(|k| [inertia[k], slope(k), force[k], damping[k]]),
+            fours: std::array::from_fn(|four| {
+                std::array::from_fn(|place| {
+                    let power = 4 * four + place / 4;
+                    [inertia[power], slope(power), force[power], damping[power]][place % 4]
+                })
+            }),
         })
     }
 
@@ -296,27 +341,31 @@ impl<'a> Builder<'a> {
             sum * if k == 0 { 1.0 } else { 2.0 } / POINTS as f64
         })
     }
+
+    /// From coefficients of T_k to those of powers.
+    fn in_powers(&self, chebyshev: &Coefficients) -> Coefficients {
+        let mut out = [0.0; POINTS];
+        for (c, powers) in chebyshev.iter().zip(&self.powers) {
+            for (out, t) in out.iter_mut().zip(powers) {
+                *out += c * t;
+            }
+        }
+        out
+    }
 }
 
-/// From coefficients of T_k to those of powers: T_{k+1} = 2x·T_k − T_{k−1}.
-fn powers(chebyshev: &Coefficients) -> Coefficients {
-    let mut before = [0.0; POINTS];
-    let mut now = [0.0; POINTS];
-    let mut out = [0.0; POINTS];
-    before[0] = 1.0;
-    now[1] = 1.0;
-    out[0] = chebyshev[0];
-    for c in &chebyshev[1..] {
-        for (out, t) in out.iter_mut().zip(&now) {
-            *out += c * t;
-        }
-        let mut next = before.map(|t| -t);
+/// Coefficients of T_k: T_{k+1} = 2x·T_k − T_{k−1}.
+fn powers() -> [Coefficients; POINTS] {
+    let mut all = [[0.0; POINTS]; POINTS];
+    all[0][0] = 1.0;
+    all[1][1] = 1.0;
+    for k in 1..POINTS - 1 {
+        all[k + 1] = all[k - 1].map(|t| -t);
         for power in 1..POINTS {
-            next[power] += 2.0 * now[power - 1];
+            all[k + 1][power] += 2.0 * all[k][power - 1];
         }
-        (before, now) = (now, next);
     }
-    out
+    all
 }
 
 #[cfg(test)]

@@ -23,8 +23,10 @@ pub(super) fn plot(drawing: &Drawing<'_>) -> String {
     out.push_str(&hatchings(drawing));
     out.push_str(&borders(drawing));
     out.push_str(&rigid_edge(drawing));
-    out.push_str(&levels(drawing));
-    out.push_str(&marks(drawing));
+    let (lines, labels) = levels(drawing);
+    for part in [lines, marks(drawing), labels] {
+        out.push_str(&part);
+    }
     out
 }
 
@@ -138,9 +140,9 @@ fn borders(drawing: &Drawing<'_>) -> String {
     }
 }
 
-/// Contour lines with their values, those below zero apart from the others:
+/// Contour lines and their values, those below zero apart from the others:
 /// where the sign changes the logarithm says nothing.
-fn levels(drawing: &Drawing<'_>) -> String {
+fn levels(drawing: &Drawing<'_>) -> (String, String) {
     let (columns, rows) = size(drawing);
     let values = drawing.values;
     let mut out = String::new();
@@ -168,7 +170,7 @@ fn levels(drawing: &Drawing<'_>) -> String {
         );
         labels.push_str(&level_label(drawing, &lines, &label, &mut taken));
     }
-    out + &labels
+    (out, labels)
 }
 
 /// The label of a level on its longest line, where no other label stands.

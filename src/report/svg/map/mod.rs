@@ -162,13 +162,21 @@ fn title(settings: &[String]) -> Vec<String> {
         .collect()
 }
 
+/// What a panel is called: a … z, then by its number.
+pub(in crate::report) fn letter(index: usize) -> String {
+    match u8::try_from(index) {
+        Ok(index @ ..26) => char::from(b'a' + index).to_string(),
+        _ => (index + 1).to_string(),
+    }
+}
+
 fn panel(drawing: &Drawing<'_>, title: &[String], index: usize, count: usize) -> String {
     let frame = &drawing.frame;
     let mut out = String::new();
     for (line, text) in title.iter().enumerate() {
         let y = frame.top - 8.0 - LINE * (title.len() - 1 - line) as f64;
         let letter = match (line, count) {
-            (0, 2..) => format!("{}  ", (b'a' + (index % 26) as u8) as char),
+            (0, 2..) => format!("{}  ", letter(index)),
             _ => String::new(),
         };
         out.push_str(&format!(

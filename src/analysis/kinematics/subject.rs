@@ -1,0 +1,195 @@
+//! Whose kinematics is looked at: a linkage, or an object whose position
+//! function is the short form of one.
+
+use crate::fault::Fault;
+use crate::linkage::Linkage;
+use crate::linkage::spec::{OutputKind, PairKind};
+use crate::model::{Coordinate, Law, LinkageBody, Model, NodeIndex, NodeMotion, ObjectPart};
+use crate::position::Position;
+
+/// A linkage with its place in a model.
+#[derive(Clone, Debug)]
+pub struct Subject {
+    /// The object's id.
+    pub object: String,
+    /// The linkage; of a short form the massless one that it stands for.
+    pub linkage: Linkage,
+    /// The node whose displacement is the input coordinate.
+    pub(super) node: NodeIndex,
+    /// Whether the input turns or slides.
+    pub input: Coordinate,
+    /// Whether each output turns or slides.
+    pub(super) outputs: Vec<Coordinate>,
+}
+
+impl Subject {
+    /// The subject with this id; without one the only linkage, or, in a scene
+    /// without linkages, the only object that moves by the short form of one.
+    ///
+    /// # Errors
+    /// There is none, or more than one and no id; in words.
+    pub fn of(model: &Model, id: Option<&str>) -> Result<Self, String> {
+        let shorts = || {
+            model
+                .objects
+                .iter()
+                .filter(|part| short(model, part).is_some())
+        };
+        let by_id = |id: &str| shorts().find(|part| part.id == id);
+        let part = match (id, model.linkages.is_empty()) {
+            (Some(id), _) => by_id(id),
+            (None, true) => match shorts().collect::<Vec<_>>().as_slice() {
+                [] => None,
+                [only] => Some(*only),
+                several => return Err(say_which(several.iter().map(|part| part.id.as_str()))),
+            },
+            (None, false) => None,
+        };
+        match part {
+            Some(part) => Self::of_short_form(model, part),
+            None => linkage_of(model, id).map(|body| Self::of_linkage(model, body)),
+        }
+    }
+
+    fn of_linkage(model: &Model, body: &LinkageBody) -> Self {
+        let part = &model.objects[body.object];
+        Self::new(&part.id, Linkage::clone(&body.linkage), body.node)
+    }
+
+    fn of_short_form(model: &Model, part: &ObjectPart) -> Result<Self, String> {
+        let law = short(model, part).ok_or("it moves by no linkage")?;
+        let start = start_of(model, law.driver);
+        let linkage = assembled(&law.position, start).map_err(|faults| {
+            let words: Vec<String> = faults.into_iter().map(|fault| fault.message).collect();
+            format!(
+                "the linkage of `{}` cannot be assembled: {}",
+                part.id,
+                words.join("; ")
+            )
+        })?;
+        Ok(Self::new(&part.id, linkage, law.driver))
+    }
+
+    fn new(id: &str, linkage: Linkage, node: NodeIndex) -> Self {
+        let spec = linkage.spec();
+        let of_pair = |pair: usize| match spec.pairs[pair].kind {
+            PairKind::Revolute { .. } => Coordinate::Turning,
+            PairKind::Sliding { .. } => Coordinate::Sliding,
+        };
+        let outputs = spec.outputs.iter().map(|output| match output.kind {
+            OutputKind::Angle { .. } => Coordinate::Turning,
+            OutputKind::Point { .. } => Coordinate::Sliding,
+            OutputKind::Pair { pair } => of_pair(pair),
+        });
+        Self {
+            object: id.to_owned(),
+            node,
+            input: of_pair(spec.driver),
+            outputs: outputs.collect(),
+            linkage,
+        }
+    }
+}
+
+/// The law of an object that moves by the short form of a linkage.
+fn short<'m>(model: &'m Model, part: &ObjectPart) -> Option<&'m Law> {
+    let law = law_of(model, *part.nodes.first()?)?;
+    let linkage = matches!(
+        law.position,
+        Position::SliderCrank(_) | Position::FourBar(_) | Position::SlottedLink(_)
+    );
+    linkage.then_some(law)
+}
+
+fn law_of(model: &Model, node: NodeIndex) -> Option<&Law> {
+    match &model.nodes[node].motion {
+        NodeMotion::Mass { law } | NodeMotion::Rigid { law } => Some(law),
+        NodeMotion::Prescribed { .. } | NodeMotion::Rotor { .. } => None,
+    }
+}
+
+/// Displacement of a node at the start, every mass on its law.
+fn start_of(model: &Model, node: NodeIndex) -> f64 {
+    match &model.nodes[node].motion {
+        NodeMotion::Prescribed { motion, .. } => {
+            motion.jet(motion.breaks().locate(0.0, 1.0), 0.0).value
+        }
+        NodeMotion::Rotor { angle, .. } => *angle,
+        NodeMotion::Mass { law } | NodeMotion::Rigid { law } => {
+            let driver = start_of(model, law.driver);
+            let segment = law.position.breaks().locate(driver, 1.0);
+            law.lever * law.position.jet(segment, driver).value
+        }
+    }
+}
+
+/// The linkage of a short form that stands at `start`. Where its links are just
+/// in line there, it is put together beside that place.
+fn assembled(position: &Position, start: f64) -> Result<Linkage, Vec<Fault>> {
+    let at = |phi: f64| {
+        let within = position.reach_from(phi).is_ok();
+        let spec = position.as_linkage(phi).filter(|_| within);
+        let missing = || vec![Fault::new("", "it is out of reach at the start", "")];
+        Linkage::new(spec.ok_or_else(missing)?)
+    };
+    let reach = position.reach_from(start).ok().flatten();
+    let aside = reach.map_or(0.1, |(from, to)| 1e-3 * (to - from));
+    let first = at(start);
+    match first {
+        Ok(linkage) => Ok(linkage),
+        Err(faults) => at(start + aside)
+            .or_else(|_| at(start - aside))
+            .map_err(|_| faults),
+    }
+}
+
+/// The linkage with this id, or the only one.
+///
+/// # Errors
+/// There is none, or more than one and no id; in words.
+pub fn linkage_of<'m>(model: &'m Model, id: Option<&str>) -> Result<&'m LinkageBody, String> {
+    let name = |body: &LinkageBody| model.objects[body.object].id.as_str();
+    let shorts = || {
+        model
+            .objects
+            .iter()
+            .filter(|part| short(model, part).is_some())
+    };
+    let found = match id {
+        Some(id) => model.linkages.iter().find(|body| name(body) == id),
+        None => model.linkages.first().filter(|_| model.linkages.len() == 1),
+    };
+    if let Some(body) = found {
+        return Ok(body);
+    }
+    if let Some(part) = shorts().find(|part| id.is_none_or(|id| part.id == id)) {
+        return Err(format!(
+            "`{}` moves by a position function, which has no pairs that could carry forces; write \
+             it as a linkage, as with \"from\": \"linkage/slider-crank\"",
+            part.id
+        ));
+    }
+    let names = model.linkages.iter().map(name);
+    Err(match (id, model.linkages.is_empty()) {
+        (_, true) => "the scene has no object of kind `linkage`, and none whose `position` is the \
+                      short form of one (`slider_crank`, `four_bar`, `slotted_link`)"
+            .to_owned(),
+        (None, false) => say_which(names),
+        (Some(id), false) => {
+            let names = names.chain(shorts().map(|part| part.id.as_str()));
+            let names: Vec<&str> = names.collect();
+            format!(
+                "`{id}` is no linkage of the scene; one of {}",
+                names.join(", ")
+            )
+        }
+    })
+}
+
+fn say_which<'a>(names: impl Iterator<Item = &'a str>) -> String {
+    let names: Vec<&str> = names.collect();
+    format!(
+        "the scene has several linkages: say which by --object ({})",
+        names.join(", ")
+    )
+}
