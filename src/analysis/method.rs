@@ -164,6 +164,7 @@ fn situation(system: &System, settings: &RunSettings) -> Situation {
         bends: system.bends(),
         breaks: system.breaks_passed(duration),
         expands: system.expands(),
+        kinks: system.rubbing_objects().next().is_some(),
         tolerance: settings.tolerance,
         coordinates: system.coordinates(),
         duration,

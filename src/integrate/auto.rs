@@ -22,6 +22,9 @@ pub struct Situation {
     pub breaks: f64,
     /// True when the motion has a power series ([`Dynamics::expands`]).
     pub expands: bool,
+    /// True when the equations have kinks that no switch marks (blocks whose corners
+    /// change the side on which they press): long steps of high order miss them.
+    pub kinks: bool,
     /// Error wanted, relative to the scales of the state.
     pub tolerance: f64,
     /// Number of coordinates.
@@ -185,9 +188,11 @@ pub fn choose(situation: &Situation) -> (Method, String) {
     };
     let implicit = |behaviour: &Behaviour| behaviour.stable.is_infinite();
     let least = |wanted: bool| {
-        let fit = BEHAVIOURS
-            .iter()
-            .filter(|b| implicit(b) == wanted && (situation.expands || b.method != Method::Taylor));
+        let fit = BEHAVIOURS.iter().filter(|b| {
+            implicit(b) == wanted
+                && (situation.expands || b.method != Method::Taylor)
+                && !(situation.kinks && b.method == Method::Radau)
+        });
         fit.min_by(|a, b| a.work(situation).total_cmp(&b.work(situation)))
             .expect("the list has methods of both kinds")
     };
@@ -324,6 +329,7 @@ mod tests {
             bends: false,
             breaks: 0.0,
             expands: true,
+            kinks: false,
             tolerance,
             coordinates: 1,
             duration,
@@ -416,6 +422,22 @@ mod tests {
         let (method, why) = of(1000.0);
         assert_eq!(method, Method::Radau, "{why}");
         assert!(why.contains("times what the motion shows"), "{why}");
+    }
+
+    #[test]
+    fn kinks_speak_against_long_steps_of_high_order() {
+        let of = |kinks: bool| {
+            choose(&Situation {
+                fastest: 1e7,
+                vibrations: vec![stays(100.0)],
+                expands: false,
+                kinks,
+                coordinates: 4,
+                ..situation(1e-8, 1.0)
+            })
+        };
+        assert_eq!(of(false).0, Method::Radau);
+        assert_eq!(of(true).0, Method::Rodas5p);
     }
 
     #[test]

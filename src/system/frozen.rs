@@ -5,6 +5,7 @@
 //! order, so that a chain is one contiguous range of nodes, of coordinates and
 //! of links.
 
+use super::friction::Group;
 use super::linkages::{FrozenLinkage, OutputPlace};
 use super::loads::FrozenLoad;
 use super::pairs::Contact;
@@ -57,6 +58,10 @@ pub(super) struct Frozen {
     pub(super) pairs: Vec<usize>,
     /// The tracks: the components of the modes after the pairs.
     pub(super) tracks: Vec<FrozenTrack>,
+    /// What moves together where joints have friction.
+    pub(super) groups: Vec<Group>,
+    /// Number of directions: the components of the modes after the tracks.
+    pub(super) directions: usize,
     /// Internal nodes whose displacement is a signal beyond the coordinates.
     pub(super) extra: Vec<usize>,
 }

@@ -15,6 +15,7 @@ mod check;
 mod dynamics;
 mod energy;
 mod frequencies;
+mod friction;
 mod frozen;
 mod growth;
 mod kappa;
@@ -47,6 +48,7 @@ mod tests;
 mod trains;
 
 pub use frequencies::{Regime, VibrationMode};
+pub(crate) use friction::HELD;
 pub use reduce::Reduced;
 
 use crate::fault::Fault;
@@ -135,6 +137,8 @@ pub struct Power {
     pub loads: f64,
     /// Dissipation in links, pairs and the dampers of linkages, ≥ 0.
     pub dissipated: f64,
+    /// Friction in the joints of linkages, ≥ 0.
+    pub friction: f64,
 }
 
 /// Energies at an instant (J).

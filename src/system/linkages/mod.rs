@@ -19,6 +19,9 @@ use table::{Lanes, Table};
 
 pub(super) use table::Cursor;
 
+/// Weights count as nothing below this share of the greatest that they could be.
+const ROUNDING: f64 = 1e-12;
+
 /// Share of a limited reach at each end that is not sampled.
 const EDGE: f64 = 0.05;
 
@@ -93,6 +96,13 @@ impl Solved {
         (self.place, self.order, self.reduced) = (q, order, None);
     }
 
+    /// The linkage at `q`, its derivatives up to `order`; `None` where it cannot be
+    /// assembled.
+    pub(super) fn placed(&mut self, q: f64, order: usize) -> Option<&Workspace> {
+        self.go_to(q, order);
+        self.assembled.then_some(&self.workspace)
+    }
+
     fn output(&mut self, output: usize, q: f64, order: usize) -> Jet {
         self.go_to(q, order);
         match self.assembled {
@@ -115,14 +125,33 @@ impl Solved {
             return 0.0;
         };
         let [inertia, slope, _] = reduced.inertia;
+        // Weights across the motion leave rounding, which is no force.
+        let weight = reduced.potential[1];
+        let rounding = ROUNDING * self.greatest_weight();
         let parts = [
             inertia * acceleration + 0.5 * slope * rate * rate,
-            reduced.potential[1],
+            if weight.abs() <= rounding {
+                0.0
+            } else {
+                weight
+            },
             reduced.force[0],
             reduced.damping[0] * rate,
         ];
         let sum: f64 = parts.iter().map(|part| part.abs()).sum();
         if sum.is_finite() { sum } else { 0.0 }
+    }
+
+    /// What the weights would be at the input if all of them acted along the motion.
+    fn greatest_weight(&self) -> f64 {
+        let spec = self.linkage.spec();
+        let [gx, gy] = spec.gravity;
+        let links = spec.links.iter().enumerate().map(|(index, link)| {
+            let [x, y, turning] = self.workspace.transfer(index, 1);
+            let arm = link.centre[0].hypot(link.centre[1]);
+            link.mass * (x.hypot(y) + arm * turning.abs())
+        });
+        links.sum::<f64>() * gx.hypot(gy)
     }
 
     /// `None` where it cannot be assembled.
