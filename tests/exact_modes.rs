@@ -227,11 +227,11 @@ fn chains_too_long_for_their_modes_are_refused_in_time() {
     let refused = ExactTree::new(chain(120, 1e-5))
         .check()
         .expect_err("gather");
-    assert!(refused.reason.contains("run into each other"), "{refused}");
+    assert!(refused.reason.contains("run into each other"), "{refused:?}");
     let refused = ExactTree::new(chain(201, 0.0))
         .check()
         .expect_err("too many");
-    assert!(refused.reason.contains("201 masses"), "{refused}");
+    assert!(refused.reason.contains("201 masses"), "{refused:?}");
     assert!(begun.elapsed() < std::time::Duration::from_secs(100));
     assert!(ExactTree::new(chain(40, 1e-8)).check().is_ok());
 }
