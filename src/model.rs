@@ -13,6 +13,7 @@
 
 use crate::breaks::Breaks;
 use crate::linkage::Linkage;
+use crate::linkage::kinetostatics::Kinetostatics;
 use crate::motion::DriveMotion;
 use crate::position::Position;
 use serde::Serialize;
@@ -276,6 +277,8 @@ pub struct LinkageBody {
     pub linkage: Arc<Linkage>,
     /// The nodes of its outputs, in their order.
     pub outputs: Vec<NodeIndex>,
+    /// Its pairs' friction, when it acts on the motion; `None`: it moves freely.
+    pub friction: Option<Arc<Kinetostatics>>,
     /// The object concerned, index into [`Model::objects`].
     pub object: usize,
 }

@@ -400,6 +400,42 @@ fn random_scenes_agree_with_integration_at_a_tight_tolerance() {
     );
 }
 
+/// q̈ + ω²q = aω²sin ωt from rest: q = a(sin ωt − ωt cos ωt)/2, greatest after whole
+/// half-turns n, where it is aπn/2.
+#[test]
+fn a_scene_at_resonance_grows_as_the_closed_form_says() {
+    let (a, omega, duration) = (0.01, 100.0f64, 3.1);
+    let objects = json!({
+        "drive": { "kind": "drive", "motion": { "speed": omega } },
+        "arm": { "kind": "rocker", "input": "drive", "position": { "sine": { "amplitude": a } },
+            "inertia": 1, "stiffness": omega * omega, "masses": 1 },
+    });
+    let settings = json!({ "duration": duration, "samples": 400, "start": "on_law" });
+    let (system, settings) = prepare(&objects, &settings).expect("a scene");
+    let exact = solve(&system, &settings, Method::Exact, 1e-12).expect("runs");
+    assert!(
+        exact.is_trusted() && exact.is_complete(),
+        "{:?}",
+        exact.outcome
+    );
+    assert!(exact.audit.error() < 1e-11, "{:e}", exact.audit.error());
+    let at = |t: f64| 0.5 * a * ((omega * t).sin() - omega * t * (omega * t).cos());
+    let columns = delta_columns(&exact);
+    let (_, delta) = columns.iter().find(|c| c.0 == "arm").expect("a column");
+    for (t, delta) in exact.record.times.iter().zip(*delta) {
+        assert!(
+            (delta - at(*t)).abs() < 1e-12 * 0.5 * a * omega * duration,
+            "{t}: {delta}"
+        );
+    }
+    // 3.1 s are 98.7 half-turns.
+    let summit = |turns: f64| 0.5 * a * std::f64::consts::PI * turns;
+    let figures = &exact.figures.objects["arm"];
+    approx::assert_relative_eq!(figures.delta_max, summit(97.0), max_relative = 1e-12);
+    approx::assert_relative_eq!(figures.delta_min, -summit(98.0), max_relative = 1e-12);
+    compare_quick(&system, &settings, &exact, "at resonance");
+}
+
 #[test]
 fn drives_that_accelerate_or_repeat_a_plan_are_propagated_too() {
     let accelerated = json!({ "acceleration": 90, "start_speed": -12 });

@@ -226,3 +226,45 @@ fn a_start_beyond_the_reach_is_a_fault_with_the_interval() {
         "{faults:?}"
     );
 }
+
+/// The boom of an excavator on a hydraulic cylinder of 0.9 to 1.4 m.
+const BOOM: &str = r#"{ "dam": 1, "name": "boom", "objects": {
+    "pump": { "kind": "drive", "coordinate": "sliding", "motion": { "speed": 0.05, "displacement": 0.9 } },
+    "boom": { "kind": "linkage", "input": "pump", "driver": "piston",
+      "ground": { "A": [0, 0], "B": [0.3, -0.6] },
+      "links": { "barrel": {}, "rod": {},
+        "boom": { "points": { "C": [1.0, 0.1] }, "mass": 120, "centre": [1.2, 0.05], "moment": 60 } },
+      "pairs": {
+        "A": { "revolute": ["ground.A", "boom.origin"] },
+        "B": { "revolute": ["ground.B", "barrel.origin"] },
+        "C": { "revolute": ["boom.C", "rod.origin"] },
+        "piston": { "sliding": { "guide": "barrel.origin", "block": "rod.origin" } } },
+      "start": 0.9, "assembly": { "boom": { "branch": "+" } }, "travel": [0.9, 1.4],
+      "outputs": { "boom": { "angle": "boom" } } } },
+  "run": { "duration": 8 } }"#;
+
+/// A cylinder may start where it is fully retracted, and runs out to its end.
+#[test]
+fn the_ends_of_a_travel_belong_to_it() {
+    let short = solve(&read(BOOM, &[]));
+    assert_eq!(short.figures.run.stopped, None);
+    let length = short.figures.value("boom.final.displacement").unwrap();
+    assert!((length - 1.3).abs() < 1e-12, "{length}");
+    // Law of cosines at the boom's pivot.
+    let (a, b) = (0.3f64.hypot(0.6), 1f64.hypot(0.1));
+    let opening = |c: f64| ((a * a + b * b - c * c) / (2.0 * a * b)).acos();
+    let angle = short.figures.value("boom.boom.final.displacement").unwrap();
+    let start = (-0.6f64).atan2(0.3) - 0.1f64.atan2(1.0);
+    let apart = (angle - start).cos();
+    assert!((apart - opening(1.3).cos()).abs() < 1e-12, "{angle}");
+    let long = solve(&read(BOOM, &["run.duration=20"]));
+    assert_eq!(long.figures.run.stopped.as_deref(), Some("dead_position"));
+    approx::assert_abs_diff_eq!(long.figures.run.time, 10.0, epsilon = 1e-4);
+    let warning = &lower(&read(BOOM, &["run.duration=20"]))
+        .expect("a model")
+        .warnings[0];
+    assert!(
+        warning.contains("stops at the end of its travel"),
+        "{warning}"
+    );
+}

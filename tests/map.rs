@@ -136,6 +136,26 @@ fn resonance_needs_a_frequency_near_a_harmonic_and_a_large_motion() {
 }
 
 #[test]
+fn an_undamped_mode_driven_at_its_own_frequency_is_resonance_too() {
+    let settings = [
+        "rocker.masses=1",
+        "rocker.pair.closure=bilateral",
+        "rocker.damping_capacity=0",
+        "run.duration=2",
+    ];
+    // c = J·Ω² to rounding, and twice that.
+    let own = 0.1 * (20.0 * std::f64::consts::PI).powi(2);
+    let axis = format!("rocker.stiffness={own}:{}:2", 2.0 * own);
+    let found = cells(&load(TWO), question(&settings, &axis, None));
+    assert_eq!(found[0].verdict, Verdict::Resonance, "{:?}", found[0]);
+    assert!(
+        found[0].cause.contains("at 1.0000 of"),
+        "{}",
+        found[0].cause
+    );
+}
+
+#[test]
 fn what_is_no_answer_about_the_mechanism_is_not_mixed_with_one() {
     // Too few switches allowed: by exact propagation and by a general method.
     for method in ["run.method=auto", "run.method=dop853"] {

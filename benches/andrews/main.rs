@@ -18,8 +18,9 @@ use dam::integrate::{
     Dynamics, Limits, Method, Modes, Settings, Sink, Stop, SwitchEvent, integrate,
 };
 use dam::lower::lower;
+use dam::model::Model;
 use dam::polynomial::Step;
-use dam::scene::{BuiltIn, Document, Overrides};
+use dam::scene::{BuiltIn, Document, Overrides, Reading};
 use dam::system::System;
 use full::{Full, START};
 use ode_solvers::SVector;
@@ -75,7 +76,8 @@ fn full(how: Full, tolerance: f64) -> Result {
     (errors.fold(0.0, f64::max), u64::from(counts.accepted_steps))
 }
 
-/// Keeps the state at the end of the last step.
+/// Keeps the state at the end of the last step, and looks at nothing else, as
+/// the other solver does.
 struct Last(Vec<f64>);
 
 impl Sink for Last {
@@ -100,13 +102,22 @@ struct Reduced {
     modes: Modes,
 }
 
+/// The scene, read.
+fn read() -> Reading {
+    let document = Document::parse("andrews.json", SCENE.as_bytes()).expect("JSON");
+    document
+        .scene(&BuiltIn, &Overrides::none())
+        .expect("a scene")
+}
+
+/// Its model, the structure of the linkage found.
+fn model(reading: &Reading) -> Model {
+    lower(&reading.scene).expect("a model")
+}
+
 impl Reduced {
     fn new() -> Self {
-        let document = Document::parse("andrews.json", SCENE.as_bytes()).expect("JSON");
-        let reading = document
-            .scene(&BuiltIn, &Overrides::none())
-            .expect("a scene");
-        let system = System::new(lower(&reading.scene).expect("a model")).expect("a system");
+        let system = System::new(model(&read())).expect("a system");
         let start = system.initial_state().expect("a start");
         Self {
             system,
@@ -188,35 +199,6 @@ fn main() {
     if std::env::args().any(|argument| argument == "--test") {
         return;
     }
-    if let Some(what) = std::env::var_os("X4") {
-        let what = what.to_str().unwrap().to_owned();
-        let reduced = Reduced::new();
-        match what.as_str() {
-            "solve" => {
-                let start = Instant::now();
-                for _ in 0..20_000 {
-                    drop(black_box(reduced.solve(black_box(1e-9))));
-                }
-                println!("{:?}", start.elapsed() / 20_000);
-            }
-            "prepare" => {
-                for _ in 0..2000 {
-                    drop(black_box(Reduced::new()));
-                }
-            }
-            _ => {
-                for k in 0..=36 {
-                    let t = 10f64.powf(-3.0 - 0.25 * f64::from(k));
-                    let (f, r) = (full(Full::Blocks, t), reduced.error(t));
-                    println!(
-                        "{t:.2e}  full {:.2e} {:4}   reduced {:.2e} {:4}",
-                        f.0, f.1, r.0, r.1
-                    );
-                }
-            }
-        }
-        return;
-    }
     let reduced = Reduced::new();
     let of_full = tolerance(|tolerance| full(Full::Blocks, tolerance));
     let of_reduced = tolerance(|tolerance| reduced.error(tolerance));
@@ -234,7 +216,6 @@ fn main() {
             drop(black_box(reduced.solve(black_box(of_reduced))))
         }));
     }
-    let prepare = least(20, || drop(black_box(Reduced::new())));
     println!("Andrews' squeezing mechanism to 0.03 s, positions to 1e-6, Dop853");
     let line = |name: &str, tolerance: f64, (error, steps): Result, time: f64| {
         println!(
@@ -262,8 +243,27 @@ fn main() {
         reduced.error(of_reduced),
         own,
     );
+    told_of_preparing();
+}
+
+/// What is done once a scene.
+fn told_of_preparing() {
+    let reading = read();
+    let found = model(&reading);
+    let read = least(200, || drop(black_box(read())));
+    let structure = least(200, || drop(black_box(model(&reading))));
+    let [frozen, copied] = [true, false].map(|frozen| {
+        least(200, || {
+            let model = black_box(found.clone());
+            if frozen {
+                drop(black_box(System::new(model)));
+            }
+        })
+    });
     println!(
-        "reading the scene and finding the structure: {:.3} ms",
-        1e3 * prepare
+        "once a scene: reading {:.3} ms, structure and reach {:.3} ms, tables of J and the forces {:.3} ms",
+        1e3 * read,
+        1e3 * structure,
+        1e3 * (frozen - copied)
     );
 }

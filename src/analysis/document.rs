@@ -4,9 +4,9 @@ use super::method::Choice;
 use super::settings::RunSettings;
 use super::warning::Warning;
 use crate::integrate::{Outcome, Stop};
-use crate::model::{Closure, Coordinate, DampingLaw, LinkBase, Model, ObjectPart};
+use crate::model::{Closure, Coordinate, DampingLaw, LinkBase, LinkageBody, Model, ObjectPart};
 use crate::record::{
-    EnergyAudit, Figures, ObjectFigures, PairFigures, Recorded, RunSummary, Units,
+    EnergyAudit, Figures, JointFigures, ObjectFigures, PairFigures, Recorded, RunSummary, Units,
 };
 
 /// Switches of an undamped contact from which on its figures are called undetermined.
@@ -84,7 +84,9 @@ pub(super) fn warnings_of(
     run: &RunSummary,
 ) -> Vec<Warning> {
     let mut warnings = Vec::new();
-    if recorded.not_finite || !recorded.audit.error().is_finite() {
+    // What locks at the very start has no accelerations there, and says so.
+    let locks = run.time == 0.0 && run.stopped.as_deref() == Some("self_locking");
+    if (recorded.not_finite && !locks) || !recorded.audit.error().is_finite() {
         warnings.push(Warning::NotFinite);
     }
     let (error, bound) = (run.energy_error, EnergyAudit::bound(settings.tolerance));
@@ -173,11 +175,20 @@ pub(super) fn blank(model: &Model) -> Figures {
                 margin: part.rigid_pair.map(|_| 0.0),
                 ..PairFigures::default()
             }),
+            joints: rubs(model, part).then(JointFigures::default),
             ..ObjectFigures::default()
         })
         .collect();
     let settings = RunSettings::new(0.0);
     document(model, &settings, &figures, RunSummary::default(), &[])
+}
+
+/// True when the friction of the object's joints acts on the motion.
+fn rubs(model: &Model, part: &ObjectPart) -> bool {
+    let own = |body: &&LinkageBody| part.nodes.contains(&body.node);
+    let friction = model.linkages.iter().find(own);
+    let friction = friction.and_then(|body| body.friction.as_ref());
+    friction.is_some_and(|kinetostatics| kinetostatics.has_friction())
 }
 
 /// True when the object's pair can open, or, of a rigid object, would open if it could.

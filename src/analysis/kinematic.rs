@@ -7,7 +7,7 @@
 //! anyone listens. Systems with coordinates pass through the same type
 //! unchanged, so that the methods are compiled for one type only.
 
-use crate::integrate::{Dynamics, Edge, Modes, PhysicalStop, Sink, SwitchEvent, Watch};
+use crate::integrate::{Dynamics, Edge, Modes, PhysicalStop, Probe, Sink, SwitchEvent, Watch};
 use crate::polynomial::Step;
 use crate::system::{Scratch, System};
 
@@ -42,6 +42,10 @@ impl<'s> Driven<'s> {
     /// The state of the system itself.
     fn own<'a>(&self, y: &'a [f64]) -> &'a [f64] {
         if self.idle { &[] } else { y }
+    }
+
+    fn own_mut<'a>(&self, y: &'a mut [f64]) -> &'a mut [f64] {
+        if self.idle { &mut [] } else { y }
     }
 }
 
@@ -152,6 +156,14 @@ impl Dynamics for Driven<'_> {
         }
     }
 
+    fn size(&self, index: usize, value: f64) -> f64 {
+        if self.idle {
+            1.0
+        } else {
+            self.system.size(index, value)
+        }
+    }
+
     fn state_name(&self, index: usize) -> String {
         if self.idle {
             "idle coordinate".to_owned()
@@ -181,7 +193,7 @@ impl Dynamics for Driven<'_> {
     fn switch(
         &self,
         time: f64,
-        y: &[f64],
+        y: &mut [f64],
         watch: &Watch,
         modes: &mut Modes,
     ) -> Result<(), PhysicalStop> {
@@ -189,7 +201,27 @@ impl Dynamics for Driven<'_> {
         for guard in &mut own.guards {
             guard.signal -= usize::from(self.idle);
         }
-        self.system.switch(time, self.own(y), &own, modes)
+        self.system.switch(time, self.own_mut(y), &own, modes)
+    }
+
+    fn probes(&self, modes: &Modes, out: &mut Vec<Probe>) {
+        self.system.probes(modes, out);
+    }
+
+    fn probe(
+        &self,
+        probe: &Probe,
+        time: f64,
+        y: &mut [f64],
+        modes: &Modes,
+        scratch: &mut Scratch,
+    ) -> f64 {
+        let own = self.own_mut(y);
+        self.system.probe(probe, time, own, modes, scratch)
+    }
+
+    fn obstacle(&self, scratch: &Scratch) -> Option<PhysicalStop> {
+        self.system.obstacle(scratch)
     }
 
     fn next_break(&self, time: f64, modes: &Modes) -> f64 {

@@ -5,12 +5,18 @@ use super::exact::{Mixed, mixed, tried};
 use super::settings::RunSettings;
 use crate::exact::{Parts, Rest};
 use crate::fault::Fault;
-use crate::integrate::{Dynamics, Method, Situation, choose};
+use crate::integrate::{Dynamics, Method, Situation, Vibration, choose};
 use crate::model::{Model, NodeMotion, Start};
 use crate::system::System;
 
 /// Instants at which the speed of a prescribed drive is looked at.
 const LOOKS: usize = 64;
+
+/// Coordinates above which all eigenvalues take longer than many a run.
+const MANY: usize = 40;
+
+/// A mode belongs to a base frequency within this factor.
+const NEAR: f64 = 3.0;
 
 /// The method of a run.
 pub(super) struct Choice {
@@ -141,18 +147,45 @@ fn why_exact(parts: &Parts) -> String {
 
 /// What the choice depends on.
 fn situation(system: &System, settings: &RunSettings) -> Situation {
-    // A run shorter than a turn shows at least its own duration.
-    let slowest = 1.0 / settings.duration;
+    let few = system.coordinates() <= MANY;
+    let eigenvalues = few.then(|| system.eigenvalues()).flatten();
+    let size = |[re, im]: &[f64; 2]| re.hypot(*im);
+    let fastest = match &eigenvalues {
+        Some(values) => values.iter().map(size).fold(0.0, f64::max),
+        None => system.fastest_rate(),
+    };
+    let modes = eigenvalues.unwrap_or_default();
+    let duration = settings.duration;
+    let vibrations = shown_frequencies(system).map(|frequency| nearest(frequency, &modes));
     Situation {
-        fastest: system.fastest_rate(),
-        resolved: driving_speeds(system, settings.duration)
-            .chain(shown_frequencies(system))
-            .fold(slowest, f64::max),
+        fastest,
+        vibrations: vibrations.collect(),
+        turning: driving_speeds(system, duration).fold(0.0, f64::max),
+        bends: system.bends(),
+        breaks: system.breaks_passed(duration),
         expands: system.expands(),
+        kinks: system.rubbing_objects().next().is_some(),
         tolerance: settings.tolerance,
         coordinates: system.coordinates(),
-        duration: settings.duration,
+        duration,
     }
+}
+
+/// The mode that a base frequency (rad/s) has become in the whole mechanism; an
+/// undamped vibration where there is none near it.
+fn nearest(frequency: f64, eigenvalues: &[[f64; 2]]) -> Vibration {
+    let modes = eigenvalues.iter().filter(|[_, im]| *im > 0.0);
+    let modes = modes.map(|[re, im]| Vibration {
+        frequency: re.hypot(*im),
+        decay: (-re).max(0.0),
+    });
+    let distance = |mode: &Vibration| (mode.frequency / frequency).ln().abs();
+    let nearest = modes.min_by(|a, b| distance(a).total_cmp(&distance(b)));
+    let fit = nearest.filter(|mode| distance(mode) <= NEAR.ln());
+    fit.unwrap_or(Vibration {
+        frequency,
+        decay: 0.0,
+    })
 }
 
 /// Greatest speeds of turning drives (rad/s): the lowest harmonic of their laws.

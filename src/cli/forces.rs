@@ -12,7 +12,7 @@ use dam::analysis::forces::{
     Course, ForceSettings, ForceStudy, LinkagePositions, compare_massless, course_of,
     course_of_record, only_loaded_output, study,
 };
-use dam::analysis::kinematics::{Asked, Question, linkage_of, whole_travel};
+use dam::analysis::kinematics::{Asked, Question, even_motion, linkage_of, whole_travel};
 use dam::analysis::studied::{POSITIONS, check_forces};
 use dam::fault::Fault;
 use dam::linkage::Linkage;
@@ -227,14 +227,7 @@ fn course(
             speed,
             acceleration,
             ..
-        } if *acceleration == 0.0 => format!("speed {speed} {unit}/s at every position"),
-        Course::Even {
-            speed,
-            acceleration,
-            ..
-        } => format!(
-            "speed {speed} {unit}/s and acceleration {acceleration} {unit}/s² at every position"
-        ),
+        } => even_motion([*speed, *acceleration], unit),
     };
     Ok((course, motion))
 }

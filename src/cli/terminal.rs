@@ -75,6 +75,11 @@ fn object_block(text: &mut String, id: &str, object: &ObjectFigures, units: Opti
         length,
     );
     row("final speed", number(object.end.speed), &rate("s"));
+    if let Some(joints) = &object.joints {
+        row("standstills", joints.standstills.to_string(), "");
+        row("time at rest", number(joints.time_at_rest), "s");
+        row("lost to joint friction", number(joints.friction_loss), "J");
+    }
     if let Some(pair) = &object.pair {
         pair_rows(&mut row, pair, length, force);
     }

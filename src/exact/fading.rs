@@ -14,22 +14,25 @@ use super::phase::{Exponentials, Phase};
 const NOTHING: f64 = 1e-44;
 
 impl Phase {
-    /// Leaves out the vectors that have faded at the instant of `e`, whose
-    /// entries for them become zero.
+    /// True when the last vector has faded at the instant of `e`.
     #[inline(always)]
-    pub(super) fn fade(&mut self, basis: &Basis, e: &mut Exponentials) {
-        while self.active > basis.kept {
-            let last = self.active - 1;
-            // A look at the decay alone tells most often that it is too early.
-            let alive = e.size[last].zip(basis.present[last], |size, one| size * one);
-            if alive.greatest() > 1e-9 || !self.faded(basis, e, last) {
-                return;
-            }
-            e.re[last] = V::ZERO;
-            e.im[last] = V::ZERO;
-            e.size[last] = V::ZERO;
-            self.active = last;
+    pub(super) fn fades(&self, basis: &Basis, e: &Exponentials) -> bool {
+        if self.active <= basis.kept {
+            return false;
         }
+        let last = self.active - 1;
+        // A look at the decay alone tells most often that it is too early.
+        let alive = e.size[last].zip(basis.present[last], |size, one| size * one);
+        alive.greatest() <= 1e-9 && self.faded(basis, e, last)
+    }
+
+    /// Leaves out the last vector, whose entries in `e` become zero.
+    pub(super) fn fade(&mut self, e: &mut Exponentials) {
+        let last = self.active - 1;
+        e.re[last] = V::ZERO;
+        e.im[last] = V::ZERO;
+        e.size[last] = V::ZERO;
+        self.active = last;
     }
 
     /// True when vector `last` is nothing beside those before it.

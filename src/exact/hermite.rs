@@ -18,6 +18,8 @@ pub(crate) struct Point {
     pub(crate) s: f64,
     pub(crate) value: V,
     pub(crate) slope: V,
+    /// Bound on the fourth derivatives from here on.
+    pub(crate) fourth: V,
 }
 
 /// What the quartics take on top of the cubic.
@@ -168,6 +170,7 @@ mod tests {
                 s: e.s,
                 value: V::splat(e.f),
                 slope: V::splat(e.g),
+                fourth: V::splat(81.0),
             };
             let loss = Loss {
                 middle: V::splat(middle),

@@ -7,7 +7,7 @@ use super::problem::{TreeObject, TreePair, TreeProblem};
 use super::regime::Regime;
 use super::request::Request;
 use super::search::Witness;
-use super::track::{Scene, Track};
+use super::track::{LookBack, Scene, Track};
 use super::workspace::Workspace;
 
 /// Hands every step of the search to the tracks.
@@ -25,19 +25,19 @@ impl Witness for Tracks<'_> {
     }
 
     #[inline(always)]
-    fn see<A: Arith>(&mut self, before: &Exponentials, now: &Exponentials) {
+    fn see<A: Arith>(&mut self, from: f64, now: &Exponentials) {
         A::apart(See {
             tracks: self,
-            before,
+            from,
             now,
         });
     }
 }
 
-/// A step of the search taken into the figures.
+/// A step of the search noted for the figures.
 struct See<'a, 'b> {
     tracks: &'a mut Tracks<'b>,
-    before: &'a Exponentials,
+    from: f64,
     now: &'a Exponentials,
 }
 
@@ -54,7 +54,7 @@ impl Task for See<'_, '_> {
         } = self.tracks;
         for (o, track) in tracks.iter_mut().enumerate() {
             let scene = scene(regime, phase, o, variants);
-            track.step::<A>(scene, self.before, self.now);
+            track.see::<A>(scene, self.from, self.now);
         }
     }
 }
@@ -121,6 +121,18 @@ impl Workspace<'_> {
             self.variants[o] = (variant, engaged);
             let scene = scene(&self.regimes[regime], &self.phase, o, &self.variants);
             track.begin::<A>(scene, &self.search.e, engaged);
+        }
+    }
+
+    /// Looks at the steps noted since the last time. To be called before modes
+    /// leave the phase or come back to it.
+    #[inline(always)]
+    pub(super) fn look_back<A: Arith>(&mut self, regime: usize) {
+        for (o, track) in self.tracks.iter_mut().enumerate() {
+            if track.has_steps() {
+                let scene = scene(&self.regimes[regime], &self.phase, o, &self.variants);
+                A::apart(LookBack { track, scene });
+            }
         }
     }
 

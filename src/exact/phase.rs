@@ -292,16 +292,19 @@ impl Phase {
 }
 
 impl Exponentials {
-    /// Takes over the first `active` vectors of another.
+    /// Those of the start of a phase, of its first `active` vectors.
     #[inline(always)]
-    pub(crate) fn copy(&mut self, other: &Self, active: usize) {
-        self.s = other.s;
+    pub(crate) fn start(&mut self, active: usize) {
+        self.s = 0.0;
+        self.swings.fill(Swing {
+            cos: 1.0,
+            ..Swing::default()
+        });
         for b in 0..active {
-            self.re[b] = other.re[b];
-            self.im[b] = other.im[b];
-            self.size[b] = other.size[b];
+            self.re[b] = V::splat(1.0);
+            self.im[b] = V::ZERO;
+            self.size[b] = V::splat(1.0);
         }
-        self.swings.copy_from_slice(&other.swings);
     }
 
     pub(crate) fn new(blocks: usize, harmonics: usize) -> Self {

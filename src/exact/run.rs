@@ -146,6 +146,7 @@ impl Workspace<'_> {
         self.begin_tracks::<A>(regime);
         self.begin_ledger(regime);
         let event = self.pass::<A>(regime, horizon)?;
+        self.look_back::<A>(regime);
         let entry = &self.regimes[regime];
         self.phase.revive(&entry.basis);
         let s = self.search.e.s;
@@ -222,6 +223,18 @@ impl Workspace<'_> {
         Ok(())
     }
 
+    /// Lets modes leave that have died away.
+    #[inline(always)]
+    fn fade<A: Arith>(&mut self, regime: usize) {
+        while self
+            .phase
+            .fades(&self.regimes[regime].basis, &self.search.e)
+        {
+            self.look_back::<A>(regime);
+            self.phase.fade(&mut self.search.e);
+        }
+    }
+
     #[cold]
     fn crawling(&self, steps: u64) -> Refusal {
         let time = self.at.0 + self.search.e.s;
@@ -281,8 +294,7 @@ impl Workspace<'_> {
                     return Ok(Some(number));
                 }
                 Step::Free => {
-                    let basis = &self.regimes[regime].basis;
-                    self.phase.fade(basis, &mut self.search.e);
+                    self.fade::<A>(regime);
                     if self.comes_clear::<A>(regime, None) {
                         self.watch();
                         self.take_signals::<A>(regime);

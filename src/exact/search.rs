@@ -10,7 +10,7 @@ use super::basis::Basis;
 use super::bound::{Assessment, Bracket, Jet, assess, reversed};
 use super::functional::ORDERS;
 use super::lanes::{Arith, V, WIDTH};
-use super::phase::{Exponentials, Phase, Swing};
+use super::phase::{Exponentials, Phase};
 use super::signal::{Signal, Terms};
 
 /// What a step of the search found.
@@ -33,8 +33,8 @@ pub(crate) trait Witness {
     /// False when it need not be told.
     fn looks(&self) -> bool;
 
-    /// Nothing has switched between the two instants.
-    fn see<A: Arith>(&mut self, before: &Exponentials, now: &Exponentials);
+    /// Nothing has switched between the local time `from` and the instant of `now`.
+    fn see<A: Arith>(&mut self, from: f64, now: &Exponentials);
 }
 
 /// Working memory of the search.
@@ -42,8 +42,6 @@ pub(crate) trait Witness {
 pub(crate) struct Search {
     pub(crate) e: Exponentials,
     pub(crate) terms: Terms,
-    /// e at the beginning of the step.
-    before: Exponentials,
     /// Steps taken.
     pub(crate) steps: u64,
     /// Evaluations of the exponentials.
@@ -58,7 +56,6 @@ impl Search {
     pub(crate) fn new(blocks: usize, harmonics: usize) -> Self {
         Self {
             e: Exponentials::new(blocks, harmonics),
-            before: Exponentials::new(blocks, harmonics),
             terms: Terms {
                 lane: vec![V::ZERO; (ORDERS + 1) * blocks],
                 slow: [0.0; ORDERS],
@@ -73,16 +70,7 @@ impl Search {
     /// Puts the search at the start of a phase.
     #[inline(always)]
     pub(crate) fn restart(&mut self, phase: &Phase) {
-        self.e.s = 0.0;
-        self.e.swings.fill(Swing {
-            cos: 1.0,
-            ..Swing::default()
-        });
-        for b in 0..phase.active {
-            self.e.re[b] = V::splat(1.0);
-            self.e.im[b] = V::ZERO;
-            self.e.size[b] = V::splat(1.0);
-        }
+        self.e.start(phase.active);
     }
 
     #[inline(always)]
@@ -92,8 +80,7 @@ impl Search {
         self.exponentials += (phase.active * WIDTH) as u64;
     }
 
-    /// One step towards `horizon`; the witness is told the exponentials at its
-    /// start and its end.
+    /// One step towards `horizon`, of which the witness is told.
     #[inline(always)]
     pub(crate) fn step<A: Arith>(
         &mut self,
@@ -136,23 +123,20 @@ impl Search {
         }
         self.steps += 1;
         let looks = witness.looks();
-        if looks {
-            self.before.copy(&self.e, phase.active);
-        }
         if let Some((number, bracket)) = root
             && (second >= bracket.high || second >= left)
         {
             let signal = &signals[watched[number]];
             let step = self.polish::<A>(basis, phase, signal, bracket, left, number);
             if looks {
-                witness.see::<A>(&self.before, &self.e);
+                witness.see::<A>(s, &self.e);
             }
             return step;
         }
         let target = if length >= left { horizon } else { s + length };
         self.evaluate::<A>(basis, phase, target);
         if looks {
-            witness.see::<A>(&self.before, &self.e);
+            witness.see::<A>(s, &self.e);
         }
         if length >= left {
             Step::Reached

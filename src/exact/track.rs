@@ -1,21 +1,25 @@
 //! Figures between samples: extremes and the mean deviation, exactly.
 //!
 //! The four functionals of an object are evaluated with their slopes at both
-//! ends of every step of the switch search and bounded between
-//! ([`super::hermite`]). Where one might pass the greatest value met so far, the
-//! step is cut at the summit of its cubic, the summit polished, and what is left
-//! on either side bounded again, until nothing can pass. Roots of δ are found
-//! the same way. A step in which nothing can happen costs its bound.
+//! ends of every step of the switch search, unless envelopes tell that nothing
+//! happens in it. The values met there are noted at once; once the phase has
+//! been gone through (or so many steps), the functionals are bounded within the
+//! steps ([`super::hermite`]). Where one might pass the greatest value met so
+//! far, the step is cut at the summit of its cubic, the summit polished, and
+//! what is left on either side bounded again, until nothing can pass. Roots of δ
+//! are found the same way. A step in which nothing can happen costs its bound.
 
+mod back;
 mod climb;
+#[cfg(test)]
+mod tests;
 mod walk;
 
-use climb::{Climb, Turns};
-use walk::Walk;
+pub(crate) use back::LookBack;
 
 use super::asked::Asked;
 use super::basis::Basis;
-use super::hermite::{Bounds, End, Piece, Point, enclose};
+use super::hermite::{Bounds, End, Piece, Point};
 use super::lanes::{Arith, V, WIDTH};
 use super::panel::{Panel, PanelPhase};
 use super::phase::{Exponentials, Phase};
@@ -50,7 +54,11 @@ const UNKNOWN: Point = Point {
     s: f64::NEG_INFINITY,
     value: V::ZERO,
     slope: V::ZERO,
+    fourth: V::ZERO,
 };
+
+/// Steps that are looked at together.
+const TOGETHER: usize = 32;
 
 /// What the figures are taken from.
 #[derive(Clone, Copy)]
@@ -93,6 +101,8 @@ pub(crate) struct Track {
     low: V,
     /// The end of the step before, unless nothing was to be seen in it.
     last: Point,
+    /// Steps to be looked at.
+    steps: Vec<[Point; 2]>,
     /// Whether envelopes alone may tell that nothing happens in a step.
     quiet: bool,
     /// Primitive of δ where it last changed its sign, or the phase began.
@@ -128,6 +138,7 @@ impl Track {
             high: V::ZERO,
             low: V::ZERO,
             last: Point::default(),
+            steps: Vec::with_capacity(TOGETHER),
             quiet: false,
             turned: 0.0,
             roots: Vec::with_capacity(CUTS),
@@ -167,11 +178,10 @@ impl Track {
             }
         }
         self.quiet = self.nothing_between::<A>(0.0, 0.0);
-        self.last = if self.quiet {
-            UNKNOWN
-        } else {
-            self.state.point::<A>(basis, panel, phase, e)
-        };
+        self.last = UNKNOWN;
+        if !self.quiet {
+            self.stand_at::<A>(scene, e);
+        }
         if self.asked.mean {
             self.turned = self.state.primitive::<A>(panel, phase, e);
         }
@@ -188,81 +198,57 @@ impl Track {
         beyond.greatest() <= 0.0 && !self.may_turn(&bounds)
     }
 
-    /// Takes the step from `before` to `now` into the figures.
+    /// Evaluates at the instant of `e` and notes what is greater than before.
     #[inline(always)]
-    pub(crate) fn step<A: Arith>(
-        &mut self,
-        scene: Scene,
-        before: &Exponentials,
-        now: &Exponentials,
-    ) {
-        if self.quiet {
-            if self.nothing_between::<A>(before.s, now.s) {
-                return;
-            }
-            if self.last.s != before.s {
-                self.last = self
-                    .state
-                    .point::<A>(scene.basis, scene.panel, scene.phase, before);
-            }
-        }
-        if scene.followed(now.s - before.s) == scene.lanes() {
-            let end = self
-                .state
-                .point::<A>(scene.basis, scene.panel, scene.phase, now);
-            self.span::<A>(scene, before, end);
-        } else {
-            A::apart(Walk {
-                track: self,
-                scene,
-                before,
-                now,
-            });
-        }
-    }
-
-    /// Takes the part from the last point to `b`, which begins at `before`.
-    #[inline(always)]
-    fn span<A: Arith>(&mut self, scene: Scene, before: &Exponentials, b: Point) {
-        let a = self.last;
-        self.last = b;
-        let (basis, panel) = (scene.basis, scene.panel);
-        let h = b.s - a.s;
-        let loss = self
-            .state
-            .loss::<A>(basis, panel, (before, scene.lanes()), h);
-        let bounds = enclose::<A>(&a, &b, &loss);
-        let over = bounds.high - self.high;
-        let under = self.low - bounds.low;
-        // Differences below rounding are not worth a climb.
-        let margin = self.margin();
-        let beyond = over.max(under) - margin;
-        if beyond.greatest() > 0.0 {
-            let noise = self.state.noise(b.s);
+    fn stand_at<A: Arith>(&mut self, scene: Scene, e: &Exponentials) {
+        let Scene {
+            basis,
+            panel,
+            phase,
+        } = scene;
+        self.last = self.state.point::<A>(basis, panel, phase, e);
+        let value = self.last.value;
+        let (over, under) = (value - self.high, self.low - value);
+        if over.max(under).greatest() > 0.0 {
             for k in 0..4 {
-                let margin = margin.0[k].max(noise.0[k]);
                 for (beyond, sign) in [(over.0[k], 1.0), (under.0[k], -1.0)] {
-                    if beyond > margin {
-                        A::apart(Climb {
-                            track: self,
-                            scene,
-                            before,
-                            ends: (&a, &b),
-                            figure: (k, sign),
-                            margin,
-                        });
+                    if beyond > 0.0 {
+                        self.note(k, sign, sign * value.0[k]);
                     }
                 }
             }
         }
-        if self.may_turn(&bounds) {
-            A::apart(Turns {
-                track: self,
-                scene,
-                before,
-                ends: (&a, &b),
-            });
+    }
+
+    /// Notes the step from the local time `from` to the instant of `now`.
+    #[inline(always)]
+    pub(crate) fn see<A: Arith>(&mut self, scene: Scene, from: f64, now: &Exponentials) {
+        if self.quiet && self.nothing_between::<A>(from, now.s) {
+            return;
         }
+        if self.last.s != from {
+            let mut e = std::mem::take(&mut self.e);
+            scene.phase.exponentials::<A>(scene.basis, from, &mut e);
+            self.stand_at::<A>(scene, &e);
+            self.e = e;
+        }
+        let before = self.last;
+        self.stand_at::<A>(scene, now);
+        if self.asked.mean {
+            // Most steps have to be looked into anyway, in their order.
+            self.look_into::<A>(scene, [before, self.last]);
+            return;
+        }
+        self.steps.push([before, self.last]);
+        if self.steps.len() == TOGETHER {
+            A::apart(LookBack { track: self, scene });
+        }
+    }
+
+    /// True when there are steps to be looked at.
+    #[inline(always)]
+    pub(crate) fn has_steps(&self) -> bool {
+        !self.steps.is_empty()
     }
 
     /// True when δ may change its sign, and that matters.

@@ -4,18 +4,27 @@ use super::{Dynamics, Method, Modes};
 use std::f64::consts::TAU;
 
 /// What the choice of a method depends on.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Situation {
     /// Greatest rate of the system (1/s): spectral radius of its Jacobian with
     /// every pair engaged, see [`fastest_rate`]. An explicit method must follow
     /// it even when nothing of it is to be seen in the motion.
     pub fastest: f64,
-    /// Highest angular frequency (rad/s) that the motion shows: that of the
-    /// drive, or, where pairs open and close, the base frequency of the
-    /// objects that they hit.
-    pub resolved: f64,
+    /// Vibrations that the motion sets going: those of the objects that a pair lets go
+    /// and hits again, and all where the start is not the quiet one.
+    pub vibrations: Vec<Vibration>,
+    /// Greatest speed of the drives (rad/s).
+    pub turning: f64,
+    /// True when a law that is no constant ratio, or a linkage, hangs on them.
+    pub bends: bool,
+    /// Breaks of laws and loads that the motion passes: every method begins anew
+    /// behind them.
+    pub breaks: f64,
     /// True when the motion has a power series ([`Dynamics::expands`]).
     pub expands: bool,
+    /// True when the equations have kinks that no switch marks (blocks whose corners
+    /// change the side on which they press): long steps of high order miss them.
+    pub kinks: bool,
     /// Error wanted, relative to the scales of the state.
     pub tolerance: f64,
     /// Number of coordinates.
@@ -24,10 +33,38 @@ pub struct Situation {
     pub duration: f64,
 }
 
-/// How a method behaves: steps as measured with this program on an oscillator of
-/// 1 rad/s (the implicit methods: on the press of the scenarios, in proportion to
-/// Dopri5, as long as keeps the error within the tolerance: Rodas5P misses it
-/// eightfold otherwise), costs on the same press. Series follow their coefficients; the bound of stability
+/// A vibration.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Vibration {
+    /// Angular frequency (rad/s).
+    pub frequency: f64,
+    /// It falls to 1/e in the inverse of this time (1/s); 0: it stays.
+    pub decay: f64,
+}
+
+/// A law bends as a sine of so many times the speed of its drive does.
+const HARMONICS: f64 = 1.5;
+
+impl Situation {
+    /// Highest angular frequency (rad/s) that the motion shows, on the average: a
+    /// vibration counts for the share of the time between two turns of the drives in
+    /// which it is above the tolerance.
+    pub fn shown(&self) -> f64 {
+        let turning = self.turning * if self.bends { HARMONICS } else { 1.0 };
+        let turn = TAU / self.turning.max(TAU / self.duration);
+        let digits = -self.tolerance.ln();
+        let alive = |decay: f64| (digits / (decay.max(0.0) * turn)).min(1.0);
+        let vibrations = self.vibrations.iter();
+        // Something is to be seen at least once in the run.
+        vibrations
+            .map(|vibration| vibration.frequency * alive(vibration.decay))
+            .fold(turning.max(TAU / self.duration), f64::max)
+    }
+}
+
+/// How a method behaves. Steps as measured with this program on a vibration of 1 rad/s
+/// that stays (two rotors on a shaft, of the scenarios), costs on the scenarios with
+/// one to nine coordinates. Series follow their coefficients; the bound of stability
 /// given is that of the exponential series of degree 12, about (p + ½·ln 2πp)/e.
 struct Behaviour {
     method: Method,
@@ -37,28 +74,36 @@ struct Behaviour {
     order: f64,
     /// Greatest rate × step that remains stable.
     stable: f64,
+    /// Way of a drive (rad) at tolerance 1e-8 over which the method knows a law.
+    way: f64,
+    /// Steps lost in beginning anew.
+    restart: f64,
     /// Cost of a step in evaluations, and what is added for every coordinate up
-    /// to [`FULL`] (columns of the Jacobian) …
+    /// to [`FULL`] (columns of the Jacobian, less what is shared) …
     cost: [f64; 2],
     /// … and for every digit of the tolerance.
     digit: f64,
 }
 
-/// Coordinates above which a Jacobian has no more columns that must be taken
-/// one by one.
+/// Coordinates above which the cost of a step against that of an evaluation stays.
 const FULL: f64 = 6.0;
 
 /// Where accuracy limits the step of the explicit method, the implicit one must be
-/// expected to need less than this share of its work: its behaviour is known from a
-/// stiff system.
-const SOFT: f64 = 0.4;
+/// expected to need less than this share of its work: it gains least there.
+const SOFT: f64 = 0.8;
+
+/// The way over which a law is known grows with the tolerance to this power,
+/// up to a tolerance of 1e-4 (see `system::taylor::law`).
+const OF_WAY: f64 = 1.0 / 8.0;
 
 const BEHAVIOURS: [Behaviour; 5] = [
     Behaviour {
         method: Method::Taylor,
-        step: 1.75,
-        order: 40.0,
+        step: 1.1,
+        order: 46.0,
         stable: 5.0,
+        way: 0.2,
+        restart: 1.0,
         cost: [3.0, 0.0],
         digit: 0.8,
     },
@@ -67,6 +112,8 @@ const BEHAVIOURS: [Behaviour; 5] = [
         step: 0.47,
         order: 8.0,
         stable: 6.1,
+        way: f64::INFINITY,
+        restart: 1.0,
         cost: [25.0, 0.0],
         digit: 0.0,
     },
@@ -75,6 +122,8 @@ const BEHAVIOURS: [Behaviour; 5] = [
         step: 0.064,
         order: 5.0,
         stable: 3.3,
+        way: f64::INFINITY,
+        restart: 1.0,
         cost: [6.0, 0.0],
         digit: 0.0,
     },
@@ -83,15 +132,19 @@ const BEHAVIOURS: [Behaviour; 5] = [
         step: 0.083,
         order: 5.0,
         stable: f64::INFINITY,
-        cost: [5.0, 0.8],
+        way: f64::INFINITY,
+        restart: 1.0,
+        cost: [8.0, 1.5],
         digit: 0.0,
     },
     Behaviour {
         method: Method::Radau,
-        step: 0.67,
+        step: 1.0,
         order: 8.0,
         stable: f64::INFINITY,
-        cost: [8.0, 2.1],
+        way: f64::INFINITY,
+        restart: 3.0,
+        cost: [24.0, -1.2],
         digit: 0.0,
     },
 ];
@@ -99,11 +152,17 @@ const BEHAVIOURS: [Behaviour; 5] = [
 impl Behaviour {
     /// Steps (s) that accuracy and stability allow.
     fn steps(&self, situation: &Situation) -> [f64; 2] {
-        let accurate = self.step * (situation.tolerance / 1e-8).powf(1.0 / self.order);
-        [
-            accurate / situation.resolved,
-            self.stable / situation.fastest,
-        ]
+        let share = |tolerance: f64, power: f64| (tolerance / 1e-8).powf(power);
+        let tolerance = match self.method {
+            Method::Radau => super::radau::kept(situation.tolerance),
+            _ => situation.tolerance,
+        };
+        let mut accurate = self.step * share(tolerance, 1.0 / self.order) / situation.shown();
+        if situation.bends {
+            let way = self.way * share(0.1 * tolerance.clamp(1e-7, 1e-4), OF_WAY);
+            accurate = accurate.min(way / situation.turning);
+        }
+        [accurate, self.stable / situation.fastest]
     }
 
     /// Work of the whole run in evaluations.
@@ -112,7 +171,8 @@ impl Behaviour {
         let columns = (situation.coordinates as f64).min(FULL);
         let digits = -situation.tolerance.log10();
         let cost = self.cost[0] + self.cost[1] * columns + self.digit * digits;
-        cost * situation.duration / accurate.min(stable).min(situation.duration)
+        let steps = situation.duration / accurate.min(stable).min(situation.duration);
+        cost * (steps + self.restart * (1.0 + situation.breaks))
     }
 }
 
@@ -121,37 +181,52 @@ impl Behaviour {
 /// One of the library's own or of `ode_solvers`; explicit unless the implicit
 /// one is expected to need less.
 pub fn choose(situation: &Situation) -> (Method, String) {
-    // Something is to be seen at least once in the run, and a system without
-    // springs has no rate of its own.
-    let resolved = situation.resolved.max(TAU / situation.duration);
+    // A system without springs has no rate of its own.
     let situation = &Situation {
-        resolved,
-        fastest: situation.fastest.max(resolved),
-        ..*situation
+        fastest: situation.fastest.max(situation.shown()),
+        ..situation.clone()
     };
     let implicit = |behaviour: &Behaviour| behaviour.stable.is_infinite();
     let least = |wanted: bool| {
-        let fit = BEHAVIOURS
-            .iter()
-            .filter(|b| implicit(b) == wanted && (situation.expands || b.method != Method::Taylor));
+        let fit = BEHAVIOURS.iter().filter(|b| {
+            implicit(b) == wanted
+                && (situation.expands || b.method != Method::Taylor)
+                && !(situation.kinks && b.method == Method::Radau)
+        });
         fit.min_by(|a, b| a.work(situation).total_cmp(&b.work(situation)))
             .expect("the list has methods of both kinds")
     };
     let (explicit, implicit) = (least(false), least(true));
-    let rate = situation.fastest / situation.resolved;
     let [accurate, stable] = explicit.steps(situation);
     let bar = if stable < accurate { 1.0 } else { SOFT };
     if implicit.work(situation) < bar * explicit.work(situation) {
-        let reason = format!(
-            "the system's fastest rate, {:.2e} 1/s, is {rate:.0} times what the motion shows; \
-             {} would be held to steps of {stable:.1e} s where {} takes {:.1e} s",
-            situation.fastest,
-            explicit.method,
-            implicit.method,
-            implicit.steps(situation)[0],
-        );
-        return (implicit.method, reason);
+        return (implicit.method, why_implicit(situation, explicit, implicit));
     }
+    (explicit.method, why_explicit(situation, explicit))
+}
+
+fn why_implicit(situation: &Situation, explicit: &Behaviour, implicit: &Behaviour) -> String {
+    let [accurate, stable] = explicit.steps(situation);
+    let (fastest, shown) = (situation.fastest, situation.shown());
+    let held = if stable < accurate {
+        format!(
+            "the system's fastest rate, {fastest:.2e} 1/s, is {:.0} times what the motion shows",
+            fastest / shown
+        )
+    } else {
+        format!("the motion shows no more than {shown:.2e} rad/s most of the time")
+    };
+    format!(
+        "{held}; {} would be held to steps of {:.1e} s where {} takes {:.1e} s",
+        explicit.method,
+        accurate.min(stable),
+        implicit.method,
+        implicit.steps(situation)[0].min(situation.duration),
+    )
+}
+
+fn why_explicit(situation: &Situation, explicit: &Behaviour) -> String {
+    let [accurate, stable] = explicit.steps(situation);
     let bound = if accurate <= stable {
         "the tolerance"
     } else {
@@ -161,13 +236,13 @@ pub fn choose(situation: &Situation) -> (Method, String) {
         Method::Taylor => "power series, ",
         _ => "explicit, ",
     };
-    let reason = format!(
-        "{series}as the fastest rate, {:.2e} 1/s, is only {rate:.1} times what the motion shows; \
+    format!(
+        "{series}as the fastest rate, {:.2e} 1/s, is only {:.1} times what the motion shows; \
          {bound} asks for steps of about {:.1e} s",
         situation.fastest,
-        accurate.min(stable),
-    );
-    (explicit.method, reason)
+        situation.fastest / situation.shown(),
+        accurate.min(stable).min(situation.duration),
+    )
 }
 
 /// Spectral radius (1/s) of the Jacobian at a state: the mean growth of a
@@ -232,12 +307,33 @@ mod tests {
         let (y, modes) = system.static_start();
         choose(&Situation {
             fastest: fastest_rate(&system, 0.0, &y, &modes),
-            resolved: 1e4,
-            expands: true,
-            tolerance,
+            vibrations: vec![stays(1e4)],
             coordinates: masses,
-            duration: 0.5,
+            ..situation(tolerance, 0.5)
         })
+    }
+
+    fn stays(frequency: f64) -> Vibration {
+        Vibration {
+            frequency,
+            decay: 0.0,
+        }
+    }
+
+    /// Nothing vibrates, nothing turns.
+    fn situation(tolerance: f64, duration: f64) -> Situation {
+        Situation {
+            fastest: 0.0,
+            vibrations: Vec::new(),
+            turning: 0.0,
+            bends: false,
+            breaks: 0.0,
+            expands: true,
+            kinks: false,
+            tolerance,
+            coordinates: 1,
+            duration,
+        }
     }
 
     #[test]
@@ -256,14 +352,7 @@ mod tests {
 
     #[test]
     fn a_system_at_rest_without_springs_has_a_method_and_a_readable_reason() {
-        let (method, why) = choose(&Situation {
-            fastest: 0.0,
-            resolved: 0.0,
-            expands: true,
-            tolerance: 1e-8,
-            coordinates: 1,
-            duration: 2.0,
-        });
+        let (method, why) = choose(&situation(1e-8, 2.0));
         assert_eq!(method, Method::Taylor);
         assert!(!why.contains("NaN") && !why.contains("inf"), "{why}");
     }
@@ -272,20 +361,97 @@ mod tests {
     fn what_has_no_series_gets_a_method_of_stages_by_its_tolerance() {
         let mut situation = Situation {
             fastest: 1e7,
-            resolved: 100.0,
+            vibrations: vec![stays(100.0)],
             expands: false,
-            tolerance: 1e-5,
             coordinates: 4,
-            duration: 1.0,
+            ..situation(1e-5, 1.0)
         };
         assert_eq!(choose(&situation).0, Method::Radau);
         situation.fastest = 100.0;
         situation.tolerance = 1e-2;
-        assert_eq!(choose(&situation).0, Method::Dopri5);
-        situation.tolerance = 1e-11;
         let (method, why) = choose(&situation);
-        assert_eq!(method, Method::Dop853);
+        assert_eq!(method, Method::Dopri5);
         assert!(why.contains("the tolerance asks for steps"), "{why}");
+        // Long smooth steps are worth their price where they are few.
+        situation.tolerance = 1e-8;
+        assert_eq!(choose(&situation).0, Method::Radau);
+    }
+
+    #[test]
+    fn a_vibration_that_dies_out_counts_for_as_long_as_it_lasts() {
+        let shown = |decay: f64, turning: f64| {
+            let vibrations = vec![Vibration {
+                frequency: 2e4,
+                decay,
+            }];
+            Situation {
+                vibrations,
+                turning,
+                ..situation(1e-4, 2.0)
+            }
+            .shown()
+        };
+        assert_eq!(shown(0.0, 10.0), 2e4);
+        // ln 1e4/400 s of the 2π/10 s of a turn.
+        let share = 1e4f64.ln() / 400.0 / (TAU / 10.0);
+        approx::assert_relative_eq!(shown(400.0, 10.0), share * 2e4, max_relative = 1e-12);
+        // Within the whole run, where nothing turns; never less than the drive shows.
+        approx::assert_relative_eq!(
+            shown(400.0, 0.0),
+            1e4f64.ln() / 800.0 * 2e4,
+            max_relative = 1e-12
+        );
+        assert_eq!(shown(1e9, 10.0), 10.0);
+    }
+
+    #[test]
+    fn what_dies_out_and_what_stays_get_different_methods() {
+        let of = |decay: f64| {
+            choose(&Situation {
+                fastest: 2e4,
+                vibrations: vec![Vibration {
+                    frequency: 2e4,
+                    decay,
+                }],
+                turning: 10.0,
+                coordinates: 2,
+                ..situation(1e-7, 1.0)
+            })
+        };
+        assert_eq!(of(0.0).0, Method::Taylor);
+        let (method, why) = of(1000.0);
+        assert_eq!(method, Method::Radau, "{why}");
+        assert!(why.contains("times what the motion shows"), "{why}");
+    }
+
+    #[test]
+    fn kinks_speak_against_long_steps_of_high_order() {
+        let of = |kinks: bool| {
+            choose(&Situation {
+                fastest: 1e7,
+                vibrations: vec![stays(100.0)],
+                expands: false,
+                kinks,
+                coordinates: 4,
+                ..situation(1e-8, 1.0)
+            })
+        };
+        assert_eq!(of(false).0, Method::Radau);
+        assert_eq!(of(true).0, Method::Rodas5p);
+    }
+
+    #[test]
+    fn many_breaks_speak_for_steps_that_begin_easily() {
+        let of = |breaks: f64| {
+            choose(&Situation {
+                turning: 100.0,
+                bends: true,
+                breaks,
+                ..situation(1e-7, 0.5)
+            })
+        };
+        assert_eq!(of(0.0).0, Method::Radau);
+        assert_eq!(of(100.0).0, Method::Taylor);
     }
 
     #[test]

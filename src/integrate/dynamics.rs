@@ -40,6 +40,21 @@ pub struct Watch {
     pub target: i64,
 }
 
+/// A switch to be looked for where no signal tells it: a function of the state that
+/// is looked at `looks` times a step, and located by bisection where it becomes
+/// positive. It may jump.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Probe {
+    /// Which of the system's.
+    pub index: usize,
+    /// Component of [`Modes`] that changes.
+    pub component: usize,
+    /// Its new value.
+    pub target: i64,
+    /// Places of a step to look at, the last at its end.
+    pub looks: usize,
+}
+
 /// A place that a signal cannot pass, because the equations end there: they hold
 /// the square root of the distance to it, and are not numbers beyond. A run
 /// ends a little before (a millionth of the span, or ten times the tolerance in
@@ -194,6 +209,13 @@ pub trait Dynamics: Sync {
     /// tolerance × scale (all > 0 and finite).
     fn scales(&self) -> &[f64];
 
+    /// Size of a state entry that errors are measured by. Default: its scale and
+    /// its value together. The angle of a rotor, which grows with every turn, is not
+    /// known less well for that.
+    fn size(&self, index: usize, value: f64) -> f64 {
+        self.scales()[index] + value.abs()
+    }
+
     /// Name of a state entry, for messages: "rocker, mass 2: speed".
     fn state_name(&self, index: usize) -> String;
 
@@ -217,17 +239,42 @@ pub trait Dynamics: Sync {
         }
     }
 
-    /// Changes the modes for a switch located at (`time`, `y`).
+    /// Changes the modes for a switch located at (`time`, `y`), and the state where
+    /// the new modes bind it (by no more than it is uncertain by).
     ///
     /// # Errors
     /// The mechanism cannot go on.
     fn switch(
         &self,
         time: f64,
-        y: &[f64],
+        y: &mut [f64],
         watch: &Watch,
         modes: &mut Modes,
     ) -> Result<(), PhysicalStop>;
+
+    /// All probes for the present modes; clears `out` first. Default: none.
+    fn probes(&self, _modes: &Modes, out: &mut Vec<Probe>) {
+        out.clear();
+    }
+
+    /// A probe at a state: it fires where this becomes positive. `y` is memory
+    /// afterwards. Must not allocate.
+    fn probe(
+        &self,
+        _probe: &Probe,
+        _time: f64,
+        _y: &mut [f64],
+        _modes: &Modes,
+        _scratch: &mut Self::Scratch,
+    ) -> f64 {
+        -1.0
+    }
+
+    /// Why the evaluation made last gave no numbers, where the mechanism itself is
+    /// the reason. Default: it never is.
+    fn obstacle(&self, _scratch: &Self::Scratch) -> Option<PhysicalStop> {
+        None
+    }
 
     /// The first time after `time` at which a formula changes with time; +∞: never.
     fn next_break(&self, time: f64, modes: &Modes) -> f64;

@@ -1,7 +1,7 @@
 //! Evaluation of a system for the foreign solvers: counts, checks, and keeps
 //! the modes and the working memory behind a shared reference.
 
-use super::{Dynamics, Modes};
+use super::{Dynamics, Modes, PhysicalStop, Probe};
 use std::cell::{Cell, RefCell};
 
 /// A system with its present modes and its working memory. Solvers call the
@@ -12,6 +12,7 @@ pub(super) struct Evaluator<'a, D: Dynamics> {
     scratch: RefCell<D::Scratch>,
     evaluations: Cell<u64>,
     not_finite: Cell<Option<usize>>,
+    obstacle: RefCell<Option<PhysicalStop>>,
 }
 
 impl<'a, D: Dynamics> Evaluator<'a, D> {
@@ -22,6 +23,7 @@ impl<'a, D: Dynamics> Evaluator<'a, D> {
             scratch: RefCell::new(dynamics.scratch()),
             evaluations: Cell::new(0),
             not_finite: Cell::new(None),
+            obstacle: RefCell::new(None),
         }
     }
 
@@ -33,6 +35,9 @@ impl<'a, D: Dynamics> Evaluator<'a, D> {
         self.evaluations.set(self.evaluations.get() + 1);
         if let Some(index) = dy.iter().position(|entry| !entry.is_finite()) {
             self.not_finite.set(self.not_finite.get().or(Some(index)));
+            if let Some(obstacle) = self.dynamics.obstacle(&scratch) {
+                self.obstacle.replace(Some(obstacle));
+            }
         }
     }
 
@@ -98,6 +103,13 @@ impl<'a, D: Dynamics> Evaluator<'a, D> {
         }
     }
 
+    /// A probe at a state; see [`Dynamics::probe`].
+    pub(super) fn probe(&self, probe: &Probe, time: f64, y: &mut [f64]) -> f64 {
+        let modes = self.modes.borrow();
+        let mut scratch = self.scratch.borrow_mut();
+        self.dynamics.probe(probe, time, y, &modes, &mut scratch)
+    }
+
     /// Evaluations so far.
     pub(super) fn evaluations(&self) -> u64 {
         self.evaluations.get()
@@ -105,6 +117,12 @@ impl<'a, D: Dynamics> Evaluator<'a, D> {
 
     /// The entry that was not finite since this was last asked; forgets it.
     pub(super) fn take_not_finite(&self) -> Option<usize> {
+        self.obstacle.take();
         self.not_finite.take()
+    }
+
+    /// Why the mechanism itself gave no numbers since that was last asked.
+    pub(super) fn take_obstacle(&self) -> Option<PhysicalStop> {
+        self.obstacle.take()
     }
 }

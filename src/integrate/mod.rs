@@ -27,8 +27,8 @@ mod taylor;
 #[cfg(test)]
 mod tests;
 
-pub use auto::{Situation, choose, fastest_rate};
-pub use dynamics::{Dynamics, Edge, Guard, Modes, PhysicalStop, Watch};
+pub use auto::{Situation, Vibration, choose, fastest_rate};
+pub use dynamics::{Dynamics, Edge, Guard, Modes, PhysicalStop, Probe, Watch};
 pub use taylor::degree as series_degree;
 
 pub use outcome::{Limits, Method, Outcome, Settings, Sink, Statistics, Stop, SwitchEvent};

@@ -1,5 +1,6 @@
 //! One run: what happens at every accepted step, whatever the method.
 
+mod probing;
 mod switching;
 
 use super::continuous::{End, Output};
@@ -10,7 +11,7 @@ use super::pace::Pace;
 use super::radau;
 use super::rosenbrock::Stepper;
 use super::taylor::Series;
-use super::{Dynamics, Edge, Guard, Limits, Method, Settings, Sink, Stop, Watch};
+use super::{Dynamics, Edge, Guard, Limits, Method, Probe, Settings, Sink, Stop, Watch};
 use std::time::Instant;
 
 /// A switch at these places of a step is located on a step that ends just behind
@@ -70,6 +71,11 @@ pub(super) struct Run<'a, D: Dynamics> {
     middle: Vec<f64>,
     shorter_middle: Vec<f64>,
     watches: Vec<Watch>,
+    probes: Vec<Probe>,
+    /// Memory of the probes.
+    probed: Vec<f64>,
+    /// True before the first step after the start and after every switch.
+    fresh: bool,
     zero_at_start: Vec<Guard>,
     switches_at_once: u32,
     /// How often the step under way has been shortened to end just behind a switch.
@@ -112,6 +118,9 @@ impl<'a, D: Dynamics> Run<'a, D> {
             middle: vec![0.0; 2 * coordinates],
             shorter_middle: vec![0.0; 2 * coordinates],
             watches: Vec::new(),
+            probes: Vec::new(),
+            probed: vec![0.0; 2 * coordinates],
+            fresh: true,
             zero_at_start: Vec::new(),
             switches_at_once: 0,
             drawn_in: 0,
@@ -129,6 +138,7 @@ impl<'a, D: Dynamics> Run<'a, D> {
         self.find_edges();
         let modes = self.evaluator.modes.borrow();
         self.evaluator.dynamics.watches(&modes, &mut self.watches);
+        self.evaluator.dynamics.probes(&modes, &mut self.probes);
         self.sink.start(time, y, &modes);
     }
 
@@ -164,7 +174,7 @@ impl<'a, D: Dynamics> Run<'a, D> {
     ) -> Verdict {
         self.to.set(self.evaluator, time, y, dy);
         if let Some(index) = self.to.not_finite() {
-            return self.fail(self.not_finite(index));
+            return self.end_not_finite(index);
         }
         let mut shorter = std::mem::take(&mut self.shorter_middle);
         let edge = self.look_at_edges(&mut shorter);
@@ -203,6 +213,7 @@ impl<'a, D: Dynamics> Run<'a, D> {
                 self.earliest()
             }
         };
+        let found = self.probe_before(found);
         // Trial points beyond a switch may leave the domain; that is no failure.
         self.evaluator.take_not_finite();
         if let (Some(found), None, Given::Polynomial(..)) = (found, edge, given)
@@ -299,6 +310,7 @@ impl<'a, D: Dynamics> Run<'a, D> {
         drop(modes);
         std::mem::swap(&mut self.from, &mut self.to);
         self.zero_at_start.clear();
+        self.fresh = false;
         self.switches_at_once = 0;
         self.check_limits()
     }
@@ -309,9 +321,11 @@ impl<'a, D: Dynamics> Run<'a, D> {
         self.evaluator.derivatives(time, y, &mut dy);
         self.from.set(self.evaluator, time, y, &dy);
         self.to.dy = dy;
+        let obstacle = self.evaluator.take_obstacle();
         self.evaluator.take_not_finite();
         if let Some(index) = self.from.not_finite() {
-            self.stop = Some(self.not_finite(index));
+            let stop = obstacle.map(Stop::Physical);
+            self.stop = Some(stop.unwrap_or_else(|| self.not_finite(index)));
         }
     }
 

@@ -11,6 +11,15 @@ impl<D: Dynamics> Run<'_, D> {
         }
     }
 
+    /// An entry of the state or of its derivative is no number; the mechanism itself
+    /// may be the reason.
+    pub(super) fn end_not_finite(&mut self, index: usize) -> Verdict {
+        match self.evaluator.take_obstacle() {
+            Some(obstacle) => self.end(Stop::Physical(obstacle)),
+            None => self.fail(self.not_finite(index)),
+        }
+    }
+
     /// The run is over.
     pub(super) fn end(&mut self, stop: Stop) -> Verdict {
         self.stop = Some(stop);
@@ -26,6 +35,9 @@ impl<D: Dynamics> Run<'_, D> {
     /// A method gives up with `stop`; if the right-hand side gave no numbers,
     /// that is the reason.
     pub(super) fn end_with_reason(&mut self, stop: Stop) -> Verdict {
+        if let Some(obstacle) = self.evaluator.take_obstacle() {
+            return self.end(Stop::Physical(obstacle));
+        }
         match self.evaluator.take_not_finite() {
             Some(index) => self.fail(self.not_finite(index)),
             None => self.fail(stop),

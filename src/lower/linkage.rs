@@ -1,8 +1,10 @@
 //! Linkages: an input node that carries the whole, and a node for each output.
 
 use super::Lowering;
-use super::reach::{place, range};
-use crate::linkage::Linkage;
+use super::reach::{DEAD, place, range};
+use crate::linkage::kinetostatics::Kinetostatics;
+use crate::linkage::spec::{PairKind, PairSpec};
+use crate::linkage::{Cause, Linkage, Reach};
 use crate::model::{Closure, DampingLaw, Law, LinkageBody, Node, NodeMotion, Pair};
 use crate::object::spec::DrivenLinkage;
 use crate::position::{LinkageOutput, Position, linkage_reach};
@@ -43,6 +45,10 @@ impl Lowering<'_> {
             track: None,
         };
         self.within_reach(id, input, &position, &linkage);
+        let friction = match spec.joint_friction {
+            true => self.joint_friction(id, &linkage),
+            false => None,
+        };
         let node = self.add_rigid(id, law);
         let outputs = (0..spec.linkage.outputs.len())
             .filter_map(|output| self.linkage_output(id, node, &linkage, output))
@@ -52,8 +58,34 @@ impl Lowering<'_> {
             node,
             linkage,
             outputs,
+            friction,
             object,
         });
+    }
+
+    /// The reactions that friction follows from; `None` where no pair rubs.
+    fn joint_friction(&mut self, id: &str, linkage: &Linkage) -> Option<Arc<Kinetostatics>> {
+        let kinetostatics = match Kinetostatics::new(linkage.spec()) {
+            Ok(kinetostatics) => kinetostatics,
+            Err(faults) => {
+                self.faults.absorb(id, faults);
+                return None;
+            }
+        };
+        for pair in linkage.spec().pairs.iter().filter(|pair| is_bare(pair)) {
+            self.model.warnings.push(format!(
+                "pin `{}` of `{id}` has a coefficient of friction and no `diameter`: it makes no \
+                 moment",
+                pair.name
+            ));
+        }
+        if !kinetostatics.has_friction() {
+            self.model.warnings.push(format!(
+                "`joint_friction` of `{id}` does nothing: none of its pairs has friction"
+            ));
+            return None;
+        }
+        Some(Arc::new(kinetostatics))
     }
 
     fn linkage_output(
@@ -119,6 +151,23 @@ impl Lowering<'_> {
         let jet = position.jet(0, 0.0);
         let ends = [reach.0, reach.1].map(|q| (q - jet.value) / jet.first);
         let of_driver = (ends[0].min(ends[1]), ends[0].max(ends[1]));
-        self.limit(id, input, of_driver);
+        self.limit(id, input, of_driver, ends_in_words(linkage));
     }
+}
+
+/// What is at the ends of a linkage's reach.
+fn ends_in_words(linkage: &Linkage) -> &'static str {
+    let Reach::Interval { lower, upper } = linkage.range().reach else {
+        return DEAD;
+    };
+    match [lower, upper].map(|end| matches!(end.cause, Cause::DeadPosition { .. })) {
+        [true, true] => DEAD,
+        [false, false] => "at the end of its travel",
+        _ => "in a dead position or at the end of its travel",
+    }
+}
+
+/// A pin with a coefficient of friction that acts on no radius.
+fn is_bare(pair: &PairSpec) -> bool {
+    matches!(pair.kind, PairKind::Revolute { diameter } if diameter == 0.0) && pair.friction > 0.0
 }

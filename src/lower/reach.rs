@@ -8,6 +8,9 @@ use crate::motion::DriveMotion;
 use crate::position::Position;
 use crate::scene::StartSpec;
 
+/// What is at the ends of a reach.
+pub(super) const DEAD: &str = "in a dead position";
+
 /// Most instants looked at when a motion is followed over the run.
 const MOST_INSTANTS: f64 = 200_000.0;
 
@@ -125,7 +128,7 @@ impl<'a> Lowering<'a> {
         let coordinate = self.model.objects[self.indices[input]].coordinate;
         match position.reach_from(phi) {
             Ok(None) => {}
-            Ok(Some(reach)) => self.limit(id, input, reach),
+            Ok(Some(reach)) => self.limit(id, input, reach, DEAD),
             Err(outside) => {
                 let message = format!(
                     "it cannot be assembled at the start, with `{input}` at {}",
@@ -190,8 +193,9 @@ impl<'a> Lowering<'a> {
         }
     }
 
-    /// Ends the run where the driver leaves `reach`, and warns of it.
-    pub(super) fn limit(&mut self, id: &str, input: &str, reach: (f64, f64)) {
+    /// Ends the run where the driver leaves `reach`, and warns of it; `ends` says
+    /// what is there.
+    pub(super) fn limit(&mut self, id: &str, input: &str, reach: (f64, f64), ends: &str) {
         let object = self.indices[id];
         let coordinate = self.model.objects[self.indices[input]].coordinate;
         let duration = self.scene.run.duration;
@@ -201,7 +205,7 @@ impl<'a> Lowering<'a> {
         if let Some(time) = left {
             self.model.warnings.push(format!(
                 "`{id}` can be assembled only with `{input}` {}; its law leads out of that at \
-                 t = {time:.6} s, where the run stops in a dead position",
+                 t = {time:.6} s, where the run stops {ends}",
                 range(reach, coordinate)
             ));
         }

@@ -66,6 +66,8 @@ pub struct DrivenLinkage {
     pub coordinate: Coordinate,
     /// Input coordinate over the driver's displacement, a constant ratio.
     pub position: PositionSpec,
+    /// Whether the friction of its pairs acts on its motion.
+    pub joint_friction: bool,
     /// The linkage itself.
     pub linkage: LinkageSpec,
 }

@@ -2,7 +2,7 @@
 
 use super::reach::OutOfReach;
 use crate::jet::Jet;
-use crate::linkage::{Linkage, Workspace};
+use crate::linkage::{Cause, Linkage, Reach, Workspace};
 use std::sync::{Arc, Mutex};
 
 /// U(q) of an output of a linkage, for questions asked one by one.
@@ -81,8 +81,19 @@ const NOWHERE: Jet = Jet {
 };
 
 /// The open interval of the input coordinate in which a linkage can be
-/// assembled; `None`: everywhere.
+/// assembled; `None`: everywhere. The ends of a travel belong to it: a cylinder
+/// may start where it is fully retracted.
 pub(crate) fn reach(linkage: &Linkage) -> Option<(f64, f64)> {
-    let [from, to] = linkage.range().ends();
-    (from.is_finite() || to.is_finite()).then_some((from, to))
+    let Reach::Interval { lower, upper } = linkage.range().reach else {
+        return None;
+    };
+    let from = match lower.cause {
+        Cause::Travel => lower.at.next_down(),
+        _ => lower.at,
+    };
+    let to = match upper.cause {
+        Cause::Travel => upper.at.next_up(),
+        _ => upper.at,
+    };
+    Some((from, to))
 }

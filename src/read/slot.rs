@@ -207,9 +207,9 @@ impl<'a> Slot<'a> {
             *self.out = json!({ "enum": names().collect::<Vec<_>>() });
             return None;
         }
-        let wanted = quoted_list(names(), "or");
+        let wanted = || quoted_list(names(), "or");
         let Some(text) = self.node?.text() else {
-            self.wrong_type(&wanted);
+            self.wrong_type(&wanted());
             return None;
         };
         if let Some(found) = choices.iter().find(|choice| choice.0 == text) {
@@ -220,7 +220,7 @@ impl<'a> Slot<'a> {
         let message = format!("unknown {} `{text}`", property.trim_matches('`'));
         let fault = self.refuse("unknown-choice", message);
         fault.hints.extend(did_you_mean(text, names()));
-        fault.hints.push(format!("it is one of {wanted}"));
+        fault.hints.push(format!("it is one of {}", wanted()));
         None
     }
 

@@ -17,6 +17,8 @@ pub struct EnergyAudit {
     pub loads: f64,
     /// Energy lost in links and pairs.
     pub dissipated: f64,
+    /// Energy lost to friction in the joints of linkages.
+    pub friction: f64,
     /// Kinetic and elastic energy at the end less that at the start.
     pub change: f64,
     /// What the balance is measured against: the greatest of the work put in
@@ -26,9 +28,10 @@ pub struct EnergyAudit {
 }
 
 impl EnergyAudit {
-    /// |drives + loads − change − dissipated| / scale; 0 when nothing moved.
+    /// |drives + loads − change − dissipated − friction| / scale; 0 when nothing moved.
     pub fn error(&self) -> f64 {
-        let difference = (self.drives + self.loads - self.change - self.dissipated).abs();
+        let lost = self.dissipated + self.friction;
+        let difference = (self.drives + self.loads - self.change - lost).abs();
         if difference == 0.0 {
             0.0
         } else {
@@ -76,6 +79,7 @@ impl Ledger {
         self.work.drives += weight * power.drives;
         self.work.loads += weight * power.loads;
         self.work.dissipated += weight * power.dissipated;
+        self.work.friction += weight * power.friction;
         self.put_in[0] += weight * power.drives.max(0.0);
         self.put_in[1] += weight * power.loads.max(0.0);
     }
@@ -92,6 +96,7 @@ impl Ledger {
             drives: self.work.drives,
             loads: self.work.loads,
             dissipated: self.work.dissipated,
+            friction: self.work.friction,
             change: self.end - self.start,
             scale: scale.into_iter().fold(0.0, f64::max),
         }
@@ -121,6 +126,7 @@ mod tests {
                     drives: 0.0,
                     loads: t.cos() * v(t),
                     dissipated: (damping + fault) * v(t) * v(t),
+                    friction: 0.0,
                 };
                 ledger.add(index, span, power);
             }

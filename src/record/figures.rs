@@ -58,6 +58,20 @@ pub struct ObjectFigures {
     pub end: FinalState,
     /// The driving pair; null for a bilateral one.
     pub pair: Option<PairFigures>,
+    /// Friction in the joints of a linkage, where it acts on the motion.
+    #[serde(flatten, skip_serializing_if = "Option::is_none")]
+    pub joints: Option<JointFigures>,
+}
+
+/// Figures of a linkage whose joints have friction.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct JointFigures {
+    /// How often its input came to a stop, t > 0: to turn back, to go on, or to rest.
+    pub standstills: u64,
+    /// Total time for which friction held it at rest (s).
+    pub time_at_rest: f64,
+    /// Energy lost to the friction of its joints (J), ≥ 0.
+    pub friction_loss: f64,
 }
 
 /// State of the last mass at the end of the run.

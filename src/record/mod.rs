@@ -3,6 +3,7 @@
 mod addresses;
 mod audit;
 mod figures;
+mod joints;
 mod observer;
 mod pairs;
 mod peaks;
@@ -17,7 +18,9 @@ mod window;
 
 pub use addresses::AddressError;
 pub use audit::EnergyAudit;
-pub use figures::{Figures, FinalState, ObjectFigures, PairFigures, RunSummary, Units};
+pub use figures::{
+    Figures, FinalState, JointFigures, ObjectFigures, PairFigures, RunSummary, Units,
+};
 pub use recorder::{Recorded, Recorder, RecorderSettings};
 pub use tee::Tee;
 pub use window::{choose_window, choose_window_of, drive_cycle};

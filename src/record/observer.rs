@@ -64,6 +64,21 @@ impl<'s> Observer<'s> {
             .power(step.time(s), &self.y, modes, &mut self.scratch)
     }
 
+    /// Power lost to the friction of joints where the powers were asked for last, an
+    /// object each.
+    pub(crate) fn friction_losses<'a>(
+        &'a self,
+        modes: &'a Modes,
+    ) -> impl Iterator<Item = (usize, f64)> + 'a {
+        self.system.friction_losses(modes, &self.scratch)
+    }
+
+    /// A number that changes at kinks of the friction, where the system was looked at
+    /// last.
+    pub(crate) fn friction_side(&self, modes: &Modes) -> u64 {
+        self.system.friction_side(modes, &self.scratch)
+    }
+
     /// Energies at a state.
     pub(crate) fn energy_of(&mut self, time: f64, y: &[f64], modes: &Modes) -> Energy {
         self.system.energy(time, y, modes, &mut self.scratch)

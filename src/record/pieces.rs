@@ -97,6 +97,6 @@ mod tests {
             number += 1;
         });
         approx::assert_abs_diff_eq!(next, 2.45, epsilon = 1e-15);
-        assert_eq!((number, count(5), count(9), count(24)), (4, 1, 3, 8));
+        assert_eq!((number, most(5), most(9), most(24)), (4, 1, 3, 8));
     }
 }

@@ -1,6 +1,7 @@
 //! The listener that turns a run into a record and figures.
 
 use super::audit::{EnergyAudit, Ledger};
+use super::joints::JointTracker;
 use super::observer::Observer;
 use super::pairs::PairTracker;
 use super::peaks::PLACES;
@@ -12,6 +13,9 @@ use super::{Interval, ObjectFigures, PairFigures, Record, SwitchRow};
 use crate::integrate::{Modes, Sink, SwitchEvent};
 use crate::polynomial::{MAX_DEGREE, Step};
 use crate::system::{Energy, ObjectState, Power, System};
+
+/// Bisections that a kink of the friction is located by.
+const KINK_BISECTIONS: usize = 24;
 
 /// What to record.
 #[derive(Clone, Debug, PartialEq)]
@@ -55,6 +59,9 @@ pub struct Recorder<'s> {
     rows: Rows,
     objects: Vec<ObjectTracker>,
     pairs: Vec<PairTracker>,
+    joints: Vec<JointTracker>,
+    /// [`Observer::friction_side`] at the places of the present step.
+    sides: [u64; 7],
     ledger: Ledger,
     switches: Vec<SwitchRow>,
     separations: Vec<Interval>,
@@ -100,6 +107,11 @@ impl<'s> Recorder<'s> {
                 .map(|object| ObjectTracker::new(system, object, settings.window))
                 .collect(),
             pairs,
+            joints: system
+                .rubbing_objects()
+                .map(|(object, component)| JointTracker::new(object, component))
+                .collect(),
+            sides: [0; 7],
             ledger: Ledger::default(),
             switches: Vec::new(),
             separations: Vec::new(),
@@ -142,6 +154,10 @@ impl<'s> Recorder<'s> {
                     .any(|open| open.object == *id && open.from < to && open.to > from)
             });
             figures[object].pair = Some(pair);
+        }
+        for joints in std::mem::take(&mut self.joints) {
+            let object = joints.object;
+            figures[object].joints = Some(joints.finish(self.time));
         }
         let margins = self.margins(&mut figures);
         self.separations.sort_by(|a, b| {
@@ -197,7 +213,8 @@ impl<'s> Recorder<'s> {
             let x = step.signal(pair.coordinate(), &mut room);
             pair.leaves_flank(modes.0[pair.component], x, step.end)
         }));
-        if self.kinks.is_empty() {
+        self.add_kinks_of_friction(step, modes);
+        if self.kinks.is_empty() && self.joints.is_empty() {
             for (index, power) in self.powers.iter().enumerate().take(6).skip(1) {
                 self.ledger.add(index, step.end * step.length, *power);
             }
@@ -210,11 +227,40 @@ impl<'s> Recorder<'s> {
             for (index, place) in PLACES.iter().enumerate().take(6).skip(1) {
                 let s = from + place * (to - from);
                 let power = self.observer.power(step, s, modes);
-                self.ledger.add(index, (to - from) * step.length, power);
+                let span = (to - from) * step.length;
+                self.ledger.add(index, span, power);
+                if self.joints.is_empty() {
+                    continue;
+                }
+                let losses = self.observer.friction_losses(modes);
+                for (joints, (_, loss)) in self.joints.iter_mut().zip(losses) {
+                    joints.add(index, span, loss);
+                }
             }
             from = to;
         }
         self.ledger.see(self.energy);
+    }
+
+    /// Kinks of the friction in the joints: between neighbouring places that differ.
+    fn add_kinks_of_friction(&mut self, step: &Step<'_>, modes: &Modes) {
+        let places = StepView::places(step.end);
+        for index in 0..6 {
+            let before = self.sides[index];
+            if before == self.sides[index + 1] {
+                continue;
+            }
+            let [mut low, mut high] = [places[index], places[index + 1]];
+            for _ in 0..KINK_BISECTIONS {
+                let middle = 0.5 * (low + high);
+                self.observer.at(step, middle, modes);
+                match self.observer.friction_side(modes) == before {
+                    true => low = middle,
+                    false => high = middle,
+                }
+            }
+            self.kinks.push(high);
+        }
     }
 
     /// States of all objects at all places, with powers and energies.
@@ -226,6 +272,10 @@ impl<'s> Recorder<'s> {
                 let states = &mut self.states[index * count..(index + 1) * count];
                 let (power, energy) = self.observer.closely(step, place, modes, states);
                 (self.powers[index], self.energy) = (power, energy);
+                self.sides[index] = match self.joints.is_empty() {
+                    true => 0,
+                    false => self.observer.friction_side(modes),
+                };
             }
         }
     }
@@ -305,6 +355,7 @@ impl<'s> Recorder<'s> {
         }
         // The end of this step is the start of the next.
         self.states.copy_within(6 * self.objects.len().., 0);
+        self.sides[0] = self.sides[6];
     }
 }
 
@@ -321,6 +372,9 @@ impl Sink for Recorder<'_> {
         }
         for pair in &mut self.pairs {
             pair.start(time, modes.0[pair.component]);
+        }
+        for joints in &mut self.joints {
+            joints.start(time, modes);
         }
         self.ledger.open(self.observer.energy_of(time, y, modes));
     }
@@ -346,6 +400,9 @@ impl Sink for Recorder<'_> {
 
     fn switch(&mut self, event: &SwitchEvent<'_>) {
         self.continues = false;
+        for joints in &mut self.joints {
+            joints.switch(event);
+        }
         let changed = |pair: &&mut PairTracker| {
             event.before.0[pair.component] != event.after.0[pair.component]
         };

@@ -8,8 +8,10 @@ use crate::read::{Bounds, Fields, Slot, Wanted, closest, did_you_mean, quoted_li
 use crate::units::{Quantity, quantities as q};
 
 /// Reasons for which a run may be expected to stop.
-const STOPS: [&str; 7] = [
+const STOPS: [&str; 9] = [
     "dead_position",
+    "self_locking",
+    "several_solutions",
     "not_finite",
     "step_floor",
     "too_many_switches",
@@ -40,6 +42,9 @@ const OBJECT_FIGURES: &[Figure] = &[
     ("pair.max_contact_force", Measures::force),
     ("pair.margin", Measures::force),
     ("pair.in_working_order", |_| q::NUMBER.into()),
+    ("friction_loss", |_| q::MOMENT.into()),
+    ("standstills", |_| q::NUMBER.into()),
+    ("time_at_rest", |_| q::TIME.into()),
 ];
 
 /// Figures of the run.

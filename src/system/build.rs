@@ -6,6 +6,7 @@ use super::frozen::{
 use super::linkages::{FrozenLinkage, OutputPlace};
 use super::loads::{Argument, FrozenLoad};
 use super::pairs::Contact;
+use super::trains::trains;
 use crate::fault::Fault;
 use crate::model::{Law, LinkBase, LoadLaw, Model, NodeMotion, TrackSource};
 
@@ -21,6 +22,7 @@ pub(super) fn freeze(model: &Model) -> Result<Frozen, Vec<Fault>> {
     }
     builder.place_linkages();
     builder.place_tracks();
+    builder.place_friction();
     builder.place_loads();
     builder.mark_chains();
     builder.separate();
@@ -210,7 +212,7 @@ impl<'a> Builder<'a> {
                 TrackSource::Time => None,
                 TrackSource::Node(node) => Some(self.frozen.internal[node]),
             };
-            let signal = node.map(|node| self.signal(node));
+            let signal = node.map(|node| self.frozen.signal(node));
             self.frozen.tracks.push(FrozenTrack {
                 node,
                 signal,
@@ -221,22 +223,12 @@ impl<'a> Builder<'a> {
         }
     }
 
-    /// The signal that is a node's displacement: a rotor's coordinate, or one
-    /// of the extra signals.
-    fn signal(&mut self, node: usize) -> usize {
-        for step in &self.frozen.steps {
-            if let Step::Rotor(rotor) = step
-                && rotor.node == node
-            {
-                return rotor.coordinate;
-            }
+    /// Friction in the joints of linkages, with the tracks that it brings along.
+    fn place_friction(&mut self) {
+        for (linkage, body) in self.model.linkages.iter().enumerate() {
+            self.frozen.place_friction(linkage, body);
         }
-        let known = self.frozen.extra.iter().position(|&extra| extra == node);
-        let index = known.unwrap_or_else(|| {
-            self.frozen.extra.push(node);
-            self.frozen.extra.len() - 1
-        });
-        self.frozen.coordinates + index
+        self.frozen.number_directions();
     }
 
     fn place_loads(&mut self) {
@@ -359,6 +351,27 @@ impl<'a> Builder<'a> {
         }
         frozen.branches = branches;
         frozen.coupled = coupled;
+        frozen.trains = trains(frozen);
+    }
+}
+
+impl Frozen {
+    /// The signal that is a node's displacement: a rotor's coordinate, or one
+    /// of the extra signals.
+    pub(super) fn signal(&mut self, node: usize) -> usize {
+        for step in &self.steps {
+            if let Step::Rotor(rotor) = step
+                && rotor.node == node
+            {
+                return rotor.coordinate;
+            }
+        }
+        let known = self.extra.iter().position(|&extra| extra == node);
+        let index = known.unwrap_or_else(|| {
+            self.extra.push(node);
+            self.extra.len() - 1
+        });
+        self.coordinates + index
     }
 }
 

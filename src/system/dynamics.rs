@@ -4,7 +4,7 @@ use super::frozen::{Frozen, Step};
 use super::passes::{Extent, Work};
 use super::taylor::{Start, Taylor};
 use super::{Bundle, DIRECTIONS, Scratch, System};
-use crate::integrate::{Dynamics, Edge, Modes, PhysicalStop, Watch};
+use crate::integrate::{Dynamics, Edge, Modes, PhysicalStop, Probe, Watch};
 use crate::number::{Dual, Duals};
 
 impl Scratch {
@@ -32,6 +32,9 @@ impl Bundle {
         }
     }
 }
+
+/// Share of a rotor's angle that counts for its size.
+const TURNED: f64 = 0.01;
 
 impl Dynamics for System {
     type Scratch = Scratch;
@@ -219,6 +222,13 @@ impl Dynamics for System {
         self.scales_of_state()
     }
 
+    fn size(&self, index: usize, value: f64) -> f64 {
+        // Only rotors have no link; their angle stays well above its rounding.
+        let turns = index < self.frozen.coordinates && self.frozen.stiffness[index] == 0.0;
+        let share = if turns { TURNED } else { 1.0 };
+        self.scales_of_state()[index] + share * value.abs()
+    }
+
     fn state_name(&self, index: usize) -> String {
         self.entry_name(index)
     }
@@ -229,13 +239,33 @@ impl Dynamics for System {
 
     fn switch(
         &self,
-        _time: f64,
-        y: &[f64],
+        time: f64,
+        y: &mut [f64],
         watch: &Watch,
         modes: &mut Modes,
     ) -> Result<(), PhysicalStop> {
-        self.pass_switch(y, watch, modes);
-        Ok(())
+        self.pass_switch(time, y, watch, modes)
+    }
+
+    fn probes(&self, modes: &Modes, out: &mut Vec<Probe>) {
+        out.clear();
+        self.frozen.probes(&modes.0, out);
+    }
+
+    fn probe(
+        &self,
+        probe: &Probe,
+        time: f64,
+        y: &mut [f64],
+        modes: &Modes,
+        scratch: &mut Scratch,
+    ) -> f64 {
+        let work = &mut scratch.work;
+        self.frozen.probe(probe, time, y, &modes.0, work)
+    }
+
+    fn obstacle(&self, scratch: &Scratch) -> Option<PhysicalStop> {
+        self.friction_obstacle(&scratch.work)
     }
 
     fn edges(&self, modes: &Modes, out: &mut Vec<Edge>) {

@@ -5,9 +5,11 @@
 //! order, so that a chain is one contiguous range of nodes, of coordinates and
 //! of links.
 
+use super::friction::Group;
 use super::linkages::{FrozenLinkage, OutputPlace};
 use super::loads::FrozenLoad;
 use super::pairs::Contact;
+use super::trains::Train;
 use crate::breaks::Breaks;
 use crate::jet::Jet;
 use crate::motion::DriveMotion;
@@ -28,6 +30,8 @@ pub(super) struct Frozen {
     pub(super) branches: Vec<Branch>,
     /// The steps that the right-hand side needs besides the branches.
     pub(super) coupled: Vec<Step>,
+    /// All of `coupled`, if it consists of rigid trains.
+    pub(super) trains: Vec<Train>,
     /// Laws, one for each chain and each rigid node.
     pub(super) laws: Vec<FrozenLaw>,
     /// Chains.
@@ -54,6 +58,10 @@ pub(super) struct Frozen {
     pub(super) pairs: Vec<usize>,
     /// The tracks: the components of the modes after the pairs.
     pub(super) tracks: Vec<FrozenTrack>,
+    /// What moves together where joints have friction.
+    pub(super) groups: Vec<Group>,
+    /// Number of directions: the components of the modes after the tracks.
+    pub(super) directions: usize,
     /// Internal nodes whose displacement is a signal beyond the coordinates.
     pub(super) extra: Vec<usize>,
 }

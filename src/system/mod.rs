@@ -15,6 +15,7 @@ mod check;
 mod dynamics;
 mod energy;
 mod frequencies;
+mod friction;
 mod frozen;
 mod growth;
 mod kappa;
@@ -23,6 +24,7 @@ mod links;
 mod loads;
 mod observe;
 mod onset;
+mod outlook;
 mod pairs;
 mod passes;
 mod pattern;
@@ -43,8 +45,10 @@ mod testing;
 mod testing_random;
 #[cfg(test)]
 mod tests;
+mod trains;
 
 pub use frequencies::{Regime, VibrationMode};
+pub(crate) use friction::HELD;
 pub use reduce::Reduced;
 
 use crate::fault::Fault;
@@ -133,6 +137,8 @@ pub struct Power {
     pub loads: f64,
     /// Dissipation in links, pairs and the dampers of linkages, ≥ 0.
     pub dissipated: f64,
+    /// Friction in the joints of linkages, ≥ 0.
+    pub friction: f64,
 }
 
 /// Energies at an instant (J).

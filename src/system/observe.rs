@@ -241,6 +241,36 @@ impl System {
                 .map(|chain| frozen.dissipated(chain, y, modes))
                 .sum::<f64>()
                 + damped,
+            friction: frozen
+                .friction_losses(&modes.0, work)
+                .map(|(_, loss)| loss)
+                .sum(),
         }
+    }
+
+    /// Power lost to the friction of joints, as the last call of [`Self::power`] found
+    /// it: object and loss (W).
+    pub fn friction_losses<'a>(
+        &'a self,
+        modes: &'a Modes,
+        scratch: &'a Scratch,
+    ) -> impl Iterator<Item = (usize, f64)> + 'a {
+        self.frozen.friction_losses(&modes.0, &scratch.work)
+    }
+
+    /// A number that changes where friction has a kink: where a corner of a block
+    /// begins to press on the other side of its guide. As of the last evaluation.
+    pub(crate) fn friction_side(&self, modes: &Modes, scratch: &Scratch) -> u64 {
+        self.frozen.pressing_corners(&modes.0, &scratch.work)
+    }
+
+    /// Objects whose joints have friction, each with the component of [`Modes`] that
+    /// says whether friction holds it; without one its motion is given.
+    pub fn rubbing_objects(&self) -> impl Iterator<Item = (usize, Option<usize>)> + '_ {
+        let groups = self.frozen.groups.iter();
+        groups.flat_map(|group| {
+            let members = group.members.iter();
+            members.map(|member| (member.object, group.component))
+        })
     }
 }

@@ -8,11 +8,12 @@
 //!
 //! Written once for every kind of number.
 
+use super::friction::Rubbing;
 use super::frozen::{Chain, Frozen, Step, segment};
-use super::linkages::Solved;
+use super::linkages::{Cursor, Solved};
 use super::links::LinkForces;
 use super::quantity::Quantity;
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 
 /// A law at an instant.
 #[derive(Clone, Copy, Debug)]
@@ -49,6 +50,10 @@ pub(super) struct Work<N> {
     pub(super) reduced_inertia: Vec<N>,
     /// The linkages, solved once for all that looks at them.
     pub(super) linkages: Vec<RefCell<Solved>>,
+    /// The friction of their joints.
+    pub(super) rubbing: Vec<Rubbing<N>>,
+    /// Where their tables were last looked up.
+    pub(super) cursors: Vec<Cell<Cursor>>,
 }
 
 impl<N: Quantity> Work<N> {
@@ -72,6 +77,8 @@ impl<N: Quantity> Work<N> {
             reaction: vec![zero; frozen.chains.len()],
             reduced_inertia: vec![zero; frozen.linkages.len()],
             linkages: frozen.linkage_memory(),
+            rubbing: frozen.rubbing_memory(),
+            cursors: vec![Cell::default(); frozen.linkages.len()],
         }
     }
 }
@@ -104,11 +111,17 @@ impl Frozen {
             if self.coupled.is_empty() {
                 return;
             }
+            if !self.trains.is_empty() {
+                return self.evaluate_trains(time, state, modes, work, out);
+            }
         }
         self.motion(time, state, modes, extent, work);
         self.apply_loads(time, modes, extent, work);
         self.apply_reactions(state, modes, extent, work);
         self.reduce_rigid(extent, work);
+        if !self.groups.is_empty() {
+            self.rub(state, modes, extent, work);
+        }
         self.accelerate(state, extent, work, out);
     }
 
@@ -222,7 +235,7 @@ impl Frozen {
 
     /// F of every link 1, and what it does to the driver.
     #[inline]
-    fn apply_reactions<N: Quantity>(
+    pub(super) fn apply_reactions<N: Quantity>(
         &self,
         state: &[N],
         modes: &[i64],

@@ -7,7 +7,7 @@ use super::passes::{Extent, Work};
 impl Frozen {
     /// Modes with every pair open and every track in segment 0.
     pub(super) fn no_modes(&self) -> Vec<i64> {
-        vec![0; self.pairs.len() + self.tracks.len()]
+        vec![0; self.pairs.len() + self.tracks.len() + self.directions]
     }
 
     /// The state on the law: u = 0, u̇ = 0, rotors at their start.

@@ -21,6 +21,7 @@ impl System {
         // A rotor at rest on an edge leaves it by its acceleration, which the
         // pairs have a say in.
         self.frozen.locate_tracks(y, modes);
+        self.settle_directions(&mut state.y, &mut state.modes.0);
         Ok(state)
     }
 

@@ -32,6 +32,7 @@ impl Frozen {
                 }
             }
         }
+        self.watch_directions(modes, out);
     }
 
     /// The places that the drivers of linkages cannot pass.
@@ -110,10 +111,23 @@ fn leaving(signal: usize, edge: f64, side: i64, component: usize, segment: i64) 
 
 impl System {
     /// Changes the modes for a switch located at a state.
-    pub(super) fn pass_switch(&self, y: &[f64], watch: &Watch, modes: &mut Modes) {
+    ///
+    /// # Errors
+    /// The friction of joints leaves no motion, or several.
+    pub(super) fn pass_switch(
+        &self,
+        time: f64,
+        y: &mut [f64],
+        watch: &Watch,
+        modes: &mut Modes,
+    ) -> Result<(), PhysicalStop> {
+        let frozen = &self.frozen;
+        if watch.component >= frozen.pairs.len() + frozen.tracks.len() {
+            return self.pass_direction(time, y, watch.component, watch.target, modes);
+        }
         if watch.component >= self.frozen.pairs.len() {
             modes.0[watch.component] = watch.target;
-            return;
+            return Ok(());
         }
         let chain = &self.frozen.chains[self.frozen.pairs[watch.component]];
         let before = modes.0[watch.component];
@@ -124,6 +138,7 @@ impl System {
         } else {
             watch.target
         };
+        Ok(())
     }
 
     /// The end of a run at an edge: a dead position.

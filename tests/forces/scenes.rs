@@ -130,6 +130,7 @@ fn the_program_tells_forces_as_text_table_document_and_page() {
     let csv = String::from_utf8(csv.stdout).unwrap();
     assert_eq!(csv.lines().count(), 25);
     assert!(csv.starts_with("coordinate [rad],speed [rad/s]"), "{csv}");
+    assert!(csv.contains(",chi (paper) [m],"), "{csv}");
 }
 
 /// Forces over the motion in a run's record are those over the drive's time.
@@ -294,5 +295,36 @@ fn what_a_scene_expects_of_its_forces_is_judged() {
     assert!(
         talk.contains("did you mean `forces.mechanism.drive.greatest`?"),
         "{talk}"
+    );
+}
+
+/// Under a law of the drive the forces go with the time, from rest on; over one
+/// turn they sum up like those over the turn.
+#[test]
+fn a_law_of_the_drive_gives_the_motion() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = scene("slotted_lever.json");
+    let law = r#"drive.motion={"run_up": {"speed": "200 rpm", "time": "0.5 s"}}"#;
+    let output = dam(
+        &["forces", &scene, "--time", "0.5 s", "--set", law],
+        folder.path(),
+    );
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let cycle = |over: &[&str]| -> Value {
+        let mut arguments = vec!["forces", &scene, "--json"];
+        arguments.extend(over);
+        let found: Value = serde_json::from_slice(&dam(&arguments, folder.path()).stdout).unwrap();
+        found["cycle"].clone()
+    };
+    let period = (TAU / 12.0).to_string();
+    let (of_time, of_turn) = (cycle(&["--time", &period]), cycle(&["--turn"]));
+    assert_eq!(of_time["closed"], true);
+    for name in ["loss", "drive_work", "rms_drive", "duration"] {
+        let (a, b) = (number(&of_time[name]), number(&of_turn[name]));
+        assert!((a - b).abs() < 1e-9 * b.abs(), "{name}: {a} {b}");
+    }
+    assert_eq!(
+        of_time["efficiency"].is_null(),
+        of_turn["efficiency"].is_null()
     );
 }

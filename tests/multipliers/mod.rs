@@ -7,22 +7,22 @@ use dam::linkage::Linkage;
 use dam::linkage::spec::{ForceLaw, LinkageSpec, PairKind, PointOf};
 use nalgebra::{DMatrix, DVector};
 
-type Vector = [f64; 2];
+pub(crate) type Vector = [f64; 2];
 
-fn turned([x, y]: Vector, angle: f64) -> Vector {
+pub(crate) fn turned([x, y]: Vector, angle: f64) -> Vector {
     let (sin, cos) = angle.sin_cos();
     [cos * x - sin * y, sin * x + cos * y]
 }
 
-fn dot(a: Vector, b: Vector) -> f64 {
+pub(crate) fn dot(a: Vector, b: Vector) -> f64 {
     a[0] * b[0] + a[1] * b[1]
 }
 
-fn across([x, y]: Vector) -> Vector {
+pub(crate) fn across([x, y]: Vector) -> Vector {
     [-y, x]
 }
 
-fn minus(a: Vector, b: Vector) -> Vector {
+pub(crate) fn minus(a: Vector, b: Vector) -> Vector {
     [a[0] - b[0], a[1] - b[1]]
 }
 
@@ -35,12 +35,12 @@ pub(crate) struct State {
 
 /// A point of a link at an instant: its place and speed, its arm from the
 /// centre of mass, and the turning speed.
-struct Point {
-    link: Option<usize>,
-    at: Vector,
-    speed: Vector,
+pub(crate) struct Point {
+    pub(crate) link: Option<usize>,
+    pub(crate) at: Vector,
+    pub(crate) speed: Vector,
     arm: Vector,
-    turning: f64,
+    pub(crate) turning: f64,
 }
 
 /// The mechanism: a linkage, what its driver does, and a rotor on it.
@@ -77,7 +77,7 @@ impl Mechanism<'_> {
         state
     }
 
-    fn point(&self, point: &PointOf, state: &State) -> Point {
+    pub(crate) fn point(&self, point: &PointOf, state: &State) -> Point {
         let Some(link) = point.link else {
             return Point {
                 link: None,
@@ -99,12 +99,21 @@ impl Mechanism<'_> {
         }
     }
 
-    fn angle(&self, link: Option<usize>, values: &[f64]) -> f64 {
+    pub(crate) fn angle(&self, link: Option<usize>, values: &[f64]) -> f64 {
         link.map_or(0.0, |link| values[3 * link + 2])
     }
 
     /// Accelerations of all links.
     fn accelerations(&self, state: &State) -> Vec<f64> {
+        let n = 3 * self.spec.links.len();
+        let (matrix, right) = self.equations(state);
+        let found = matrix.lu().solve(&right).expect("independent pairs");
+        found.as_slice()[..n].to_vec()
+    }
+
+    /// The equations of motion with the pairs: their matrix and right side. The
+    /// unknowns are the accelerations of all links and two multipliers a pair.
+    pub(crate) fn equations(&self, state: &State) -> (DMatrix<f64>, DVector<f64>) {
         let n = 3 * self.spec.links.len();
         let size = n + 2 * self.spec.pairs.len();
         let mut matrix = DMatrix::zeros(size, size);
@@ -127,8 +136,7 @@ impl Mechanism<'_> {
                 matrix[(column, row)] = matrix[(row, column)];
             }
         }
-        let found = matrix.lu().solve(&right).expect("independent pairs");
-        found.as_slice()[..n].to_vec()
+        (matrix, right)
     }
 
     /// The two rows of a pair: accelerations of the links on the left.
@@ -294,6 +302,6 @@ impl Mechanism<'_> {
     }
 }
 
-fn add(a: &[f64], b: &[f64], factor: f64) -> Vec<f64> {
+pub(crate) fn add(a: &[f64], b: &[f64], factor: f64) -> Vec<f64> {
     a.iter().zip(b).map(|(a, b)| a + factor * b).collect()
 }

@@ -182,6 +182,7 @@ impl Quick {
                 displacement: run.displacement[watched.last] + mass.ratio * place + mass.offset,
                 speed: run.speed[watched.last] + mass.ratio * speed,
             },
+            joints: None,
             pair: watched.opens.then(|| {
                 let mut pair = watched.pair(run, found);
                 pair.in_working_order = self.working(watched, run);

@@ -69,25 +69,47 @@ pub fn course_of(asked: &Asked<'_>) -> Result<Course, String> {
         Over::Time { to } => {
             let step = to / asked.positions as f64;
             let times: Vec<f64> = (0..=asked.positions).map(|k| step * k as f64).collect();
-            let instant = |time: &f64| {
-                let jet = asked.input_at(*time);
-                let motion = InputMotion {
-                    coordinate: jet.value,
-                    speed: jet.first,
-                    acceleration: jet.second,
-                };
-                Instant {
-                    motion,
-                    loads: Vec::new(),
-                }
+            let motions: Vec<InputMotion> = times.iter().map(|time| motion(asked, *time)).collect();
+            let period = asked.linkage.range().period.map(|found| found.length);
+            let closed = repeats(&motions, period);
+            let instant = |motion| Instant {
+                motion,
+                ..Instant::default()
             };
             Course::Instants {
-                instants: times.iter().map(instant).collect(),
+                instants: motions.into_iter().map(instant).collect(),
                 times,
-                closed: false,
+                closed,
             }
         }
     })
+}
+
+fn motion(asked: &Asked<'_>, time: f64) -> InputMotion {
+    let jet = asked.input_at(time);
+    InputMotion {
+        coordinate: jet.value,
+        speed: jet.first,
+        acceleration: jet.second,
+    }
+}
+
+/// True when a motion ends as it began, whole periods of the linkage apart.
+fn repeats(motions: &[InputMotion], period: Option<f64>) -> bool {
+    let (Some(first), Some(last)) = (motions.first(), motions.last()) else {
+        return false;
+    };
+    let same = |read: fn(&InputMotion) -> f64, apart: f64| {
+        let size = motions
+            .iter()
+            .fold(0.0, |most: f64, one| most.max(read(one).abs()));
+        (read(last) - read(first) - apart).abs() <= 1e-9 * size
+    };
+    let way = last.coordinate - first.coordinate;
+    let turns = period.map_or(0.0, |period| (way / period).round() * period);
+    same(|one| one.coordinate, turns)
+        && same(|one| one.speed, 0.0)
+        && same(|one| one.acceleration, 0.0)
 }
 
 /// The output whose link carries a load, if there is exactly one.
@@ -152,7 +174,11 @@ pub fn course_of_record(text: &str, object: &str, outputs: &[&str]) -> Result<Co
             return Err(format!("row {} of the record: time runs back", row + 1));
         }
         times.push(time);
-        instants.push(Instant { motion, loads });
+        instants.push(Instant {
+            motion,
+            loads,
+            direction: None,
+        });
     }
     if times.is_empty() {
         return Err("the record has no rows".to_owned());

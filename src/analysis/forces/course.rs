@@ -22,6 +22,9 @@ pub struct Instant {
     /// Forces of what hangs on the outputs, along each (N·m or N); none where
     /// the list is shorter.
     pub loads: Vec<f64>,
+    /// Direction (its sign) in which a motion over time goes on from rest, or, at
+    /// its end, came to rest; `None` where it moves, and in the midst of a dwell.
+    pub direction: Option<f64>,
 }
 
 /// The positions of the input in question.
@@ -94,7 +97,14 @@ impl Course {
     pub fn instant(&self, index: usize) -> Instant {
         match self {
             Self::Even { .. } => self.between(self.parameter(index)),
-            Self::Instants { instants, .. } => instants[index].clone(),
+            Self::Instants { instants, .. } => {
+                let moves = |index: Option<usize>| instants.get(index?).and_then(sign);
+                let next = moves(index.checked_add(1));
+                Instant {
+                    direction: next.or_else(|| moves(index.checked_sub(1))),
+                    ..instants[index].clone()
+                }
+            }
         }
     }
 
@@ -112,7 +122,7 @@ impl Course {
                     speed: *speed,
                     acceleration: *acceleration,
                 },
-                loads: Vec::new(),
+                ..Instant::default()
             },
             Self::Instants {
                 times, instants, ..
@@ -190,6 +200,12 @@ impl Course {
     }
 }
 
+/// The sense of the motion at an instant; `None` at rest.
+fn sign(instant: &Instant) -> Option<f64> {
+    let speed = instant.motion.speed;
+    (speed != 0.0).then(|| speed.signum())
+}
+
 /// Between two instants.
 fn join([t0, t1]: [f64; 2], [from, to]: [&Instant; 2], t: f64) -> Instant {
     let h = t1 - t0;
@@ -209,6 +225,7 @@ fn join([t0, t1]: [f64; 2], [from, to]: [&Instant; 2], t: f64) -> Instant {
             acceleration: a.acceleration + s * (b.acceleration - a.acceleration),
         },
         loads: loads.map(|(a, b)| a + s * (b - a)).collect(),
+        direction: sign(to).or_else(|| sign(from)),
     }
 }
 
@@ -231,6 +248,7 @@ mod tests {
                 .map(|t| Instant {
                     motion: motion(*t),
                     loads: vec![1.0 + 2.0 * t],
+                    ..Instant::default()
                 })
                 .collect(),
             times,
@@ -245,6 +263,29 @@ mod tests {
         }
         let total: f64 = course.durations().unwrap().iter().sum();
         assert!((total - 2.0).abs() < 1e-15);
+    }
+
+    #[test]
+    fn rest_goes_on_where_the_motion_does_and_a_dwell_nowhere() {
+        let speeds = [0.0, 2.0, 0.0, 0.0, 0.0, -1.0, 0.0];
+        let instant = |speed: &f64| Instant {
+            motion: InputMotion {
+                speed: *speed,
+                ..InputMotion::default()
+            },
+            ..Instant::default()
+        };
+        let course = Course::Instants {
+            times: (0..speeds.len()).map(|k| k as f64).collect(),
+            instants: speeds.iter().map(instant).collect(),
+            closed: false,
+        };
+        let at = |index: usize| course.instant(index).direction;
+        assert_eq!(
+            [0, 2, 3, 4, 6].map(at),
+            [1.0, 1.0, 0.0, -1.0, -1.0]
+                .map(|direction: f64| (direction != 0.0).then_some(direction))
+        );
     }
 
     #[test]

@@ -159,6 +159,9 @@ impl<'a, S: PositionSource> Solver<'a, S> {
             .map_err(Trouble::OutOfReach)?;
         let mut options = self.settings.options;
         options.search &= full;
+        if motion.acceleration == 0.0 {
+            options.direction = options.direction.or(instant.direction);
+        }
         let solved = solver
             .solve(positions, motion, &options, w)
             .map_err(Trouble::Failure)?;

@@ -171,8 +171,8 @@ impl<'a> Asked<'a> {
     }
 
     fn outside(&self, at: f64) -> bool {
-        let [from, to] = self.linkage.range().ends();
-        !(from < at && at < to)
+        let mut work = self.linkage.workspace();
+        self.linkage.solve(at, 0, &mut work).is_err()
     }
 
     pub(super) fn range_in_words(&self) -> String {

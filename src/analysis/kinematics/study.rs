@@ -82,11 +82,24 @@ fn motion(asked: &Asked<'_>) -> String {
             "speed 1 {unit}/s at every position (no speed is given: speeds are first transfer \
              functions)"
         ),
-        _ if acceleration == 0.0 => format!("speed {speed} {unit}/s at every position"),
-        _ => format!(
-            "speed {speed} {unit}/s and acceleration {acceleration} {unit}/s² at every position"
-        ),
+        _ => even_motion([speed, acceleration], unit),
     }
+}
+
+/// Speed and acceleration that are the same at every position, in words.
+pub fn even_motion([speed, acceleration]: [f64; 2], unit: &str) -> String {
+    let short = |value: f64| match format!("{value:.7e}").parse::<f64>() {
+        Ok(rounded) if rounded == 0.0 || (1e-6..1e9).contains(&rounded.abs()) => {
+            rounded.to_string()
+        }
+        _ => format!("{value:.7e}"),
+    };
+    let speed = short(speed);
+    if acceleration == 0.0 {
+        return format!("speed {speed} {unit}/s at every position");
+    }
+    let acceleration = short(acceleration);
+    format!("speed {speed} {unit}/s and acceleration {acceleration} {unit}/s² at every position")
 }
 
 /// Time of each row: at constant speed over a turn or range.

@@ -74,7 +74,7 @@ type Ends = ([(f64, f64); 2], [f64; 2]);
 /// The two turning points of something that has just two in a period.
 fn stroke(look: &mut dyn FnMut(f64, bool) -> f64, from: f64, period: f64) -> Option<Ends> {
     let place = |index: usize| from + period * index as f64 / LOOKS as f64;
-    let senses: Vec<f64> = (0..=LOOKS).map(|index| look(place(index), false)).collect();
+    let senses: Vec<f64> = (0..LOOKS).map(|index| look(place(index), false)).collect();
     let largest = senses
         .iter()
         .fold(0.0, |best: f64, value| best.max(value.abs()));
@@ -83,7 +83,9 @@ fn stroke(look: &mut dyn FnMut(f64, bool) -> f64, from: f64, period: f64) -> Opt
     }
     let mut turns = Vec::new();
     for index in 0..LOOKS {
-        let (one, other) = (senses[index], senses[index + 1]);
+        // The last place is the first one again: where the sense is zero but for
+        // rounding there, it must not count differently at both ends.
+        let (one, other) = (senses[index], senses[(index + 1) % LOOKS]);
         if (one > 0.0) != (other > 0.0) {
             turns.push((
                 root(look, place(index), place(index + 1), one > 0.0),

@@ -52,6 +52,16 @@ pub(super) fn build(system: &System) -> Parts {
         spoiled: Vec::new(),
         refusals: Vec::new(),
     };
+    for body in &model.linkages {
+        if body.friction.as_ref().is_some_and(|k| k.has_friction()) {
+            let reason = "it has friction in its joints, whose directions and standstills are \
+                          found by integration";
+            builder.refuse(body.object, reason);
+        }
+    }
+    if !builder.refusals.is_empty() {
+        return builder.finish();
+    }
     let mut order: Vec<usize> = (0..model.objects.len()).collect();
     order.sort_by_key(|&object| model.objects[object].nodes[0]);
     for object in order {

@@ -130,7 +130,7 @@ impl PanelPhase {
         sum
     }
 
-    /// Values and slopes at the instant of `e`.
+    /// Values and slopes at the instant of `e`, and bounds on the fourth derivatives.
     #[inline(always)]
     pub(crate) fn point<A: Arith>(
         &self,
@@ -140,27 +140,32 @@ impl PanelPhase {
         e: &Exponentials,
     ) -> Point {
         let [mut value, mut slope] = self.slow_two::<A>(e);
+        let mut fourth = self.slow4;
         let lanes = basis.lanes.len().min(phase.active * WIDTH);
         for b in 0..phase.active {
             let (zr, zi) = (phase.re[b], phase.im[b]);
             let re = zr.fma::<A>(e.re[b], -(zi * e.im[b]));
             let im = zr.fma::<A>(e.im[b], zi * e.re[b]);
+            let size = self.size[b] * e.size[b];
             for i in 0..WIDTH.min(lanes - b * WIDTH) {
                 let w = &panel.weights[8 * (b * WIDTH + i)..][..4];
                 let (pr, pi) = (V::splat(re.0[i]), V::splat(-im.0[i]));
                 value = w[0].fma::<A>(pr, w[1].fma::<A>(pi, value));
                 slope = w[2].fma::<A>(pr, w[3].fma::<A>(pi, slope));
+                let own = panel.sizes[b * WIDTH + i][1];
+                fourth = own.fma::<A>(V::splat(size.0[i]), fourth);
             }
         }
         Point {
             s: e.s,
             value,
             slope,
+            fourth,
         }
     }
 
-    /// What Hermite's cubic may miss over a length h from the instant of `e`,
-    /// of the first `follow` lanes.
+    /// What Hermite's cubic may miss over a length h from the instant of `e`
+    /// (`None`: from the start of the phase on), of the first `follow` lanes.
     ///
     /// A lane of size z (decaying) misses at most z·(|λ|h)⁴/144 on the middle
     /// coefficient. Where it turns fast its own cubic is bounded instead: by
@@ -170,14 +175,14 @@ impl PanelPhase {
         &self,
         basis: &Basis,
         panel: &Panel,
-        (e, follow): (&Exponentials, usize),
+        (e, follow): (Option<&Exponentials>, usize),
         h: f64,
     ) -> Loss {
         let square = h * h;
         let mut middle = self.slow4 * V::splat(square * square * (1.0 / 144.0));
         let mut flat = V::ZERO;
         for b in 0..follow.div_ceil(WIDTH) {
-            let size = self.size[b] * e.size[b];
+            let size = e.map_or(self.size[b], |e| self.size[b] * e.size[b]);
             let level = basis.moduli[b].fma::<A>(V::splat(0.25 * h), V::splat(2.0));
             let fourth = basis.fourth[b] * V::splat(square * square * (1.0 / 144.0));
             let (bent, level_part) = (size * fourth, size * level);

@@ -1,17 +1,17 @@
 //! Climbing to what may pass the greatest value so far, and to the changes of
 //! sign of δ, within a step.
 
+use super::back::Ahead;
 use super::{CUTS, Scene, Track, piece};
 use crate::exact::bound::reversed;
 use crate::exact::hermite::{End, Piece, Point};
 use crate::exact::lanes::{Arith, Task};
-use crate::exact::phase::Exponentials;
 
 /// [`Track::climb`], out of line.
 pub(super) struct Climb<'a> {
     pub(super) track: &'a mut Track,
     pub(super) scene: Scene<'a>,
-    pub(super) before: &'a Exponentials,
+    pub(super) ahead: Ahead<'a>,
     pub(super) ends: (&'a Point, &'a Point),
     pub(super) figure: (usize, f64),
     pub(super) margin: f64,
@@ -25,12 +25,12 @@ impl Task for Climb<'_> {
         let Self {
             track,
             scene,
-            before,
+            ahead,
             ends,
             figure,
             margin,
         } = self;
-        track.climb::<A>(scene, before, ends, figure, margin);
+        track.climb::<A>(scene, ahead, ends, figure, margin);
     }
 }
 
@@ -38,7 +38,7 @@ impl Task for Climb<'_> {
 pub(super) struct Turns<'a> {
     pub(super) track: &'a mut Track,
     pub(super) scene: Scene<'a>,
-    pub(super) before: &'a Exponentials,
+    pub(super) ahead: Ahead<'a>,
     pub(super) ends: (&'a Point, &'a Point),
 }
 
@@ -47,7 +47,7 @@ impl Task for Turns<'_> {
 
     #[inline(always)]
     fn run<A: Arith>(self) {
-        self.track.turns::<A>(self.scene, self.before, self.ends);
+        self.track.turns::<A>(self.scene, self.ahead, self.ends);
     }
 }
 
@@ -58,7 +58,7 @@ impl Track {
     pub(super) fn climb<A: Arith>(
         &mut self,
         scene: Scene,
-        before: &Exponentials,
+        ahead: Ahead,
         (a, b): (&Point, &Point),
         (k, sign): (usize, f64),
         margin: f64,
@@ -75,12 +75,7 @@ impl Track {
         self.pieces.push(whole);
         let mut cuts = 0;
         while let Some(piece) = self.pieces.pop() {
-            let loss = self.state.loss::<A>(
-                scene.basis,
-                scene.panel,
-                (before, scene.lanes()),
-                piece.length(),
-            );
+            let loss = self.loss::<A>(scene, ahead, piece.length());
             let top = piece.range(loss.middle.0[k], loss.flat.0[k]).1;
             if top <= best + margin || cuts >= CUTS {
                 continue;
@@ -148,30 +143,20 @@ impl Track {
     ///
     /// An error d in the instant of a root costs only δ̇d² in the integral.
     #[inline(always)]
-    pub(super) fn turns<A: Arith>(
-        &mut self,
-        scene: Scene,
-        before: &Exponentials,
-        (a, b): (&Point, &Point),
-    ) {
+    pub(super) fn turns<A: Arith>(&mut self, scene: Scene, ahead: Ahead, (a, b): (&Point, &Point)) {
         let noise = self.state.noise(b.s).0[0];
         self.roots.clear();
         self.pieces.clear();
         self.pieces.push(piece(a, b, 0, 1.0));
         let mut cuts = 0;
         while let Some(piece) = self.pieces.pop() {
-            let loss = self.state.loss::<A>(
-                scene.basis,
-                scene.panel,
-                (before, scene.lanes()),
-                piece.length(),
-            );
+            let loss = self.loss::<A>(scene, ahead, piece.length());
             let (low, high) = piece.range(loss.middle.0[0], loss.flat.0[0]);
             if low >= -noise || high <= noise || cuts >= CUTS {
                 continue;
             }
             cuts += 1;
-            let cut = self.root::<A>(scene, before, &piece, noise);
+            let cut = self.root::<A>(scene, &piece, noise);
             self.pieces.push(Piece { a: cut, b: piece.b });
             self.pieces.push(Piece { a: piece.a, b: cut });
         }
@@ -182,14 +167,13 @@ impl Track {
         }
     }
 
-    /// The root of δ about `near` behind the start of the step (up to `most`),
+    /// The root of δ about `near` behind the start of the phase (up to `most`),
     /// where Taylor's polynomial there is good enough for it: the integral of
     /// |δ| may be off by `allowed`. Nothing has to be evaluated for it.
     #[inline(always)]
     fn root_from<A: Arith>(
         &mut self,
         scene: Scene,
-        before: &Exponentials,
         (near, most): (f64, f64),
         allowed: f64,
     ) -> Option<End> {
@@ -198,7 +182,8 @@ impl Track {
             panel,
             phase,
         } = scene;
-        let (f, rest) = self.state.jet::<A>(basis, panel, phase, before, 0);
+        self.e.start(phase.active);
+        let (f, rest) = self.state.jet::<A>(basis, panel, phase, &self.e, 0);
         let off = |x: f64| rest * (x * x) * (x * x) * (1.0 / 24.0);
         if !harmless((near, off(near)), f[1] + near * f[2], allowed) {
             return None;
@@ -213,11 +198,11 @@ impl Track {
         if !(x > 0.0 && x < most && settled && harmless((x, off(x)), slope(x), allowed)) {
             return None;
         }
-        let start = self.state.primitive::<A>(panel, phase, before);
+        let start = self.state.primitive::<A>(panel, phase, &self.e);
         let more = x * (f[0] + x * (f[1] * 0.5 + x * (f[2] / 6.0 + x * (f[3] / 24.0))));
-        self.roots.push((before.s + x, start + more));
+        self.roots.push((x, start + more));
         Some(End {
-            s: before.s + x,
+            s: x,
             f: 0.0,
             g: slope(x),
         })
@@ -225,13 +210,7 @@ impl Track {
 
     /// A root of δ in the piece (noted, value exactly zero), or a point to cut at.
     #[inline(always)]
-    fn root<A: Arith>(
-        &mut self,
-        scene: Scene,
-        before: &Exponentials,
-        piece: &Piece,
-        noise: f64,
-    ) -> End {
+    fn root<A: Arith>(&mut self, scene: Scene, piece: &Piece, noise: f64) -> End {
         let crosses = (piece.a.f > 0.0 && piece.b.f < 0.0) || (piece.a.f < 0.0 && piece.b.f > 0.0);
         let share = if crosses {
             piece.crossing()
@@ -252,10 +231,10 @@ impl Track {
             }
             .summit()
         };
-        if crosses && piece.a.s == before.s {
+        if crosses && piece.a.s == 0.0 {
             let allowed = noise * piece.length();
             let near = share * piece.length();
-            if let Some(end) = self.root_from::<A>(scene, before, (near, piece.length()), allowed) {
+            if let Some(end) = self.root_from::<A>(scene, (near, piece.length()), allowed) {
                 return end;
             }
         }

@@ -1,5 +1,6 @@
 //! Parts of a step with lanes that turn far.
 
+use super::back::Ahead;
 use super::{FOLLOW, Scene, Track};
 use crate::exact::hermite::{Point, enclose};
 use crate::exact::lanes::{Arith, Task};
@@ -15,8 +16,7 @@ const GROWTH: f64 = 4.0;
 pub(super) struct Walk<'a> {
     pub(super) track: &'a mut Track,
     pub(super) scene: Scene<'a>,
-    pub(super) before: &'a Exponentials,
-    pub(super) now: &'a Exponentials,
+    pub(super) ends: [Point; 2],
 }
 
 impl Task for Walk<'_> {
@@ -24,7 +24,11 @@ impl Task for Walk<'_> {
 
     #[inline(always)]
     fn run<A: Arith>(self) {
-        self.track.walk::<A>(self.scene, self.before, self.now);
+        let Self { track, scene, ends } = self;
+        let mut from = std::mem::take(&mut track.from);
+        let mut to = std::mem::take(&mut track.to);
+        track.walk::<A>(scene, (&mut from, &mut to), ends);
+        (track.from, track.to) = (from, to);
     }
 }
 
@@ -33,29 +37,29 @@ impl Track {
     /// their envelopes rule everything out, and parts short enough to follow
     /// every lane that matters.
     #[inline(always)]
-    fn walk<A: Arith>(&mut self, scene: Scene, before: &Exponentials, now: &Exponentials) {
-        let active = scene.phase.active;
-        let mut from = std::mem::take(&mut self.from);
-        let mut to = std::mem::take(&mut self.to);
-        from.copy(before, active);
-        let mut length = now.s - from.s;
+    fn walk<A: Arith>(
+        &mut self,
+        scene: Scene,
+        (from, to): (&mut Exponentials, &mut Exponentials),
+        [a, b]: [Point; 2],
+    ) {
+        scene.phase.exponentials::<A>(scene.basis, a.s, from);
+        let mut last = a;
+        let mut length = b.s - from.s;
         // Parts as short as the last before a longer one is tried again.
         let mut patience = 0;
-        while from.s < now.s {
-            if from.s + length >= now.s {
-                to.copy(now, active);
-            } else {
-                scene
-                    .phase
-                    .exponentials::<A>(scene.basis, from.s + length, &mut to);
-            }
+        while from.s < b.s {
+            let next = (from.s + length).min(b.s);
+            scene.phase.exponentials::<A>(scene.basis, next, to);
             let h = to.s - from.s;
             let end = self
                 .state
-                .point::<A>(scene.basis, scene.panel, scene.phase, &to);
+                .point::<A>(scene.basis, scene.panel, scene.phase, to);
             let follow = scene.followed(h);
-            if follow < scene.lanes() && !self.ruled_out::<A>(scene, (&from, &to), &end, follow) {
-                let short = self.short(scene, &from);
+            if follow < scene.lanes()
+                && !self.ruled_out::<A>(scene, (from, to), &[last, end], follow)
+            {
+                let short = self.short(scene, from);
                 // Where the lanes that matter would bear a longer part (none is
                 // left, in the end) only the slow motion sets new records.
                 patience = if short > GROWTH * h { 0 } else { PATIENCE };
@@ -63,18 +67,16 @@ impl Track {
                     length = short.max(0.25 * h);
                     continue;
                 }
-                self.span::<A>(scene, &from, end);
+                self.span::<A>(scene, Ahead::Mixed(from), &[last, end]);
             } else if follow == scene.lanes() {
-                self.span::<A>(scene, &from, end);
+                self.span::<A>(scene, Ahead::Mixed(from), &[last, end]);
             }
-            self.last = end;
-            std::mem::swap(&mut from, &mut to);
+            last = end;
+            std::mem::swap(from, to);
             let growth = if patience > 0 { 1.0 } else { GROWTH };
             patience = i32::max(patience - 1, 0);
-            length = (growth * h).min(now.s - from.s);
+            length = (growth * h).min(b.s - from.s);
         }
-        self.from = from;
-        self.to = to;
     }
 
     /// Length over which the fastest lane that matters can be followed.
@@ -96,7 +98,7 @@ impl Track {
         &self,
         scene: Scene,
         (from, to): (&Exponentials, &Exponentials),
-        end: &Point,
+        ends: &[Point; 2],
         follow: usize,
     ) -> bool {
         let Scene {
@@ -104,10 +106,10 @@ impl Track {
             panel,
             phase,
         } = scene;
-        let (mut a, mut b) = (self.last, *end);
+        let [mut a, mut b] = *ends;
         let mut loss = self
             .state
-            .loss::<A>(basis, panel, (from, follow), b.s - a.s);
+            .loss::<A>(basis, panel, (Some(from), follow), b.s - a.s);
         for k in follow..scene.lanes() {
             loss.flat = loss.flat + self.state.lane_size(panel, from, k);
             for (point, e) in [(&mut a, from), (&mut b, to)] {

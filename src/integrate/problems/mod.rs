@@ -106,7 +106,7 @@ macro_rules! plain_system {
         fn switch(
             &self,
             _: f64,
-            _: &[f64],
+            _: &mut [f64],
             watch: &Watch,
             modes: &mut Modes,
         ) -> Result<(), crate::integrate::PhysicalStop> {

@@ -215,7 +215,13 @@ impl Dynamics for Swinging {
         out.push(watch(square, true, 0, 1));
     }
 
-    fn switch(&self, time: f64, _: &[f64], _: &Watch, _: &mut Modes) -> Result<(), PhysicalStop> {
+    fn switch(
+        &self,
+        time: f64,
+        _: &mut [f64],
+        _: &Watch,
+        _: &mut Modes,
+    ) -> Result<(), PhysicalStop> {
         Err(PhysicalStop {
             name: "dead_position",
             object: "swing".to_owned(),

@@ -22,10 +22,24 @@ use newton::Stages;
 use std::sync::OnceLock;
 use tableau::Tableau;
 
-/// Estimated error allowed per step, relative to the tolerance asked for. The
-/// estimate is of order S; the step itself, once the vibrations that are left are
-/// resolved, of nearly twice that.
+/// Estimated error allowed per step, relative to the tolerance asked for, up to
+/// the tolerance [`RESOLVED`]. The estimate is of order S; the step itself, once
+/// the vibrations that are left are resolved, of nearly twice that. Tolerances above do
+/// not resolve them, and the estimate is the error.
 const SAFETY: f64 = 10.0;
+const RESOLVED: f64 = 1e-7;
+/// How fast the share falls from there on.
+const UNRESOLVED: f64 = -1.0 / 3.0;
+
+/// The estimated error allowed.
+fn allowed(tolerance: f64) -> f64 {
+    SAFETY * kept(tolerance)
+}
+
+/// The tolerance as fine as it is kept.
+pub(super) fn kept(tolerance: f64) -> f64 {
+    tolerance * (tolerance / RESOLVED).max(1.0).powf(UNRESOLVED)
+}
 /// Tolerances below which five and seven stages have less work.
 const FIVE_STAGES: f64 = 3e-2;
 const SEVEN_STAGES: f64 = 2e-3;

@@ -91,9 +91,9 @@ impl<const S: usize, const L: usize> Stages<S, L> {
         if !self.factorise(length) {
             return false;
         }
-        let scales = run.evaluator.dynamics.scales();
-        for ((size, scale), y) in self.sizes.iter_mut().zip(scales).zip(&run.from.y) {
-            *size = 1.0 / (tolerance * (scale + y.abs()));
+        let dynamics = run.evaluator.dynamics;
+        for (index, (size, y)) in self.sizes.iter_mut().zip(&run.from.y).enumerate() {
+            *size = 1.0 / (tolerance * dynamics.size(index, *y));
         }
         self.iterate(run, length)
     }

@@ -1,7 +1,7 @@
 //! A step from its stages: the new state, its error, the continuous output.
 
 use super::newton::Stages;
-use super::{Attempt, Radau, SAFETY};
+use super::{Attempt, Radau, allowed};
 use crate::integrate::Dynamics;
 use crate::integrate::linear::{Entry, Lanes};
 use crate::integrate::run::Run;
@@ -9,7 +9,7 @@ use crate::integrate::run::Run;
 impl<const S: usize, const L: usize> Radau<S, L> {
     /// One step of a length: the new state and its derivative.
     pub(super) fn attempt<D: Dynamics>(&mut self, run: &Run<'_, D>, length: f64) -> Attempt {
-        let tolerance = SAFETY * run.tolerance();
+        let tolerance = allowed(run.tolerance());
         if !self.stages.solve(run, length, tolerance) {
             return Attempt::NotConverged;
         }

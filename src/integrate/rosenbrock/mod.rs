@@ -202,10 +202,10 @@ impl Stepper {
     fn error<D: Dynamics>(&self, run: &Run<'_, D>, tolerance: f64) -> f64 {
         let width = self.y.len();
         let errors = &self.stages[(STAGES - 1) * width..];
-        let scales = run.evaluator.dynamics.scales();
+        let dynamics = run.evaluator.dynamics;
         let squares = (0..width).map(|i| {
-            let size = self.y[i].abs().max(run.from.y[i].abs());
-            (errors[i] / (tolerance * (scales[i] + size))).powi(2)
+            let size = dynamics.size(i, self.y[i].abs().max(run.from.y[i].abs()));
+            (errors[i] / (tolerance * size)).powi(2)
         });
         (squares.sum::<f64>() / width as f64).sqrt()
     }

@@ -7,10 +7,13 @@ use crate::integrate::{Dynamics, Guard, Modes, Stop, SwitchEvent, Watch};
 /// Switches at one and the same instant after which a run is given up.
 const MOST_AT_ONCE: u32 = 64;
 
+/// Switches within so many roundings of the clock are at one instant.
+const AT_ONCE: f64 = 4.0;
+
 impl<D: Dynamics> Run<'_, D> {
     /// The step up to a switch, and the switch.
     pub(super) fn cut(&mut self, found: Located) -> Verdict {
-        let watch = self.watches[found.watch];
+        let watch = self.watch(found);
         let step = self.output.step(found.s);
         let stretch = Stretch {
             step,
@@ -18,9 +21,15 @@ impl<D: Dynamics> Run<'_, D> {
             to: &self.to,
             zero_at_start: &self.zero_at_start,
         };
-        let causes: Vec<Guard> = stretch.causes(&watch, found.s).collect();
+        let causes: Vec<Guard> = match found.watch < self.watches.len() {
+            true => stretch.causes(&watch, found.s).collect(),
+            false => Vec::new(),
+        };
         if found.s > 0.0 {
             self.sink.step(&step, &self.evaluator.modes.borrow());
+        }
+        // What has just switched is still zero while the clock has hardly moved.
+        if found.s * step.length > AT_ONCE * f64::EPSILON * step.start.abs() {
             self.zero_at_start.clear();
         }
         self.zero_at_start.extend(causes);
@@ -40,7 +49,7 @@ impl<D: Dynamics> Run<'_, D> {
         } else {
             self.switches_at_once + 1
         };
-        let verdict = self.switch(time, &y, &watch);
+        let verdict = self.switch(time, &mut y, &watch);
         self.to.y = y;
         if verdict == Verdict::Stop {
             return verdict;
@@ -51,7 +60,7 @@ impl<D: Dynamics> Run<'_, D> {
         }
     }
 
-    fn switch(&mut self, time: f64, y: &[f64], watch: &Watch) -> Verdict {
+    fn switch(&mut self, time: f64, y: &mut [f64], watch: &Watch) -> Verdict {
         self.remember_length();
         let before = self.evaluator.modes.borrow().clone();
         let mut after = before.clone();
@@ -88,8 +97,10 @@ impl<D: Dynamics> Run<'_, D> {
 
     /// Puts new modes in force at (`time`, `y`) and tells the sink.
     fn enter(&mut self, time: f64, y: &[f64], before: Modes, after: Modes, watch: Option<&Watch>) {
+        self.fresh = true;
         *self.evaluator.modes.borrow_mut() = after.clone();
         self.evaluator.dynamics.watches(&after, &mut self.watches);
+        self.evaluator.dynamics.probes(&after, &mut self.probes);
         self.find_edges();
         self.move_to(time, y);
         self.sink.switch(&SwitchEvent {

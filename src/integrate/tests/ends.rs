@@ -118,7 +118,9 @@ fn a_short_last_step_from_a_great_angle_keeps_its_speeds() {
             let end = 0.7 + rest;
             let outcome = integrate(&system, 0.0, end, &y0, &modes, &settings, &FREE, &mut sink);
             assert_eq!(outcome.stop, Stop::Complete);
-            assert!(sink.worst < 1e-12, "{method}, {rest:e}: {:e}", sink.worst);
+            let loose = matches!(method, Method::Bdf | Method::TrBdf2 | Method::Esdirk34);
+            let bound = if loose { 1e-6 } else { 1e-12 };
+            assert!(sink.worst < bound, "{method}, {rest:e}: {:e}", sink.worst);
         }
     }
 }
@@ -290,4 +292,48 @@ fn settings_that_make_no_sense_are_refused_with_a_reason() {
     }
     let tiny = settings(Method::Rk4, 1e-6, Some(1e-300));
     assert!(matches!(stop(1.0, &y0, &tiny), Stop::StepFloor { .. }));
+}
+
+/// Looks between the ends of steps up to a time, and then at the ends alone.
+struct Until {
+    time: f64,
+    y: Vec<f64>,
+}
+
+impl Sink for Until {
+    fn start(&mut self, _: f64, y: &[f64], _: &Modes) {
+        self.y = y.to_vec();
+    }
+
+    fn step(&mut self, step: &Step<'_>, _: &Modes) {
+        step.state(step.end, &mut self.y);
+    }
+
+    fn switch(&mut self, _: &SwitchEvent<'_>) {}
+
+    fn looks_within(&self, until: f64) -> bool {
+        until <= self.time
+    }
+}
+
+#[test]
+fn where_nobody_looks_between_the_ends_of_steps_nothing_is_evaluated_there() {
+    let system = Oscillator::free(30.0);
+    let settings = settings(Method::Dop853, 1e-9, None);
+    let run = |time: f64| {
+        let mut sink = Until {
+            time,
+            y: Vec::new(),
+        };
+        let (y, modes) = ([1.0, 0.0], Modes::default());
+        let outcome = integrate(&system, 0.0, 1.0, &y, &modes, &settings, &FREE, &mut sink);
+        (outcome.statistics, sink.y)
+    };
+    let ((all, at_end), (some, _), (none, alike)) = (run(1.0), run(0.5), run(0.0));
+    assert_eq!((all.steps, all.rejected), (none.steps, none.rejected));
+    assert_eq!(all.evaluations, none.evaluations + 4 * all.steps);
+    assert!(none.evaluations < some.evaluations && some.evaluations < all.evaluations);
+    for (one, other) in at_end.iter().zip(&alike) {
+        approx::assert_abs_diff_eq!(*one, *other, epsilon = 1e-11);
+    }
 }

@@ -50,6 +50,13 @@ impl Kinetostatics {
                     w.factors.add(row, size - 1, -inertia / self.inertia_scale);
                 }
             }
+            Unknown::Resistance { mobility, share } => {
+                for row in 0..size {
+                    let inertia = self.inertia_row(row, w);
+                    let column = -inertia * mobility - w.drive_rows[row] * share;
+                    w.factors.add(row, size - 1, column);
+                }
+            }
         }
         w.factors.factorise()
     }
@@ -138,10 +145,11 @@ impl Kinetostatics {
     pub(super) fn inertia_row(&self, row: usize, w: &ForceWorkspace) -> f64 {
         let (link, axis) = (row / 3, row % 3);
         let body = &self.spec.links[link];
-        match axis {
+        let own = match axis {
             2 => body.moment * w.links[link].first[2] / self.length,
             axis => body.mass * w.centres[link].first[axis],
-        }
+        };
+        own + w.carried[0].get(row).unwrap_or(&0.0)
     }
 
     /// B at constant speed of the input, per its square.
@@ -149,10 +157,11 @@ impl Kinetostatics {
     pub(super) fn bias_row(&self, row: usize, w: &ForceWorkspace) -> f64 {
         let (link, axis) = (row / 3, row % 3);
         let body = &self.spec.links[link];
-        match axis {
+        let own = match axis {
             2 => body.moment * w.links[link].second[2] / self.length,
             axis => body.mass * w.centres[link].second[axis],
-        }
+        };
+        own + w.carried[1].get(row).unwrap_or(&0.0)
     }
 
     /// Writes −P, from weights and forces, and the generalised force of each.
@@ -189,13 +198,25 @@ impl Kinetostatics {
 
     /// Adds a wrench to P.
     pub(super) fn apply(&self, wrench: &Wrench, w: &mut ForceWorkspace) {
+        let applied = &mut w.applied;
+        self.each_row_of(wrench, &w.centres, |row, value| applied[row] += value);
+    }
+
+    /// Rows of a wrench on one link.
+    pub(super) fn each_row_of(
+        &self,
+        wrench: &Wrench,
+        centres: &[PointPosition],
+        mut add: impl FnMut(usize, f64),
+    ) {
         let Some(link) = wrench.link else { return };
         let [fx, fy] = wrench.force;
-        let [cx, cy] = w.centres[link].place;
+        let [cx, cy] = centres[link].place;
         let [px, py] = wrench.point.place;
-        w.applied[3 * link] += fx;
-        w.applied[3 * link + 1] += fy;
-        w.applied[3 * link + 2] += ((px - cx) * fy - (py - cy) * fx + wrench.couple) / self.length;
+        add(3 * link, fx);
+        add(3 * link + 1, fy);
+        let moment = (px - cx) * fy - (py - cy) * fx + wrench.couple;
+        add(3 * link + 2, moment / self.length);
     }
 
     /// The terms of friction at this position; `without` leaves them all out.

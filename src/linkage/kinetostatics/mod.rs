@@ -26,7 +26,9 @@ mod outputs;
 mod place;
 mod positions;
 mod ratio;
+mod resistance;
 mod result;
+mod reversals;
 mod search;
 mod sensitivity;
 mod solve;
@@ -36,7 +38,9 @@ pub use accelerate::{Acceleration, Outcome};
 pub use iteration::{Convergence, Method};
 pub use positions::{LinkPosition, PointPosition, Positions};
 pub use ratio::{Convention, Transmission};
+pub use resistance::{Resistance, Resisted};
 pub use result::{Balance, Reaction, SlidingFriction};
+pub use reversals::Reversals;
 pub use sensitivity::Sensitivities;
 pub use solve::{BAD_CONDITION, ForceFailure, InputMotion, Options, Solved};
 pub use workspace::ForceWorkspace;
@@ -46,12 +50,19 @@ use crate::fault::{Fault, Faults};
 use friction::Law;
 
 /// Which unknown stands in the last column of W.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 enum Unknown {
     /// The driver's force; the motion is given.
     Drive,
     /// The acceleration of the input; the driver's force is given.
     Acceleration,
+    /// What friction takes of the input's force.
+    Resistance {
+        /// Acceleration per unit of it (1/(kg·m) or 1/kg).
+        mobility: f64,
+        /// The share of it that the driver's force takes over.
+        share: f64,
+    },
 }
 
 /// A linkage made ready for kinetostatics: immutable; what changes from

@@ -20,6 +20,9 @@ impl ForceWorkspace {
 impl Kinetostatics {
     /// Adds the forces on the outputs to P.
     pub(super) fn apply_output_loads(&self, w: &mut ForceWorkspace) {
+        for rows in &mut w.carried {
+            rows.clear();
+        }
         for output in 0..self.spec.outputs.len() {
             w.output_forces[output] = 0.0;
             let load = w.output_loads[output];
@@ -29,6 +32,39 @@ impl Kinetostatics {
                     self.apply(&wrench, w);
                 }
             }
+        }
+    }
+
+    /// Lets an inertia move with every output; without this none does. Positions
+    /// and forces are there already.
+    pub(super) fn carry_outputs(&self, w: &mut ForceWorkspace) {
+        if w.output_inertias.iter().all(|&inertia| inertia == 0.0) {
+            return;
+        }
+        let mut carried = std::mem::take(&mut w.carried);
+        for rows in &mut carried {
+            rows.resize(self.size(), 0.0);
+        }
+        for output in 0..self.spec.outputs.len() {
+            let inertia = w.output_inertias[output];
+            let rates = self.output_rates(output, w);
+            for (rows, rate) in carried.iter_mut().zip(rates) {
+                self.each_output_row(output, inertia * rate, w, |row, value| rows[row] += value);
+            }
+        }
+        w.carried = carried;
+    }
+
+    /// Rows of a force along an output.
+    pub(super) fn each_output_row(
+        &self,
+        output: usize,
+        load: f64,
+        w: &ForceWorkspace,
+        mut add: impl FnMut(usize, f64),
+    ) {
+        for wrench in self.on_output(output, load, w).into_iter().flatten() {
+            self.each_row_of(&wrench, &w.centres, &mut add);
         }
     }
 

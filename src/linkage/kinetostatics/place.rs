@@ -18,6 +18,31 @@ impl Kinetostatics {
         direction: f64,
         w: &mut ForceWorkspace,
     ) {
+        self.place_links(positions, w);
+        let scales = self.scales(w);
+        for (index, pair) in w.pairs.iter_mut().enumerate() {
+            let unit = self.units[index];
+            let scales = scales.map(|scale| scale / unit);
+            pair.sense = sense(pair.rates, scales, direction);
+        }
+    }
+
+    /// The same for pairs that slide in the directions `senses` (−1, 0 or 1) while
+    /// the input moves forwards.
+    pub(super) fn place_sliding<P: Positions>(
+        &self,
+        positions: &P,
+        senses: &[f64],
+        direction: f64,
+        w: &mut ForceWorkspace,
+    ) {
+        self.place_links(positions, w);
+        for (pair, &sense) in w.pairs.iter_mut().zip(senses) {
+            pair.sense = sense * direction;
+        }
+    }
+
+    fn place_links<P: Positions>(&self, positions: &P, w: &mut ForceWorkspace) {
         for (index, link) in w.links.iter_mut().enumerate() {
             *link = positions.link(index);
         }
@@ -27,12 +52,6 @@ impl Kinetostatics {
         for index in 0..self.spec.pairs.len() {
             w.pairs[index].rates = positions.pair_rates(index);
             self.place_pair(index, w);
-        }
-        let scales = self.scales(w);
-        for (index, pair) in w.pairs.iter_mut().enumerate() {
-            let unit = self.units[index];
-            let scales = scales.map(|scale| scale / unit);
-            pair.sense = sense(pair.rates, scales, direction);
         }
         for force in &self.spec.forces {
             if let ForceLaw::Torsion { pair, .. } = force.law {

@@ -36,6 +36,11 @@ pub struct ForceWorkspace {
     pub(super) output_loads: Vec<f64>,
     /// The same along the input coordinate.
     pub(super) output_forces: Vec<f64>,
+    /// Inertia that moves with each output (kg·m² or kg).
+    pub(super) output_inertias: Vec<f64>,
+    /// Rows of that inertia per unit of the input's acceleration, and at constant
+    /// speed of the input per its square; empty without any.
+    pub(super) carried: [Vec<f64>; 2],
     /// Rows of a unit of the driver's force.
     pub(super) drive_rows: Vec<f64>,
     /// W.
@@ -78,6 +83,8 @@ impl ForceWorkspace {
             forces: vec![0.0; forces],
             output_loads: vec![0.0; outputs],
             output_forces: vec![0.0; outputs],
+            output_inertias: vec![0.0; outputs],
+            carried: [Vec::with_capacity(size), Vec::with_capacity(size)],
             drive_rows: vec![0.0; size],
             factors: Factors::with_room(size),
             right: Vec::with_capacity(size * (1 + most)),

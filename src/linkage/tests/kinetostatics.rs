@@ -12,7 +12,7 @@ use proptest::prelude::*;
 const SPEED: f64 = 1.7;
 const ACCELERATION: f64 = -2.3;
 
-fn with_friction(mut spec: LinkageSpec, friction: f64) -> LinkageSpec {
+pub(super) fn with_friction(mut spec: LinkageSpec, friction: f64) -> LinkageSpec {
     for pair in &mut spec.pairs {
         pair.friction = friction;
         match &mut pair.kind {

@@ -8,4 +8,5 @@ mod kinetostatics;
 mod known;
 mod random;
 mod refusals;
+mod resistance;
 mod support;

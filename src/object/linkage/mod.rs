@@ -33,8 +33,9 @@ use serde_json::json;
 ///
 /// Equation: J(q)·q̈ + ½·J′(q)·q̇² = −V′(q) + Q(q) − D(q)·q̇ + the driver's
 /// moment or force, J, V, Q, D the inertia, potential, forces and damping
-/// reduced to q. Limits: links do not bend, pairs have no play; a run ends in
-/// dead positions of the driver.
+/// reduced to q; with `joint_friction` also the friction of the pairs, which
+/// follows from their reactions, these from q, q̇ and q̈. Limits: links do not
+/// bend, pairs have no play; a run ends in dead positions of the driver.
 #[derive(Debug)]
 pub struct Linkage {
     spec: DrivenLinkage,
@@ -103,10 +104,13 @@ fn read(fields: &mut Fields<'_>, driver: Measures) -> Option<DrivenLinkage> {
     let gravity = forces::gravity(fields);
     let forces = forces::read(fields, &names, pairs.as_deref(), input);
     let outputs = outputs::read(fields, &names);
+    let doc = "True: the friction of the pairs acts on the motion in `dam run`, and the linkage may come to rest by it; false: it counts in `dam forces` only.";
+    let joint_friction = fields.or("joint_friction", doc, json!(false), |slot| slot.flag());
     let (ground, links) = parts?;
     Some(DrivenLinkage {
         coordinate: kind?,
         position: position?,
+        joint_friction: joint_friction?,
         linkage: LinkageSpec {
             links,
             ground,

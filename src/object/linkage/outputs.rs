@@ -10,7 +10,7 @@ use crate::units::quantities as q;
 use serde_json::json;
 
 /// Names that the figures of the linkage itself have.
-const TAKEN: [&str; 8] = [
+const TAKEN: [&str; 11] = [
     "delta_max",
     "delta_min",
     "sigma",
@@ -19,6 +19,9 @@ const TAKEN: [&str; 8] = [
     "peak_reaction",
     "final",
     "pair",
+    "friction_loss",
+    "standstills",
+    "time_at_rest",
 ];
 
 /// Whether an output turns or slides.

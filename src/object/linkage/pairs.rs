@@ -28,7 +28,7 @@ pub(super) fn read(fields: &mut Fields<'_>, names: &Names) -> Option<Vec<PairSpe
 
 fn pair(slot: Slot<'_>, name: &str, names: &Names) -> Option<PairSpec> {
     slot.record(|fields| {
-        let doc = "Coefficient of Coulomb friction μ; it counts in forces only.";
+        let doc = "Coefficient of Coulomb friction μ; it counts in `dam forces`, and with `joint_friction` in the motion.";
         let friction = fields.or("friction", doc, json!(0.0), |slot| {
             slot.number(Bounds::NOT_NEGATIVE)
         });

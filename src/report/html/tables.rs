@@ -106,6 +106,31 @@ pub fn pairs(figures: &Figures) -> String {
     table(&head, &rows)
 }
 
+/// Figures of every linkage whose joints have friction; nothing when there is none.
+pub fn joints(figures: &Figures) -> String {
+    let row = |(id, object): (&String, &ObjectFigures)| {
+        let joints = object.joints.as_ref()?;
+        Some(format!(
+            "<tr>{}<td>{}</td>{}{}</tr>\n",
+            name(id),
+            joints.standstills,
+            cell(joints.time_at_rest, "s"),
+            cell(joints.friction_loss, "J"),
+        ))
+    };
+    let rows: String = figures.objects.iter().filter_map(row).collect();
+    if rows.is_empty() {
+        return String::new();
+    }
+    let head = head(&[
+        "Joint friction",
+        "standstills",
+        "time at rest",
+        "energy lost",
+    ]);
+    table(&head, &rows)
+}
+
 fn pair_row(id: &str, pair: &PairFigures, units: Units) -> String {
     let order = match (pair.margin, pair.in_working_order) {
         (Some(margin), _) => {

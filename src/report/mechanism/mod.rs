@@ -4,6 +4,7 @@
 //! script of a page only changes the transforms.
 
 mod arrows;
+mod guides;
 mod parts;
 mod section;
 mod shape;

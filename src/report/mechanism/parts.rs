@@ -1,9 +1,10 @@
 //! The parts of the picture: ground, guides, links, pins, labels.
 
+use super::guides::{block_height, on_axis, place, rails, stem, travel, yoke};
 use super::shape::{self, Block};
 use super::view::View;
 use super::{Drawing, Placement};
-use crate::linkage::spec::{PairKind, PairSpec, PointOf};
+use crate::linkage::spec::{LinkageSpec, PairKind, PairSpec};
 use crate::report::quantity::escape;
 use crate::report::svg::coordinate;
 use std::fmt::Write as _;
@@ -86,7 +87,7 @@ fn supports(drawing: &Drawing<'_>, view: &View) -> String {
                         coordinate(x),
                         coordinate(y),
                         coordinate(-direction.to_degrees()),
-                        rails(span, block_height(pair, view), view.scale, true)
+                        rails(span, block_height(pair, view.extent), view.scale, true)
                     );
                 } else if pair.link.link.is_none() {
                     out.push_str(&support(view.pixel(pair.link.at)));
@@ -104,122 +105,6 @@ fn support([x, y]: [f64; 2]) -> String {
         "<g class=\"ground\" transform=\"translate({x} {y})\"><path d=\"M0 0L-9 15H9z\"/>\
          <path d=\"M-14 15H14M-11 21l5 -6M-5 21l5 -6M1 21l5 -6M7 21l5 -6\"/></g>\n"
     )
-}
-
-/// Half the height of a pair's block (m).
-fn block_height(pair: &PairSpec, view: &View) -> f64 {
-    shape::block(pair, view.extent).map_or(0.0, |block| block.half_height)
-}
-
-/// Two rails along the x axis, in pixels, hatched outside when they are fixed.
-fn rails([from, to]: [f64; 2], half_height: f64, scale: f64, fixed: bool) -> String {
-    let (from, to, h) = (from * scale, to * scale, half_height * scale);
-    let mut out = String::new();
-    for side in [-1.0, 1.0] {
-        let y = side * (h + 1.5);
-        let _ = write!(
-            out,
-            "<path d=\"M{} {}H{}\"/>",
-            coordinate(from),
-            coordinate(y),
-            coordinate(to)
-        );
-        let mut x = from + 6.0;
-        while fixed && x < to {
-            let _ = write!(
-                out,
-                "<path class=\"hatch\" d=\"M{} {}l-5 {}\"/>",
-                coordinate(x),
-                coordinate(y),
-                coordinate(side * 6.0)
-            );
-            x += 9.0;
-        }
-    }
-    out
-}
-
-/// What a sliding pair's block covers of its guide over all positions (m).
-fn travel(drawing: &Drawing<'_>, index: usize, extent: f64) -> [f64; 2] {
-    let pair = &drawing.spec.pairs[index];
-    let (PairKind::Sliding { direction, .. }, Some(block)) =
-        (pair.kind, shape::block(pair, extent))
-    else {
-        return [0.0, 0.0];
-    };
-    let mut span = [f64::INFINITY, f64::NEG_INFINITY];
-    for frame in &drawing.frames {
-        let at = |point: &PointOf| place(frame, point);
-        let guide = pair.on.link.map_or(Placement::GROUND, |link| frame[link]);
-        let (a, b) = (at(&pair.on), at(&pair.link));
-        let [c, s] = guide.turn;
-        let (x, y) = (direction.cos(), direction.sin());
-        let along = (b[0] - a[0]) * (c * x - s * y) + (b[1] - a[1]) * (s * x + c * y);
-        span = [span[0].min(along), span[1].max(along)];
-    }
-    if span[0] > span[1] {
-        span = [0.0, 0.0];
-    }
-    let room = 0.02 * extent;
-    [
-        span[0] + block.ends[0] - room,
-        span[1] + block.ends[1] + room,
-    ]
-}
-
-/// Both ends of a guide's rails in the frame of the ground, at every position:
-/// none for a guide of the ground.
-pub(super) fn rail_ends(
-    drawing: &Drawing<'_>,
-    index: usize,
-    extent: f64,
-) -> impl Iterator<Item = [f64; 2]> {
-    let pair = &drawing.spec.pairs[index];
-    let moving = pair.on.link.zip(match pair.kind {
-        PairKind::Sliding { direction, .. } => Some(direction),
-        PairKind::Revolute { .. } => None,
-    });
-    let ends = moving.map(|(link, direction)| {
-        let span = travel(drawing, index, extent);
-        (link, span.map(|along| on_axis(pair, direction, along)))
-    });
-    ends.into_iter().flat_map(|(link, ends)| {
-        let frames = drawing.frames.iter();
-        frames.flat_map(move |frame| ends.map(|end| frame[link].point(end)))
-    })
-}
-
-/// A place on a guide's axis, in the frame of the guide's link.
-fn on_axis(pair: &PairSpec, direction: f64, along: f64) -> [f64; 2] {
-    let [x, y] = pair.on.at;
-    [x + along * direction.cos(), y + along * direction.sin()]
-}
-
-/// The line that joins a guide's rails to the nearest place of their link, such
-/// as its pivot; none where one lies between the rails.
-fn stem(drawing: &Drawing<'_>, index: usize, [from, to]: [f64; 2]) -> Option<[[f64; 2]; 2]> {
-    let pair = &drawing.spec.pairs[index];
-    let (PairKind::Sliding { direction, .. }, Some(link)) = (pair.kind, pair.on.link) else {
-        return None;
-    };
-    let foot = |[x, y]: [f64; 2]| {
-        let (dx, dy) = (x - pair.on.at[0], y - pair.on.at[1]);
-        let along = dx * direction.cos() + dy * direction.sin();
-        on_axis(pair, direction, along.clamp(from, to))
-    };
-    let lines = shape::places(drawing.spec, link).into_iter();
-    let lines = lines.map(|place| [place, foot(place)]);
-    let length = |[a, b]: &[[f64; 2]; 2]| (a[0] - b[0]).hypot(a[1] - b[1]);
-    let shortest = lines.min_by(|a, b| length(a).total_cmp(&length(b)))?;
-    (length(&shortest) > 1e-9 * (to - from).abs()).then_some(shortest)
-}
-
-/// A point in the frame of the ground.
-fn place(frame: &[Placement], point: &PointOf) -> [f64; 2] {
-    match point.link {
-        Some(link) => frame[link].point(point.at),
-        None => point.at,
-    }
 }
 
 /// A link's bar or plate and its guides, in pixels of its own frame.
@@ -246,16 +131,19 @@ fn bars(drawing: &Drawing<'_>, view: &View, link: usize) -> String {
         };
         if pair.on.link == Some(link) {
             let span = travel(drawing, index, view.extent);
-            if let Some([from, to]) = stem(drawing, index, span) {
-                let d = format!("M{}L{}", pixel(from), pixel(to));
-                out.push_str(&bar(&d));
+            let height = block_height(pair, view.extent);
+            let mut rails = rails(span, height, view.scale, false);
+            if let Some((from, along)) = stem(drawing, index, span) {
+                let to = on_axis(pair, direction, along);
+                out.push_str(&bar(&format!("M{}L{}", pixel(from), pixel(to))));
+                rails.push_str(&yoke(along * view.scale, height * view.scale));
             }
             let _ = write!(
                 out,
                 "<g class=\"rail\" transform=\"translate({}) rotate({})\">{}</g>",
                 pixel(pair.on.at),
                 coordinate(-direction.to_degrees()),
-                rails(span, block_height(pair, view), view.scale, false)
+                rails
             );
         }
     }
@@ -297,10 +185,10 @@ fn rectangle(block: &Block, view: &View) -> String {
 /// Pins of the revolute pairs with their names, above all links.
 fn pins(drawing: &Drawing<'_>, view: &View, frame: Option<&Vec<Placement>>) -> String {
     let mut out = String::new();
-    for pair in &drawing.spec.pairs {
-        if !matches!(pair.kind, PairKind::Revolute { .. }) {
+    for (index, pair) in drawing.spec.pairs.iter().enumerate() {
+        let Some(names) = names(drawing.spec, index) else {
             continue;
-        }
+        };
         let end = match pair.link.link {
             Some(_) => &pair.link,
             None => &pair.on,
@@ -316,8 +204,37 @@ fn pins(drawing: &Drawing<'_>, view: &View, frame: Option<&Vec<Placement>>) -> S
             coordinate(-end.at[1] * view.scale),
             coordinate(x),
             coordinate(y),
-            escape(&pair.name)
+            escape(&names)
         );
     }
     out
+}
+
+/// The names of all pins in the place of this one; `None` unless it is the
+/// first of them.
+fn names(spec: &LinkageSpec, index: usize) -> Option<String> {
+    let pairs = &spec.pairs;
+    let meet = |one: &PairSpec, other: &PairSpec| {
+        let ends = [other.on, other.link];
+        !other.slides() && (ends.contains(&one.on) || ends.contains(&one.link))
+    };
+    if pairs[index].slides() {
+        return None;
+    }
+    // From pin to pin over the points that they share.
+    let (mut group, mut seen) = (vec![index], 0);
+    while seen < group.len() {
+        for other in 0..pairs.len() {
+            if !group.contains(&other) && meet(&pairs[group[seen]], &pairs[other]) {
+                group.push(other);
+            }
+        }
+        seen += 1;
+    }
+    group.sort_unstable();
+    let names: Vec<&str> = group
+        .iter()
+        .map(|pair| pairs[*pair].name.as_str())
+        .collect();
+    (group[0] == index).then(|| names.join(", "))
 }

@@ -158,3 +158,78 @@ fn what_cannot_be_drawn_is_left_out_and_nothing_is_printed_that_is_no_number() {
     drawing.frames.clear();
     assert!(!drawing.svg(0).contains("NaN,"));
 }
+
+/// Crank about (0, 0.3), block, slotted link about the origin, and a second link
+/// on the crank's pin.
+fn slotted() -> (LinkageSpec, Vec<Vec<Placement>>) {
+    let link = |name: &str| LinkSpec {
+        name: name.to_owned(),
+        ..LinkSpec::default()
+    };
+    let pin = PairKind::Revolute { diameter: 0.0 };
+    let guide = PairKind::Sliding {
+        direction: 0.0,
+        angle: 0.0,
+        corners: [0.01, -0.01],
+        half_height: 0.0,
+    };
+    let tip = end(Some(0), [0.1, 0.0]);
+    let spec = LinkageSpec {
+        links: ["crank", "block", "slot", "rod"].map(link).to_vec(),
+        pairs: vec![
+            pair("O1", end(None, [0.0, 0.3]), end(Some(0), [0.0; 2]), pin),
+            pair("A", tip, end(Some(1), [0.0; 2]), pin),
+            pair(
+                "slide",
+                end(Some(2), [0.0; 2]),
+                end(Some(1), [0.0; 2]),
+                guide,
+            ),
+            pair("O2", end(None, [0.0; 2]), end(Some(2), [0.0; 2]), pin),
+            pair("B", tip, end(Some(3), [0.0; 2]), pin),
+        ],
+        ..LinkageSpec::default()
+    };
+    let frame = |deg: u32| {
+        let (sin, cos) = f64::from(deg).to_radians().sin_cos();
+        let a = [0.1 * cos, 0.3 + 0.1 * sin];
+        let along = a[0].hypot(a[1]);
+        let turn = [a[0] / along, a[1] / along];
+        let at = |at: [f64; 2], turn: [f64; 2]| Placement { at, turn };
+        vec![
+            at([0.0, 0.3], [cos, sin]),
+            at(a, turn),
+            at([0.0; 2], turn),
+            at(a, [1.0, 0.0]),
+        ]
+    };
+    (spec, (0..36).map(|k| frame(10 * k)).collect())
+}
+
+#[test]
+fn a_moving_guide_hangs_on_its_pivot_and_pins_in_one_place_share_a_label() {
+    let (spec, frames) = slotted();
+    let mut drawing = drawing(&spec);
+    drawing.frames = frames;
+    drawing.paths.clear();
+    drawing.arrows.clear();
+    for index in [0, 9, 27] {
+        let picture = drawing.svg(index);
+        assert!(picture.contains(">A, B</text>") && !picture.contains(">B</text>"));
+        let slot = &picture[picture.find("data-link=\"2\"").unwrap()..];
+        let slot = &slot[..slot.find("</g></g>").unwrap()];
+        assert!(slot.contains("class=\"body\" d=\"M0 0L"), "{slot}");
+        // Both ends of the rails are in the picture at every position.
+        let size = numbers(&picture, "<svg", "viewBox=\"");
+        let [c, _, s, _, x, y] = numbers(slot, "data-link", "matrix(")[..] else {
+            panic!("{slot}")
+        };
+        let rail = &slot[slot.find("class=\"rail\"").unwrap()..];
+        let path = numbers(rail, "<path", "d=\"");
+        for along in [path[0], path[2]] {
+            let end = [x + c * along, y - s * along];
+            assert!(0.0 < end[0] && end[0] < size[2], "{end:?} {size:?}");
+            assert!(0.0 < end[1] && end[1] < size[3], "{end:?} {size:?}");
+        }
+    }
+}

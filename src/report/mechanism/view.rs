@@ -1,6 +1,6 @@
 //! The part of the plane that is shown, and its scale.
 
-use super::{Drawing, Placement, arrows, parts, shape};
+use super::{Drawing, Placement, arrows, guides, shape};
 
 /// Largest picture (pixels).
 const WIDEST: f64 = 860.0;
@@ -49,7 +49,7 @@ impl View {
         }
         let extent = Self::around(&area).extent;
         for pair in 0..drawing.spec.pairs.len() {
-            for end in parts::rail_ends(drawing, pair, extent) {
+            for end in guides::rail_ends(drawing, pair, extent) {
                 area.take(end);
             }
         }

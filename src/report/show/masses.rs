@@ -2,6 +2,7 @@
 
 use super::table::Table;
 use super::{equations, load_word, units};
+use crate::linkage::spec::{LinkageSpec, PairKind, PairSpec};
 use crate::model::{
     Closure, Coordinate, DampingLaw, LinkBase, Model, NodeMotion, OUTPUT, ObjectPart, Pair,
 };
@@ -108,8 +109,35 @@ fn linkages(model: &Model) -> String {
         if !outputs.is_empty() {
             out.push_str(&format!("  outputs {}\n", outputs.join(", ")));
         }
+        if body.friction.is_some() {
+            out.push_str(&format!("  joint friction {}\n", rubbing(linkage.spec())));
+        }
     }
     out
+}
+
+/// The pairs with friction, each with its numbers.
+fn rubbing(linkage: &LinkageSpec) -> String {
+    let millimetres = |length: f64| significant(1e3 * length, 4);
+    let pairs = linkage.pairs.iter().filter(|pair| pair.friction > 0.0);
+    let of = |pair: &PairSpec| {
+        let size = match pair.kind {
+            PairKind::Revolute { diameter } => format!("d = {} mm", millimetres(diameter)),
+            PairKind::Sliding {
+                corners: [forward, back],
+                half_height,
+                ..
+            } => format!(
+                "corners at {} and {} mm, height {} mm",
+                millimetres(forward),
+                millimetres(back),
+                millimetres(2.0 * half_height)
+            ),
+        };
+        let friction = significant(pair.friction, 4);
+        format!("{} (μ = {friction}, {size})", pair.name)
+    };
+    pairs.map(of).collect::<Vec<_>>().join(", ")
 }
 
 fn links(model: &Model) -> Table {

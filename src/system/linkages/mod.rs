@@ -13,9 +13,14 @@ use super::quantity::Quantity;
 use crate::jet::Jet;
 use crate::linkage::{Linkage, Reduced, Workspace};
 use crate::position::linkage_reach;
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::sync::Arc;
-use table::{Local, Table};
+use table::{Lanes, Table};
+
+pub(super) use table::Cursor;
+
+/// Weights count as nothing below this share of the greatest that they could be.
+const ROUNDING: f64 = 1e-12;
 
 /// Share of a limited reach at each end that is not sampled.
 const EDGE: f64 = 0.05;
@@ -91,6 +96,13 @@ impl Solved {
         (self.place, self.order, self.reduced) = (q, order, None);
     }
 
+    /// The linkage at `q`, its derivatives up to `order`; `None` where it cannot be
+    /// assembled.
+    pub(super) fn placed(&mut self, q: f64, order: usize) -> Option<&Workspace> {
+        self.go_to(q, order);
+        self.assembled.then_some(&self.workspace)
+    }
+
     fn output(&mut self, output: usize, q: f64, order: usize) -> Jet {
         self.go_to(q, order);
         match self.assembled {
@@ -113,14 +125,33 @@ impl Solved {
             return 0.0;
         };
         let [inertia, slope, _] = reduced.inertia;
+        // Weights across the motion leave rounding, which is no force.
+        let weight = reduced.potential[1];
+        let rounding = ROUNDING * self.greatest_weight();
         let parts = [
             inertia * acceleration + 0.5 * slope * rate * rate,
-            reduced.potential[1],
+            if weight.abs() <= rounding {
+                0.0
+            } else {
+                weight
+            },
             reduced.force[0],
             reduced.damping[0] * rate,
         ];
         let sum: f64 = parts.iter().map(|part| part.abs()).sum();
         if sum.is_finite() { sum } else { 0.0 }
+    }
+
+    /// What the weights would be at the input if all of them acted along the motion.
+    fn greatest_weight(&self) -> f64 {
+        let spec = self.linkage.spec();
+        let [gx, gy] = spec.gravity;
+        let links = spec.links.iter().enumerate().map(|(index, link)| {
+            let [x, y, turning] = self.workspace.transfer(index, 1);
+            let arm = link.centre[0].hypot(link.centre[1]);
+            link.mass * (x.hypot(y) + arm * turning.abs())
+        });
+        links.sum::<f64>() * gx.hypot(gy)
     }
 
     /// `None` where it cannot be assembled.
@@ -139,6 +170,27 @@ const NOWHERE: Jet = Jet {
     second: f64::NAN,
     third: f64::NAN,
 };
+
+/// J, J′, W and D at a place, and, where the numbers ask for them, their slopes.
+#[inline]
+fn lanes<N: Quantity>(table: &Table, q: f64, cursor: &Cell<Cursor>) -> Option<[Lanes; 2]> {
+    let (piece, x) = table.locate(q, cursor)?;
+    let slopes = match N::DERIVATIVES > 2 {
+        true => piece.slopes(x),
+        false => [0.0; 4],
+    };
+    Some([piece.values(x), slopes])
+}
+
+#[inline(always)]
+fn jet_of([value, first, second]: [f64; 3]) -> Jet {
+    Jet {
+        value,
+        first,
+        second,
+        third: 0.0,
+    }
+}
 
 fn with_slope([value, slope]: [f64; 2]) -> [f64; 3] {
     [value, slope, 0.0]
@@ -216,7 +268,7 @@ impl Frozen {
     /// Inertia of a linkage, and all forces on its input but those of
     /// accelerations.
     #[inline]
-    fn inertia_and_force<N: Quantity>(
+    pub(super) fn inertia_and_force<N: Quantity>(
         &self,
         index: usize,
         extent: Extent,
@@ -224,32 +276,31 @@ impl Frozen {
     ) -> [N; 2] {
         let linkage = &self.linkages[index];
         let (q, rate) = (work.displacement[linkage.node], work.speed[linkage.node]);
+        let cursor = &work.cursors[index];
         let table = linkage.table.as_ref().filter(|_| extent == Extent::Needed);
-        let Some((table, local)) = table.and_then(|table| {
-            let local = table.at(q.value(), N::DERIVATIVES)?;
-            Some((table, local))
+        let Some((table, known)) = table.and_then(|table| {
+            let known = lanes::<N>(table, q.value(), cursor)?;
+            Some((table, known))
         }) else {
             let reduction = self.linkage(index, work);
             return [reduction.inertia, reduction.force()];
         };
-        let of = |pick: fn(&Local) -> [f64; 3]| {
-            q.lift(|place| {
-                let there = match place == q.value() {
-                    true => Some(local),
-                    false => table.at(place, N::DERIVATIVES),
-                };
-                let [value, first, second] = there.as_ref().map_or([f64::NAN; 3], pick);
-                Jet {
-                    value,
-                    first,
-                    second,
-                    third: 0.0,
-                }
-            })
+        let at = |place: f64| match place == q.value() {
+            true => known,
+            false => lanes::<N>(table, place, cursor).unwrap_or([[f64::NAN; 4]; 2]),
         };
-        let [inertia, slope, _] = of(|local| local.inertia);
-        let [force, ..] = of(|local| with_slope(local.force));
-        let [damping, ..] = of(|local| with_slope(local.damping));
+        let [inertia, slope, _] = q.lift(|place| {
+            let [values, slopes] = at(place);
+            jet_of([values[0], values[1], slopes[1]])
+        });
+        let lane = |index: usize| {
+            let [number, ..] = q.lift(|place| {
+                let [values, slopes] = at(place);
+                jet_of([values[index], slopes[index], 0.0])
+            });
+            number
+        };
+        let (force, damping) = (lane(2), lane(3));
         let moving = damping * rate + (slope * rate * rate).scale(0.5);
         [inertia, force - moving]
     }

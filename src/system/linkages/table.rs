@@ -10,6 +10,7 @@
 
 use crate::linkage::spec::{ForceLaw, LinkageSpec};
 use crate::linkage::{Linkage, Reach, Reduced, Workspace};
+use std::cell::Cell;
 use std::f64::consts::PI;
 
 /// Points of an interpolation, one more than the degree.
@@ -35,24 +36,11 @@ const NONE: u16 = u16::MAX;
 
 type Coefficients = [f64; POINTS];
 
-/// J, W and D at a place with their derivatives.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Local {
-    /// J, J′, J″.
-    pub(super) inertia: [f64; 3],
-    /// W, W′.
-    pub(super) force: [f64; 2],
-    /// D, D′.
-    pub(super) damping: [f64; 2],
-}
-
 /// The pieces.
 #[derive(Clone, Debug)]
 pub(crate) struct Table {
     start: f64,
     span: f64,
-    /// 1/`span`.
-    rate: f64,
     /// Whether everything repeats after `span`.
     periodic: bool,
     /// Piece in each of the finest intervals.
@@ -61,16 +49,17 @@ pub(crate) struct Table {
 }
 
 /// Polynomials in x = (place − centre)·scale for J, J′, W and D side by side,
-/// lowest power first, four powers together.
+/// lowest power first, four powers together: the lanes of the first, of the
+/// second, …
 #[derive(Clone, Debug)]
-struct Piece {
+pub(super) struct Piece {
     centre: f64,
     scale: f64,
-    fours: [[Lanes; 4]; FOURS],
+    fours: [[f64; 16]; FOURS],
 }
 
 /// J, J′, W, D.
-type Lanes = [f64; 4];
+pub(super) type Lanes = [f64; 4];
 
 impl Table {
     /// The table of a linkage; `None` when its input goes on for ever without
@@ -88,7 +77,6 @@ impl Table {
         let mut table = Self {
             start,
             span,
-            rate: 1.0 / span,
             periodic,
             index: vec![NONE; 1 << DEEPEST],
             pieces: Vec::new(),
@@ -97,62 +85,78 @@ impl Table {
         (!table.pieces.is_empty()).then_some(table)
     }
 
-    /// J, W and D at an input; `None` where there is no piece.
+    /// The piece at an input and the place on it; `None` where there is none. The
+    /// cursor says which piece was found last, and is moved.
     #[inline]
-    pub(super) fn at(&self, q: f64, order: usize) -> Option<Local> {
-        let mut place = q - self.start;
-        if self.periodic {
-            place -= self.span * floor(place * self.rate);
+    pub(super) fn locate(&self, q: f64, cursor: &Cell<Cursor>) -> Option<(&Piece, f64)> {
+        let last = cursor.get();
+        let piece = self.pieces.get(last.piece)?;
+        let x = (q - last.centre) * piece.scale;
+        if x.abs() <= 1.0 {
+            return Some((piece, x));
         }
-        let slot = place * self.rate * self.index.len() as f64;
+        let found = self.search(q)?;
+        cursor.set(found);
+        let piece = &self.pieces[found.piece];
+        Some((piece, (q - found.centre) * piece.scale))
+    }
+
+    fn search(&self, q: f64) -> Option<Cursor> {
+        let turns = match self.periodic {
+            true => ((q - self.start) / self.span).floor(),
+            false => 0.0,
+        };
+        let begin = self.start + turns * self.span;
+        let slot = (q - begin) / self.span * self.index.len() as f64;
         if !(slot >= 0.0) {
             return None;
         }
-        let piece = self
-            .pieces
-            .get(usize::from(*self.index.get(slot as usize)?))?;
-        let x = (place - piece.centre) * piece.scale;
-        let [inertia, slope, force, damping] = piece.values(x);
-        let mut local = Local {
-            inertia: [inertia, slope, 0.0],
-            force: [force, 0.0],
-            damping: [damping, 0.0],
-        };
-        if order > 2 {
-            let [_, second, force, damping] = piece.slopes(x);
-            local.inertia[2] = second;
-            local.force[1] = force;
-            local.damping[1] = damping;
+        let piece = usize::from(*self.index.get(slot as usize)?);
+        let centre = begin + self.pieces.get(piece)?.centre;
+        Some(Cursor { piece, centre })
+    }
+}
+
+/// The piece that was found last; none at first.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::system) struct Cursor {
+    piece: usize,
+    /// The input at its centre, all turns counted.
+    centre: f64,
+}
+
+impl Default for Cursor {
+    fn default() -> Self {
+        Self {
+            piece: 0,
+            centre: f64::NAN,
         }
-        Some(local)
     }
 }
 
 impl Piece {
-    /// Values of all polynomials: every fourth power by itself, which the
-    /// processor takes side by side.
+    /// Values of all polynomials (G. Estrin's scheme): whatever does not wait for
+    /// anything else the processor takes side by side.
     #[inline]
-    fn values(&self, x: f64) -> Lanes {
+    pub(super) fn values(&self, x: f64) -> Lanes {
         let square = x * x;
         let fourth = square * square;
-        let mut sums = self.fours[FOURS - 1];
-        for four in self.fours[..FOURS - 1].iter().rev() {
-            for (sums, four) in sums.iter_mut().zip(four) {
-                for lane in 0..4 {
-                    sums[lane] = sums[lane] * fourth + four[lane];
-                }
-            }
+        let eighth = fourth * fourth;
+        let [a, b, c, d] = &self.fours;
+        let mut sums = [0.0; 16];
+        for i in 0..16 {
+            sums[i] = (a[i] + fourth * b[i]) + eighth * (c[i] + fourth * d[i]);
         }
-        let [zero, one, two, three] = sums;
         std::array::from_fn(|lane| {
-            (zero[lane] + x * one[lane]) + square * (two[lane] + x * three[lane])
+            let low = sums[lane] + x * sums[4 + lane];
+            low + square * (sums[8 + lane] + x * sums[12 + lane])
         })
     }
 
     /// Their derivatives by the input.
-    fn slopes(&self, x: f64) -> Lanes {
+    pub(super) fn slopes(&self, x: f64) -> Lanes {
         let (mut value, mut first) = ([0.0; 4], [0.0; 4]);
-        for c in self.fours.iter().flatten().rev() {
+        for c in self.fours.as_flattened().rchunks_exact(4) {
             for lane in 0..4 {
                 first[lane] = first[lane] * x + value[lane];
                 value[lane] = value[lane] * x + c[lane];
@@ -160,14 +164,6 @@ impl Piece {
         }
         first.map(|first| first * self.scale)
     }
-}
-
-/// ⌊x⌋ without a call, which the plain processor would need; of what is no number
-/// or beyond 64 bits, something of that size.
-#[inline]
-fn floor(x: f64) -> f64 {
-    let whole = x as i64 as f64;
-    whole - f64::from(u8::from(whole > x))
 }
 
 /// Whether all forces are the same after one period: no spring winds up, and
@@ -328,9 +324,9 @@ impl<'a> Builder<'a> {
             centre,
             scale: 1.0 / half,
             fours: std::array::from_fn(|four| {
-                std::array::from_fn(|one| {
-                    let power = 4 * four + one;
-                    [inertia[power], slope(power), force[power], damping[power]]
+                std::array::from_fn(|place| {
+                    let power = 4 * four + place / 4;
+                    [inertia[power], slope(power), force[power], damping[power]][place % 4]
                 })
             }),
         })

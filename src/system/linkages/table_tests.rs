@@ -1,8 +1,15 @@
 //! The table against the linkage itself.
 
 use super::Table;
+use crate::integrate::{Dynamics, Modes};
 use crate::linkage::Linkage;
 use crate::linkage::spec::*;
+use crate::model::{Closure, LinkageBody, LoadLaw, Model};
+use crate::position::Position;
+use crate::system::System;
+use crate::system::testing::{Body, add_body, add_load, add_rotor, pair};
+use std::cell::Cell;
+use std::sync::Arc;
 
 fn pin(name: &str, on: (Option<usize>, [f64; 2]), link: (Option<usize>, [f64; 2])) -> PairSpec {
     let point = |(link, at)| PointOf { link, at };
@@ -54,6 +61,7 @@ fn four_bar(crank: f64) -> LinkageSpec {
 fn compared(linkage: &Linkage, from: f64, to: f64) -> ([f64; 7], f64) {
     let table = Table::new(linkage).expect("a table");
     let mut workspace = linkage.workspace();
+    let cursor = Cell::default();
     let (mut miss, mut size, mut known) = ([0.0f64; 7], [0.0f64; 7], 0);
     let count = 5000;
     for step in 0..count {
@@ -63,20 +71,12 @@ fn compared(linkage: &Linkage, from: f64, to: f64) -> ([f64; 7], f64) {
         let [j0, j1, j2] = reduced.inertia;
         let [w0, w1] = [0, 1].map(|k| reduced.force[k] - reduced.potential[k + 1]);
         let [d0, d1] = reduced.damping;
-        let Some(local) = table.at(q, 3) else {
+        let Some((piece, x)) = table.locate(q, &cursor) else {
             continue;
         };
         known += 1;
-        let [i0, i1, i2] = local.inertia;
-        let found = [
-            i0,
-            i1,
-            i2,
-            local.force[0],
-            local.force[1],
-            local.damping[0],
-            local.damping[1],
-        ];
+        let ([i0, i1, f0, c0], [_, i2, f1, c1]) = (piece.values(x), piece.slopes(x));
+        let found = [i0, i1, i2, f0, f1, c0, c1];
         for (k, wanted) in [j0, j1, j2, w0, w1, d0, d1].into_iter().enumerate() {
             miss[k] = miss[k].max((found[k] - wanted).abs());
             size[k] = size[k].max(wanted.abs());
@@ -112,8 +112,13 @@ fn near_dead_positions_the_linkage_is_solved_itself() {
     let (miss, known) = compared(&linkage, from + 0.02 * span, to - 0.02 * span);
     assert!(known > 0.95 && miss[0] < 1e-12, "{known} {miss:?}");
     let table = Table::new(&linkage).expect("a table");
-    assert!(table.at(from + 1e-9, 2).is_none());
-    assert!(table.at(to + 0.1, 2).is_none() && table.at(f64::NAN, 2).is_none());
+    let middle = Cell::default();
+    assert!(table.locate(0.5 * (from + to), &middle).is_some());
+    for cursor in [Cell::default(), middle] {
+        for place in [from + 1e-9, to + 0.1, f64::NAN, f64::INFINITY] {
+            assert!(table.locate(place, &cursor).is_none(), "{place}");
+        }
+    }
 }
 
 #[test]
@@ -124,4 +129,56 @@ fn springs_that_wind_up_and_tables_over_the_input_have_none() {
     };
     *pair = 0;
     assert!(Table::new(&Linkage::new(wound).expect("a linkage")).is_none());
+}
+
+/// A motor with a gear on it and the four-bar on the gear, its crank going
+/// −0.91·φ + 0.04.
+fn geared() -> System {
+    let mut model = Model::default();
+    let gear = |ratio: f64, offset: f64, inertia: f64| Body {
+        position: Position::Ratio { ratio, offset },
+        inertias: vec![inertia],
+        stiffnesses: vec![],
+        dampings: vec![],
+        pair: pair(Closure::Bilateral),
+    };
+    let motor = LoadLaw::LinearMotor {
+        stall_torque: 3.0,
+        no_load_speed: 20.0,
+    };
+    let rotor = add_rotor(&mut model, 0.02, 0.3, 1.1);
+    add_load(&mut model, rotor, 0, "torque", motor);
+    let wheel = add_body(&mut model, rotor, &gear(0.7, 0.2, 0.03));
+    add_load(&mut model, wheel, 0, "bearing", LoadLaw::Viscous(0.1));
+    let crank = add_body(&mut model, wheel, &gear(-1.3, 0.3, 0.0));
+    model.linkages.push(LinkageBody {
+        node: model.objects[crank].nodes[0],
+        linkage: Arc::new(Linkage::new(four_bar(0.1)).expect("a linkage")),
+        outputs: vec![],
+        object: crank,
+    });
+    System::new(model).expect("a system")
+}
+
+#[test]
+fn a_linkage_on_gears_moves_as_in_the_passes_whichever_piece_was_last() {
+    let system = geared();
+    assert_eq!(system.frozen.trains.len(), 1);
+    assert!(system.frozen.linkages[0].table.is_some());
+    let modes = Modes::default();
+    let (mut scratch, mut whole) = (system.scratch(), system.scratch());
+    for step in 0..2000 {
+        // Near and far, to and fro.
+        let position = match step % 5 {
+            0 => -40.0 + 0.037 * f64::from(step),
+            _ => 0.011 * f64::from(step % 400),
+        };
+        let y = [position, 3.0 - 0.01 * f64::from(step % 700)];
+        let mut dy = [0.0; 2];
+        system.derivatives(0.0, &y, &modes, &mut scratch, &mut dy);
+        system.evaluate_fully(0.0, &y, &modes, &mut whole);
+        let expected = whole.accelerations[0];
+        let miss = (dy[1] - expected).abs();
+        assert!(miss < 1e-11 * (1.0 + expected.abs()), "{miss:e} at {y:?}");
+    }
 }

@@ -75,7 +75,7 @@ impl Frozen {
             let (speed, acceleration) = (work.speed[driver], work.acceleration[driver]);
             let way = length * (speed.abs() + 0.5 * length * acceleration.abs());
             let radius = (MARGIN * way).max(LEAST_REACH * (1.0 + phi.abs()));
-            taylor.laws[index].begin(phi, radius, |phi| law.jet(modes, phi));
+            taylor.laws[index].begin(phi, radius, taylor.last, |phi| law.jet(modes, phi));
         } else {
             taylor.laws[index].begin_straight(law.jet(modes, phi));
         }

@@ -17,9 +17,16 @@ pub(super) type Series = [f64; HIGHEST + 1];
 /// Degree of the polynomial for U′.
 const DEGREE: usize = 8;
 
-/// Greatest share of the last two coefficients in U′ over the whole reach; what
-/// the polynomial leaves out is then some hundred times smaller.
-const LAST: f64 = 1e-8;
+/// Bounds on the greatest share of the last two coefficients in U′ over the whole
+/// reach; what the polynomial leaves out is then some hundred times smaller.
+const LAST: [f64; 2] = [1e-8, 1e-5];
+
+/// This share for a series of a degree, which follows the tolerance: ten times
+/// less than that (`integrate::taylor::degree`).
+pub(super) fn last(degree: usize) -> f64 {
+    let digits = (degree as f64 - 6.0) / 1.25;
+    10f64.powf(-1.0 - digits).clamp(LAST[0], LAST[1])
+}
 
 /// Powers whose share of U′ is below this are left out.
 const NEGLIGIBLE: f64 = 1e-18;
@@ -110,8 +117,9 @@ impl Default for LawSeries {
 }
 
 impl LawSeries {
-    /// Begins anew around a driver's displacement `phi`.
-    pub(super) fn begin(&mut self, phi: f64, radius: f64, jet: impl Fn(f64) -> Jet) {
+    /// Begins anew around a driver's displacement `phi`; the last two coefficients
+    /// may have a share `allowed` of U′.
+    pub(super) fn begin(&mut self, phi: f64, radius: f64, allowed: f64, jet: impl Fn(f64) -> Jet) {
         let middle = jet(phi);
         self.radius = radius;
         self.polynomial = polynomial(middle, jet(phi - radius), jet(phi + radius), radius);
@@ -119,7 +127,7 @@ impl LawSeries {
         let last = self.polynomial[DEGREE - 1]
             .abs()
             .max(self.polynomial[DEGREE].abs());
-        self.excess = (last / (LAST * size)).powf(1.0 / DEGREE as f64).max(1.0);
+        self.excess = (last / (allowed * size)).powf(1.0 / DEGREE as f64).max(1.0);
         // What is not a number counts.
         let counts = |c: &f64| !(c.abs() <= NEGLIGIBLE * size);
         let last = self.polynomial.iter().rposition(counts).unwrap_or(0);
@@ -190,7 +198,7 @@ mod tests {
     /// Composed with φ(s) = 0.4 + 0.2·s − 0.05·s², against the law itself.
     fn errors(position: &Position) -> [f64; 3] {
         let mut law = LawSeries::default();
-        law.begin(0.4, 0.2, |phi| position.jet(0, phi));
+        law.begin(0.4, 0.2, LAST[0], |phi| position.jet(0, phi));
         for order in 1..=HIGHEST {
             law.advance(order, [0.0, 0.2, -0.05].get(order).copied().unwrap_or(0.0));
         }

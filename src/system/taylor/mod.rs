@@ -57,6 +57,8 @@ pub(super) struct Taylor {
     v: Vec<Series>,
     /// Time of the whole series, s from 0 to 1 (s).
     length: f64,
+    /// Share of U′ that the last coefficients of a law may have.
+    last: f64,
 }
 
 impl Taylor {
@@ -79,6 +81,7 @@ impl Taylor {
             u: series(frozen.coordinates),
             v: series(frozen.coordinates),
             length: 1.0,
+            last: law::last(HIGHEST),
         }
     }
 
@@ -127,6 +130,7 @@ impl Frozen {
         out: &mut [f64],
     ) -> f64 {
         taylor.length = length;
+        taylor.last = law::last(degree);
         self.begin(start, work, taylor);
         for order in 0..=degree - 2 {
             self.forces_of(start, order, work, taylor);

@@ -15,6 +15,8 @@ pub(super) struct Parts {
     applied: bool,
     /// Dampers.
     damping: bool,
+    /// Friction of the pairs.
+    friction: bool,
 }
 
 impl Parts {
@@ -23,6 +25,7 @@ impl Parts {
         let heavy = spec.links.iter().any(|link| link.mass > 0.0);
         let mut parts = Self {
             potential: heavy && spec.gravity != [0.0; 2],
+            friction: body.friction.is_some(),
             ..Self::default()
         };
         for force in &spec.forces {
@@ -41,7 +44,7 @@ impl Parts {
 
     /// Whether there is any force at all.
     pub(super) fn any(self) -> bool {
-        self.potential || self.applied || self.damping
+        self.potential || self.applied || self.damping || self.friction
     }
 }
 
@@ -73,9 +76,18 @@ pub(super) fn forces(
         let damping = of_object("D", model, object).expr();
         reduced.push(damping.times(rate).negative());
     }
+    if parts.friction {
+        reduced.push(of_object("R", model, object).expr());
+    }
     if parts.any() {
         let letter = of_object("W", model, object);
-        let remark = "forces, weights and springs, dampers, reduced to the input: functions of φ";
+        let remark = match parts.friction {
+            false => "forces, weights and springs, dampers, reduced to the input: functions of φ",
+            true => {
+                "forces, weights and springs, dampers, reduced to the input: functions of φ; \
+                 R, friction of the pairs, follows from their reactions: of φ, φ̇, φ̈ and of the loads"
+            }
+        };
         section.line(letter.clone(), Expr::sum(reduced), remark);
         terms.push(letter.expr());
     }

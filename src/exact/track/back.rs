@@ -1,0 +1,127 @@
+//! Looking back at the steps of a phase: what is bounded, and what happens in them.
+
+use super::climb::{Climb, Turns};
+use super::walk::Walk;
+use super::{Scene, Track};
+use crate::exact::hermite::{Loss, Point, enclose};
+use crate::exact::lanes::{Arith, Task, V};
+use crate::exact::phase::Exponentials;
+
+/// How the lanes go on from the start of a part.
+#[derive(Clone, Copy)]
+pub(super) enum Ahead<'a> {
+    /// All can be followed; a bound on the fourth derivatives.
+    Followed(V),
+    /// Some turn far.
+    Mixed(&'a Exponentials),
+}
+
+/// [`Track::look_back`], out of line.
+pub(crate) struct LookBack<'a> {
+    pub(crate) track: &'a mut Track,
+    pub(crate) scene: Scene<'a>,
+}
+
+impl Task for LookBack<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<A: Arith>(self) {
+        self.track.look_back::<A>(self.scene);
+    }
+}
+
+impl Track {
+    /// Takes the steps that were seen into the figures.
+    #[inline(always)]
+    fn look_back<A: Arith>(&mut self, scene: Scene) {
+        for number in 0..self.steps.len() {
+            self.look_into::<A>(scene, self.steps[number]);
+        }
+        self.steps.clear();
+    }
+
+    /// Takes a step into the figures.
+    #[inline(always)]
+    pub(super) fn look_into<A: Arith>(&mut self, scene: Scene, ends: [Point; 2]) {
+        if scene.followed(ends[1].s - ends[0].s) == scene.lanes() {
+            self.span::<A>(scene, Ahead::Followed(ends[0].fourth), &ends);
+        } else if !self.settled::<A>(scene, &ends) {
+            A::apart(Walk {
+                track: self,
+                scene,
+                ends,
+            });
+        }
+    }
+
+    /// True when nothing happens between two points, of lanes of their sizes at
+    /// the start of the phase: the fast ones are most often small.
+    #[inline(always)]
+    fn settled<A: Arith>(&self, scene: Scene, [a, b]: &[Point; 2]) -> bool {
+        let lanes = (None, scene.lanes());
+        let loss = self
+            .state
+            .loss::<A>(scene.basis, scene.panel, lanes, b.s - a.s);
+        let bounds = enclose::<A>(a, b, &loss);
+        let beyond = (bounds.high - self.high).max(self.low - bounds.low);
+        (beyond - self.margin()).greatest() <= 0.0 && !self.may_turn(&bounds)
+    }
+
+    /// What Hermite's cubic may miss over a length h.
+    #[inline(always)]
+    pub(super) fn loss<A: Arith>(&self, scene: Scene, ahead: Ahead, h: f64) -> Loss {
+        match ahead {
+            Ahead::Followed(fourth) => {
+                let square = h * h;
+                Loss {
+                    middle: fourth * V::splat(square * square * (1.0 / 144.0)),
+                    flat: V::ZERO,
+                }
+            }
+            Ahead::Mixed(e) => {
+                let lanes = scene.lanes();
+                self.state
+                    .loss::<A>(scene.basis, scene.panel, (Some(e), lanes), h)
+            }
+        }
+    }
+
+    /// Takes the part between two points.
+    #[inline(always)]
+    pub(super) fn span<A: Arith>(&mut self, scene: Scene, ahead: Ahead, [a, b]: &[Point; 2]) {
+        let loss = self.loss::<A>(scene, ahead, b.s - a.s);
+        let bounds = enclose::<A>(a, b, &loss);
+        let over = bounds.high - self.high;
+        let under = self.low - bounds.low;
+        // Differences below rounding are not worth a climb.
+        let margin = self.margin();
+        let beyond = over.max(under) - margin;
+        if beyond.greatest() > 0.0 {
+            let noise = self.state.noise(b.s);
+            for k in 0..4 {
+                let margin = margin.0[k].max(noise.0[k]);
+                for (beyond, sign) in [(over.0[k], 1.0), (under.0[k], -1.0)] {
+                    if beyond > margin {
+                        A::apart(Climb {
+                            track: self,
+                            scene,
+                            ahead,
+                            ends: (a, b),
+                            figure: (k, sign),
+                            margin,
+                        });
+                    }
+                }
+            }
+        }
+        if self.may_turn(&bounds) {
+            A::apart(Turns {
+                track: self,
+                scene,
+                ahead,
+                ends: (a, b),
+            });
+        }
+    }
+}

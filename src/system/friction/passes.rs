@@ -1,0 +1,219 @@
+//! Friction within an evaluation: after the forces, before the accelerations.
+
+use super::force::Moving;
+use super::{Direction, Group, HELD, Member, Obstacle, UNSETTLED};
+use crate::linkage::kinetostatics::ForceFailure;
+use crate::system::frozen::{Frozen, segment};
+use crate::system::passes::{Extent, Work};
+use crate::system::quantity::Quantity;
+
+/// Rounds over the linkages of a group at most, and what they may still change.
+const ROUNDS: usize = 200;
+const SETTLED: f64 = 1e-14;
+
+impl Frozen {
+    /// Adds the friction of all joints to the forces, along with what it hands on
+    /// to the drivers.
+    pub(in crate::system) fn rub<N: Quantity>(
+        &self,
+        state: &[N],
+        modes: &[i64],
+        extent: Extent,
+        work: &mut Work<N>,
+    ) {
+        for group in &self.groups {
+            for member in &group.members {
+                work.rubbing[member.linkage].force = N::from(0.0);
+                work.rubbing[member.linkage].failure = None;
+            }
+            match group.component.map(|component| modes[component]) {
+                // A given motion is not changed; what drives it is.
+                None if extent == Extent::Full => self.rub_driven(group, modes, work),
+                None | Some(UNSETTLED) => {}
+                Some(HELD) => self.hold(group, state, modes, extent, work),
+                Some(_) => self.rub_moving(group, state, modes, work),
+            }
+        }
+    }
+
+    /// Power lost to friction in every object that has any (W).
+    pub(in crate::system) fn friction_losses<'a>(
+        &'a self,
+        modes: &'a [i64],
+        work: &'a Work<f64>,
+    ) -> impl Iterator<Item = (usize, f64)> + 'a {
+        self.groups.iter().flat_map(move |group| {
+            let held = group.component.is_some_and(|c| modes[c] == HELD);
+            group.members.iter().map(move |member| {
+                let force = work.rubbing[member.linkage].force;
+                let loss = 0.0 - force * work.speed[member.node];
+                (member.object, if held { 0.0 } else { loss })
+            })
+        })
+    }
+
+    /// Which corners of blocks press, as found last; one number for all linkages.
+    pub(in crate::system) fn pressing_corners(&self, modes: &[i64], work: &Work<f64>) -> u64 {
+        let mut sum = 0u64;
+        for group in &self.groups {
+            if group.component.is_some_and(|c| modes[c] == HELD) {
+                continue;
+            }
+            for member in &group.members {
+                if let Some(forces) = &work.rubbing[member.linkage].forces {
+                    let bits = member.kinetostatics.pressing_corners(forces);
+                    sum = sum.rotate_left(7) ^ bits;
+                }
+            }
+        }
+        sum
+    }
+
+    /// The force of a chain's links on a root that is one of its masses.
+    pub(super) fn link_force<N: Quantity>(&self, group: &Group, state: &[N], work: &Work<N>) -> N {
+        let Some((index, mass)) = group.mass else {
+            return N::from(0.0);
+        };
+        let chain = &self.chains[index];
+        let (u, v) = self.deviations(chain, state);
+        let first = chain.first_coordinate;
+        let inner = |m: usize| {
+            let stretch = (u[m] - u[m - 1]).scale(self.stiffness[first + m]);
+            stretch + (v[m] - v[m - 1]).scale(self.damping[first + m])
+        };
+        let below = if mass == 0 {
+            work.reaction[index]
+        } else {
+            inner(mass)
+        };
+        if mass + 1 < chain.masses {
+            inner(mass + 1) - below
+        } else {
+            -below
+        }
+    }
+
+    /// Adds a force on a linkage's input and hands it on to the root.
+    pub(super) fn push<N: Quantity>(&self, member: &Member, force: N, work: &mut Work<N>) {
+        let mut force = force;
+        work.force[member.node] += force;
+        for &law in member.path.iter().rev() {
+            force = work.laws[law].first * force;
+            work.force[self.laws[law].driver] += force;
+        }
+    }
+
+    /// Ratio of a member's speed to the root's, and its acceleration where the root
+    /// has the acceleration `root`.
+    pub(super) fn along<N: Quantity>(&self, member: &Member, root: N, work: &Work<N>) -> [N; 2] {
+        let (mut ratio, mut acceleration) = (N::from(1.0), root);
+        for &law in &member.path {
+            let values = &work.laws[law];
+            ratio = ratio * values.first;
+            acceleration = values.first * acceleration + values.bias;
+        }
+        [ratio, acceleration]
+    }
+
+    /// Direction of a linkage's input in the present modes, its root moving in
+    /// `root`; 0 where it is not known.
+    fn direction_of(member: &Member, root: f64, modes: &[i64]) -> f64 {
+        match member.direction {
+            Direction::OfRoot(sign) => sign * root,
+            Direction::Own { component, .. } => modes[component] as f64,
+        }
+    }
+
+    /// Friction of a group that moves: T of every linkage with the acceleration
+    /// that they leave together.
+    fn rub_moving<N: Quantity>(
+        &self,
+        group: &Group,
+        state: &[N],
+        modes: &[i64],
+        work: &mut Work<N>,
+    ) {
+        let root = segment(modes, group.component) as f64;
+        let link = self.link_force(group, state, work);
+        let mass = work.mass[group.root];
+        let alone = group.members.len() == 1;
+        let mut left = if alone { 1 } else { ROUNDS };
+        let mut extra = None;
+        while left > 0 {
+            left -= 1;
+            let mut change = 0.0f64;
+            let mut size = 0.0f64;
+            for member in group.members.iter().rev() {
+                let now = (work.force[group.root] + link) / mass;
+                let [ratio, acceleration] = self.along(member, now, work);
+                let mobility = ratio * ratio / mass;
+                let before = work.rubbing[member.linkage].force;
+                let direction = match Self::direction_of(member, root, modes) {
+                    0.0 => sign_of(ratio.value()) * root,
+                    direction => direction,
+                };
+                let moving = Moving {
+                    speed: work.speed[member.node],
+                    free: acceleration - mobility * before,
+                    mobility,
+                    direction,
+                    segment: segment(modes, member.segment),
+                };
+                let force = self.friction(member, &moving, false, work);
+                work.rubbing[member.linkage].force = force;
+                self.push(member, force - before, work);
+                let share = ratio.value().abs();
+                change = change.max(share * (force - before).value().abs());
+                size = size.max(share * force.value().abs());
+                if !force.value().is_finite() {
+                    return;
+                }
+            }
+            // Derivatives settle as fast as values, from then on.
+            if extra.is_none() && change <= SETTLED * size {
+                extra = Some(ROUNDS - left);
+                left = if N::DERIVATIVES > 2 { ROUNDS - left } else { 0 };
+            }
+        }
+        if !alone && extra.is_none() {
+            let first = &group.members[0];
+            work.rubbing[first.linkage].failure =
+                Some(Obstacle::Failed(ForceFailure::SelfLocking {
+                    change: f64::NAN,
+                    iterations: ROUNDS,
+                }));
+            self.push(first, N::from(f64::NAN), work);
+        }
+    }
+
+    /// Friction of linkages whose motion is given: it only loads the drive.
+    fn rub_driven<N: Quantity>(&self, group: &Group, modes: &[i64], work: &mut Work<N>) {
+        let root = work.acceleration[group.root];
+        for member in group.members.iter().rev() {
+            let [_, free] = self.along(member, root, work);
+            let speed = work.speed[member.node];
+            let direction = match (Self::direction_of(member, 0.0, modes), speed.value()) {
+                // In a dwell friction may be anything up to its limit: none is told.
+                (_, 0.0) if free.value() == 0.0 => continue,
+                (0.0, 0.0) => sign_of(free.value()),
+                (0.0, speed) => speed.signum(),
+                (direction, _) => direction,
+            };
+            let moving = Moving {
+                speed,
+                free,
+                mobility: N::from(0.0),
+                direction,
+                segment: segment(modes, member.segment),
+            };
+            let force = self.friction(member, &moving, false, work);
+            work.rubbing[member.linkage].force = force;
+            self.push(member, force, work);
+        }
+    }
+}
+
+/// The sign of a number, 1 for zero.
+pub(super) fn sign_of(x: f64) -> f64 {
+    if x < 0.0 { -1.0 } else { 1.0 }
+}

@@ -1,0 +1,15 @@
+//! Linkages that move with the friction of their joints: against closed forms,
+//! against absolute coordinates with multipliers and friction of their own.
+
+#[path = "../multipliers/mod.rs"]
+mod multipliers;
+mod oracle;
+mod support;
+
+mod closed_forms;
+mod groups;
+mod methods;
+mod motions;
+mod reference;
+mod scenes;
+mod stops;
