@@ -227,7 +227,10 @@ fn chains_too_long_for_their_modes_are_refused_in_time() {
     let refused = ExactTree::new(chain(120, 1e-5))
         .check()
         .expect_err("gather");
-    assert!(refused.reason.contains("run into each other"), "{refused:?}");
+    assert!(
+        refused.reason.contains("run into each other"),
+        "{refused:?}"
+    );
     let refused = ExactTree::new(chain(201, 0.0))
         .check()
         .expect_err("too many");
