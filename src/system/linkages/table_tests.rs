@@ -235,6 +235,7 @@ fn geared(loaded: bool) -> System {
             .map(|&part| model.objects[part].nodes[0])
             .collect(),
         linkage,
+        friction: None,
         object: crank,
     });
     System::new(model).expect("a system")
