@@ -401,3 +401,28 @@ fn a_check_tells_how_far_an_input_can_go() {
     assert!(text.contains("`bars`: input from -66.4"), "{text}");
     assert!(text.contains("dead position"), "{text}");
 }
+
+/// A parallelogram could fold over flat; its position function ends there, and so
+/// does what is shown of it.
+#[test]
+fn a_position_function_that_ends_when_flat_is_shown_up_to_there() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = SLEY
+        .replace("EXPECT", "},")
+        .replace("\"300 rpm\"", "1, \"angle\": 1")
+        .replace(
+            "\"crank\": 0.04, \"coupler\": 0.12",
+            "\"crank\": 0.1, \"coupler\": 0.13",
+        );
+    let scene = scene_file(folder.path(), &text);
+    let (code, document, error) = ran(&["kinematics", &scene, "--range", "30:150 deg", "--json"]);
+    assert_eq!(code, Some(0), "{error}");
+    let document: serde_json::Value = serde_json::from_str(&document).unwrap();
+    let limit = |index: usize| document["input"]["limits"][index]["at"].as_f64().unwrap();
+    assert!(
+        limit(0).abs() < 1e-9 && (limit(1) - PI).abs() < 1e-9,
+        "{document}"
+    );
+    let (_, text, _) = ran(&["check", &scene]);
+    assert!(text.contains("`sley`: input from"), "{text}");
+}

@@ -4,9 +4,7 @@ use super::args::CheckArgs;
 use super::console;
 use super::failure::{Failure, Status};
 use super::input::Input;
-use dam::analysis::kinematics::Subject;
-use dam::linkage::Reach;
-use dam::model::{Coordinate, Model};
+use dam::analysis::kinematics::reaches;
 use serde_json::json;
 
 /// Checks a scene as far as is possible without running it.
@@ -50,21 +48,6 @@ pub(crate) fn command(args: &CheckArgs) -> Result<Status, Failure> {
         console::data(&format!("{reach}\n"));
     }
     Ok(Status::Answered)
-}
-
-/// Linkages, and position functions that are the short form of one, whose input
-/// cannot go everywhere: how far it can.
-fn reaches(model: &Model) -> Vec<String> {
-    let parts = model.objects.iter();
-    let subjects = parts.filter_map(|part| Subject::of(model, Some(&part.id)).ok());
-    let limited = subjects.filter_map(|subject| {
-        let range = subject.linkage.range();
-        let limited = matches!(range.reach, Reach::Interval { .. });
-        let turning = subject.input == Coordinate::Turning;
-        let words = range.describe(subject.linkage.structure(), turning);
-        limited.then(|| format!("`{}`: input {words}", subject.object))
-    });
-    limited.collect()
 }
 
 /// Prints the JSON Schema of scenes.

@@ -108,7 +108,7 @@ pub(crate) struct Basis {
     /// Constant force of the flanks in contact (springs relaxed at the flank).
     pub(crate) flank_force: Vec<f64>,
     /// The harmonics whose lanes stay empty, for they are at a mode's own frequency.
-    pub(crate) resonance: Option<Resonance>,
+    pub(crate) resonance: Option<Box<Resonance>>,
 }
 
 /// Why a basis could not be made.
@@ -158,7 +158,7 @@ impl Basis {
             return Err(NoBasis("a mode is not finite".into()));
         }
         let mut basis = Self::packed(n, lanes, rigid, flank_force(problem, states));
-        basis.resonance = Resonance::new(resonant);
+        basis.resonance = Resonance::new(resonant).map(Box::new);
         Ok(basis)
     }
 

@@ -234,6 +234,11 @@ impl Track {
         }
         let before = self.last;
         self.stand_at::<A>(scene, now);
+        if self.asked.mean {
+            // Most steps have to be looked into anyway, in their order.
+            self.look_into::<A>(scene, [before, self.last]);
+            return;
+        }
         self.steps.push([before, self.last]);
         if self.steps.len() == TOGETHER {
             A::apart(LookBack { track: self, scene });

@@ -14,7 +14,7 @@ mod summary;
 pub use ask::{Asked, MOST_POSITIONS, Over, Question, whole_travel};
 pub use columns::Quantity;
 pub use study::{even_motion, kinematics};
-pub use subject::{Subject, linkage_of};
+pub use subject::{Subject, linkage_of, reaches};
 
 use crate::linkage::Linkage;
 use crate::model::Coordinate;

@@ -2,8 +2,8 @@
 //! function is the short form of one.
 
 use crate::fault::Fault;
-use crate::linkage::Linkage;
 use crate::linkage::spec::{OutputKind, PairKind};
+use crate::linkage::{Linkage, Reach};
 use crate::model::{Coordinate, Law, LinkageBody, Model, NodeIndex, NodeMotion, ObjectPart};
 use crate::position::Position;
 
@@ -91,6 +91,30 @@ impl Subject {
     }
 }
 
+/// Linkages, and objects that move by the short form of one, whose input cannot
+/// go everywhere: how far it can, in words.
+pub fn reaches(model: &Model) -> Vec<String> {
+    let limited = |part: &&ObjectPart| match short(model, part) {
+        Some(law) => {
+            let reach = law.position.reach_from(start_of(model, law.driver));
+            reach.is_ok_and(|reach| reach.is_some())
+        }
+        None => model.linkages.iter().any(|body| {
+            let interval = matches!(body.linkage.range().reach, Reach::Interval { .. });
+            model.objects[body.object].id == part.id && interval
+        }),
+    };
+    let parts = model.objects.iter().filter(limited);
+    let subjects = parts.filter_map(|part| Subject::of(model, Some(&part.id)).ok());
+    let words = subjects.map(|subject| {
+        let range = subject.linkage.range();
+        let turning = subject.input == Coordinate::Turning;
+        let words = range.describe(subject.linkage.structure(), turning);
+        format!("`{}`: input {words}", subject.object)
+    });
+    words.collect()
+}
+
 /// The law of an object that moves by the short form of a linkage.
 fn short<'m>(model: &'m Model, part: &ObjectPart) -> Option<&'m Law> {
     let law = law_of(model, *part.nodes.first()?)?;
@@ -134,13 +158,27 @@ fn assembled(position: &Position, start: f64) -> Result<Linkage, Vec<Fault>> {
     };
     let reach = position.reach_from(start).ok().flatten();
     let aside = reach.map_or(0.1, |(from, to)| 1e-3 * (to - from));
-    let first = at(start);
-    match first {
-        Ok(linkage) => Ok(linkage),
-        Err(faults) => at(start + aside)
-            .or_else(|_| at(start - aside))
-            .map_err(|_| faults),
+    let linkage = at(start).or_else(|faults| {
+        let beside = at(start + aside).or_else(|_| at(start - aside));
+        beside.map_err(|_| faults)
+    })?;
+    match reach {
+        Some(reach) => held(linkage, reach),
+        None => Ok(linkage),
     }
+}
+
+/// Keeps a linkage within the reach of its short form, which does not pass a
+/// position where all links are in line.
+fn held(linkage: Linkage, (from, to): (f64, f64)) -> Result<Linkage, Vec<Fault>> {
+    let [lower, upper] = linkage.range().ends();
+    let room = 1e-6 * (to - from);
+    if lower >= from - room && upper <= to + room {
+        return Ok(linkage);
+    }
+    let mut spec = linkage.spec().clone();
+    spec.travel = Some([from, to]);
+    Linkage::new(spec)
 }
 
 /// The linkage with this id, or the only one.

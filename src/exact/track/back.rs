@@ -35,21 +35,24 @@ impl Track {
     /// Takes the steps that were seen into the figures.
     #[inline(always)]
     fn look_back<A: Arith>(&mut self, scene: Scene) {
-        let last = self.last;
         for number in 0..self.steps.len() {
-            let ends = self.steps[number];
-            if scene.followed(ends[1].s - ends[0].s) == scene.lanes() {
-                self.span::<A>(scene, Ahead::Followed(ends[0].fourth), ends);
-            } else if !self.settled::<A>(scene, &ends) {
-                A::apart(Walk {
-                    track: self,
-                    scene,
-                    ends,
-                });
-            }
+            self.look_into::<A>(scene, self.steps[number]);
         }
         self.steps.clear();
-        self.last = last;
+    }
+
+    /// Takes a step into the figures.
+    #[inline(always)]
+    pub(super) fn look_into<A: Arith>(&mut self, scene: Scene, ends: [Point; 2]) {
+        if scene.followed(ends[1].s - ends[0].s) == scene.lanes() {
+            self.span::<A>(scene, Ahead::Followed(ends[0].fourth), &ends);
+        } else if !self.settled::<A>(scene, &ends) {
+            A::apart(Walk {
+                track: self,
+                scene,
+                ends,
+            });
+        }
     }
 
     /// True when nothing happens between two points, of lanes of their sizes at
@@ -86,9 +89,9 @@ impl Track {
 
     /// Takes the part between two points.
     #[inline(always)]
-    pub(super) fn span<A: Arith>(&mut self, scene: Scene, ahead: Ahead, [a, b]: [Point; 2]) {
+    pub(super) fn span<A: Arith>(&mut self, scene: Scene, ahead: Ahead, [a, b]: &[Point; 2]) {
         let loss = self.loss::<A>(scene, ahead, b.s - a.s);
-        let bounds = enclose::<A>(&a, &b, &loss);
+        let bounds = enclose::<A>(a, b, &loss);
         let over = bounds.high - self.high;
         let under = self.low - bounds.low;
         // Differences below rounding are not worth a climb.
@@ -104,7 +107,7 @@ impl Track {
                             track: self,
                             scene,
                             ahead,
-                            ends: (&a, &b),
+                            ends: (a, b),
                             figure: (k, sign),
                             margin,
                         });
@@ -117,7 +120,7 @@ impl Track {
                 track: self,
                 scene,
                 ahead,
-                ends: (&a, &b),
+                ends: (a, b),
             });
         }
     }

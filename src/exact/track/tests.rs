@@ -4,6 +4,9 @@
 use crate::exact::tests::chain;
 use crate::exact::{Asked, ExactRun, ExactTree, Request, TimeLoad, TreePair};
 
+/// Samples of a run: a tenth of a radian of its fastest mode apart.
+const SAMPLES: u32 = 200_000;
+
 /// Two masses under 600 N m on ten cycles a second.
 fn rocker(inertia: f64, stiffness: f64) -> ExactTree {
     let damping = |c: f64, j: f64| 0.4 * (c * j).sqrt() / std::f64::consts::TAU;
@@ -28,7 +31,7 @@ fn figures_do_not_depend_on_what_else_is_asked() {
     for k in 0..30 {
         let (i, j) = (f64::from(k % 6), f64::from(k / 6));
         let tree = rocker(0.05 + 0.15 * i, 0.25e7 + 1.1e7 * j);
-        let alone = run(&tree, Asked::DEVIATION, 20_000);
+        let alone = run(&tree, Asked::DEVIATION, SAMPLES as usize);
         let all = run(&tree, Asked::ALL, 0);
         let (own, other) = (alone.figures[0], all.figures[0]);
         let size = other.delta_max.abs().max(other.delta_min.abs());
@@ -41,12 +44,12 @@ fn figures_do_not_depend_on_what_else_is_asked() {
             assert!((-1e-13..1e-3).contains(&over), "cell {k}: {over:e}");
         }
         // The mean, which asks for every change of sign, by the trapezium rule.
-        let mean = alone.samples.iter().map(|x| x.abs()).sum::<f64>() / 20_000.0;
+        let mean = alone.samples.iter().map(|x| x.abs()).sum::<f64>() / f64::from(SAMPLES);
         let off = (all.figures[0].sigma - mean).abs() / size;
         assert!(off < 1e-4, "cell {k}: {off:e}");
         thrown += usize::from(size > 0.5);
         open += usize::from(all.switches.len() > 20);
     }
     // The grid holds cells of every kind.
-    assert!(thrown > 0 && open > 5, "{thrown} {open}");
+    assert!((5..30).contains(&thrown) && open > 0, "{thrown} {open}");
 }

@@ -44,7 +44,7 @@ impl Track {
         [a, b]: [Point; 2],
     ) {
         scene.phase.exponentials::<A>(scene.basis, a.s, from);
-        self.last = a;
+        let mut last = a;
         let mut length = b.s - from.s;
         // Parts as short as the last before a longer one is tried again.
         let mut patience = 0;
@@ -56,7 +56,9 @@ impl Track {
                 .state
                 .point::<A>(scene.basis, scene.panel, scene.phase, to);
             let follow = scene.followed(h);
-            if follow < scene.lanes() && !self.ruled_out::<A>(scene, (from, to), &end, follow) {
+            if follow < scene.lanes()
+                && !self.ruled_out::<A>(scene, (from, to), &[last, end], follow)
+            {
                 let short = self.short(scene, from);
                 // Where the lanes that matter would bear a longer part (none is
                 // left, in the end) only the slow motion sets new records.
@@ -65,11 +67,11 @@ impl Track {
                     length = short.max(0.25 * h);
                     continue;
                 }
-                self.span::<A>(scene, Ahead::Mixed(from), [self.last, end]);
+                self.span::<A>(scene, Ahead::Mixed(from), &[last, end]);
             } else if follow == scene.lanes() {
-                self.span::<A>(scene, Ahead::Mixed(from), [self.last, end]);
+                self.span::<A>(scene, Ahead::Mixed(from), &[last, end]);
             }
-            self.last = end;
+            last = end;
             std::mem::swap(from, to);
             let growth = if patience > 0 { 1.0 } else { GROWTH };
             patience = i32::max(patience - 1, 0);
@@ -96,7 +98,7 @@ impl Track {
         &self,
         scene: Scene,
         (from, to): (&Exponentials, &Exponentials),
-        end: &Point,
+        ends: &[Point; 2],
         follow: usize,
     ) -> bool {
         let Scene {
@@ -104,7 +106,7 @@ impl Track {
             panel,
             phase,
         } = scene;
-        let (mut a, mut b) = (self.last, *end);
+        let [mut a, mut b] = *ends;
         let mut loss = self
             .state
             .loss::<A>(basis, panel, (Some(from), follow), b.s - a.s);

@@ -171,15 +171,21 @@ pub fn ratio_chart(report: &ForcesReport<'_>) -> Option<Chart> {
     if found.is_empty() {
         return None;
     }
-    let mut points: Vec<(f64, f64)> = found.iter().map(|(i, chi, _)| (*i, *chi)).collect();
-    if let (true, Some(first)) = (study.course.is_closed(), points.first().copied()) {
-        points.push(first);
+    let again = found.iter().take(usize::from(study.course.is_closed()));
+    let (mut points, mut before) = (Vec::new(), None);
+    for (i, chi, transmission) in found.iter().chain(again) {
+        // χ jumps where the output reverses: a gap, no line.
+        if before.is_some_and(|sign| sign != transmission.sign) {
+            points.push((*i, f64::NAN));
+        }
+        points.push((*i, *chi));
+        before = Some(transmission.sign);
     }
     let sign = match study.settings.convention.name() {
         "paper" => -1.0,
         _ => 1.0,
     };
-    let mut ideal: Vec<(f64, f64)> = points.iter().map(|(i, _)| (*i, sign * i.abs())).collect();
+    let mut ideal: Vec<(f64, f64)> = found.iter().map(|(i, ..)| (*i, sign * i.abs())).collect();
     ideal.push((0.0, 0.0));
     ideal.sort_by(|a, b| a.0.total_cmp(&b.0));
     let unit = |name: &str| {
@@ -240,7 +246,10 @@ pub fn massless_chart(report: &ForcesReport<'_>) -> Option<Chart> {
         points: points(&point.chi),
     });
     Some(Chart {
-        title: "Dynamic transmission ratio χ without masses and with them".to_owned(),
+        title: format!(
+            "Dynamic transmission ratio χ without masses and with them, convention `{}`",
+            study.settings.convention.name()
+        ),
         unit: unit.map_or(String::new(), |column| column.unit),
         curves: std::iter::once(without).chain(with).collect(),
         horizontal: Axis {

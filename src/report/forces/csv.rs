@@ -4,16 +4,23 @@ use crate::analysis::forces::{ForceStudy, columns};
 use crate::report::csv::{number, write};
 
 /// A row a position, everything in SI units, angles in radians; empty where a
-/// quantity has no value. The last column says why a position has no forces.
+/// quantity has no value. χ stands with the name of its convention. The last column says why a position has no forces.
 ///
 /// # Errors
 /// Never in practice: writing into memory.
 pub fn forces_csv(study: &ForceStudy) -> Result<String, csv::Error> {
     let columns = columns(&study.linkage, study.settings.output);
     let timed = study.rows.iter().any(|row| row.time.is_some());
-    let named = columns.iter().map(|column| match column.unit.as_str() {
-        "" => column.name.clone(),
-        unit => format!("{} [{unit}]", column.name),
+    let named = columns.iter().map(|column| {
+        let name = match column.name.as_str() {
+            // Its sign is a convention.
+            "chi" => format!("chi ({})", study.settings.convention.name()),
+            name => name.to_owned(),
+        };
+        match column.unit.as_str() {
+            "" => name,
+            unit => format!("{name} [{unit}]"),
+        }
     });
     let coordinate = format!("coordinate [{}]", study.coordinate_unit());
     let header = timed

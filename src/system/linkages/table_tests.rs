@@ -154,6 +154,7 @@ fn geared() -> System {
     model.linkages.push(LinkageBody {
         node: model.objects[crank].nodes[0],
         linkage: Arc::new(Linkage::new(four_bar(0.1)).expect("a linkage")),
+        friction: None,
         outputs: vec![],
         object: crank,
     });
