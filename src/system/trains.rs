@@ -40,7 +40,8 @@ pub(super) fn trains(frozen: &Frozen) -> Vec<Train> {
 }
 
 fn of_trains(frozen: &Frozen) -> Option<Vec<Train>> {
-    if !frozen.chains.is_empty() {
+    // Friction in joints has passes of its own.
+    if !(frozen.chains.is_empty() && frozen.groups.is_empty()) {
         return None;
     }
     let mut trains: Vec<Train> = Vec::new();
