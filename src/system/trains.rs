@@ -40,7 +40,7 @@ pub(super) fn trains(frozen: &Frozen) -> Vec<Train> {
 }
 
 fn of_trains(frozen: &Frozen) -> Option<Vec<Train>> {
-    // Friction in joints has passes of its own.
+    // Friction of joints is found between forces and accelerations.
     if !(frozen.chains.is_empty() && frozen.groups.is_empty()) {
         return None;
     }
