@@ -252,7 +252,8 @@ impl<'a, D: Dynamics> Run<'a, D> {
     /// The earliest switch on an output built with the right-hand side.
     fn earliest_of_smooth(&mut self) -> Option<Located> {
         self.output.quintic(&self.from, &self.to);
-        if self.watches.is_empty() && !self.sink.looks_within(self.to.time) {
+        let unseen = self.watches.is_empty() && self.probes.is_empty();
+        if unseen && !self.sink.looks_within(self.to.time) {
             return None;
         }
         if self.settings.method == Method::Dop853 {
