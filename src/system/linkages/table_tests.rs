@@ -155,6 +155,7 @@ fn geared() -> System {
         node: model.objects[crank].nodes[0],
         linkage: Arc::new(Linkage::new(four_bar(0.1)).expect("a linkage")),
         outputs: vec![],
+        friction: None,
         object: crank,
     });
     System::new(model).expect("a system")
