@@ -66,6 +66,14 @@ pub(super) fn choose_method(system: &System, settings: &RunSettings) -> Result<C
         });
     }
     match settings.method {
+        Some(Method::Taylor) => match rubbing(system) {
+            Some(ids) => Err(vec![Fault::new(
+                "run.method",
+                format!("`taylor` cannot be used: the joint friction of {ids} has no power series"),
+                "auto, dop853, dopri5, rodas5p or radau",
+            )]),
+            None => Ok(Choice::general(Method::Taylor, "asked for".to_owned())),
+        },
         Some(Method::Exact) => Ok(Choice::exact(tried(system)?, "asked for".to_owned())),
         Some(method) => Ok(Choice::general(method, "asked for".to_owned())),
         None => Ok(match tried(system) {
@@ -82,6 +90,15 @@ pub(super) fn choose_method(system: &System, settings: &RunSettings) -> Result<C
             },
         }),
     }
+}
+
+/// The linkages whose joints have friction, in words; `None` without any.
+fn rubbing(system: &System) -> Option<String> {
+    let objects = system.rubbing_objects();
+    let ids: Vec<&str> = objects
+        .map(|(object, _)| system.model().objects[object].id.as_str())
+        .collect();
+    (!ids.is_empty()).then(|| ids.join(", "))
 }
 
 /// Exact propagation of some branches, and the method for the rest.
@@ -164,7 +181,7 @@ fn situation(system: &System, settings: &RunSettings) -> Situation {
         bends: system.bends(),
         breaks: system.breaks_passed(duration),
         expands: system.expands(),
-        kinks: system.rubbing_objects().next().is_some(),
+        kinks: rubbing(system).is_some(),
         tolerance: settings.tolerance,
         coordinates: system.coordinates(),
         duration,

@@ -40,7 +40,8 @@ pub(super) fn trains(frozen: &Frozen) -> Vec<Train> {
 }
 
 fn of_trains(frozen: &Frozen) -> Option<Vec<Train>> {
-    if !frozen.chains.is_empty() {
+    // Friction of joints is found between forces and accelerations.
+    if !(frozen.chains.is_empty() && frozen.groups.is_empty()) {
         return None;
     }
     let mut trains: Vec<Train> = Vec::new();

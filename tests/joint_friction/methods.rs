@@ -45,14 +45,14 @@ fn the_order_is_kept_through_changes_of_direction() {
     );
     let exact = run_of(&text, &["run.method=dop853"]);
     assert!(figure(&exact, "m.standstills") >= 2.0);
-    let at = |found| figure(found, "motor.final.displacement");
     let error = |step: f64| {
         let step = format!("run.step={step}");
         let scene = read(&text, &["run.method=rk4", &step]);
         let system = System::new(lower(&scene).expect("a model")).expect("a system");
         let settings = RunSettings::of(&scene).expect("settings");
         let found = run(&system, &settings, &Control::default(), &mut []).expect("a run");
-        (at(&found) - at(&exact)).abs()
+        let name = "motor.final.displacement";
+        (figure(&found, name) - figure(&exact, name)).abs()
     };
     let errors = [0.04, 0.02, 0.01].map(error);
     for pair in errors.windows(2) {
@@ -81,6 +81,6 @@ fn the_order_of_the_objects_changes_nothing() {
     let two = run_of(&scene_of(&format!("{linkage}, {MOTOR}"), RUN), &[]);
     let pairs = one.record.columns.iter().zip(&two.record.columns);
     for (one, two) in pairs {
-        assert_eq!((&one.name, &one.values), (&two.name, &two.values));
+        assert_eq!((&one.object, &one.values), (&two.object, &two.values));
     }
 }

@@ -32,7 +32,6 @@ fn shoved(speed: f64, push: f64) -> RunResult {
 }
 
 fn assert_finite(found: &RunResult) {
-    assert!(!found.record.times.is_empty());
     let numbers = found
         .record
         .columns
@@ -73,7 +72,7 @@ fn a_second_solution_on_the_way_stops_the_run_where_it_comes_in() {
     );
     let run = r#""duration": 1, "tolerance": 1e-10, "start": "on_law""#;
     let found = run_of(&scene_of(&objects, run), &[]);
-    let to = -f64::acos((inertia / (2.0 * 0.5)).sqrt() / amplitude);
+    let to = -f64::acos(f64::sqrt(inertia / (2.0 * 0.5)) / amplitude);
     let effective = |phi: f64| inertia + 5.0 * (amplitude * phi.cos()).powi(2);
     let pace = |phi: f64| (effective(phi) / effective(from)).sqrt() / speed;
     let n = 2000;
