@@ -127,6 +127,6 @@ fn a_piece_of_a_load_is_made_once_and_not_at_every_switch() {
     };
     let ((short, few), (long, many)) = (run(0.2), run(2.0));
     assert!(many > few + 50, "{few} {many}");
-    // Ninety pieces more, one of them perhaps begun twice by rounding.
-    assert!((90..=92).contains(&(long - short)), "{short} {long}");
+    // Ninety pieces more; one at the ends may be begun twice by rounding.
+    assert!((88..=92).contains(&(long - short)), "{short} {long}");
 }

@@ -371,27 +371,6 @@ fn more_combinations_of_pairs_than_are_kept_give_the_same_motion() {
 }
 
 #[test]
-fn an_undamped_mode_at_the_laws_own_frequency_is_refused_by_name() {
-    let mass = TreeMass::new(1.0, None, 4e4, 0.0);
-    for offset in [0.0, 1e-12, -1e-9] {
-        let p = problem(
-            vec![mass.clone()],
-            vec![sine(0.01, 200.0 * (1.0 + offset), 0.0)],
-        );
-        let refused = ExactTree::new(p)
-            .run(&Request::new(1.0, 10))
-            .expect_err("refused");
-        assert!(refused.reason.contains("own frequency"), "{refused:?}");
-    }
-    // A hair of damping or a hundred-thousandth of a detuning is propagated.
-    let p = problem(vec![mass], vec![sine(0.01, 200.0 * 1.00001, 0.0)]);
-    let mut series = Series::new(&p, vec![PairState::Free], 1e-4);
-    let expected = rows(&mut series, 1.0, 50);
-    let error = exact_support::motion_error(&run(&p, 1.0), &expected);
-    assert!(error < 1e-9, "{error:e}");
-}
-
-#[test]
 fn numbers_that_are_not_finite_are_refused() {
     for (displacement, load) in [
         (f64::NAN, 0.0),

@@ -212,3 +212,29 @@ fn a_part_that_floats_may_be_dragged_ever_so_lightly() {
         assert!(audit.error() < bound, "drag {drag:e}: {:e}", audit.error());
     }
 }
+
+#[test]
+fn chains_too_long_for_their_modes_are_refused_in_time() {
+    let chain = |count: usize, share: f64| -> TreeProblem {
+        let stiffness = count as f64 * 1e7;
+        let inertia = 0.1 / count as f64;
+        let masses = (0..count)
+            .map(|i| TreeMass::new(inertia, i.checked_sub(1), stiffness, share * stiffness));
+        shaken(masses.collect())
+    };
+    let begun = std::time::Instant::now();
+    // Overdamped modes gather at stiffness over damping.
+    let refused = ExactTree::new(chain(120, 1e-5))
+        .check()
+        .expect_err("gather");
+    assert!(
+        refused.reason.contains("run into each other"),
+        "{refused:?}"
+    );
+    let refused = ExactTree::new(chain(201, 0.0))
+        .check()
+        .expect_err("too many");
+    assert!(refused.reason.contains("201 masses"), "{refused:?}");
+    assert!(begun.elapsed() < std::time::Duration::from_secs(100));
+    assert!(ExactTree::new(chain(40, 1e-8)).check().is_ok());
+}

@@ -75,7 +75,7 @@ fn in_words(view: View, system: &System) -> String {
 
 /// Whether the scene is propagated exactly, and why not.
 fn exact_in_words(system: &System) -> String {
-    let parts = Parts::of(system);
+    let parts = Parts::of(system).with_sound_trees(system);
     let mut out = "\nExact propagation\n".to_owned();
     for part in &parts.trees {
         let ids = part.objects.iter();
@@ -110,7 +110,7 @@ fn integrated(mixed: &Mixed) -> Vec<String> {
 }
 
 fn exact_document(system: &System) -> serde_json::Value {
-    let parts = Parts::of(system);
+    let parts = Parts::of(system).with_sound_trees(system);
     let objects = parts.trees.iter().flat_map(|part| &part.objects);
     let refusal = |refusal: &Refusal| json!({ "object": refusal.object, "reason": refusal.reason });
     json!({

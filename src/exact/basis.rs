@@ -26,6 +26,10 @@ use response::{law_force, response};
 
 const ZERO: C = C::new(0.0, 0.0);
 
+/// Most masses of a tree whose modes are separated: the work grows with the third
+/// power of their number, that of a step of a method for stiff systems with the first.
+const MOST_MASSES: usize = 200;
+
 /// A lane is followed over steps of up to this many radians of it.
 const FOLLOW: f64 = 3.2;
 
@@ -120,6 +124,11 @@ impl Basis {
     /// where the link is bilateral).
     pub(crate) fn new(problem: &TreeProblem, states: &[PairState]) -> Result<Self, NoBasis> {
         let n = problem.masses.len();
+        if n > MOST_MASSES {
+            return Err(NoBasis(format!(
+                "the modes of its {n} masses are more than are separated, {MOST_MASSES} masses at most"
+            )));
+        }
         let mut lanes = Vec::new();
         let mut rigid: Vec<Rigid> = Vec::new();
         let mut resonant = Vec::new();

@@ -36,6 +36,12 @@ const LOST: f64 = 0.02;
 /// The next eigenvalue is farther away than the cluster is wide, by this factor.
 const APART: f64 = 10.0;
 
+/// Most modes that are taken together: equal branches and critical pairs are few.
+/// Where more run into each other (long chains of overdamped links, whose rates
+/// gather at stiffness over damping) nothing tells them apart, and trying takes
+/// time that grows with the fourth power of their number.
+const MOST_MEMBERS: usize = 64;
+
 /// Nodes of the interpolation.
 const NODES: usize = 8;
 
@@ -218,7 +224,9 @@ fn gather(all: &[C], seed: C, lossy: bool, floats: bool) -> Cluster {
         let alone = width <= CLOSE * mean.norm();
         let mate = lossy && alone && gap < 0.1 * mean.norm();
         match next {
-            Some((index, _)) if gap < APART * width || mate => members.push(all[index]),
+            Some((index, _)) if (gap < APART * width || mate) && members.len() <= MOST_MEMBERS => {
+                members.push(all[index]);
+            }
             _ => {
                 let mean = if real { C::new(mean.re, 0.0) } else { mean };
                 let origin = if floats { mean.norm() } else { f64::INFINITY };
@@ -235,6 +243,12 @@ fn gather(all: &[C], seed: C, lossy: bool, floats: bool) -> Cluster {
 
 impl Cluster {
     fn lanes(&self, pencil: &Pencil) -> Result<Vec<Lane>, String> {
+        if self.members.len() > MOST_MEMBERS {
+            return Err(format!(
+                "more than {MOST_MEMBERS} of its modes run into each other about |λ| = {:.6e} rad/s",
+                self.mean.norm()
+            ));
+        }
         if !pencil.damped() {
             return dense::undamped(pencil, self.mean.im, self.members.len())
                 .ok_or_else(|| self.refusal());

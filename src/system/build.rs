@@ -301,14 +301,16 @@ impl<'a> Builder<'a> {
             .filter(|rigid| !idle.contains(&rigid.node));
         frozen.needed_rigids = needed.copied().collect();
         for number in 0..frozen.linkages.len() {
-            let asked = |rigid: &Rigid| {
-                let output = frozen.laws[rigid.law].output;
-                output.is_some_and(|output| output.linkage == number)
-            };
             // Behind a prescribed drive its inertia and forces move nothing.
-            let moved = frozen.moves_freely(frozen.linkages[number].node);
-            if moved && !frozen.needed_rigids.iter().any(asked) {
-                frozen.linkages[number].tabulate();
+            if frozen.moves_freely(frozen.linkages[number].node) {
+                let asked = frozen.needed_rigids.iter().filter_map(|rigid| {
+                    let output = frozen.laws[rigid.law].output?;
+                    (output.linkage == number).then_some(output.output)
+                });
+                let mut asked: Vec<usize> = asked.collect();
+                asked.sort_unstable();
+                asked.dedup();
+                frozen.linkages[number].tabulate(&asked);
             }
         }
         let drive_of = |chain: &Chain| {

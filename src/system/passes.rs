@@ -159,13 +159,13 @@ impl Frozen {
                 }
                 Step::Rigid(index) => {
                     let rigid = self.rigids[*index];
-                    let law = self.law(rigid.law, modes, work);
+                    let law = self.law(rigid.law, modes, extent, work);
                     work.displacement[rigid.node] = law.value;
                     work.speed[rigid.node] = law.speed;
                 }
                 Step::Chain(index) => {
                     let chain = &self.chains[*index];
-                    let law = self.law(chain.law, modes, work);
+                    let law = self.law(chain.law, modes, extent, work);
                     if chain.watched || extent == Extent::Full {
                         for (node, coordinate) in chain.nodes().zip(chain.coordinates()) {
                             work.displacement[node] = law.value + u[coordinate];
@@ -179,13 +179,19 @@ impl Frozen {
 
     /// A law at its driver's displacement and speed; kept in `work`.
     #[inline(always)]
-    fn law<N: Quantity>(&self, index: usize, modes: &[i64], work: &mut Work<N>) -> LawValues<N> {
+    fn law<N: Quantity>(
+        &self,
+        index: usize,
+        modes: &[i64],
+        extent: Extent,
+        work: &mut Work<N>,
+    ) -> LawValues<N> {
         let law = &self.laws[index];
         let displacement = work.displacement[law.driver];
         let speed = work.speed[law.driver];
         let [value, first, second] = match law.output {
             None => displacement.lift(|phi| law.jet(modes, phi)),
-            Some(place) => self.output(place, work),
+            Some(place) => self.output(place, extent, work),
         };
         let values = LawValues {
             value,

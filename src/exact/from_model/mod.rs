@@ -82,9 +82,10 @@ impl Parts {
         builder::build(system)
     }
 
-    /// Gives up trees whose modes cannot be separated, with the reason.
+    /// Gives up trees whose modes cannot be separated, with the reason: what is
+    /// left can be run.
     #[must_use]
-    pub(crate) fn with_sound_trees(mut self, system: &System) -> Self {
+    pub fn with_sound_trees(mut self, system: &System) -> Self {
         let still = vec![0.0; 2 * crate::integrate::Dynamics::coordinates(system)];
         let mut sound = Vec::new();
         for (number, part) in std::mem::take(&mut self.trees).into_iter().enumerate() {

@@ -96,8 +96,8 @@ pub(super) fn on_axis(pair: &PairSpec, direction: f64, along: f64) -> [f64; 2] {
 }
 
 /// The nearest place of a guide's link from which a bar leads to its rails, such
-/// as its pivot, and where along the guide it meets them; none where a place lies
-/// between the rails.
+/// as its pivot, and where along the guide it meets them; none where the link
+/// itself lies between the rails or beside them.
 pub(super) fn stem(
     drawing: &Drawing<'_>,
     index: usize,
@@ -107,18 +107,23 @@ pub(super) fn stem(
     let (PairKind::Sliding { direction, .. }, Some(link)) = (pair.kind, pair.on.link) else {
         return None;
     };
-    let foot = |[x, y]: [f64; 2]| {
+    let project = |[x, y]: [f64; 2]| {
         let (dx, dy) = (x - pair.on.at[0], y - pair.on.at[1]);
-        let along = dx * direction.cos() + dy * direction.sin();
-        ([x, y], along.clamp(from, to))
+        dx * direction.cos() + dy * direction.sin()
     };
+    let places = shape::places(drawing.spec, link);
+    let beside = |place: &[f64; 2]| project(*place) > from;
+    let before = |place: &[f64; 2]| project(*place) < to;
+    if places.iter().any(beside) && places.iter().any(before) {
+        return None;
+    }
+    let foot = |place: [f64; 2]| (place, project(place).clamp(from, to));
     let length = |(at, along): &([f64; 2], f64)| {
         let end = on_axis(pair, direction, *along);
         (at[0] - end[0]).hypot(at[1] - end[1])
     };
-    let bars = shape::places(drawing.spec, link).into_iter().map(foot);
-    let shortest = bars.min_by(|a, b| length(a).total_cmp(&length(b)))?;
-    (length(&shortest) > 1e-9 * (to - from).abs()).then_some(shortest)
+    let bars = places.into_iter().map(foot);
+    bars.min_by(|a, b| length(a).total_cmp(&length(b)))
 }
 
 /// The line across both rails where a bar meets them, in pixels.

@@ -32,7 +32,7 @@ pub(super) struct FrozenLinkage {
     pub(super) node: usize,
     /// The linkage.
     pub(super) linkage: Arc<Linkage>,
-    /// What the right-hand side asks for, when it asks for no output.
+    /// What the right-hand side asks for.
     table: Option<Arc<Table>>,
 }
 
@@ -45,9 +45,9 @@ impl FrozenLinkage {
         }
     }
 
-    /// Prepares it for equations of motion that ask for no output of it.
-    pub(super) fn tabulate(&mut self) {
-        self.table = Table::new(&self.linkage).map(Arc::new);
+    /// Prepares it for equations of motion that ask for some of its outputs.
+    pub(super) fn tabulate(&mut self, outputs: &[usize]) {
+        self.table = Table::new(&self.linkage, outputs).map(Arc::new);
     }
 }
 
@@ -174,12 +174,12 @@ const NOWHERE: Jet = Jet {
 /// J, J′, W and D at a place, and, where the numbers ask for them, their slopes.
 #[inline]
 fn lanes<N: Quantity>(table: &Table, q: f64, cursor: &Cell<Cursor>) -> Option<[Lanes; 2]> {
-    let (piece, x) = table.locate(q, cursor)?;
+    let place = table.locate(q, cursor)?;
     let slopes = match N::DERIVATIVES > 2 {
-        true => piece.slopes(x),
+        true => table.slopes(place),
         false => [0.0; 4],
     };
-    Some([piece.values(x), slopes])
+    Some([table.values(place), slopes])
 }
 
 #[inline(always)]
@@ -314,10 +314,25 @@ impl Frozen {
 
     /// U, U′ and U″ of an output at the displacement of its linkage's node.
     #[inline]
-    pub(super) fn output<N: Quantity>(&self, place: OutputPlace, work: &Work<N>) -> [N; 3] {
-        let q = work.displacement[self.linkages[place.linkage].node];
-        let cell = &work.linkages[place.linkage];
-        q.lift(|q| cell.borrow_mut().output(place.output, q, N::DERIVATIVES))
+    pub(super) fn output<N: Quantity>(
+        &self,
+        place: OutputPlace,
+        extent: Extent,
+        work: &Work<N>,
+    ) -> [N; 3] {
+        let OutputPlace { linkage, output } = place;
+        let q = work.displacement[self.linkages[linkage].node];
+        let (cell, cursor) = (&work.linkages[linkage], &work.cursors[linkage]);
+        let solved = |q: f64| cell.borrow_mut().output(output, q, N::DERIVATIVES);
+        let table = self.linkages[linkage].table.as_ref();
+        match table.filter(|table| extent == Extent::Needed && table.knows(output)) {
+            Some(table) => q.lift(|q| {
+                let place = table.locate(q, cursor);
+                let known = place.and_then(|place| table.output(output, place));
+                known.unwrap_or_else(|| solved(q))
+            }),
+            None => q.lift(solved),
+        }
     }
 
     /// Inertia of every node by itself: its own, or that of its linkage.

@@ -5,7 +5,7 @@ use crate::integrate::{Dynamics, Modes};
 use crate::linkage::Linkage;
 use crate::linkage::spec::*;
 use crate::model::{Closure, LinkageBody, LoadLaw, Model};
-use crate::position::Position;
+use crate::position::{LinkageOutput, Position};
 use crate::system::System;
 use crate::system::testing::{Body, add_body, add_load, add_rotor, pair};
 use std::cell::Cell;
@@ -55,11 +55,35 @@ fn four_bar(crank: f64) -> LinkageSpec {
     }
 }
 
+/// The angle of the crank, which gains a turn in a turn, that of the rocker, and
+/// the height of a point of the coupler.
+fn outputs() -> Vec<OutputSpec> {
+    let output = |name: &str, kind| OutputSpec {
+        name: name.to_owned(),
+        kind,
+    };
+    let point = PointOf {
+        link: Some(1),
+        at: [0.2, 0.1],
+    };
+    vec![
+        output("crank", OutputKind::Angle { link: 0 }),
+        output("rocker", OutputKind::Angle { link: 2 }),
+        output(
+            "height",
+            OutputKind::Point {
+                point,
+                direction: 1.5,
+            },
+        ),
+    ]
+}
+
 /// Compares the table with the linkage; the greatest difference of J, J′, J″,
 /// W, W′, D, D′ in units of the greatest value, and the share of places that
 /// the table knows.
 fn compared(linkage: &Linkage, from: f64, to: f64) -> ([f64; 7], f64) {
-    let table = Table::new(linkage).expect("a table");
+    let table = Table::new(linkage, &[]).expect("a table");
     let mut workspace = linkage.workspace();
     let cursor = Cell::default();
     let (mut miss, mut size, mut known) = ([0.0f64; 7], [0.0f64; 7], 0);
@@ -71,11 +95,11 @@ fn compared(linkage: &Linkage, from: f64, to: f64) -> ([f64; 7], f64) {
         let [j0, j1, j2] = reduced.inertia;
         let [w0, w1] = [0, 1].map(|k| reduced.force[k] - reduced.potential[k + 1]);
         let [d0, d1] = reduced.damping;
-        let Some((piece, x)) = table.locate(q, &cursor) else {
+        let Some(place) = table.locate(q, &cursor) else {
             continue;
         };
         known += 1;
-        let ([i0, i1, f0, c0], [_, i2, f1, c1]) = (piece.values(x), piece.slopes(x));
+        let ([i0, i1, f0, c0], [_, i2, f1, c1]) = (table.values(place), table.slopes(place));
         let found = [i0, i1, i2, f0, f1, c0, c1];
         for (k, wanted) in [j0, j1, j2, w0, w1, d0, d1].into_iter().enumerate() {
             miss[k] = miss[k].max((found[k] - wanted).abs());
@@ -105,13 +129,45 @@ fn a_crank_that_turns_fully_is_known_everywhere_to_rounding() {
 }
 
 #[test]
+fn outputs_are_known_with_three_derivatives_on_every_turn() {
+    let spec = LinkageSpec {
+        outputs: outputs(),
+        ..four_bar(0.1)
+    };
+    let linkage = Linkage::new(spec).expect("a linkage");
+    // In another order, and one of them not at all.
+    let table = Table::new(&linkage, &[2, 0]).expect("a table");
+    assert!(table.knows(0) && !table.knows(1) && table.knows(2) && !table.knows(3));
+    let (mut workspace, cursor) = (linkage.workspace(), Cell::default());
+    for step in 0..3000 {
+        let q = -20.0 + 0.0137 * f64::from(step);
+        let place = table.locate(q, &cursor).expect("known everywhere");
+        assert!(table.output(1, place).is_none() && table.output(3, place).is_none());
+        linkage.solve(q, 3, &mut workspace).expect("within reach");
+        for output in [0, 2] {
+            let found = table.output(output, place).expect("asked for");
+            let wanted = linkage.output(output, &workspace);
+            for (found, wanted, bound) in [
+                (found.value, wanted.value, 1e-14),
+                (found.first, wanted.first, 1e-13),
+                (found.second, wanted.second, 1e-11),
+                (found.third, wanted.third, 1e-8),
+            ] {
+                let miss = (found - wanted).abs();
+                assert!(miss <= bound * (1.0 + q.abs()), "{output} at {q}: {miss:e}");
+            }
+        }
+    }
+}
+
+#[test]
 fn near_dead_positions_the_linkage_is_solved_itself() {
     let linkage = Linkage::new(four_bar(0.3)).expect("a linkage");
     let [from, to] = linkage.range().ends();
     let span = to - from;
     let (miss, known) = compared(&linkage, from + 0.02 * span, to - 0.02 * span);
     assert!(known > 0.95 && miss[0] < 1e-12, "{known} {miss:?}");
-    let table = Table::new(&linkage).expect("a table");
+    let table = Table::new(&linkage, &[]).expect("a table");
     let middle = Cell::default();
     assert!(table.locate(0.5 * (from + to), &middle).is_some());
     for cursor in [Cell::default(), middle] {
@@ -128,12 +184,12 @@ fn springs_that_wind_up_and_tables_over_the_input_have_none() {
         panic!("a spring");
     };
     *pair = 0;
-    assert!(Table::new(&Linkage::new(wound).expect("a linkage")).is_none());
+    assert!(Table::new(&Linkage::new(wound).expect("a linkage"), &[]).is_none());
 }
 
 /// A motor with a gear on it and the four-bar on the gear, its crank going
-/// −0.91·φ + 0.04.
-fn geared() -> System {
+/// −0.91·φ + 0.04; a load and a wheel on the rocker, if they are wanted.
+fn geared(loaded: bool) -> System {
     let mut model = Model::default();
     let gear = |ratio: f64, offset: f64, inertia: f64| Body {
         position: Position::Ratio { ratio, offset },
@@ -151,11 +207,35 @@ fn geared() -> System {
     let wheel = add_body(&mut model, rotor, &gear(0.7, 0.2, 0.03));
     add_load(&mut model, wheel, 0, "bearing", LoadLaw::Viscous(0.1));
     let crank = add_body(&mut model, wheel, &gear(-1.3, 0.3, 0.0));
+    let spec = LinkageSpec {
+        outputs: outputs(),
+        ..four_bar(0.1)
+    };
+    let linkage = Arc::new(Linkage::new(spec).expect("a linkage"));
+    let outputs = (0..3).map(|output| {
+        let body = Body {
+            position: Position::Linkage(LinkageOutput::new(&linkage, output)),
+            ..gear(0.0, 0.0, 0.0)
+        };
+        add_body(&mut model, crank, &body)
+    });
+    let outputs: Vec<usize> = outputs.collect();
+    if loaded {
+        let spring = LoadLaw::Spring {
+            rate: 2.0,
+            preload: 0.5,
+        };
+        add_load(&mut model, outputs[1], 0, "spring", spring);
+        add_body(&mut model, outputs[1], &gear(2.0, 0.1, 0.02));
+    }
     model.linkages.push(LinkageBody {
         node: model.objects[crank].nodes[0],
-        linkage: Arc::new(Linkage::new(four_bar(0.1)).expect("a linkage")),
+        outputs: outputs
+            .iter()
+            .map(|&part| model.objects[part].nodes[0])
+            .collect(),
+        linkage,
         friction: None,
-        outputs: vec![],
         object: crank,
     });
     System::new(model).expect("a system")
@@ -163,9 +243,17 @@ fn geared() -> System {
 
 #[test]
 fn a_linkage_on_gears_moves_as_in_the_passes_whichever_piece_was_last() {
-    let system = geared();
-    assert_eq!(system.frozen.trains.len(), 1);
-    assert!(system.frozen.linkages[0].table.is_some());
+    let alone = geared(false);
+    assert_eq!(alone.frozen.trains.len(), 1);
+    moves_as_in_the_passes(&alone);
+    let loaded = geared(true);
+    assert!(loaded.frozen.trains.is_empty());
+    let table = loaded.frozen.linkages[0].table.as_ref().expect("a table");
+    assert!(table.knows(1) && !table.knows(0));
+    moves_as_in_the_passes(&loaded);
+}
+
+fn moves_as_in_the_passes(system: &System) {
     let modes = Modes::default();
     let (mut scratch, mut whole) = (system.scratch(), system.scratch());
     for step in 0..2000 {

@@ -1,0 +1,268 @@
+//! How the pieces of a table are found.
+
+use super::{DEEPEST, Four, POINTS, Piece, Table};
+use crate::linkage::spec::{ForceLaw, LinkageSpec};
+use crate::linkage::{Linkage, Workspace};
+use std::f64::consts::PI;
+
+/// Coefficients at the end that must have died away …
+const TAIL: usize = 3;
+/// … to this share of the function.
+const NEGLIGIBLE: f64 = 2e-14;
+/// Share of the greatest value that counts where a function is small.
+const SMALL: f64 = 1e-2;
+/// Most positions that are solved for the whole.
+const MOST_POSITIONS: usize = 30_000;
+/// Where what should have died away is more than this share, halves will not do
+/// either: halving divides it by 2^13 at most.
+const HOPELESS: f64 = 1e-8;
+/// Pieces at first.
+const FIRST: u32 = 3;
+
+type Coefficients = [f64; POINTS];
+
+/// Whether all forces are the same after one period: no spring winds up, and
+/// none is a table over the input.
+pub(super) fn repeats(linkage: &Linkage, start: f64, span: f64) -> bool {
+    let mut workspace = linkage.workspace();
+    let mut coordinates = |q: f64| -> Option<Vec<f64>> {
+        linkage.solve(q, 0, &mut workspace).ok()?;
+        let pairs = 0..linkage.spec().pairs.len();
+        Some(pairs.map(|pair| workspace.pair(pair).value).collect())
+    };
+    let (Some(before), Some(after)) = (coordinates(start), coordinates(start + span)) else {
+        return false;
+    };
+    let spec: &LinkageSpec = linkage.spec();
+    spec.forces.iter().all(|force| match force.law {
+        ForceLaw::Torsion { pair, rate, .. } => {
+            rate == 0.0 || (after[pair] - before[pair]).abs() < 1e-9
+        }
+        ForceLaw::Table { .. } => false,
+        ForceLaw::Strut { .. } | ForceLaw::Force { .. } | ForceLaw::Couple { .. } => true,
+    })
+}
+
+/// What an output gains in a period; `None` where that cannot be told.
+pub(super) fn period_of_outputs(linkage: &Linkage, output: usize, ends: [f64; 2]) -> Option<f64> {
+    let mut workspace = linkage.workspace();
+    let mut value = |q: f64| -> Option<f64> {
+        linkage.solve(q, 0, &mut workspace).ok()?;
+        Some(linkage.output(output, &workspace).value)
+    };
+    let gain = value(ends[1])? - value(ends[0])?;
+    gain.is_finite().then_some(gain)
+}
+
+/// Functions at the points of a piece: J, W, D, and U′ of the outputs; U in its
+/// centre.
+struct Sample {
+    functions: Vec<Coefficients>,
+    centre: Vec<f64>,
+}
+
+/// Finds the pieces.
+pub(super) struct Builder<'a> {
+    linkage: &'a Linkage,
+    outputs: &'a [usize],
+    workspace: Workspace,
+    table: &'a mut Table,
+    /// Chebyshev's points, T_k there, and the coefficients of T_k.
+    points: [f64; POINTS],
+    values: [Coefficients; POINTS],
+    powers: [Coefficients; POINTS],
+    /// Greatest of every function met.
+    sizes: Vec<f64>,
+    positions: usize,
+}
+
+impl<'a> Builder<'a> {
+    pub(super) fn new(linkage: &'a Linkage, outputs: &'a [usize], table: &'a mut Table) -> Self {
+        let angle = |j: usize| PI * (j as f64 + 0.5) / POINTS as f64;
+        Self {
+            linkage,
+            outputs,
+            workspace: linkage.workspace(),
+            table,
+            points: std::array::from_fn(|j| angle(j).cos()),
+            values: std::array::from_fn(|k| std::array::from_fn(|j| (k as f64 * angle(j)).cos())),
+            powers: powers(),
+            sizes: vec![0.0; 3 + outputs.len()],
+            positions: 0,
+        }
+    }
+
+    pub(super) fn build(&mut self) {
+        // All sizes first, so that every piece is judged by the same.
+        let whole: Vec<_> = (0..1 << FIRST)
+            .map(|piece| self.sample(FIRST, piece))
+            .collect();
+        for (piece, sampled) in (0..).zip(whole) {
+            self.fit(FIRST, piece, sampled);
+        }
+    }
+
+    /// Interpolates piece number `piece` of 2^`depth`, or divides it.
+    fn fit(&mut self, depth: u32, piece: u32, sampled: Option<Sample>) {
+        let (centre, half) = self.place(depth, piece);
+        let left_over = match sampled.map(|sampled| self.interpolated(half, &sampled)) {
+            Some(Ok(found)) => {
+                let number = self.table.pieces.len() as u16;
+                let finest = 1usize << (DEEPEST - depth);
+                let from = piece as usize * finest;
+                self.table.index[from..from + finest].fill(number);
+                let scale = 1.0 / half;
+                self.table.pieces.push(Piece { centre, scale });
+                self.table.fours.extend(found);
+                return;
+            }
+            Some(Err(left_over)) => left_over,
+            None => 0.0,
+        };
+        let wanted = if left_over > HOPELESS { 2 } else { 1 };
+        let levels = wanted.min(DEEPEST - depth);
+        for part in 0..(1 << levels) {
+            if levels > 0 && self.positions < MOST_POSITIONS {
+                let (depth, piece) = (depth + levels, (piece << levels) + part);
+                let sampled = self.sample(depth, piece);
+                self.fit(depth, piece, sampled);
+            }
+        }
+    }
+
+    /// Centre (from the table's start) and half width of a piece.
+    fn place(&self, depth: u32, piece: u32) -> (f64, f64) {
+        let half = 0.5 * self.table.span / f64::from(1u32 << depth);
+        (half * f64::from(2 * piece + 1), half)
+    }
+
+    /// All functions at the points of a piece.
+    fn sample(&mut self, depth: u32, piece: u32) -> Option<Sample> {
+        let (centre, half) = self.place(depth, piece);
+        let (linkage, workspace) = (self.linkage, &mut self.workspace);
+        let mut functions = vec![[0.0; POINTS]; self.sizes.len()];
+        self.positions += POINTS;
+        for (j, x) in self.points.iter().enumerate() {
+            let q = self.table.start + centre + half * x;
+            // J′ is that of the polynomial.
+            linkage.solve(q, 1, workspace).ok()?;
+            let reduced = linkage.reduced(workspace);
+            let values = [
+                reduced.inertia[0],
+                reduced.force[0] - reduced.potential[1],
+                reduced.damping[0],
+            ];
+            let outputs = self.outputs.iter();
+            let outputs = outputs.map(|&output| linkage.output(output, workspace).first);
+            for (k, value) in values.into_iter().chain(outputs).enumerate() {
+                value.is_finite().then_some(())?;
+                functions[k][j] = value;
+                self.sizes[k] = self.sizes[k].max(value.abs());
+            }
+        }
+        let middle = self.table.start + centre;
+        if !self.outputs.is_empty() {
+            linkage.solve(middle, 0, workspace).ok()?;
+        }
+        let outputs = self.outputs.iter();
+        let centre = outputs.map(|&output| linkage.output(output, workspace).value);
+        Some(Sample {
+            functions,
+            centre: centre.collect(),
+        })
+    }
+
+    /// The polynomials of a piece, or the greatest share of a function that has
+    /// not died away.
+    fn interpolated(&self, half: f64, sampled: &Sample) -> Result<Vec<Four>, f64> {
+        let mut found = vec![[0.0; POINTS]; self.sizes.len()];
+        let mut left_over = 0.0f64;
+        for (k, values) in sampled.functions.iter().enumerate() {
+            let own = values
+                .iter()
+                .fold(0.0f64, |size, value| size.max(value.abs()));
+            // The inertia divides: it counts by itself.
+            let size = if k == 0 {
+                own
+            } else {
+                own.max(SMALL * self.sizes[k])
+            };
+            if size > 0.0 {
+                let mut coefficients = self.chebyshev(values);
+                for c in &coefficients[POINTS - TAIL..] {
+                    let share = c.abs() / size;
+                    // Not a number counts as too much.
+                    left_over = left_over.max(if share.is_nan() { 1.0 } else { share });
+                }
+                if k > 2 {
+                    // Its integral must not have one power more.
+                    coefficients[POINTS - 1] = 0.0;
+                }
+                found[k] = self.in_powers(&coefficients);
+            }
+        }
+        if !(left_over <= NEGLIGIBLE) {
+            return Err(left_over);
+        }
+        let slope = differentiated(&found[0], half);
+        let mut fours = vec![Four::new([&found[0], &slope, &found[1], &found[2]])];
+        for (first, middle) in found[3..].iter().zip(&sampled.centre) {
+            let second = differentiated(first, half);
+            let third = differentiated(&second, half);
+            let value = integrated(first, half, *middle);
+            fours.push(Four::new([&value, first, &second, &third]));
+        }
+        Ok(fours)
+    }
+
+    /// Coefficients of T_k.
+    fn chebyshev(&self, values: &Coefficients) -> Coefficients {
+        std::array::from_fn(|k| {
+            let sum: f64 = (self.values[k].iter().zip(values))
+                .map(|(t, f)| t * f)
+                .sum();
+            sum * if k == 0 { 1.0 } else { 2.0 } / POINTS as f64
+        })
+    }
+
+    /// From coefficients of T_k to those of powers.
+    fn in_powers(&self, chebyshev: &Coefficients) -> Coefficients {
+        let mut out = [0.0; POINTS];
+        for (c, powers) in chebyshev.iter().zip(&self.powers) {
+            for (out, t) in out.iter_mut().zip(powers) {
+                *out += c * t;
+            }
+        }
+        out
+    }
+}
+
+/// The derivative by the input of a polynomial in x, over a piece of a half width.
+fn differentiated(polynomial: &Coefficients, half: f64) -> Coefficients {
+    std::array::from_fn(|power| match polynomial.get(power + 1) {
+        Some(next) => (power + 1) as f64 * next / half,
+        None => 0.0,
+    })
+}
+
+/// The integral of a polynomial of one power less, with its value at x = 0.
+fn integrated(polynomial: &Coefficients, half: f64, middle: f64) -> Coefficients {
+    std::array::from_fn(|power| match power {
+        0 => middle,
+        _ => half * polynomial[power - 1] / power as f64,
+    })
+}
+
+/// Coefficients of T_k: T_{k+1} = 2x·T_k − T_{k−1}.
+fn powers() -> [Coefficients; POINTS] {
+    let mut all = [[0.0; POINTS]; POINTS];
+    all[0][0] = 1.0;
+    all[1][1] = 1.0;
+    for k in 1..POINTS - 1 {
+        all[k + 1] = all[k - 1].map(|t| -t);
+        for power in 1..POINTS {
+            all[k + 1][power] += 2.0 * all[k][power - 1];
+        }
+    }
+    all
+}
