@@ -131,5 +131,9 @@ fn what_cannot_be_answered_ends_with_status_2_and_the_reason() {
         "cannot read",
     );
     refused(&["scenarios/press/punching.json"], "elastic");
+    refused(
+        &["scenarios/joint_friction/press_runs_out.json"],
+        "the joints of `press` have friction",
+    );
     refused(&[], "SCENE");
 }

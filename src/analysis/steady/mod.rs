@@ -23,7 +23,7 @@ pub use simulate::Simulation;
 
 use crate::analysis::RunSettings;
 use crate::fault::Fault;
-use crate::model::{Node, NodeMotion};
+use crate::model::{Model, Node, NodeMotion};
 use crate::scene::SteadySpec;
 use crate::system::System;
 use serde::Serialize;
@@ -49,6 +49,10 @@ pub fn steady_motion(
     spec: &SteadySpec,
 ) -> Result<Answer, Vec<Fault>> {
     let model = system.model();
+    let rubs = rubbing(model);
+    if !rubs.is_empty() {
+        return Err(rubs);
+    }
     // Where every drive is prescribed, all that is elastic moves with them.
     let is_free = |node: &Node| matches!(node.motion, NodeMotion::Rotor { .. });
     let is_mass = |node: &Node| matches!(node.motion, NodeMotion::Mass { .. });
@@ -65,4 +69,23 @@ pub fn steady_motion(
     }
     let answer = rigid::answer(model, drive, spec, speed)?;
     Ok(Answer::Rigid(Box::new(answer)))
+}
+
+/// The linkages whose friction would act on the motion.
+fn rubbing(model: &Model) -> Vec<Fault> {
+    let bodies = model.linkages.iter();
+    let rubs = bodies.filter(|body| body.friction.as_ref().is_some_and(|k| k.has_friction()));
+    rubs.map(|body| {
+        let id = &model.objects[body.object].id;
+        let message = format!(
+            "the joints of `{id}` have friction, which depends on the reactions: a steady \
+             motion is found of machines without"
+        );
+        let hint = format!(
+            "`--set {id}.joint_friction=false`; `dam run` runs it with its friction, `dam \
+             forces` tells what friction costs over a turn"
+        );
+        Fault::new(format!("{id}.joint_friction"), message, hint)
+    })
+    .collect()
 }
