@@ -109,7 +109,7 @@ const OF_WAY: f64 = 1.0 / 8.0;
 const BEHAVIOURS: [Behaviour; 5] = [
     Behaviour {
         method: Method::Taylor,
-        step: 1.06,
+        step: 1.1,
         order: 46.0,
         stable: 5.0,
         way: 0.2,
@@ -149,7 +149,7 @@ const BEHAVIOURS: [Behaviour; 5] = [
     },
     Behaviour {
         method: Method::Radau,
-        step: 0.68,
+        step: 1.0,
         order: 9.0,
         stable: f64::INFINITY,
         way: f64::INFINITY,

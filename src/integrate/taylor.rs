@@ -12,7 +12,7 @@ use super::run::{Given, Run, Verdict};
 use super::{Dynamics, Stop};
 
 /// Local error allowed per step, relative to the tolerance asked for.
-const SAFETY: f64 = 0.02;
+const SAFETY: f64 = 0.1;
 /// Degrees of the series.
 const LEAST_DEGREE: f64 = 10.0;
 const MOST_DEGREE: f64 = 24.0;

@@ -26,20 +26,14 @@ use tableau::Tableau;
 /// the tolerance [`RESOLVED`]. The estimate is of order S; the step itself, once
 /// the vibrations that are left are resolved, of nearly twice that. Tolerances above do
 /// not resolve them, and the estimate is the error.
-const SAFETY: f64 = 0.3;
-/// The estimated error that is not gone below for the sake of that share: beneath it
-/// lies rounding …
-const FINEST: f64 = 1e-12;
-/// … unless this many times the tolerance asks for it.
-const LEAST: f64 = 10.0;
+const SAFETY: f64 = 10.0;
 const RESOLVED: f64 = 1e-7;
 /// How fast the share falls from there on.
 const UNRESOLVED: f64 = -1.0 / 3.0;
 
 /// The estimated error allowed.
 fn allowed(tolerance: f64) -> f64 {
-    let kept = kept(tolerance);
-    (SAFETY * kept).max(FINEST.min(LEAST * kept))
+    SAFETY * kept(tolerance)
 }
 
 /// The tolerance as fine as it is kept.

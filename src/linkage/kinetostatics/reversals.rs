@@ -16,6 +16,9 @@ const EDGE: f64 = 1e-9;
 /// Agreement of a cubic with the rate, relative, and the most halvings.
 const AGREES: f64 = 1e-3;
 const DEEPEST: u32 = 24;
+/// Halvings between two neighbouring places at most: towards a dead position all of
+/// them go one way, and where a rate is rounding no number of them is enough.
+const HALVINGS: u32 = 64;
 /// Bisections, down to rounding.
 const BISECTIONS: usize = 80;
 /// Two changes closer than this share of the whole are one.
@@ -48,6 +51,7 @@ impl Reversals {
             start,
             span,
             periodic: period.is_some(),
+            halvings: 0,
         };
         let rubbing: Vec<usize> = (0..kinetostatics.spec.pairs.len())
             .filter(|&pair| kinetostatics.friction_factors[pair].is_some())
@@ -73,6 +77,8 @@ struct Course<'a> {
     start: f64,
     span: f64,
     periodic: bool,
+    /// Halvings left between the present places.
+    halvings: u32,
 }
 
 impl Course<'_> {
@@ -112,10 +118,16 @@ impl Course<'_> {
         let places = self.places();
         for &pair in pairs {
             let rates: Vec<_> = places.iter().map(|&q| self.rates(pair, q)).collect();
-            let size = rates.iter().flatten().map(|rates| rates[0].abs());
-            let noise = AT_REST * size.fold(0.0, f64::max);
+            let sizes = rates.iter().flatten().map(|rates| rates[0].abs());
+            let size = sizes.fold(0.0, f64::max);
+            // What never moves has rounding for a rate, which no cubic agrees with.
+            if size <= AT_REST {
+                continue;
+            }
+            let noise = AT_REST * size;
             for (ends, rates) in places.windows(2).zip(rates.windows(2)) {
                 if let (&[low, high], &[Some(a), Some(b)]) = (ends, rates) {
+                    self.halvings = HALVINGS;
                     self.divide(pair, [low, high], [a, b], (noise, DEEPEST), &mut found);
                 }
             }
@@ -147,7 +159,12 @@ impl Course<'_> {
         let cubic = 0.5 * (a[0] + b[0]) + 0.125 * (high - low) * (a[1] - b[1]);
         let size = a[0].abs().max(b[0].abs());
         match self.rates(pair, middle) {
-            Some(c) if depth > 0 && (c[0] - cubic).abs() > AGREES * size => {
+            Some(c)
+                if depth > 0
+                    && self.halvings > 0
+                    && (c[0] - cubic).abs() > AGREES * size + noise =>
+            {
+                self.halvings -= 1;
                 self.divide(pair, [low, middle], [a, c], (noise, depth - 1), found);
                 self.divide(pair, [middle, high], [c, b], (noise, depth - 1), found);
             }
