@@ -18,7 +18,7 @@ const AGREES: f64 = 1e-3;
 const DEEPEST: u32 = 24;
 /// Halvings between two neighbouring places at most: towards a dead position all of
 /// them go one way, and where a rate is rounding no number of them is enough.
-const HALVINGS: u32 = 64;
+const HALVINGS: u32 = 512;
 /// Bisections, down to rounding.
 const BISECTIONS: usize = 80;
 /// Two changes closer than this share of the whole are one.
@@ -124,10 +124,10 @@ impl Course<'_> {
             if size <= AT_REST {
                 continue;
             }
-            let noise = AT_REST * size;
             for (ends, rates) in places.windows(2).zip(rates.windows(2)) {
                 if let (&[low, high], &[Some(a), Some(b)]) = (ends, rates) {
                     self.halvings = HALVINGS;
+                    let noise = noise([low, high], [a, b]);
                     self.divide(pair, [low, high], [a, b], (noise, DEEPEST), &mut found);
                 }
             }
@@ -256,6 +256,13 @@ impl Course<'_> {
         }
         senses
     }
+}
+
+/// Rounding of the rates between two places: a part of what they are there. Elsewhere
+/// they may be greater without bounds, towards a dead position.
+fn noise([low, high]: [f64; 2], [a, b]: [[f64; 3]; 2]) -> f64 {
+    let change = (high - low) * a[1].abs().max(b[1].abs());
+    AT_REST * a[0].abs().max(b[0].abs()).max(change).max(AT_REST)
 }
 
 /// −1, 0 or 1.

@@ -196,7 +196,11 @@ proptest! {
         for pair in 0..rubbing.solver.spec().pairs.len() {
             let rate = rubbing.at.pair(pair).first;
             if rate.abs() > 1e-9 {
-                prop_assert_eq!(senses[pair], rate.signum());
+                prop_assert_eq!(
+                    senses[pair], rate.signum(),
+                    "pair {} at {} in [{}, {}]: {:?}",
+                    pair, rubbing.q, low, high, rubbing.at.pair(pair)
+                );
             }
         }
     }
