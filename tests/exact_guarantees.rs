@@ -475,7 +475,7 @@ fn figures_of_a_stiff_mechanism_cost_what_those_of_a_soft_one_cost() {
             mass.damping = 0.3 * (stiffness * mass.inertia).sqrt();
         }
         masses[1].loads.push(TimeLoad::Constant(-600.0));
-        let mut p = problem(masses, vec![sine(1.57, 6.283, 0.0)]);
+        let mut p = problem(masses, vec![sine(1.57, 6.3, 0.0)]);
         p.speed = vec![1e-3, -2e-3];
         let tree = ExactTree::new(p);
         let request = Request {

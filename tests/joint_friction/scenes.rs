@@ -28,7 +28,6 @@ fn they_keep_what_they_expect() {
             .filter(|verdict| !verdict.holds)
             .map(|verdict| verdict.message)
             .collect();
-        println!("{name}: {:?}", found.figures.warnings);
         assert!(
             failed.is_empty() && found.is_trusted(),
             "{name}: {failed:?}"
