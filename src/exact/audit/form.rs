@@ -128,7 +128,7 @@ impl Form {
     /// The integral over the lanes' parts at the ends of a phase.
     #[inline(always)]
     pub(super) fn integral<A: Arith>(&self, ends: &[Ends], phase: &Phase, e: &Exponentials) -> f64 {
-        let mut sum = V::ZERO;
+        let mut sums = [V::ZERO; 4];
         let count = ends.len().max(1);
         for (&j, cells) in self.rows.iter().zip(self.cells.chunks_exact(count)) {
             let own = &ends[j / WIDTH];
@@ -139,13 +139,19 @@ impl Form {
             for (other, cell) in ends[..used].iter().zip(&cells[..used]) {
                 let ([cr, ci], [wr, wi]) = (other.start, other.end);
                 // The four products of parts, ends less starts.
-                sum = cell[0].fma::<A>(ar.fma::<A>(wr, -(br * cr)), sum);
-                sum = cell[1].fma::<A>(ai.fma::<A>(wi, -(bi * ci)), sum);
-                sum = cell[2].fma::<A>(ar.fma::<A>(wi, -(br * ci)), sum);
-                sum = cell[3].fma::<A>(ai.fma::<A>(wr, -(bi * cr)), sum);
+                let products = [
+                    ar.fma::<A>(wr, -(br * cr)),
+                    ai.fma::<A>(wi, -(bi * ci)),
+                    ar.fma::<A>(wi, -(br * ci)),
+                    ai.fma::<A>(wr, -(bi * cr)),
+                ];
+                for i in 0..4 {
+                    sums[i] = cell[i].fma::<A>(products[i], sums[i]);
+                }
             }
         }
-        let mut total = sum.sum();
+        let [rr, ii, ri, ir] = sums;
+        let mut total = ((rr + ii) + (ri + ir)).sum();
         let amplitude = |k: usize| {
             let (b, i) = (k / WIDTH, k % WIDTH);
             C::new(phase.re[b].0[i], phase.im[b].0[i])
