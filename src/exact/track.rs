@@ -191,7 +191,10 @@ impl Track {
         }
         self.whole = self.state.whole::<A>(panel, phase);
         self.seen = 0;
-        self.look_ahead::<A>(0.0, self.whole);
+        self.calm = self.whole;
+        // What flies is at rest at the start alone.
+        let flies = self.asked.mean && !phase.flights.is_empty();
+        self.quiet = !flies && self.nothing_between::<A>(0.0, 0.0);
         (self.before.s, self.now.s) = (f64::NEG_INFINITY, f64::NEG_INFINITY);
         (self.last.s, self.look.s) = (f64::NEG_INFINITY, f64::NEG_INFINITY);
         if !self.quiet || self.asked.mean {
@@ -203,7 +206,9 @@ impl Track {
             self.last = point;
         }
         if self.asked.mean {
-            self.turned = self.state.primitive::<A>(panel, phase, &self.now, e);
+            self.turned = self
+                .state
+                .first_primitive::<A>(panel, phase.active, &self.now);
         }
     }
 

@@ -233,19 +233,30 @@ impl PanelPhase {
         lanes: &Amplitudes,
         e: &Exponentials,
     ) -> f64 {
-        let mut sum = V::ZERO;
-        let active = phase.active;
-        let own = &panel.primitive[..active];
-        for (b, [re, im, _]) in lanes.lanes[..active].iter().enumerate() {
-            sum = own[b][0].fma::<A>(*re, sum) - own[b][1] * *im;
-        }
         let mut resting = 0.0;
         for &k in &panel.resting {
             let (b, i) = (k / WIDTH, k % WIDTH);
             let w = &panel.seen(k).weight;
             resting += w[0].0[0] * phase.re[b].0[i] - w[1].0[0] * phase.im[b].0[i];
         }
-        sum.sum() + resting * e.s + self.slow_primitive::<A>(e)
+        let start = self.first_primitive::<A>(panel, phase.active, lanes);
+        start + resting * e.s + self.slow_primitive::<A>(e)
+    }
+
+    /// The same at the start of the phase, where the lanes are all there is.
+    #[inline(always)]
+    pub(crate) fn first_primitive<A: Arith>(
+        &self,
+        panel: &Panel,
+        active: usize,
+        lanes: &Amplitudes,
+    ) -> f64 {
+        let mut sum = V::ZERO;
+        let own = &panel.primitive[..active];
+        for (b, [re, im, _]) in lanes.lanes[..active].iter().enumerate() {
+            sum = own[b][0].fma::<A>(*re, sum) - own[b][1] * *im;
+        }
+        sum.sum()
     }
 }
 

@@ -217,7 +217,9 @@ impl Track {
         if !(x > 0.0 && x < most && settled && harmless((x, off(x)), slope(x), allowed)) {
             return None;
         }
-        let start = self.state.primitive::<A>(panel, phase, &self.look, &self.e);
+        let start = self
+            .state
+            .first_primitive::<A>(panel, phase.active, &self.look);
         let more = x * (f[0] + x * (f[1] * 0.5 + x * (f[2] / 6.0 + x * (f[3] / 24.0))));
         self.roots.push((x, start + more));
         Some(End {
