@@ -591,3 +591,36 @@ fn exact_is_chosen_where_everything_qualifies() {
     assert_eq!(result.method, Method::Exact);
     assert!(result.figures.run.why.contains("closed form"));
 }
+
+/// The lever of a cam as a chain of many masses, pressed on at rest.
+fn long_chain(masses: usize, damping_capacity: f64) -> (System, RunSettings) {
+    let objects = json!({
+        "drive": { "kind": "drive", "motion": { "speed": "10 rev/s" } },
+        "arm": { "kind": "rocker", "input": "drive", "position": { "sine": { "amplitude": "90 deg" } },
+            "inertia": 0.1, "stiffness": 1e7, "damping_capacity": damping_capacity, "masses": masses,
+            "pair": { "closure": "force" }, "loads": { "closing": { "mass": "last", "constant": -1000 } } },
+    });
+    let settings = json!({ "duration": 0.02, "start": "static" });
+    prepare(&objects, &settings).expect("a scene")
+}
+
+#[test]
+fn modes_that_are_never_excited_do_not_spoil_the_balance() {
+    let (system, settings) = long_chain(100, 0.02);
+    let result = solve(&system, &settings, Method::Exact, 1e-9).expect("it runs");
+    let error = result.audit.error();
+    assert!(error < 1e-9, "{error:e}");
+}
+
+#[test]
+fn modes_that_cost_digits_are_left_to_other_methods() {
+    // Most links are overdamped, their rates gather at stiffness over damping.
+    let (system, settings) = long_chain(60, 0.4);
+    let refused = solve(&system, &settings, Method::Exact, 1e-9).expect_err("refused");
+    assert!(
+        format!("{refused:?}").contains("cost digits"),
+        "{refused:?}"
+    );
+    let result = run(&system, &settings, &Control::default(), &mut []).expect("it runs");
+    assert_ne!(result.method, Method::Exact);
+}

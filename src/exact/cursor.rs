@@ -21,6 +21,10 @@ const RADIANS: f64 = 0.5;
 /// Degree up to which a polynomial part needs no shorter steps.
 const PLAIN_DEGREE: usize = 2 * MOST_ORDERS - 1;
 
+/// A lane this small a share of the whole motion is rounding: what its derivatives
+/// are has no meaning, and where it is fast they would be great.
+pub(super) const NOTHING: f64 = 1e-17;
+
 /// A run of a tree, standing at the end of its present phase.
 ///
 /// Over a phase the motion is known in closed form and can be evaluated
@@ -140,7 +144,8 @@ impl<'a> Cursor<'a> {
 
     /// q of every mass and its derivatives at local time `s` of the present
     /// phase: `out[mass·orders + k]` is the k-th derivative, k < `orders` ≤
-    /// [`MOST_ORDERS`].
+    /// [`MOST_ORDERS`]. What is nothing but rounding of the place, to 10⁻¹⁷, is left
+    /// out of its derivatives.
     pub fn derivatives(&self, s: f64, orders: usize, out: &mut [f64]) {
         let Some(passed) = self.passed else {
             return;
@@ -149,20 +154,6 @@ impl<'a> Cursor<'a> {
         let phase = &self.work.phase;
         let (masses, blocks) = (basis.masses, basis.blocks);
         self.polynomials(s, orders, out);
-        for lane in 0..basis.lanes.len() {
-            let (b, l) = (lane / WIDTH, lane % WIDTH);
-            let lambda = C::new(basis.re[b].0[l], basis.im[b].0[l]);
-            let amplitude = C::new(phase.re[b].0[l], phase.im[b].0[l]);
-            let mut w = amplitude * (lambda * s).exp();
-            for order in 0..orders {
-                for mass in 0..masses {
-                    let at = mass * blocks + b;
-                    let (re, im) = (basis.shape[0][at].0[l], basis.shape[1][at].0[l]);
-                    out[mass * orders + order] += re * w.re - im * w.im;
-                }
-                w *= lambda;
-            }
-        }
         for flight in &phase.flights {
             let drive = C::new(0.0, flight.omega);
             let eta = flight_derivatives(flight.amplitude, drive, s, orders);
@@ -173,6 +164,33 @@ impl<'a> Cursor<'a> {
                 }
             }
         }
+        let add = |lane: usize, (from, to): (usize, usize), out: &mut [f64]| {
+            let (b, l) = (lane / WIDTH, lane % WIDTH);
+            let lambda = C::new(basis.re[b].0[l], basis.im[b].0[l]);
+            let amplitude = C::new(phase.re[b].0[l], phase.im[b].0[l]);
+            let mut w = amplitude * (lambda * s).exp() * lambda.powu(from as u32);
+            for order in from..to {
+                for mass in 0..masses {
+                    let at = mass * blocks + b;
+                    let (re, im) = (basis.shape[0][at].0[l], basis.shape[1][at].0[l]);
+                    out[mass * orders + order] += re * w.re - im * w.im;
+                }
+                w *= lambda;
+            }
+        };
+        for lane in 0..basis.lanes.len() {
+            add(lane, (0, 1), out);
+        }
+        let places = out.chunks_exact(orders).map(|q| q[0].abs());
+        let mut size = places.fold(0.0, f64::max);
+        self.lanes(s, |_, own| size = size.max(own));
+        let mut lane = 0;
+        self.lanes(s, |_, own| {
+            if own > NOTHING * size {
+                add(lane, (1, orders), out);
+            }
+            lane += 1;
+        });
     }
 
     /// Sets `out` to the polynomial part: Taylor's coefficients at s by
@@ -210,12 +228,7 @@ impl<'a> Cursor<'a> {
         for (lane, &modulus) in basis.modulus.iter().enumerate().take(basis.lanes.len()) {
             let (b, l) = (lane / WIDTH, lane % WIDTH);
             let amplitude = phase.re[b].0[l].hypot(phase.im[b].0[l]);
-            let shape = (0..basis.masses)
-                .map(|mass| {
-                    let at = mass * basis.blocks + b;
-                    basis.shape[0][at].0[l].hypot(basis.shape[1][at].0[l])
-                })
-                .fold(0.0, f64::max);
+            let shape = basis.extent[b].0[l].sqrt();
             see(modulus, amplitude * shape * (basis.re[b].0[l] * s).exp());
         }
     }
