@@ -8,7 +8,7 @@ thread_local! {
 }
 
 /// Allocations of this thread since it began.
-pub fn allocations() -> u64 {
+pub(crate) fn allocations() -> u64 {
     ALLOCATIONS.with(Cell::get)
 }
 
