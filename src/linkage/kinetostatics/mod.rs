@@ -17,6 +17,7 @@
 //! (1987), the equations derived anew: printed signs are wrong in places.
 
 mod accelerate;
+mod corners;
 mod equations;
 mod external;
 mod factor;
