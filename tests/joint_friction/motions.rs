@@ -11,15 +11,15 @@ use dam::linkage::spec::LinkageSpec;
 
 /// The motor of a scene: inertia, constant torque, angle and speed at the start.
 #[derive(Clone, Copy)]
-struct Motor {
-    inertia: f64,
-    torque: f64,
-    angle: f64,
-    speed: f64,
+pub(crate) struct Motor {
+    pub(crate) inertia: f64,
+    pub(crate) torque: f64,
+    pub(crate) angle: f64,
+    pub(crate) speed: f64,
 }
 
 impl Motor {
-    fn text(self) -> String {
+    pub(crate) fn text(self) -> String {
         let Self {
             inertia,
             torque,
@@ -32,7 +32,7 @@ impl Motor {
         )
     }
 
-    fn mechanism(self, spec: &LinkageSpec) -> (Mechanism<'_>, State) {
+    pub(crate) fn mechanism(self, spec: &LinkageSpec) -> (Mechanism<'_>, State) {
         let linkage = Linkage::new(spec.clone()).expect("a linkage");
         let mechanism = Mechanism {
             spec,
@@ -45,13 +45,17 @@ impl Motor {
 }
 
 fn run_text(duration: f64) -> String {
-    // Short steps: where a corner's force passes zero, friction has a kink.
-    format!(r#""duration": {duration}, "tolerance": 1e-10, "step": 2e-4, "start": "on_law""#)
+    format!(r#""duration": {duration}, "tolerance": 1e-10, "start": "on_law""#)
 }
 
 /// The reference at two step widths: the finer one, and how far the coarser
 /// one is off; at order 10 the finer one is a thousand times better.
-fn reference(m: &Mechanism<'_>, start: &State, duration: f64, steps: usize) -> (Course, f64) {
+pub(crate) fn reference(
+    m: &Mechanism<'_>,
+    start: &State,
+    duration: f64,
+    steps: usize,
+) -> (Course, f64) {
     let (coarse, fine) = (
         integrate(m, start, duration, steps / 2),
         integrate(m, start, duration, steps),

@@ -190,13 +190,13 @@ impl System {
         modes: &mut Modes,
     ) -> Result<(), PhysicalStop> {
         let own = |member: &Member| {
-            let directed = matches!(member.direction, Direction::Own { component: c, .. } if c == component);
+            let directed =
+                matches!(member.direction, Direction::Own { component: c, .. } if c == component);
             directed || member.corners == Some(component)
         };
         let mut groups = self.frozen.groups.iter();
-        let concerned = groups.position(|group| {
-            group.component == Some(component) || group.members.iter().any(own)
-        });
+        let concerned = groups
+            .position(|group| group.component == Some(component) || group.members.iter().any(own));
         let Some(index) = concerned else {
             return Ok(());
         };

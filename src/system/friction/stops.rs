@@ -27,7 +27,13 @@ impl System {
     }
 
     /// The end of a run whose motion has no solution or several.
-    pub(super) fn without_solution(&self, index: usize, time: f64, y: &[f64], modes: &[i64]) -> PhysicalStop {
+    pub(super) fn without_solution(
+        &self,
+        index: usize,
+        time: f64,
+        y: &[f64],
+        modes: &[i64],
+    ) -> PhysicalStop {
         let mut work = Work::new(&self.frozen);
         let group = &self.frozen.groups[index];
         let found = self.frozen.unsolved(group, time, y, modes, &mut work);
@@ -42,7 +48,12 @@ impl System {
         self.model.objects[object].id.clone()
     }
 
-    pub(super) fn friction_stop(&self, index: usize, member: usize, failure: Obstacle) -> PhysicalStop {
+    pub(super) fn friction_stop(
+        &self,
+        index: usize,
+        member: usize,
+        failure: Obstacle,
+    ) -> PhysicalStop {
         let object = self.rubbing_id(index, member);
         let given = self.frozen.groups[index].coordinate.is_none();
         let (name, message) = match failure {
