@@ -14,10 +14,10 @@ const ROUNDING: f64 = 1e-12;
 const ROUNDINGS: f64 = 8.0 * f64::EPSILON;
 
 impl Kinetostatics {
-    /// True if any guide has friction.
-    pub fn has_rubbing_guides(&self) -> bool {
-        let mut factors = self.friction_factors.iter().flatten();
-        factors.any(|law| matches!(law, Law::Guide(_)))
+    /// Number of guides that have friction.
+    pub fn rubbing_guides(&self) -> usize {
+        let factors = self.friction_factors.iter().flatten();
+        factors.filter(|law| matches!(law, Law::Guide(_))).count()
     }
 
     /// Which corners of blocks with friction press with a positive normal force in

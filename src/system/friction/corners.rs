@@ -27,6 +27,17 @@ impl Group {
         !matches!(mode, None | Some(HELD | UNSETTLED))
     }
 
+    /// Number of guides whose sides are modes.
+    pub(in crate::system) fn rubbing_guides(&self) -> f64 {
+        let sided = self
+            .members
+            .iter()
+            .filter(|member| member.corners.is_some());
+        sided
+            .map(|member| member.kinetostatics.rubbing_guides() as f64)
+            .sum()
+    }
+
     /// Components of the sides on which corners press.
     fn corners(&self) -> impl Iterator<Item = usize> + '_ {
         self.members.iter().filter_map(|member| member.corners)

@@ -220,7 +220,7 @@ impl Frozen {
         for group in &mut self.groups {
             group.component = group.coordinate.map(|_| number());
             for member in &mut group.members {
-                let sided = group.component.is_some() && member.kinetostatics.has_rubbing_guides();
+                let sided = group.component.is_some() && member.kinetostatics.rubbing_guides() > 0;
                 member.corners = sided.then(&mut number);
                 if let Direction::Own { component, .. } = &mut member.direction {
                     *component = number();

@@ -16,6 +16,8 @@ const ROUNDING: f64 = 1e-13;
 /// Places of a step at which a group at rest is looked at: between them a start is
 /// located by bisection.
 const LOOKS: usize = 8;
+/// The same for a group that moves, whose corners may begin to press on the other side.
+const SIDES: usize = 4;
 
 impl Frozen {
     /// What to look for besides the watches: starts of what rests, and motions with
@@ -46,7 +48,7 @@ impl Frozen {
                 }
             }
             if let Some(component) = group.pressing(modes) {
-                probe(component, LIFTED, LOOKS);
+                probe(component, LIFTED, SIDES);
             }
         }
     }
