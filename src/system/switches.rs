@@ -87,7 +87,7 @@ impl Frozen {
             }
         }
         // Loads may have changed at once.
-        self.open_corners(modes);
+        self.open_sides(modes);
     }
 
     fn time_tracks(&self) -> impl Iterator<Item = usize> + '_ {
@@ -132,7 +132,7 @@ impl System {
         } else {
             self.pass_flank(y, watch, modes);
         }
-        frozen.settle_corners(time, y, &mut modes.0);
+        frozen.settle_sides(time, y, &mut modes.0);
         Ok(())
     }
 

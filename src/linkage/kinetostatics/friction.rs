@@ -24,7 +24,8 @@ pub(super) struct Term {
     /// Pin or guide.
     pub(super) law: Law,
     /// Signs of the normal forces on both corners of a block, where they are given;
-    /// `None`: as they turn out.
+    /// of a pin a direction near that of its reaction, which changes nothing. `None`:
+    /// as they turn out.
     pub(super) pressed: Option<[f64; 2]>,
 }
 

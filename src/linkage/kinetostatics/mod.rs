@@ -17,7 +17,6 @@
 //! (1987), the equations derived anew: printed signs are wrong in places.
 
 mod accelerate;
-mod corners;
 mod equations;
 mod external;
 mod factor;
@@ -32,6 +31,7 @@ mod result;
 mod reversals;
 mod search;
 mod sensitivity;
+mod sides;
 mod solve;
 mod workspace;
 

@@ -13,9 +13,9 @@
 //! D being the driver's force of the motion without friction, which the power of
 //! all other forces gives, and d its rows.
 
-use super::corners::press;
 use super::external::Input;
 use super::positions::Positions;
+use super::sides::press;
 use super::solve::{ForceFailure, Options};
 use super::workspace::ForceWorkspace;
 use super::{Kinetostatics, Unknown};
@@ -41,9 +41,8 @@ pub struct Resisted<'a> {
     /// are taken as given, so that everything is smooth also just beyond a
     /// change of direction.
     pub senses: &'a [f64],
-    /// The sides on which the corners of blocks press
-    /// ([`Kinetostatics::pressing_corners`]), taken as given likewise; `None`: as
-    /// they turn out.
+    /// The sides on which pairs press ([`Kinetostatics::sides`]), those of blocks
+    /// taken as given likewise; `None`: as they turn out.
     pub pressed: Option<u64>,
 }
 

@@ -9,16 +9,15 @@
 //! that friction holds it at rest. Of a linkage whose input does not keep a constant
 //! ratio to the root, or whose motion is given: its own direction. And for every
 //! linkage a track of the places at which pairs change theirs. `standstill` decides
-//! what happens where a group stops, and when it breaks loose again; `corners` where
-//! the corners of blocks begin to press on the other side; `unsolved` where there is no
-//! motion, or more than one. What is left is smooth, but for a pin whose reaction
-//! vanishes altogether: its friction μ·(d/2)·|R| has a kink only where both components
-//! of R pass through zero at once, which no motion does but by design.
+//! what happens where a group stops, and when it breaks loose again; `sides` where
+//! corners of blocks begin to press on the other side, and where the reaction of a pin
+//! passes close by zero, so that friction is smooth in between; `unsolved` where there
+//! is no motion, or more than one.
 
-mod corners;
 mod force;
 mod hold;
 mod passes;
+mod sides;
 mod standstill;
 mod stops;
 mod unsolved;
@@ -38,7 +37,7 @@ pub(super) const UNSETTLED: i64 = 0;
 pub(crate) const HELD: i64 = 2;
 /// A target of no mode: the equations of motion have not just one solution.
 pub(super) const UNSOLVED: i64 = 3;
-/// A target of no mode: corners of blocks press on the other side.
+/// A target of no mode: pairs press on another side.
 pub(super) const LIFTED: i64 = 4;
 
 /// What follows a root rigidly, as far as joints with friction are in it.
@@ -71,9 +70,9 @@ pub(super) struct Member {
     pub(super) direction: Direction,
     /// Component of the modes that selects the piece of its course, if it has pieces.
     pub(super) segment: Option<usize>,
-    /// Component of the modes that says on which sides the corners of its blocks
-    /// press ([`corners`]); `None` without such blocks, or where its motion is given.
-    pub(super) corners: Option<usize>,
+    /// Component of the modes that says on which sides its pairs press; `None` where
+    /// its motion is given.
+    pub(super) sides: Option<usize>,
     pub(super) reversals: Arc<Reversals>,
     pub(super) kinetostatics: Arc<Kinetostatics>,
     /// The nodes of its outputs.
@@ -183,7 +182,7 @@ impl Frozen {
                 },
             },
             segment,
-            corners: None,
+            sides: None,
             reversals,
             kinetostatics: Arc::clone(kinetostatics),
             outputs: body.outputs.iter().map(|&o| self.internal[o]).collect(),
@@ -220,8 +219,7 @@ impl Frozen {
         for group in &mut self.groups {
             group.component = group.coordinate.map(|_| number());
             for member in &mut group.members {
-                let sided = group.component.is_some() && member.kinetostatics.rubbing_guides() > 0;
-                member.corners = sided.then(&mut number);
+                member.sides = group.component.map(|_| number());
                 if let Direction::Own { component, .. } = &mut member.direction {
                     *component = number();
                 }

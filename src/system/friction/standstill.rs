@@ -16,7 +16,7 @@ const ROUNDING: f64 = 1e-13;
 /// Places of a step at which a group at rest is looked at: between them a start is
 /// located by bisection.
 const LOOKS: usize = 8;
-/// The same for a group that moves, whose corners may begin to press on the other side.
+/// The same for a group that moves, whose pairs may begin to press on another side.
 const SIDES: usize = 4;
 
 impl Frozen {
@@ -194,7 +194,7 @@ impl System {
         let own = |member: &Member| {
             let directed =
                 matches!(member.direction, Direction::Own { component: c, .. } if c == component);
-            directed || member.corners == Some(component)
+            directed || member.sides == Some(component)
         };
         let mut groups = self.frozen.groups.iter();
         let concerned = groups
@@ -212,7 +212,7 @@ impl System {
         } else {
             modes.0[component] = target;
         }
-        self.frozen.settle_corners(time, y, &mut modes.0);
+        self.frozen.settle_sides(time, y, &mut modes.0);
         Ok(())
     }
 

@@ -1,5 +1,6 @@
-//! The sides on which the corners of blocks press, as modes: within them friction is
-//! smooth, and where a normal force passes through zero the run is cut.
+//! The sides on which pairs press, as modes: within them friction is smooth, and where
+//! the normal force on a block's corner passes through zero, or the reaction of a pin
+//! close by, the run is cut.
 
 use super::{Group, HELD, Member, UNSETTLED};
 use crate::integrate::PhysicalStop;
@@ -8,14 +9,14 @@ use crate::system::System;
 use crate::system::frozen::Frozen;
 use crate::system::passes::{Extent, Work};
 
-/// Mode of corners whose sides are not known: they press as they turn out. Otherwise
-/// it is one more than the bits that tell the sides.
+/// Mode of pairs whose sides are not known: they press as they turn out. Otherwise it
+/// is one more than the bits that tell the sides.
 const OPEN: i64 = 0;
 
 impl Member {
-    /// Sides on which its corners press, as far as the modes tell.
+    /// Sides on which its pairs press, as far as the modes tell.
     pub(super) fn pressed(&self, modes: &[i64]) -> Option<u64> {
-        let mode = modes[self.corners?];
+        let mode = modes[self.sides?];
         (mode != OPEN).then_some((mode - 1) as u64)
     }
 }
@@ -27,30 +28,27 @@ impl Group {
         !matches!(mode, None | Some(HELD | UNSETTLED))
     }
 
-    /// Number of guides whose sides are modes.
+    /// Number of guides with friction.
     pub(in crate::system) fn rubbing_guides(&self) -> f64 {
-        let sided = self
-            .members
-            .iter()
-            .filter(|member| member.corners.is_some());
-        sided
+        let members = self.members.iter();
+        members
             .map(|member| member.kinetostatics.rubbing_guides() as f64)
             .sum()
     }
 
-    /// Components of the sides on which corners press.
-    fn corners(&self) -> impl Iterator<Item = usize> + '_ {
-        self.members.iter().filter_map(|member| member.corners)
+    /// Components of the sides on which pairs press.
+    fn sides(&self) -> impl Iterator<Item = usize> + '_ {
+        self.members.iter().filter_map(|member| member.sides)
     }
 
     /// The first of them, where they are to be watched.
     pub(super) fn pressing(&self, modes: &[i64]) -> Option<usize> {
-        self.corners().next().filter(|_| self.moves(modes))
+        self.sides().next().filter(|_| self.moves(modes))
     }
 
-    /// True where some corners press as they turn out.
+    /// True where some pairs press as they turn out.
     fn is_open(&self, modes: &[i64]) -> bool {
-        self.corners().any(|component| modes[component] == OPEN)
+        self.sides().any(|component| modes[component] == OPEN)
     }
 }
 
@@ -64,7 +62,7 @@ fn write_sides(
 ) {
     for member in &group.members {
         let forces = work.rubbing[member.linkage].forces.as_ref();
-        if let (Some(component), Some(forces)) = (member.corners, forces) {
+        if let (Some(component), Some(forces)) = (member.sides, forces) {
             let sides = bits(&member.kinetostatics, forces, modes[component]);
             modes[component] = 1 + sides as i64;
         }
@@ -72,7 +70,7 @@ fn write_sides(
 }
 
 impl Frozen {
-    /// Positive where a corner of a group presses on the other side than the modes say.
+    /// Positive where a pair of a group presses on another side than the modes say.
     pub(super) fn lifts(
         &self,
         group: &Group,
@@ -89,26 +87,26 @@ impl Frozen {
         let members = group.members.iter();
         let margins = members.filter_map(|member| {
             let forces = work.rubbing[member.linkage].forces.as_ref()?;
-            member.corners?;
-            Some(member.kinetostatics.pressing_margin(forces))
+            member.sides?;
+            Some(member.kinetostatics.side_margin(forces))
         });
         -margins.fold(f64::INFINITY, f64::min)
     }
 
-    /// Lets all corners press as they turn out, until they are looked at again.
-    pub(in crate::system) fn open_corners(&self, modes: &mut [i64]) {
-        for component in self.groups.iter().flat_map(Group::corners) {
+    /// Lets all pairs press as they turn out, until they are looked at again.
+    pub(in crate::system) fn open_sides(&self, modes: &mut [i64]) {
+        for component in self.groups.iter().flat_map(Group::sides) {
             modes[component] = OPEN;
         }
     }
 
-    /// Finds the sides on which all corners press at a state; left open where that is
+    /// Finds the sides on which all pairs press at a state; left open where that is
     /// not determined.
-    pub(in crate::system) fn settle_corners(&self, time: f64, y: &[f64], modes: &mut [i64]) {
-        if self.groups.iter().all(|group| group.corners().count() == 0) {
+    pub(in crate::system) fn settle_sides(&self, time: f64, y: &[f64], modes: &mut [i64]) {
+        if self.groups.iter().all(|group| group.sides().count() == 0) {
             return;
         }
-        self.open_corners(modes);
+        self.open_sides(modes);
         let mut work = Work::new(self);
         self.forces(time, y, modes, &mut work);
         self.rub(y, modes, Extent::Full, &mut work);
@@ -116,7 +114,7 @@ impl Frozen {
             let failed = |member: &Member| work.rubbing[member.linkage].failure.is_some();
             if group.moves(modes) && !group.members.iter().any(failed) {
                 write_sides(group, &work, modes, |kinetostatics, forces, _| {
-                    kinetostatics.pressing_corners(forces)
+                    kinetostatics.sides(forces)
                 });
             }
         }
@@ -124,7 +122,7 @@ impl Frozen {
 }
 
 impl System {
-    /// Corners of a group have begun to press on the other side.
+    /// Pairs of a group have begun to press on another side.
     pub(super) fn change_sides(
         &self,
         index: usize,
@@ -135,7 +133,7 @@ impl System {
         let frozen = &self.frozen;
         let group = &frozen.groups[index];
         let before = modes.to_vec();
-        frozen.settle_corners(time, y, modes);
+        frozen.settle_sides(time, y, modes);
         let mut work = Work::new(frozen);
         if *modes == *before && !group.is_open(modes) {
             // By rounding they press as before: those that do not are turned round.
