@@ -181,7 +181,6 @@ fn situation(system: &System, settings: &RunSettings) -> Situation {
         bends: system.bends(),
         breaks: system.breaks_passed(duration),
         expands: system.expands(),
-        kinks: rubbing(system).is_some(),
         tolerance: settings.tolerance,
         coordinates: system.coordinates(),
         duration,

@@ -46,7 +46,6 @@ fn situation(tolerance: f64, duration: f64) -> Situation {
         bends: false,
         breaks: 0.0,
         expands: true,
-        kinks: false,
         tolerance,
         coordinates: 1,
         duration,
@@ -139,22 +138,6 @@ fn what_dies_out_and_what_stays_get_different_methods() {
     let (method, why) = of(1000.0);
     assert_eq!(method, Method::Radau, "{why}");
     assert!(why.contains("times what the motion shows"), "{why}");
-}
-
-#[test]
-fn kinks_speak_against_long_steps_of_high_order() {
-    let of = |kinks: bool| {
-        choose(&Situation {
-            fastest: 1e7,
-            vibrations: vec![stays(100.0)],
-            expands: false,
-            kinks,
-            coordinates: 4,
-            ..situation(1e-8, 1.0)
-        })
-    };
-    assert_eq!(of(false).0, Method::Radau);
-    assert_eq!(of(true).0, Method::Rodas5p);
 }
 
 #[test]

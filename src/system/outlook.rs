@@ -3,6 +3,11 @@
 use super::System;
 use crate::breaks::Breaks;
 use crate::position::Position;
+use std::f64::consts::TAU;
+
+/// Changes of the sides of a block in a turn: each of both corners is pressed one way
+/// by the acceleration and the other way by the deceleration.
+const SIDES: f64 = 4.0;
 
 impl System {
     /// True when a law of position that is no constant ratio, or a linkage, is
@@ -14,7 +19,7 @@ impl System {
 
     /// About how many breaks of laws and loads are passed in a time (s): those over
     /// time, and those over the displacement of rotors that turn at their nominal
-    /// speed.
+    /// speed; among them the changes of the sides on which blocks with friction press.
     pub fn breaks_passed(&self, duration: f64) -> f64 {
         let frozen = &self.frozen;
         let passed = |breaks: &Breaks, way: f64| {
@@ -35,6 +40,13 @@ impl System {
                 _ => 0.0,
             },
         });
-        tracks.sum()
+        let sides = frozen.groups.iter().map(|group| match group.coordinate {
+            Some(rotor) if frozen.stiffness[rotor] == 0.0 => {
+                let speed = self.scales_of_state()[frozen.coordinates + rotor];
+                SIDES * group.rubbing_guides() * speed * duration / TAU
+            }
+            _ => 0.0,
+        });
+        tracks.sum::<f64>() + sides.sum::<f64>()
     }
 }
