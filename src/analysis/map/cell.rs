@@ -59,7 +59,7 @@ impl Cell {
 /// Works out one cell; `None` when interrupted.
 pub(super) fn evaluate(
     study: &Study<'_>,
-    scenes: &Scenes<'_>,
+    scenes: &mut Scenes<'_>,
     (panel, cell): (usize, usize),
     control: &Control<'_>,
 ) -> Option<Cell> {

@@ -6,17 +6,16 @@ use super::study::Study;
 use crate::diagnostics::Diagnostics;
 use crate::model::Model;
 use crate::scene::{Scene, Variation};
-use std::sync::{Mutex, PoisonError};
 
 /// Most numbers of a rigid motion that is kept from cell to cell.
 const MOST_KEPT: usize = 1 << 18;
 
-/// Scenes that threads take in turn. What a cell's scene is depends on the
-/// cell alone and not on who had it before.
+/// The scenes of one thread. What a cell's scene is depends on the cell alone and
+/// not on the cells before.
 pub(super) struct Scenes<'s> {
     study: &'s Study<'s>,
-    /// Those that nobody has at hand, with their panels.
-    idle: Mutex<Vec<(usize, Bench)>>,
+    /// The scene at hand, with its panel.
+    bench: Option<(usize, Bench)>,
 }
 
 /// A scene that is changed from cell to cell, with what stays the same.
@@ -51,51 +50,36 @@ impl Paths {
 
 impl<'s> Scenes<'s> {
     pub(super) fn new(study: &'s Study<'s>) -> Self {
-        Self {
-            study,
-            idle: Mutex::new(Vec::new()),
-        }
+        Self { study, bench: None }
     }
 
     /// Shows a cell's scene, or what is wrong with it.
     pub(super) fn show<T>(
-        &self,
+        &mut self,
         panel: usize,
         cell: usize,
         to: impl FnOnce(Result<(&Scene, &mut Paths), Diagnostics>) -> T,
     ) -> T {
         let settings = self.study.varied(cell);
-        let mut bench = match self.take(panel) {
-            Some(bench) => bench,
+        let kept = self.bench.take().filter(|(of, _)| *of == panel);
+        let (_, bench) = match kept {
+            Some(kept) => self.bench.insert(kept),
             None => match self.study.variation(panel, &settings) {
-                Ok(varied) => Bench {
-                    varied,
-                    paths: Paths::default(),
-                },
+                Ok(varied) => {
+                    let paths = Paths::default();
+                    self.bench.insert((panel, Bench { varied, paths }))
+                }
                 Err(diagnostics) => return to(Err(diagnostics)),
             },
         };
-        let shown = if bench.varied.set(&settings).is_some() {
+        if bench.varied.set(&settings).is_some() {
             bench.paths.laws = Some(bench.varied.laws());
-            to(Ok((bench.varied.scene(), &mut bench.paths)))
-        } else {
-            bench.paths.laws = None;
-            match self.study.read(panel, cell) {
-                Ok(reading) => to(Ok((&reading.scene, &mut bench.paths))),
-                Err(diagnostics) => to(Err(diagnostics)),
-            }
-        };
-        self.idle().push((panel, bench));
-        shown
-    }
-
-    fn take(&self, panel: usize) -> Option<Bench> {
-        let mut idle = self.idle();
-        let own = idle.iter().rposition(|(of, _)| *of == panel)?;
-        Some(idle.swap_remove(own).1)
-    }
-
-    fn idle(&self) -> std::sync::MutexGuard<'_, Vec<(usize, Bench)>> {
-        self.idle.lock().unwrap_or_else(PoisonError::into_inner)
+            return to(Ok((bench.varied.scene(), &mut bench.paths)));
+        }
+        bench.paths.laws = None;
+        match self.study.read(panel, cell) {
+            Ok(reading) => to(Ok((&reading.scene, &mut bench.paths))),
+            Err(diagnostics) => to(Err(diagnostics)),
+        }
     }
 }
