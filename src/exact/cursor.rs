@@ -157,7 +157,7 @@ impl<'a> Cursor<'a> {
             for order in 0..orders {
                 for mass in 0..masses {
                     let at = mass * blocks + b;
-                    let (re, im) = (basis.shape[0][at].0[l], basis.shape[1][at].0[l]);
+                    let (re, im) = (basis.shape[at][0].0[l], basis.shape[at][1].0[l]);
                     out[mass * orders + order] += re * w.re - im * w.im;
                 }
                 w *= lambda;
@@ -213,7 +213,7 @@ impl<'a> Cursor<'a> {
             let shape = (0..basis.masses)
                 .map(|mass| {
                     let at = mass * basis.blocks + b;
-                    basis.shape[0][at].0[l].hypot(basis.shape[1][at].0[l])
+                    basis.shape[at][0].0[l].hypot(basis.shape[at][1].0[l])
                 })
                 .fold(0.0, f64::max);
             see(modulus, amplitude * shape * (basis.re[b].0[l] * s).exp());
