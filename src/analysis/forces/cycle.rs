@@ -5,7 +5,7 @@ use super::row::{Forces, Row, Solver};
 use super::{Course, PositionSource};
 
 /// Error of a sum that a panel may have, as a share of what flows to and fro.
-const AGREES: f64 = 1e-11;
+const AGREES: f64 = 1e-13;
 /// What should be zero is rounding below this share of what flows to and fro.
 const ROUNDING: f64 = 1e-10;
 /// Evaluations for each interval of the course, all in all: some hundreds are

@@ -256,7 +256,11 @@ fn nothing_is_cut_on_the_way() {
     let inside = |at: [f64; 2], room: f64| {
         let [x, y] = view.pixel(at);
         let within = x > 0.0 && x + room < view.width && y > 0.0 && y < view.height;
-        assert!(within, "{x} + {room}, {y}: {} x {}", view.width, view.height);
+        assert!(
+            within,
+            "{x} + {room}, {y}: {} x {}",
+            view.width, view.height
+        );
     };
     let block = shape::block(&spec.pairs[3], view.extent).unwrap();
     for frame in &drawing.frames {
