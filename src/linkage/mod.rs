@@ -218,7 +218,7 @@ fn explore(
             "links",
             format!(
                 "{names} are in a dead position at the start {}",
-                assemble::short(start)
+                assemble::start_in_words(spec)
             ),
             "give approximate positions for another input",
         )]);

@@ -86,6 +86,8 @@ impl Frozen {
                 modes[component] += 1;
             }
         }
+        // Loads may have changed at once.
+        self.open_sides(modes);
     }
 
     fn time_tracks(&self) -> impl Iterator<Item = usize> + '_ {
@@ -125,10 +127,17 @@ impl System {
         if watch.component >= frozen.pairs.len() + frozen.tracks.len() {
             return self.pass_direction(time, y, watch.component, watch.target, modes);
         }
-        if watch.component >= self.frozen.pairs.len() {
+        if watch.component >= frozen.pairs.len() {
             modes.0[watch.component] = watch.target;
-            return Ok(());
+        } else {
+            self.pass_flank(y, watch, modes);
         }
+        frozen.settle_sides(time, y, &mut modes.0);
+        Ok(())
+    }
+
+    /// A pair comes into contact or leaves it.
+    fn pass_flank(&self, y: &[f64], watch: &Watch, modes: &mut Modes) {
         let chain = &self.frozen.chains[self.frozen.pairs[watch.component]];
         let before = modes.0[watch.component];
         modes.0[watch.component] = if watch.target == super::pairs::OPEN {
@@ -138,7 +147,6 @@ impl System {
         } else {
             watch.target
         };
-        Ok(())
     }
 
     /// The end of a run at an edge: a dead position, or the end of a travel.
