@@ -246,7 +246,7 @@ impl<'a> Cursor<'a> {
         let phase = &self.work.phase;
         let size = |mass: usize, lane: usize| {
             let (b, l) = (lane / WIDTH, lane % WIDTH);
-            let [re, im] = basis.shape[mass * basis.blocks + b];
+            let [re, im, ..] = basis.shape[mass * basis.blocks + b];
             let shape = re.0[l].hypot(im.0[l]);
             shape * phase.re[b].0[l].hypot(phase.im[b].0[l])
         };
