@@ -124,6 +124,7 @@ impl Search {
         let looks = witness.looks();
         if let Some((number, bracket)) = root
             && (second >= bracket.high || second >= left)
+            && !(s == 0.0 && signals[watched[number]].passing)
         {
             let signal = &signals[watched[number]];
             let step = self.polish::<A>(basis, phase, signal, bracket, left, number);
