@@ -250,6 +250,8 @@ impl Search {
             let (er, ei) = (self.e.re[b], self.e.im[b]);
             self.e.re[b] = er * re - ei * im;
             self.e.im[b] = er.fma::<A>(im, ei * re);
+            // A size is a bound: e^u ≤ 1 + u + u².
+            self.e.size[b] = self.e.size[b] * u.fma::<A>(f(1.0) + u, f(1.0));
         }
     }
 }
