@@ -170,6 +170,12 @@ fn turn<A: Arith>(frequency: f64, time: f64) -> f64 {
     (product - whole) - lost - turns * TWO_PI_LOW + error
 }
 
+/// a·b as a sum of two numbers, on every processor the same.
+#[inline(always)]
+pub(crate) fn product(a: f64, b: f64) -> (f64, f64) {
+    Plain::product(a, b)
+}
+
 /// The span's law as a polynomial in the time from `tau` on.
 #[inline(never)]
 fn recentre(span: &PolynomialSpan, tau: f64, out: &mut Forcing) {
