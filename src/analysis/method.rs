@@ -200,7 +200,6 @@ fn situation(system: &System, settings: &RunSettings) -> Situation {
         way: system.way_of_laws(turning * duration),
         breaks: system.breaks_passed(duration),
         expands: system.expands(),
-        kinks: rubbing(system).is_some(),
         tolerance: settings.tolerance,
         coordinates: system.coordinates(),
         duration,

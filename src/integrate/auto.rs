@@ -25,9 +25,6 @@ pub struct Situation {
     pub breaks: f64,
     /// True when the motion has a power series ([`Dynamics::expands`]).
     pub expands: bool,
-    /// True when the equations have kinks that no switch marks (blocks whose corners
-    /// change the side on which they press): long steps of high order miss them.
-    pub kinks: bool,
     /// Error wanted, relative to the scales of the state.
     pub tolerance: f64,
     /// Number of coordinates.
@@ -234,11 +231,9 @@ pub fn choose(situation: &Situation) -> Chosen {
     };
     let implicit = |behaviour: &Behaviour| behaviour.stable.is_infinite();
     let least = |wanted: bool| {
-        let fit = BEHAVIOURS.iter().filter(|b| {
-            implicit(b) == wanted
-                && (situation.expands || b.method != Method::Taylor)
-                && !(situation.kinks && b.method == Method::Radau)
-        });
+        let fit = BEHAVIOURS
+            .iter()
+            .filter(|b| implicit(b) == wanted && (situation.expands || b.method != Method::Taylor));
         fit.min_by(|a, b| a.work(situation).total_cmp(&b.work(situation)))
             .expect("the list has methods of both kinds")
     };

@@ -47,7 +47,6 @@ fn situation(tolerance: f64, duration: f64) -> Situation {
         way: f64::INFINITY,
         breaks: 0.0,
         expands: true,
-        kinks: false,
         tolerance,
         coordinates: 1,
         duration,
@@ -140,22 +139,6 @@ fn what_dies_out_and_what_stays_get_different_methods() {
     let Chosen { method, why, .. } = of(1000.0);
     assert_eq!(method, Method::Radau, "{why}");
     assert!(why.contains("times what the motion shows"), "{why}");
-}
-
-#[test]
-fn kinks_speak_against_long_steps_of_high_order() {
-    let of = |kinks: bool| {
-        choose(&Situation {
-            fastest: 1e7,
-            vibrations: vec![stays(100.0)],
-            expands: false,
-            kinks,
-            coordinates: 4,
-            ..situation(1e-8, 1.0)
-        })
-    };
-    assert_eq!(of(false).method, Method::Radau);
-    assert_eq!(of(true).method, Method::Rodas5p);
 }
 
 #[test]

@@ -5,6 +5,11 @@ use super::frozen::{Frozen, FrozenLaw, Step};
 use super::taylor::way_of_law;
 use crate::breaks::Breaks;
 use crate::position::Position;
+use std::f64::consts::TAU;
+
+/// Changes of the sides of a block in a turn: each of both corners is pressed one way
+/// by the acceleration and the other way by the deceleration.
+const SIDES: f64 = 4.0;
 
 /// Places at which a law is looked at, spread over the way of its driver by the golden ratio.
 const PLACES: usize = 64;
@@ -23,7 +28,7 @@ impl System {
 
     /// About how many breaks of laws and loads are passed in a time (s): those over
     /// time, and those over the displacement of rotors that turn at their nominal
-    /// speed.
+    /// speed; among them the changes of the sides on which blocks with friction press.
     pub fn breaks_passed(&self, duration: f64) -> f64 {
         let frozen = &self.frozen;
         let passed = |breaks: &Breaks, way: f64| {
@@ -44,7 +49,14 @@ impl System {
                 _ => 0.0,
             },
         });
-        tracks.sum()
+        let sides = frozen.groups.iter().map(|group| match group.coordinate {
+            Some(rotor) if frozen.stiffness[rotor] == 0.0 => {
+                let speed = self.scales_of_state()[frozen.coordinates + rotor];
+                SIDES * group.rubbing_guides() * speed * duration / TAU
+            }
+            _ => 0.0,
+        });
+        tracks.sum::<f64>() + sides.sum::<f64>()
     }
 
     /// Way of the fastest drive (rad) over which a power series knows the laws of
