@@ -390,6 +390,10 @@ fn speeds_beyond_all_numbers_are_not_passed_over() {
     let (code, _, talk) = ran(&["kinematics", &scene, "--speed", "1e300"]);
     assert_eq!(code, Some(1));
     assert!(talk.contains("grow beyond all numbers"), "{talk}");
+    let (_, table, _) = ran(&["kinematics", &scene, "--speed", "1e300", "--csv"]);
+    let mut cells = table.lines().skip(1).flat_map(|line| line.split(','));
+    assert!(cells.clone().any(str::is_empty));
+    assert!(cells.all(|cell| cell.is_empty() || cell.parse().is_ok_and(f64::is_finite)));
 }
 
 #[test]

@@ -149,8 +149,8 @@ impl System {
         };
     }
 
-    /// The end of a run at an edge: a dead position.
-    pub(super) fn dead_position(&self, time: f64, edge: &Edge) -> PhysicalStop {
+    /// The end of a run at an edge: a dead position, or the end of a travel.
+    pub(super) fn end_of_reach(&self, time: f64, edge: &Edge) -> PhysicalStop {
         let track = &self.frozen.tracks[edge.component - self.frozen.pairs.len()];
         let part = &self.model.objects[track.object];
         let driver = part.driver.map(|driver| &self.model.objects[driver]);
@@ -159,21 +159,38 @@ impl System {
             _ => format!("{:.6}°", edge.place.to_degrees()),
         };
         let driver = driver.map_or("its driver", |driver| driver.id.as_str());
-        let cause = self.cause(track.object, edge.place);
-        let cause = cause.unwrap_or_else(|| "a dead position".to_owned());
-        PhysicalStop {
-            name: "dead_position",
-            object: part.id.clone(),
-            message: format!(
-                "{} cannot be assembled beyond {driver} at {place}, reached at t = {time:.9} s: \
-                 {cause}",
-                part.id
+        let at = format!("{driver} at {place}, reached at t = {time:.9} s");
+        let id = &part.id;
+        // In a dead position speeds and forces grow beyond bounds; at the end of
+        // a travel nothing happens but that it is not given to go further.
+        let (name, message) = match self.cause(track.object, edge.place) {
+            Some((Cause::Travel, _)) => (
+                "end_of_travel",
+                format!("{id} has no travel beyond {at}: the end of its travel"),
             ),
+            Some((Cause::Unexplored, _)) => (
+                "not_explored",
+                format!("{id} was not looked at beyond {at}: it was not followed further before the run"),
+            ),
+            Some((Cause::DeadPosition { .. }, group)) => (
+                "dead_position",
+                format!("{id} cannot be assembled beyond {at}: a dead position of {group}"),
+            ),
+            None => (
+                "dead_position",
+                format!("{id} cannot be assembled beyond {at}: a dead position"),
+            ),
+        };
+        PhysicalStop {
+            name,
+            object: id.clone(),
+            message,
         }
     }
 
-    /// Why a linkage goes no further than where its driver has a displacement.
-    fn cause(&self, object: usize, driver: f64) -> Option<String> {
+    /// Why a linkage goes no further than where its driver has a displacement,
+    /// and the group that is in a dead position there.
+    fn cause(&self, object: usize, driver: f64) -> Option<(Cause, String)> {
         let mut linkages = self.model.linkages.iter();
         let body = linkages.find(|body| body.object == object)?;
         let NodeMotion::Rigid { law } = &self.model.nodes[body.node].motion else {
@@ -185,13 +202,10 @@ impl System {
         };
         let near = (q - lower.at).abs() < (q - upper.at).abs();
         let end = if near { lower } else { upper };
-        Some(match end.cause {
-            Cause::DeadPosition { group } => format!(
-                "a dead position of {}",
-                body.linkage.structure().describe(group)
-            ),
-            Cause::Travel => "the end of its travel".to_owned(),
-            Cause::Unexplored => "it was not looked further before the run".to_owned(),
-        })
+        let group = match end.cause {
+            Cause::DeadPosition { group } => body.linkage.structure().describe(group),
+            Cause::Travel | Cause::Unexplored => String::new(),
+        };
+        Some((end.cause, group))
     }
 }

@@ -76,6 +76,7 @@ impl Kinetostatics {
         w: &mut ForceWorkspace,
     ) -> Result<Resistance, ForceFailure> {
         w.speed = motion.speed;
+        w.direction = motion.direction;
         self.place_sliding(positions, motion.senses, motion.direction, w);
         w.set_output_loads(motion.loads);
         w.output_inertias.fill(0.0);
