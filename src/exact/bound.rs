@@ -12,6 +12,7 @@
 use super::basis::Basis;
 use super::functional::ORDERS;
 use super::lanes::{Arith, V, WIDTH};
+use super::phase::Exponentials;
 use super::signal::{Signal, Terms};
 
 /// g and its derivatives.
@@ -41,17 +42,18 @@ pub(crate) struct Bracket {
 /// Trial lengths tested at once, as shares of the greatest.
 const LADDER: [V; 2] = [V([1.0, 0.8, 0.62, 0.47]), V([0.35, 0.22, 0.1, 0.03])];
 
-/// Assesses `signal` from `terms`, up to `left` ahead.
+/// Assesses `signal` at the instant of `e`, up to `left` ahead.
 #[inline(always)]
 pub(crate) fn assess<A: Arith>(
     basis: &Basis,
     active: usize,
     signal: &Signal,
-    terms: &Terms,
-    s: f64,
+    e: &Exponentials,
+    terms: &mut Terms,
     left: f64,
 ) -> Assessment {
-    let (mut a, r) = terms.jet(basis, active, signal.slow5());
+    let s = e.s;
+    let (mut a, r) = signal.terms::<A>(basis, active, e, terms);
     if s == 0.0 {
         a[..signal.zeros].fill(0.0);
     }
@@ -97,11 +99,11 @@ fn enveloped<A: Arith>(
     left: f64,
     mut best: f64,
 ) -> f64 {
-    let blocks = basis.blocks;
-    let lane = |order: usize, k: usize| terms.lane[order * blocks + k / WIDTH].0[k % WIDTH];
+    let lane = |order: usize, k: usize| terms.lanes[k / WIDTH].orders[order].0[k % WIDTH];
+    let size = |k: usize| terms.lanes[k / WIDTH].size.0[k % WIDTH];
     let (mut value, mut rest) = (terms.slow[0], 0.0);
     for k in 0..lanes {
-        rest += lane(ORDERS, k);
+        rest += size(k);
     }
     let mut reach = basis.follow_flights;
     for k in 0..lanes {
@@ -113,7 +115,7 @@ fn enveloped<A: Arith>(
                 for (order, value) in a.iter_mut().enumerate() {
                     *value += lane(order, i);
                 }
-                r += lane(ORDERS, i) * basis.fifth[i / WIDTH].0[i % WIDTH];
+                r += size(i) * basis.fifth[i / WIDTH].0[i % WIDTH];
             }
             a[0] -= rest;
             best = best.max(longest::<A>(a, r, reach, left));
@@ -122,7 +124,7 @@ fn enveloped<A: Arith>(
             }
         }
         value += lane(0, k);
-        rest -= lane(ORDERS, k);
+        rest -= size(k);
         reach = reach.min(basis.follow[k]);
     }
     best

@@ -171,7 +171,7 @@ impl<'a> Cursor<'a> {
             for order in 0..orders {
                 for mass in 0..masses {
                     let at = mass * blocks + b;
-                    let (re, im) = (basis.shape[0][at].0[l], basis.shape[1][at].0[l]);
+                    let (re, im) = (basis.shape[at][0].0[l], basis.shape[at][1].0[l]);
                     out[mass * orders + order] += re * w.re - im * w.im;
                 }
                 w *= lambda;
@@ -244,8 +244,8 @@ impl<'a> Cursor<'a> {
         let phase = &self.work.phase;
         let size = |mass: usize, lane: usize| {
             let (b, l) = (lane / WIDTH, lane % WIDTH);
-            let at = mass * basis.blocks + b;
-            let shape = basis.shape[0][at].0[l].hypot(basis.shape[1][at].0[l]);
+            let [re, im, ..] = basis.shape[mass * basis.blocks + b];
+            let shape = re.0[l].hypot(im.0[l]);
             shape * phase.re[b].0[l].hypot(phase.im[b].0[l])
         };
         let lanes = basis.lanes.len();

@@ -189,7 +189,7 @@ impl Workspace<'_> {
             let f = self.watches[number].functional;
             let signal = &self.signals[f];
             let still = signal.leaving && event != Some(number) && {
-                let (jet, _) = self.search.jet::<A>(basis, &self.phase, signal);
+                let (jet, _) = signal.jet::<A>(basis, self.phase.active, &self.search.e);
                 let clock = f64::EPSILON * self.search.e.s * jet[1].abs();
                 jet[0].abs() <= 2.0 * (signal.noise + clock)
             };

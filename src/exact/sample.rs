@@ -231,8 +231,8 @@ impl Sampler {
             if self.e.size[b].0[l] < GONE {
                 continue;
             }
-            let at = i * blocks + b;
-            let weight = C::new(basis.shape[0][at].0[l], basis.shape[1][at].0[l]);
+            let shape = &basis.shape[i * blocks + b];
+            let weight = C::new(shape[0].0[l], shape[1].0[l]);
             let z = C::new(phase.re[b].0[l], phase.im[b].0[l]);
             let c = weight * z * C::new(self.e.re[b].0[l], self.e.im[b].0[l]);
             if c.re != 0.0 || c.im != 0.0 {

@@ -7,11 +7,11 @@
 //! signal is below its own rounding, is counted as grazing.
 
 use super::basis::Basis;
-use super::bound::{Assessment, Bracket, Jet, assess, reversed};
+use super::bound::{Assessment, Bracket, assess, reversed};
 use super::functional::ORDERS;
 use super::lanes::{Arith, V, WIDTH};
 use super::phase::{Exponentials, Phase};
-use super::signal::{Signal, Terms};
+use super::signal::{Share, Signal, Terms};
 
 /// What a step of the search found.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -57,7 +57,7 @@ impl Search {
         Self {
             e: Exponentials::new(blocks, harmonics),
             terms: Terms {
-                lane: vec![V::ZERO; (ORDERS + 1) * blocks],
+                lanes: vec![Share::default(); blocks],
                 slow: [0.0; ORDERS],
             },
             steps: 0,
@@ -102,8 +102,7 @@ impl Search {
         let mut root: Option<(usize, Bracket)> = None;
         for (number, &index) in watched.iter().enumerate() {
             let signal = &mut signals[index];
-            signal.terms::<A>(basis, phase.active, &self.e, &mut self.terms);
-            let seen = assess::<A>(basis, phase.active, signal, &self.terms, s, left);
+            let seen = assess::<A>(basis, phase.active, signal, &self.e, &mut self.terms, left);
             if !seen.jet[0].is_finite() || !seen.remainder.is_finite() {
                 return Step::NotFinite;
             }
@@ -192,7 +191,7 @@ impl Search {
         };
         for _ in 0..60 {
             self.evaluate::<A>(basis, phase, s);
-            let (a, r) = self.jet::<A>(basis, phase, signal);
+            let (a, r) = signal.jet::<A>(basis, phase.active, &self.e);
             if a[0] > 0.0 {
                 low = s
             } else {
@@ -231,19 +230,6 @@ impl Search {
             return Step::Reached;
         }
         Step::Root(number)
-    }
-
-    /// g and its derivatives at the instant evaluated, all lanes followed, and
-    /// a bound on the next one.
-    #[inline(always)]
-    pub(crate) fn jet<A: Arith>(
-        &mut self,
-        basis: &Basis,
-        phase: &Phase,
-        signal: &Signal,
-    ) -> (Jet, f64) {
-        signal.terms::<A>(basis, phase.active, &self.e, &mut self.terms);
-        self.terms.jet(basis, phase.active, signal.slow5())
     }
 
     /// Moves the exponentials by a small x: e^{λx} by its Taylor series

@@ -108,7 +108,7 @@ const SOFT: f64 = 0.9;
 
 /// The way over which a law is known grows with the tolerance to the first of these
 /// powers, up to a tolerance of 1e-4; below 1e-7 to the second (see `system::taylor::law`).
-const OF_WAY: [f64; 2] = [1.0 / 8.0, 0.4 / 8.0];
+const OF_WAY: [f64; 2] = [1.0 / 8.0, 0.5 / 8.0];
 
 /// Nothing is aimed at that is finer, unless it is asked for: rounding adds up as well.
 const FINEST: f64 = 1e-13;

@@ -75,8 +75,8 @@ impl Track {
         self.pieces.push(whole);
         let mut cuts = 0;
         while let Some(piece) = self.pieces.pop() {
-            let loss = self.loss::<A>(scene, ahead, piece.length());
-            let top = piece.range(loss.middle.0[k], loss.flat.0[k]).1;
+            let (middle, flat) = self.loss_of::<A>(scene, ahead, piece.length(), k);
+            let top = piece.range(middle, flat).1;
             if top <= best + margin || cuts >= CUTS {
                 continue;
             }
@@ -134,9 +134,11 @@ impl Track {
 
     #[inline(always)]
     fn jet<A: Arith>(&mut self, scene: Scene, k: usize, s: f64) -> ([f64; 4], f64) {
-        scene.phase.exponentials::<A>(scene.basis, s, &mut self.e);
-        self.state
-            .jet::<A>(scene.basis, scene.panel, scene.phase, &self.e, k)
+        let phase = scene.phase;
+        phase.exponentials::<A>(scene.basis, s, &mut self.e);
+        self.state.amplitudes::<A>(phase, &self.e, &mut self.look);
+        let lanes = (&self.look, phase.active);
+        self.state.jet::<A>(scene.panel, lanes, &self.e, k)
     }
 
     /// Adds ∫|δ| up to every change of sign of δ in the step.
@@ -144,14 +146,14 @@ impl Track {
     /// An error d in the instant of a root costs only δ̇d² in the integral.
     #[inline(always)]
     pub(super) fn turns<A: Arith>(&mut self, scene: Scene, ahead: Ahead, (a, b): (&Point, &Point)) {
-        let noise = self.state.noise(b.s).0[0];
+        let noise = self.state.noise(b.s, self.whole).0[0];
         self.roots.clear();
         self.pieces.clear();
         self.pieces.push(piece(a, b, 0, 1.0));
         let mut cuts = 0;
         while let Some(piece) = self.pieces.pop() {
-            let loss = self.loss::<A>(scene, ahead, piece.length());
-            let (low, high) = piece.range(loss.middle.0[0], loss.flat.0[0]);
+            let (middle, flat) = self.loss_of::<A>(scene, ahead, piece.length(), 0);
+            let (low, high) = piece.range(middle, flat);
             if low >= -noise || high <= noise || cuts >= CUTS {
                 continue;
             }
@@ -160,7 +162,9 @@ impl Track {
             self.pieces.push(Piece { a: cut, b: piece.b });
             self.pieces.push(Piece { a: piece.a, b: cut });
         }
-        self.roots.sort_by(|x, y| x.0.total_cmp(&y.0));
+        if self.roots.len() > 1 {
+            self.roots.sort_by(|x, y| x.0.total_cmp(&y.0));
+        }
         for &(_, primitive) in &self.roots {
             self.area += (primitive - self.turned).abs();
             self.turned = primitive;
@@ -177,13 +181,11 @@ impl Track {
         (near, most): (f64, f64),
         allowed: f64,
     ) -> Option<End> {
-        let Scene {
-            basis,
-            panel,
-            phase,
-        } = scene;
+        let Scene { panel, phase, .. } = scene;
         self.e.start(phase.active);
-        let (f, rest) = self.state.jet::<A>(basis, panel, phase, &self.e, 0);
+        self.state.first(phase, &mut self.look);
+        let lanes = (&self.look, phase.active);
+        let (f, rest) = self.state.jet::<A>(panel, lanes, &self.e, 0);
         let off = |x: f64| rest * (x * x) * (x * x) * (1.0 / 24.0);
         if !harmless((near, off(near)), f[1] + near * f[2], allowed) {
             return None;
@@ -198,7 +200,7 @@ impl Track {
         if !(x > 0.0 && x < most && settled && harmless((x, off(x)), slope(x), allowed)) {
             return None;
         }
-        let start = self.state.primitive::<A>(panel, phase, &self.e);
+        let start = self.state.primitive::<A>(panel, phase, &self.look, &self.e);
         let more = x * (f[0] + x * (f[1] * 0.5 + x * (f[2] / 6.0 + x * (f[3] / 24.0))));
         self.roots.push((x, start + more));
         Some(End {
@@ -258,7 +260,8 @@ impl Track {
                 + 14.0 * (f[1] * x).abs() * (bend * bend) * (bend * bend);
             let allowed = noise * piece.length();
             if harmless((x, off), f[1], allowed) || x.abs() <= 1e-15 * target {
-                let primitive = self.state.primitive::<A>(scene.panel, scene.phase, &self.e);
+                let Scene { panel, phase, .. } = scene;
+                let primitive = self.state.primitive::<A>(panel, phase, &self.look, &self.e);
                 let more = x * (f[0] + x * (f[1] * 0.5 + x * (f[2] / 6.0 + x * (f[3] / 24.0))));
                 self.roots.push((target, primitive + more));
                 return End {
