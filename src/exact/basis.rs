@@ -136,7 +136,7 @@ impl Basis {
             part.modes(n, &mut lanes)?;
             rigid.extend(part.rigid(n));
         }
-        for (j, omega) in problem.law.frequencies().into_iter().enumerate() {
+        for (j, omega) in problem.law.frequencies().enumerate() {
             for part in &mut rigid {
                 let drive = C::new(0.0, omega);
                 let push = (0..n)

@@ -81,11 +81,12 @@ pub(crate) struct Forcing {
 
 impl Law {
     /// Angular frequencies of the harmonics.
-    pub(crate) fn frequencies(&self) -> Vec<f64> {
-        match self {
-            Self::Harmonic { sines, .. } => sines.iter().map(|sine| sine.frequency).collect(),
-            Self::Spans(_) => Vec::new(),
-        }
+    pub(crate) fn frequencies(&self) -> impl ExactSizeIterator<Item = f64> + '_ {
+        let sines: &[Sine] = match self {
+            Self::Harmonic { sines, .. } => sines,
+            Self::Spans(_) => &[],
+        };
+        sines.iter().map(|sine| sine.frequency)
     }
 
     /// L and L̇ at an instant.

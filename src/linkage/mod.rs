@@ -20,6 +20,7 @@
 mod assemble;
 mod change;
 mod check;
+pub(crate) mod closure;
 mod compile;
 mod course;
 mod decompose;

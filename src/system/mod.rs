@@ -186,6 +186,13 @@ impl System {
         self.scales.get_or_init(|| scales::scales(&self.frozen))
     }
 
+    /// What the scale δ* of an elastic object is at least, without sampling its
+    /// law; zero of anything else.
+    pub(crate) fn least_deflection(&self, object: usize) -> f64 {
+        let chain = self.chain(object);
+        chain.map_or(0.0, |chain| scales::least_deflection(&self.frozen, chain))
+    }
+
     /// The model it was made from.
     pub fn model(&self) -> &Model {
         &self.model

@@ -3,7 +3,7 @@
 
 use super::cell::{Cell, mark, share};
 use super::figure::{quick_needs, quick_read, quick_scale};
-use super::judge::{Evidence, judge};
+use super::judge::{Begun, Evidence, judge, on_law};
 use super::rigid::RigidMotion;
 use super::study::Study;
 use super::verdict::Verdict;
@@ -59,7 +59,7 @@ pub(super) fn answer(
         rigid,
         cycle,
         time: run.time,
-        steady: &mut |object| task.steady(object, cycle?),
+        steady: &mut |object, begun| task.steady(object, begun, cycle?),
     });
     if run.grazing > 0 {
         cause.push_str("; a pair grazes, its switches are not certain");
@@ -152,7 +152,15 @@ impl Task<'_> {
 
     /// Greatest |δ| over the last whole cycle but one and over the last, from
     /// samples; run again for it, since few cells ask.
-    fn steady(&self, object: usize, cycle: f64) -> Option<[f64; 2]> {
+    fn steady(&self, object: usize, begun: Begun, cycle: f64) -> Option<[f64; 2]> {
+        if begun == Begun::OnLaw {
+            let system = System::new(on_law(self.system.model())).ok()?;
+            let task = Task {
+                system: &system,
+                ..*self
+            };
+            return task.steady(object, Begun::AsGiven, cycle);
+        }
         let end = self.settings.duration;
         let samples = (end / cycle * SAMPLES).ceil().clamp(SAMPLES, MOST_SAMPLES);
         let run = self.propagate(samples as usize)?.ok()?;

@@ -62,6 +62,7 @@ impl Rubbing {
             inertias: &[inertia],
             direction: speed.signum(),
             senses: self.reversals.at(segment),
+            pressed: None,
         };
         let options = Options {
             tolerance: 1e-14,

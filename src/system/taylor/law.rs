@@ -21,11 +21,40 @@ const DEGREE: usize = 8;
 /// reach; what the polynomial leaves out is then some hundred times smaller.
 const LAST: [f64; 2] = [1e-8, 1e-5];
 
+/// Below the least of those the share falls with this power of the tolerance only: what
+/// is left out of U′ swings about nothing over the reach, and the motion integrates it.
+const FINER: f64 = 0.4;
+
 /// This share for a series of a degree, which follows the tolerance: ten times
-/// less than that (`integrate::taylor::degree`).
+/// less than that (`integrate::taylor::degree`) down to 1e-7.
 pub(super) fn last(degree: usize) -> f64 {
     let digits = (degree as f64 - 6.0) / 1.25;
-    10f64.powf(-1.0 - digits).clamp(LAST[0], LAST[1])
+    let share = 10f64.powf(-1.0 - digits).min(LAST[1]);
+    match share < LAST[0] {
+        true => LAST[0] * (share / LAST[0]).powf(FINER),
+        false => share,
+    }
+}
+
+/// Way over which the polynomial of a law around a place, looked at within a radius, has
+/// no more than the least share in its last two coefficients; at most `most`.
+pub(in crate::system) fn way(phi: f64, radius: f64, most: f64, jet: impl Fn(f64) -> Jet) -> f64 {
+    let found = polynomial(jet(phi), jet(phi - radius), jet(phi + radius), radius);
+    let [size, last] = sizes(&found);
+    // What is not a number is not known over any way.
+    match last > 0.0 || last.is_nan() {
+        true => (radius * (LAST[0] * size / last).powf(1.0 / DEGREE as f64)).min(most),
+        false => most,
+    }
+}
+
+/// Greatest of all coefficients and of the last two.
+fn sizes(polynomial: &[f64; DEGREE + 1]) -> [f64; 2] {
+    let greatest = |sum: f64, c: &f64| sum.max(c.abs());
+    [
+        polynomial.iter().fold(0.0, greatest),
+        polynomial[DEGREE - 1..].iter().fold(0.0, greatest),
+    ]
 }
 
 /// Powers whose share of U′ is below this are left out.
@@ -123,10 +152,7 @@ impl LawSeries {
         let middle = jet(phi);
         self.radius = radius;
         self.polynomial = polynomial(middle, jet(phi - radius), jet(phi + radius), radius);
-        let size = self.polynomial.iter().fold(0.0f64, |a, c| a.max(c.abs()));
-        let last = self.polynomial[DEGREE - 1]
-            .abs()
-            .max(self.polynomial[DEGREE].abs());
+        let [size, last] = sizes(&self.polynomial);
         self.excess = (last / (allowed * size)).powf(1.0 / DEGREE as f64).max(1.0);
         // What is not a number counts.
         let counts = |c: &f64| !(c.abs() <= NEGLIGIBLE * size);
