@@ -1,41 +1,13 @@
 //! The right-hand side and everything called at every step allocate nothing.
 
+mod counting;
+
+use counting::allocations;
 use dam::integrate::{Dynamics, Limits, Method, Modes, Settings, Sink, Stop, integrate};
 use dam::model::*;
 use dam::motion::DriveMotion;
 use dam::position::{Position, PositionSpec};
 use dam::system::{ObjectState, System};
-use std::alloc::{GlobalAlloc, Layout, System as SystemAllocator};
-use std::cell::Cell;
-
-thread_local! {
-    static ALLOCATIONS: Cell<u64> = const { Cell::new(0) };
-}
-
-/// Counts the allocations of each thread.
-struct Counting;
-
-// SAFETY: hands every call on to the system's allocator; the counter is a
-// constant-initialised thread-local, which allocates nothing itself.
-#[allow(unsafe_code)]
-unsafe impl GlobalAlloc for Counting {
-    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        ALLOCATIONS.with(|count| count.set(count.get() + 1));
-        unsafe { SystemAllocator.alloc(layout) }
-    }
-
-    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
-        unsafe { SystemAllocator.dealloc(pointer, layout) }
-    }
-
-    unsafe fn realloc(&self, pointer: *mut u8, layout: Layout, size: usize) -> *mut u8 {
-        ALLOCATIONS.with(|count| count.set(count.get() + 1));
-        unsafe { SystemAllocator.realloc(pointer, layout, size) }
-    }
-}
-
-#[global_allocator]
-static ALLOCATOR: Counting = Counting;
 
 fn law(driver: usize, position: Position, track: Option<usize>) -> Law {
     Law {
@@ -202,16 +174,16 @@ fn nothing_that_a_step_calls_allocates() {
         sum += system.next_break(time, &modes);
     };
     step(0.0, &mut watches);
-    let before = ALLOCATIONS.with(Cell::get);
+    let before = allocations();
     for index in 0..100 {
         step(1e-3 * f64::from(index), &mut watches);
     }
-    let after = ALLOCATIONS.with(Cell::get);
+    let after = allocations();
     assert_eq!(after - before, 0);
     assert!(sum.is_finite() && !watches.is_empty());
     // The counter counts.
     let kept = Box::new([sum; 3]);
-    assert!(ALLOCATIONS.with(Cell::get) > after && kept.len() == 3);
+    assert!(allocations() > after && kept.len() == 3);
 }
 
 /// A motor that drives a rigid slider-crank and a chain without a gap: nothing
@@ -269,7 +241,7 @@ fn the_steps_of_the_own_methods_allocate_nothing() {
                 wall_clock: None,
                 interrupt: None,
             };
-            let before = ALLOCATIONS.with(Cell::get);
+            let before = allocations();
             let outcome = integrate(
                 &system,
                 0.0,
@@ -282,7 +254,7 @@ fn the_steps_of_the_own_methods_allocate_nothing() {
             );
             assert_eq!(outcome.stop, Stop::Complete, "{method}");
             assert!(outcome.statistics.steps as f64 >= 999.0 * duration);
-            ALLOCATIONS.with(Cell::get) - before
+            allocations() - before
         };
         // The first run fills tables that are made once.
         count(0.05);
@@ -330,11 +302,11 @@ fn linkages_allocate_nothing_on_the_way() {
             sum += system.energy(time, &y, &modes, &mut scratch).elastic;
         };
         step(0.0);
-        let before = ALLOCATIONS.with(Cell::get);
+        let before = allocations();
         for index in 0..100 {
             step(1e-3 * f64::from(index));
         }
-        assert_eq!(ALLOCATIONS.with(Cell::get) - before, 0, "tool: {tool}");
+        assert_eq!(allocations() - before, 0, "tool: {tool}");
         assert!(sum.is_finite() && sum != 0.0);
     }
 }
@@ -355,7 +327,7 @@ fn kinetostatics_allocate_nothing() {
         let solver = Kinetostatics::new(linkage.spec()).unwrap();
         let (mut at, mut w) = (linkage.workspace(), solver.workspace());
         let options = Options::default();
-        let now = || ALLOCATIONS.with(Cell::get);
+        let now = || allocations();
         let mut proved = 0;
         for step in 0..36 {
             let coordinate = f64::from(step) * 0.1745;

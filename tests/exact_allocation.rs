@@ -1,44 +1,16 @@
 //! An exact run allocates when it is set up and when it meets a combination of
 //! pairs for the first time, not at every switch.
 
+mod counting;
+
+use counting::allocations;
 use dam::exact::{
     ExactTree, ForcePiece, ForceSource, LAW_DEGREE, Law, Request, Sine, TimeLoad, TreeMass,
     TreeObject, TreePair, TreeProblem,
 };
-use std::alloc::{GlobalAlloc, Layout, System};
-use std::cell::Cell;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
-
-thread_local! {
-    static ALLOCATIONS: Cell<u64> = const { Cell::new(0) };
-}
-
-/// Counts the allocations of each thread.
-struct Counting;
-
-// SAFETY: hands every call on to the system's allocator; the counter is a
-// constant-initialised thread-local, which allocates nothing itself.
-#[allow(unsafe_code)]
-unsafe impl GlobalAlloc for Counting {
-    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        ALLOCATIONS.with(|count| count.set(count.get() + 1));
-        unsafe { System.alloc(layout) }
-    }
-
-    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
-        unsafe { System.dealloc(pointer, layout) }
-    }
-
-    unsafe fn realloc(&self, pointer: *mut u8, layout: Layout, size: usize) -> *mut u8 {
-        ALLOCATIONS.with(|count| count.set(count.get() + 1));
-        unsafe { System.realloc(pointer, layout, size) }
-    }
-}
-
-#[global_allocator]
-static ALLOCATOR: Counting = Counting;
 
 /// Two masses that are thrown off once a cycle.
 fn problem() -> TreeProblem {
@@ -78,9 +50,9 @@ fn switches_allocate_nothing() {
             audit: true,
             ..Request::new(end, 0)
         };
-        let before = ALLOCATIONS.with(Cell::get);
+        let before = allocations();
         let run = tree.run(&request).expect("runs");
-        let after = ALLOCATIONS.with(Cell::get);
+        let after = allocations();
         (after - before, run.switches.len())
     };
     let ((short, few), (long, many)) = (count(0.2), count(2.0));

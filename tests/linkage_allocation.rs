@@ -1,41 +1,13 @@
 //! Solving a linkage and reducing it to its input allocates nothing.
 
+mod counting;
+
+use counting::allocations;
 use dam::linkage::Linkage;
 use dam::linkage::spec::{
     AssemblyChoice, AssemblySpec, ForceLaw, ForceSpec, LinkSpec, LinkageSpec, OutputKind,
     OutputSpec, PairKind, PairSpec, PointOf,
 };
-use std::alloc::{GlobalAlloc, Layout, System};
-use std::cell::Cell;
-
-thread_local! {
-    static ALLOCATIONS: Cell<u64> = const { Cell::new(0) };
-}
-
-/// Counts the allocations of each thread.
-struct Counting;
-
-// SAFETY: hands every call on to the system's allocator; the counter is a
-// constant-initialised thread-local, which allocates nothing itself.
-#[allow(unsafe_code)]
-unsafe impl GlobalAlloc for Counting {
-    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        ALLOCATIONS.with(|count| count.set(count.get() + 1));
-        unsafe { System.alloc(layout) }
-    }
-
-    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
-        unsafe { System.dealloc(pointer, layout) }
-    }
-
-    unsafe fn realloc(&self, pointer: *mut u8, layout: Layout, size: usize) -> *mut u8 {
-        ALLOCATIONS.with(|count| count.set(count.get() + 1));
-        unsafe { System.realloc(pointer, layout, size) }
-    }
-}
-
-#[global_allocator]
-static ALLOCATOR: Counting = Counting;
 
 fn at(link: Option<usize>, at: [f64; 2]) -> PointOf {
     PointOf { link, at }
@@ -123,7 +95,7 @@ fn solving_allocates_nothing() {
     let linkage = linkage();
     let [from, to] = linkage.range().ends().map(|end| end.clamp(-20.0, 20.0));
     let mut workspace = linkage.workspace();
-    let before = ALLOCATIONS.with(Cell::get);
+    let before = allocations();
     let mut sum = 0.0;
     for i in 1..500 {
         let q = from + (to - from) * f64::from(i) / 500.0;
@@ -135,5 +107,5 @@ fn solving_allocates_nothing() {
     // Out of reach, too.
     let _ = linkage.solve(f64::NAN, 1, &mut workspace);
     assert!(sum.is_finite() && sum != 0.0);
-    assert_eq!(ALLOCATIONS.with(Cell::get), before);
+    assert_eq!(allocations(), before);
 }

@@ -258,8 +258,17 @@ fn the_ends_of_a_travel_belong_to_it() {
     let apart = (angle - start).cos();
     assert!((apart - opening(1.3).cos()).abs() < 1e-12, "{angle}");
     let long = solve(&read(BOOM, &["run.duration=20"]));
-    assert_eq!(long.figures.run.stopped.as_deref(), Some("dead_position"));
-    approx::assert_abs_diff_eq!(long.figures.run.time, 10.0, epsilon = 1e-4);
+    // The cylinder is at its stop; the links are far from any dead position.
+    assert_eq!(long.figures.run.stopped.as_deref(), Some("end_of_travel"));
+    approx::assert_abs_diff_eq!(long.figures.run.time, 10.0, epsilon = 1e-9);
+    let why = long.figures.run.stopped_because.as_deref().unwrap_or("");
+    assert!(why.contains("the end of its travel"), "{why}");
+    // Without a travel it goes on to where boom and cylinder are in line.
+    let free = BOOM.replace(r#" "travel": [0.9, 1.4],"#, "");
+    assert_ne!(free, BOOM);
+    let dead = solve(&read(&free, &["run.duration=20"]));
+    assert_eq!(dead.figures.run.stopped.as_deref(), Some("dead_position"));
+    approx::assert_abs_diff_eq!(dead.figures.run.time, (a + b - 0.9) / 0.05, epsilon = 1e-4);
     let warning = &lower(&read(BOOM, &["run.duration=20"]))
         .expect("a model")
         .warnings[0];

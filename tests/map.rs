@@ -156,6 +156,78 @@ fn an_undamped_mode_driven_at_its_own_frequency_is_resonance_too() {
 }
 
 #[test]
+fn a_large_free_vibration_of_the_start_is_no_resonance() {
+    // J·Ω²: stiffness at which one mass has the frequency of the drive.
+    let own = 0.1 * (20.0 * std::f64::consts::PI).powi(2);
+    let mut settings = vec![
+        "rocker.masses=1",
+        "rocker.pair.closure=bilateral",
+        "rocker.damping_capacity=0",
+        "run.duration=2",
+        r#"run.start={"rocker":{"displacement":[60],"speed":[0]}}"#,
+    ];
+    // ω = 2.05·Ω beside a drive of one harmonic, which deflects it less than twice as
+    // far as at rest; it swings freely 80 times as far, for ever.
+    let stiffness = 2.05f64.powi(2) * own;
+    let axis = format!("rocker.stiffness={stiffness}:{}:2", 1.001 * stiffness);
+    let document = load(TWO);
+    for method in ["run.method=exact", "run.method=dop853"] {
+        settings.push(method);
+        for cell in cells(&document, question(&settings, &axis, None)) {
+            assert_eq!(cell.verdict, Verdict::InWorkingOrder, "{cell:?}");
+            assert!(cell.value.unwrap() > 50.0, "{cell:?}");
+        }
+        settings.pop();
+    }
+    // What the drive builds up is resonance from any start.
+    let axis = format!("rocker.stiffness={own}:{}:2", 1.0001 * own);
+    for start in [
+        r#"run.start={"rocker":{"displacement":[60],"speed":[0]}}"#,
+        r#"run.start={"rocker":{"displacement":[0],"speed":[0]}}"#,
+        "run.start=on_law",
+    ] {
+        settings[4] = start;
+        for cell in cells(&document, question(&settings, &axis, None)) {
+            assert_eq!(cell.verdict, Verdict::Resonance, "{start}: {cell:?}");
+            assert!(cell.cause.contains("harmonic 1 of the drive"), "{cell:?}");
+        }
+    }
+}
+
+#[test]
+fn rigid_cells_are_part_of_a_map_over_the_number_of_masses() {
+    let document = load(TWO);
+    let study = Study::new(
+        &document,
+        &BuiltIn,
+        question(&[], "rocker.masses=0:3:4", None),
+    );
+    assert_eq!(study.unwrap().figure, "rocker.delta_max");
+    let found = cells(&document, question(&[], "rocker.masses=0:3:4", None));
+    // Rigid, the rocker is on its law; and its pair would have to pull.
+    assert_eq!(found[0].value, Some(0.0));
+    assert_eq!(found[0].verdict, Verdict::LiftOff, "{:?}", found[0]);
+    assert!(found[0].cause.contains("rigid rocker would lift off"));
+    approx::assert_relative_eq!(found[2].value.unwrap(), 0.00750086, max_relative = 1e-6);
+    assert!(found[1..].iter().all(|cell| cell.value > Some(0.007)));
+    // Nothing elastic anywhere: the figures that all cells have are named.
+    let rigid = question(&["rocker.masses=0"], "rocker.inertia=0.1:1:4", None);
+    let Err(StudyFault::Question(what)) = Study::new(&document, &BuiltIn, rigid) else {
+        panic!("a figure was found");
+    };
+    assert!(what.contains("rocker.peak_reaction"), "{what}");
+    let named = Question {
+        figure: Some("rocker.peak_reaction".to_owned()),
+        ..question(&["rocker.masses=0"], "rocker.inertia=0.1:1:4", None)
+    };
+    assert!(
+        cells(&document, named)
+            .iter()
+            .all(|cell| cell.value > Some(0.0))
+    );
+}
+
+#[test]
 fn what_is_no_answer_about_the_mechanism_is_not_mixed_with_one() {
     // Too few switches allowed: by exact propagation and by a general method.
     for method in ["run.method=auto", "run.method=dop853"] {

@@ -46,10 +46,11 @@ fn path(name: &str) -> PathBuf {
     root.join("scenarios").join(name)
 }
 
-/// A plan without repetitions.
+/// A plan without repetitions; errors are taken against its methods only.
 fn plan(accuracy: f64, methods: &[Method], tolerances: &[f64], steps: &[f64]) -> Plan {
     Plan {
         methods: methods.to_vec(),
+        exact_beside: false,
         tolerances: tolerances.to_vec(),
         steps: (!steps.is_empty()).then(|| steps.to_vec()),
         repeats: 1,
@@ -362,6 +363,34 @@ fn with_one_method_alone_nothing_can_be_known() {
     assert!(study.reference.is_none());
     assert_eq!(study.mutual_distances.len(), 1);
     assert!(study.mutual_distances[0].distance > 1e-3);
+}
+
+#[test]
+fn one_method_alone_is_judged_by_exact_where_that_applies() {
+    let beside = Plan {
+        exact_beside: true,
+        ..plan(1e-6, &[Method::Dopri5], &[1e-6, 1e-9], &[])
+    };
+    let both = plan(1e-6, &[Method::Exact, Method::Dopri5], &[1e-6, 1e-9], &[]);
+    let study = studied(WHEEL, &[], &beside);
+    let reference = study.reference.as_ref().unwrap();
+    assert!(reference.exact && reference.method == Method::Exact);
+    // It is not shown, and the errors are those of a study that shows it.
+    assert_eq!(study.methods.len(), 1);
+    let points = &line(&study, Method::Dopri5).points;
+    let shown = studied(WHEEL, &[], &both);
+    for (point, other) in points.iter().zip(&line(&shown, Method::Dopri5).points) {
+        assert!(point.error.is_some_and(|error| error > 0.0));
+        assert_eq!(point.error, other.error);
+        assert_eq!(point.figures, other.figures);
+        assert!(!point.figures.is_empty() && !point.is_reference);
+    }
+    assert_eq!(study.recommendation.method.as_deref(), Some("dopri5"));
+    // Where a motor drives it does not apply, and nothing is known as before.
+    let text = scenario("press/run_up.json");
+    let study = studied(&text, &["run.duration=0.05"], &beside);
+    assert!(study.reference.is_none());
+    assert_eq!(study.recommendation.method, None);
 }
 
 #[test]

@@ -199,7 +199,8 @@ impl Dynamics for Driven<'_> {
     ) -> Result<(), PhysicalStop> {
         let mut own = *watch;
         for guard in &mut own.guards {
-            guard.signal -= usize::from(self.idle);
+            // One made up for a probe looks at no signal.
+            guard.signal = guard.signal.saturating_sub(usize::from(self.idle));
         }
         self.system.switch(time, self.own_mut(y), &own, modes)
     }

@@ -5,7 +5,7 @@ use super::exact::{Mixed, mixed, tried};
 use super::settings::RunSettings;
 use crate::exact::{Parts, Rest};
 use crate::fault::Fault;
-use crate::integrate::{Dynamics, Method, Situation, Vibration, choose};
+use crate::integrate::{Chosen, Dynamics, Method, Situation, Vibration, choose};
 use crate::model::{Model, NodeMotion, Start};
 use crate::system::System;
 
@@ -22,6 +22,8 @@ const NEAR: f64 = 3.0;
 pub(super) struct Choice {
     /// The method.
     pub(super) method: Method,
+    /// The tolerance it is given.
+    pub(super) tolerance: f64,
     /// Its name in the figures.
     pub(super) name: String,
     /// Why this one.
@@ -34,22 +36,37 @@ pub(super) struct Choice {
 
 impl Choice {
     /// One method for everything.
-    fn general(method: Method, why: String) -> Self {
+    fn general(chosen: Chosen) -> Self {
         Self {
-            method,
-            name: method.name().to_owned(),
-            why,
+            method: chosen.method,
+            tolerance: chosen.tolerance,
+            name: chosen.method.name().to_owned(),
+            why: chosen.why,
             parts: None,
             rest: None,
         }
     }
 
+    /// One method with the tolerance of the scene.
+    fn plain(method: Method, settings: &RunSettings, why: &str) -> Self {
+        Self::general(plain(method, settings, why))
+    }
+
     /// Exact propagation of everything.
-    fn exact(parts: Parts, why: String) -> Self {
+    fn exact(parts: Parts, settings: &RunSettings, why: &str) -> Self {
         Self {
             parts: Some(parts),
-            ..Self::general(Method::Exact, why)
+            ..Self::plain(Method::Exact, settings, why)
         }
+    }
+}
+
+/// A method with the tolerance of the scene.
+fn plain(method: Method, settings: &RunSettings, why: &str) -> Chosen {
+    Chosen {
+        method,
+        tolerance: settings.tolerance,
+        why: why.to_owned(),
     }
 }
 
@@ -59,10 +76,10 @@ impl Choice {
 /// `exact` is asked for and cannot be used, with every reason.
 pub(super) fn choose_method(system: &System, settings: &RunSettings) -> Result<Choice, Vec<Fault>> {
     if system.coordinates() == 0 {
-        let why = "nothing is elastic: the motion follows from the drives".to_owned();
+        let why = "nothing is elastic: the motion follows from the drives";
         return Ok(Choice {
             name: "kinematic".to_owned(),
-            ..Choice::general(Method::Dop853, why)
+            ..Choice::plain(Method::Dop853, settings, why)
         });
     }
     match settings.method {
@@ -72,21 +89,18 @@ pub(super) fn choose_method(system: &System, settings: &RunSettings) -> Result<C
                 format!("`taylor` cannot be used: the joint friction of {ids} has no power series"),
                 "auto, dop853, dopri5, rodas5p or radau",
             )]),
-            None => Ok(Choice::general(Method::Taylor, "asked for".to_owned())),
+            None => Ok(Choice::plain(Method::Taylor, settings, "asked for")),
         },
-        Some(Method::Exact) => Ok(Choice::exact(tried(system)?, "asked for".to_owned())),
-        Some(method) => Ok(Choice::general(method, "asked for".to_owned())),
+        Some(Method::Exact) => Ok(Choice::exact(tried(system)?, settings, "asked for")),
+        Some(method) => Ok(Choice::plain(method, settings, "asked for")),
         None => Ok(match tried(system) {
             Ok(parts) => {
                 let why = why_exact(&parts);
-                Choice::exact(parts, why)
+                Choice::exact(parts, settings, &why)
             }
             Err(_) => match mixed(system) {
                 Some(mixed) => choose_beside(system, settings, mixed),
-                None => {
-                    let (method, why) = choose(&situation(system, settings));
-                    Choice::general(method, why)
-                }
+                None => Choice::general(choose(&situation(system, settings))),
             },
         }),
     }
@@ -105,11 +119,11 @@ fn rubbing(system: &System) -> Option<String> {
 fn choose_beside(system: &System, settings: &RunSettings, mixed: Mixed) -> Choice {
     let Mixed { parts, rest } = mixed;
     let own = &rest.system;
-    let (method, why) = match own.coordinates() {
-        0 => (
-            Method::Dop853,
-            "its motion follows from the drives".to_owned(),
-        ),
+    let chosen = match own.coordinates() {
+        0 => {
+            let why = "its motion follows from the drives";
+            plain(Method::Dop853, settings, why)
+        }
         _ => choose(&situation(own, settings)),
     };
     let ids = |objects: &mut dyn Iterator<Item = &String>| {
@@ -130,24 +144,27 @@ fn choose_beside(system: &System, settings: &RunSettings, mixed: Mixed) -> Choic
         .map(|refusal| format!("{}: {}", refusal.object, refusal.reason))
         .collect();
     let why = format!(
-        "exact propagation of {}, known in closed form between switches; {method} for {} ({}): \
-         {why}",
+        "exact propagation of {}, known in closed form between switches; {} for {} ({}): \
+         {}",
         ids(&mut held.into_iter()),
+        chosen.method,
         ids(&mut others.map(|(_, part)| &part.id)),
         because.join("; "),
+        chosen.why,
     );
     Choice {
-        name: format!("{} + {method}", Method::Exact),
+        name: format!("{} + {}", Method::Exact, chosen.method),
         parts: Some(parts),
         rest: Some(rest),
-        ..Choice::general(method, why)
+        ..Choice::general(Chosen { why, ..chosen })
     }
 }
 
 /// A general method, where exact propagation would have been the choice.
 pub(super) fn choose_general(system: &System, settings: &RunSettings, because: &str) -> Choice {
-    let (method, why) = choose(&situation(system, settings));
-    Choice::general(method, format!("{because}; {why}"))
+    let chosen = choose(&situation(system, settings));
+    let why = format!("{because}; {}", chosen.why);
+    Choice::general(Chosen { why, ..chosen })
 }
 
 /// Why a system is propagated exactly.
@@ -174,14 +191,15 @@ fn situation(system: &System, settings: &RunSettings) -> Situation {
     let modes = eigenvalues.unwrap_or_default();
     let duration = settings.duration;
     let vibrations = shown_frequencies(system).map(|frequency| nearest(frequency, &modes));
+    let turning = driving_speeds(system, duration).fold(0.0, f64::max);
     Situation {
         fastest,
         vibrations: vibrations.collect(),
-        turning: driving_speeds(system, duration).fold(0.0, f64::max),
+        turning,
         bends: system.bends(),
+        way: system.way_of_laws(turning * duration),
         breaks: system.breaks_passed(duration),
         expands: system.expands(),
-        kinks: rubbing(system).is_some(),
         tolerance: settings.tolerance,
         coordinates: system.coordinates(),
         duration,

@@ -24,6 +24,8 @@ pub struct RunResult {
     pub outcome: Outcome,
     /// The method used.
     pub method: Method,
+    /// The tolerance it was given: with `auto` finer than the one asked for.
+    pub tolerance: f64,
     /// The energy balance.
     pub audit: EnergyAudit,
     /// What the user should know; also, as text, in the figures.
@@ -124,7 +126,7 @@ fn attempt(
     }
     let plan = Settings {
         method: choice.method,
-        tolerance: settings.tolerance,
+        tolerance: choice.tolerance,
         step: settings.step,
     };
     let limits = control.limits(settings);
@@ -157,6 +159,7 @@ fn attempt(
         figures,
         outcome,
         method: choice.method,
+        tolerance: choice.tolerance,
         audit: recorded.audit,
         warnings,
     })

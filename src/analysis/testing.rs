@@ -26,6 +26,7 @@ pub(crate) fn result_with(set: impl FnOnce(&mut ObjectFigures)) -> RunResult {
             statistics: Statistics::default(),
         },
         method: Method::Dop853,
+        tolerance: 1e-8,
         audit: EnergyAudit::default(),
         warnings: Vec::new(),
     }

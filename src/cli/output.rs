@@ -3,7 +3,8 @@
 //! Files are written beside their place and moved into it, so that a reader
 //! never meets half a file. `provenance.json` lists what dam wrote with its
 //! hash: such files of the same scene are replaced freely, anything else only
-//! with `--force`.
+//! with `--force`. While files are being replaced it lists the old hashes too, so
+//! that a program that is killed in between finds its own files again.
 
 use super::args::OutArgs;
 use super::console;
@@ -31,6 +32,26 @@ struct Provenance {
     hash: String,
     command: String,
     files: BTreeMap<String, String>,
+    /// What dam wrote there before, until all files are replaced.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    before: BTreeMap<String, Vec<String>>,
+}
+
+impl Provenance {
+    /// True when dam wrote this content under this name.
+    fn holds(&self, name: &str, digest: &String) -> bool {
+        let before = self.before.get(name);
+        self.files.get(name) == Some(digest) || before.is_some_and(|all| all.contains(digest))
+    }
+
+    /// Everything that dam is known to have written.
+    fn all(self) -> BTreeMap<String, Vec<String>> {
+        let mut all = self.before;
+        for (name, digest) in self.files {
+            all.entry(name).or_default().push(digest);
+        }
+        all
+    }
 }
 
 /// One result file.
@@ -102,27 +123,34 @@ impl OutputFolder {
         })
     }
 
-    /// Writes all files, then the provenance.
+    /// Writes all files, the provenance before and after them.
     pub(crate) fn write(
         &self,
         command: &str,
         hash: &str,
         files: &[ResultFile],
     ) -> Result<(), String> {
+        let own = |known: &Provenance| known.scene == self.scene;
+        let known = read_provenance(&self.folder).filter(own);
+        let digests = files.iter().map(|f| (f.name.clone(), digest(&f.content)));
         let mut provenance = Provenance {
             dam: env!("CARGO_PKG_VERSION").to_owned(),
             scene: self.scene.clone(),
             hash: hash.to_owned(),
             command: command.to_owned(),
-            files: BTreeMap::new(),
+            files: digests.collect(),
+            before: known.map(Provenance::all).unwrap_or_default(),
         };
+        self.sign(&provenance)?;
         for file in files {
             self.replace(&file.name, &file.content)?;
-            provenance
-                .files
-                .insert(file.name.clone(), digest(&file.content));
         }
-        let mut text = serde_json::to_string_pretty(&provenance).map_err(|e| e.to_string())?;
+        provenance.before.clear();
+        self.sign(&provenance)
+    }
+
+    fn sign(&self, provenance: &Provenance) -> Result<(), String> {
+        let mut text = serde_json::to_string_pretty(provenance).map_err(|e| e.to_string())?;
         text.push('\n');
         self.replace(PROVENANCE, text.as_bytes())
     }
@@ -170,10 +198,7 @@ fn may_replace(folder: &Path, name: &str, known: Option<&Provenance>, scene: &st
     if name == PROVENANCE {
         return true;
     }
-    let Some(expected) = known.files.get(name) else {
-        return false;
-    };
-    fs::read(&path).is_ok_and(|content| &digest(&content) == expected)
+    fs::read(&path).is_ok_and(|content| known.holds(name, &digest(&content)))
 }
 
 fn digest(content: &[u8]) -> String {
@@ -228,6 +253,34 @@ mod tests {
         );
         let left: Vec<_> = fs::read_dir(&place).unwrap().collect();
         assert_eq!(left.len(), 2, "no part files stay behind");
+    }
+
+    #[test]
+    fn files_of_a_run_that_ended_while_it_wrote_are_its_own() {
+        let folder = tempfile::tempdir().unwrap();
+        let names = ["summary.json", "report.html"];
+        let prepare = || OutputFolder::prepare(folder.path(), "one", &names, false);
+        let write = |names: [&str; 2], content: &str| {
+            let files = names.map(|name| ResultFile::new(name, content));
+            prepare()?.write("run", "0", &files)
+        };
+        // The second file cannot be written: the first time nothing lay there,
+        // then the first file is new and the second old, then both are older.
+        let broken = ["summary.json", "nowhere/report.html"];
+        write(broken, "first").unwrap_err();
+        write(names, "second").unwrap();
+        write(broken, "third").unwrap_err();
+        write(broken, "fourth").unwrap_err();
+        write(names, "fifth").unwrap();
+        for name in names {
+            let found = fs::read_to_string(folder.path().join(name)).unwrap();
+            assert_eq!(found, "fifth");
+        }
+        // Nothing is remembered longer than it may matter.
+        let path = folder.path().join("provenance.json");
+        assert!(!fs::read_to_string(path).unwrap().contains("before"));
+        fs::write(folder.path().join("report.html"), "second").unwrap();
+        assert!(prepare().is_err());
     }
 
     #[test]

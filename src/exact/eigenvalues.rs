@@ -2,18 +2,18 @@
 //! derivative of det Q, from the undamped frequencies, checked against the trace.
 
 use super::pencil::{C, Node, Pencil};
-use nalgebra::SymmetricEigen;
+use nalgebra::{DMatrix, SymmetricEigen};
 
 /// Why eigenvalues were refused.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct NotFound;
 
 impl Pencil {
-    /// (det Q)'/det Q.
-    fn log_derivative(&self, lambda: C) -> C {
-        let y = self.impedances(lambda);
+    /// (det Q)'/det Q; `room` is for the impedances.
+    fn log_derivative(&self, lambda: C, room: &mut Vec<[C; 2]>) -> C {
+        self.impedances(lambda, room);
         let mut sum = C::new(0.0, 0.0);
-        for (n, [own, slope]) in self.nodes.iter().zip(&y) {
+        for (n, [own, slope]) in self.nodes.iter().zip(&*room) {
             let k = lambda * n.damping + n.stiffness;
             sum += (slope + n.damping) / (k + own);
         }
@@ -25,6 +25,9 @@ impl Pencil {
         let n = self.nodes.len();
         let k = self.scaled(|node| node.stiffness, |node| node.ground_stiffness);
         let b = self.scaled(|node| node.damping, |node| node.ground_damping);
+        if n == 2 {
+            return two(&k, &b).into();
+        }
         let eigen = SymmetricEigen::new(k);
         let mut guess: Vec<(f64, f64)> = (0..n)
             .map(|j| {
@@ -69,6 +72,7 @@ impl Pencil {
     /// det Q: for modes that coincide, on which the iteration stalls.
     fn fallback(&self, zeros: usize) -> Result<Vec<C>, NotFound> {
         let mut all = self.schur_eigenvalues(zeros).ok_or(NotFound)?;
+        let mut room = Vec::new();
         for i in 0..all.len() {
             if all[i].im < 0.0 {
                 continue;
@@ -81,7 +85,7 @@ impl Pencil {
                     repulsion += (z - other).inv();
                     near = near.min((z - other).norm());
                 }
-                let step = (self.log_derivative(z) - repulsion).inv();
+                let step = (self.log_derivative(z, &mut room) - repulsion).inv();
                 if near < 1e-3 * z.norm() || step.norm().is_nan() || step.norm() > 0.01 * near {
                     break;
                 }
@@ -131,6 +135,7 @@ impl Pencil {
     /// stands for its conjugate too.
     fn aberth(&self, mut z: Vec<C>, zeros: usize, halves: bool) -> Result<Vec<C>, NotFound> {
         let mut done = vec![false; z.len()];
+        let mut room = Vec::new();
         for _ in 0..200 {
             for i in 0..z.len() {
                 if done[i] {
@@ -148,7 +153,7 @@ impl Pencil {
                         }
                     }
                 }
-                let step = (self.log_derivative(z[i]) - repulsion).inv();
+                let step = (self.log_derivative(z[i], &mut room) - repulsion).inv();
                 // An iterate exactly on a root makes det 0 and the step 0/0.
                 if !(step.re.is_finite() && step.im.is_finite()) {
                     done[i] = true;
@@ -200,6 +205,23 @@ impl Pencil {
         out.sort_by(|a, b| a.norm().total_cmp(&b.norm()).then(a.re.total_cmp(&b.re)));
         Ok(out)
     }
+}
+
+/// The guess of two masses, from the rotation that makes the symmetric `k` diagonal.
+fn two(k: &DMatrix<f64>, b: &DMatrix<f64>) -> [(f64, f64); 2] {
+    let (mean, half) = (0.5 * (k[(0, 0)] + k[(1, 1)]), 0.5 * (k[(0, 0)] - k[(1, 1)]));
+    let radius = half.hypot(k[(0, 1)]);
+    let (sin, cos) = (0.5 * k[(0, 1)].atan2(half)).sin_cos();
+    // The smaller one without cancellation.
+    let determinant = k[(0, 0)] * k[(1, 1)] - k[(0, 1)] * k[(0, 1)];
+    let pairs = [
+        (determinant / (mean + radius), [-sin, cos]),
+        (mean + radius, [cos, sin]),
+    ];
+    pairs.map(|(square, [x, y])| {
+        let damping = x * x * b[(0, 0)] + 2.0 * x * y * b[(0, 1)] + y * y * b[(1, 1)];
+        (square.max(0.0).sqrt(), damping / 2.0)
+    })
 }
 
 /// Roots of Jλ² + bλ + c, in the form without cancellation.

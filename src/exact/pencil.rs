@@ -74,18 +74,15 @@ impl Pencil {
     }
 
     /// Y of every mass with everything beyond it, and its derivative.
-    pub(super) fn impedances(&self, lambda: C) -> Vec<[C; 2]> {
-        let mut y: Vec<[C; 2]> = self
-            .nodes
-            .iter()
-            .map(|n| {
-                let own = lambda * lambda * n.inertia + lambda * n.ground_damping;
-                [
-                    own + n.ground_stiffness,
-                    lambda * (2.0 * n.inertia) + n.ground_damping,
-                ]
-            })
-            .collect();
+    pub(super) fn impedances(&self, lambda: C, y: &mut Vec<[C; 2]>) {
+        y.clear();
+        y.extend(self.nodes.iter().map(|n| {
+            let own = lambda * lambda * n.inertia + lambda * n.ground_damping;
+            [
+                own + n.ground_stiffness,
+                lambda * (2.0 * n.inertia) + n.ground_damping,
+            ]
+        }));
         for i in (1..y.len()).rev() {
             let n = &self.nodes[i];
             let Some(p) = n.parent else { continue };
@@ -98,7 +95,6 @@ impl Pencil {
             y[p][0] += k * a * square;
             y[p][1] += (a * a * n.damping + b * b * slope) * square;
         }
-        y
     }
 
     /// Eigenvector by twisted elimination: everything is eliminated onto the
@@ -110,7 +106,8 @@ impl Pencil {
         if n == 1 {
             return vec![C::new(1.0, 0.0)];
         }
-        let y = self.impedances(lambda);
+        let mut y = Vec::with_capacity(n);
+        self.impedances(lambda, &mut y);
         let k: Vec<C> = self
             .nodes
             .iter()

@@ -96,31 +96,39 @@ pub(crate) fn states(
 }
 
 /// Order and sign of the first derivative of a flank's clearance that does not vanish.
-fn leading(problem: &TreeProblem, i: usize, f: usize, d: &[Vec<f64>]) -> Option<(usize, f64)> {
+fn leading(problem: &TreeProblem, i: usize, f: usize, d: &[f64]) -> Option<(usize, f64)> {
+    let n = problem.masses.len();
     let mass = &problem.masses[i];
     let Flank { sign, .. } = mass.pair.flanks().0[f];
-    (1..d.len()).find_map(|order| {
-        let own = d[order][i];
-        let base = mass.parent.map_or(0.0, |p| mass.lever * d[order][p]);
-        let x = sign * (own - base);
-        (x.abs() > 1e-14 * (own.abs() + base.abs()) && x.is_finite()).then_some((order, x))
-    })
+    d.chunks_exact(n)
+        .enumerate()
+        .skip(1)
+        .find_map(|(order, d)| {
+            let own = d[i];
+            let base = mass.parent.map_or(0.0, |p| mass.lever * d[p]);
+            let x = sign * (own - base);
+            (x.abs() > 1e-14 * (own.abs() + base.abs()) && x.is_finite()).then_some((order, x))
+        })
 }
 
-/// q and its derivatives at t = 0⁺.
-fn derivatives(problem: &TreeProblem, states: &[PairState], orders: usize) -> Vec<Vec<f64>> {
+/// q and its derivatives at t = 0⁺, n numbers an order.
+fn derivatives(problem: &TreeProblem, states: &[PairState], orders: usize) -> Vec<f64> {
     let n = problem.masses.len();
     let mut forcing = problem.law.forcing();
     problem
         .law
         .start::<Plain>(0.0, 0.0, &mut None, &mut forcing);
-    let frequencies = problem.law.frequencies();
-    let mut d = vec![problem.displacement.clone(), problem.speed.clone()];
+    let mut all = vec![0.0; (orders + 2) * n];
+    all[..n].copy_from_slice(&problem.displacement);
+    all[n..2 * n].copy_from_slice(&problem.speed);
     for order in 0..orders {
+        let (known, force) = all.split_at_mut((order + 2) * n);
+        let force = &mut force[..n];
+        let d = |order: usize, i: usize| known[order * n + i];
         let law = |k: usize| -> f64 {
             // The k-th derivative of the law at t = 0.
             let mut sum = 0.0;
-            for (z, omega) in forcing.harmonics.iter().zip(&frequencies) {
+            for (z, omega) in forcing.harmonics.iter().zip(problem.law.frequencies()) {
                 let mut w = *z;
                 for _ in 0..k {
                     w = C::new(-w.im * omega, w.re * omega);
@@ -133,14 +141,13 @@ fn derivatives(problem: &TreeProblem, states: &[PairState], orders: usize) -> Ve
             }
             sum + forcing.law.get(k).map_or(0.0, |c| c * scale)
         };
-        let mut force = vec![0.0; n];
         for (i, mass) in problem.masses.iter().enumerate() {
             force[i] += -mass.ratio
                 * (mass.inertia * law(order + 2)
                     + mass.ground_damping * law(order + 1)
                     + mass.ground_stiffness * law(order))
-                - mass.ground_damping * d[order + 1][i]
-                - mass.ground_stiffness * d[order][i];
+                - mass.ground_damping * d(order + 1, i)
+                - mass.ground_stiffness * d(order, i);
             if order == 0 {
                 force[i] -= mass.ground_stiffness * mass.offset;
             }
@@ -159,7 +166,7 @@ fn derivatives(problem: &TreeProblem, states: &[PairState], orders: usize) -> Ve
                 }
                 _ => continue,
             };
-            let x = |k: usize| d[k][i] - mass.parent.map_or(0.0, |p| mass.lever * d[k][p]);
+            let x = |k: usize| d(k, i) - mass.parent.map_or(0.0, |p| mass.lever * d(k, p));
             let spring = x(order) + if order == 0 { relaxed } else { 0.0 };
             let pull = mass.stiffness * spring + mass.damping * x(order + 1);
             force[i] -= pull;
@@ -167,13 +174,9 @@ fn derivatives(problem: &TreeProblem, states: &[PairState], orders: usize) -> Ve
                 force[p] += mass.lever * pull;
             }
         }
-        d.push(
-            force
-                .iter()
-                .zip(&problem.masses)
-                .map(|(f, m)| f / m.inertia)
-                .collect(),
-        );
+        for (force, mass) in force.iter_mut().zip(&problem.masses) {
+            *force /= mass.inertia;
+        }
     }
-    d
+    all
 }

@@ -17,14 +17,14 @@ pub struct Situation {
     pub turning: f64,
     /// True when a law that is no constant ratio, or a linkage, hangs on them.
     pub bends: bool,
+    /// Way of the fastest drive (rad) over which a power series knows those laws at
+    /// tolerances of 1e-7, on the average; infinite where none bends.
+    pub way: f64,
     /// Breaks of laws and loads that the motion passes: every method begins anew
     /// behind them.
     pub breaks: f64,
     /// True when the motion has a power series ([`Dynamics::expands`]).
     pub expands: bool,
-    /// True when the equations have kinks that no switch marks (blocks whose corners
-    /// change the side on which they press): long steps of high order miss them.
-    pub kinks: bool,
     /// Error wanted, relative to the scales of the state.
     pub tolerance: f64,
     /// Number of coordinates.
@@ -81,8 +81,12 @@ struct Behaviour {
     order: f64,
     /// Greatest rate × step that remains stable.
     stable: f64,
-    /// Way of a drive (rad) at tolerance 1e-8 over which the method knows a law.
-    way: f64,
+    /// True when laws are known over a certain way only ([`Situation::way`]).
+    follows_laws: bool,
+    /// The tolerance bounds the error of a step. What the steps of a run add up to, in
+    /// deviations that may stay far below the scale they are measured by, was at most so many
+    /// times that on the scenarios: `auto` aims so much finer.
+    margin: f64,
     /// Steps lost in beginning anew.
     restart: f64,
     /// Cost of a step in evaluations, and what is added for every coordinate up
@@ -102,9 +106,12 @@ const FULL: f64 = 6.0;
 /// expected to need less than this share of its work: it gains least there.
 const SOFT: f64 = 0.9;
 
-/// The way over which a law is known grows with the tolerance to this power,
-/// up to a tolerance of 1e-4 (see `system::taylor::law`).
-const OF_WAY: f64 = 1.0 / 8.0;
+/// The way over which a law is known grows with the tolerance to the first of these
+/// powers, up to a tolerance of 1e-4; below 1e-7 to the second (see `system::taylor::law`).
+const OF_WAY: [f64; 2] = [1.0 / 8.0, 0.5 / 8.0];
+
+/// Nothing is aimed at that is finer, unless it is asked for: rounding adds up as well.
+const FINEST: f64 = 1e-13;
 
 const BEHAVIOURS: [Behaviour; 5] = [
     Behaviour {
@@ -112,19 +119,21 @@ const BEHAVIOURS: [Behaviour; 5] = [
         step: 1.1,
         order: 46.0,
         stable: 5.0,
-        way: 0.2,
+        follows_laws: true,
+        margin: 10.0,
         restart: 1.0,
-        cost: [3.0, 0.0],
-        digit: 0.8,
+        cost: [4.0, 0.0],
+        digit: 0.9,
     },
     Behaviour {
         method: Method::Dop853,
         step: 0.47,
         order: 8.0,
         stable: 6.1,
-        way: f64::INFINITY,
+        follows_laws: false,
+        margin: 4.0,
         restart: 1.0,
-        cost: [25.0, 0.0],
+        cost: [18.0, 0.0],
         digit: 0.0,
     },
     Behaviour {
@@ -132,7 +141,8 @@ const BEHAVIOURS: [Behaviour; 5] = [
         step: 0.064,
         order: 5.0,
         stable: 3.3,
-        way: f64::INFINITY,
+        follows_laws: false,
+        margin: 4.0,
         restart: 1.0,
         cost: [6.0, 0.0],
         digit: 0.0,
@@ -142,7 +152,8 @@ const BEHAVIOURS: [Behaviour; 5] = [
         step: 0.083,
         order: 5.0,
         stable: f64::INFINITY,
-        way: f64::INFINITY,
+        follows_laws: false,
+        margin: 10.0,
         restart: 1.0,
         cost: [8.0, 1.5],
         digit: 0.0,
@@ -152,7 +163,8 @@ const BEHAVIOURS: [Behaviour; 5] = [
         step: 1.0,
         order: 9.0,
         stable: f64::INFINITY,
-        way: f64::INFINITY,
+        follows_laws: false,
+        margin: 20.0,
         restart: 3.0,
         // Fewer iterations and refusals, the finer the tolerance.
         cost: [36.0, -1.2],
@@ -161,17 +173,24 @@ const BEHAVIOURS: [Behaviour; 5] = [
 ];
 
 impl Behaviour {
+    /// The tolerance that keeps the one asked for over a whole run.
+    fn aim(&self, situation: &Situation) -> f64 {
+        let asked = situation.tolerance;
+        (asked / self.margin).max(FINEST).min(asked)
+    }
+
     /// Steps (s) that accuracy and stability allow.
     fn steps(&self, situation: &Situation) -> [f64; 2] {
-        let share = |tolerance: f64, power: f64| (tolerance / 1e-8).powf(power);
-        let tolerance = match self.method {
-            Method::Radau => super::radau::kept(situation.tolerance),
-            _ => situation.tolerance,
+        let aim = self.aim(situation);
+        let kept = match self.method {
+            Method::Radau => super::radau::kept(aim),
+            _ => aim,
         };
-        let mut accurate = self.step * share(tolerance, 1.0 / self.order) / situation.shown();
-        if situation.bends {
-            let way = self.way * share(0.1 * tolerance.clamp(1e-7, 1e-4), OF_WAY);
-            accurate = accurate.min(way / situation.turning);
+        let mut accurate = self.step * (kept / 1e-8).powf(1.0 / self.order) / situation.shown();
+        if situation.bends && self.follows_laws {
+            let coarse = (aim.clamp(1e-7, 1e-4) / 1e-7).powf(OF_WAY[0]);
+            let fine = (aim.min(1e-7) / 1e-7).powf(OF_WAY[1]);
+            accurate = accurate.min(coarse * fine * situation.way / situation.turning);
         }
         [accurate, self.stable / situation.fastest]
     }
@@ -180,18 +199,31 @@ impl Behaviour {
     fn work(&self, situation: &Situation) -> f64 {
         let [accurate, stable] = self.steps(situation);
         let columns = (situation.coordinates as f64).min(FULL);
-        let digits = (-situation.tolerance.log10()).clamp(1.0, MOST_DIGITS);
+        let digits = (-self.aim(situation).log10()).clamp(1.0, MOST_DIGITS);
         let cost = self.cost[0] + self.cost[1] * columns + self.digit * digits;
         let steps = situation.duration / accurate.min(stable).min(situation.duration);
         cost * (steps + self.restart * (1.0 + situation.breaks))
     }
 }
 
-/// The method that is expected to need the least work, and why, in a sentence.
+/// A choice.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Chosen {
+    /// The method.
+    pub method: Method,
+    /// The tolerance to give it: finer than the one asked for, which bounds the
+    /// error of the whole run.
+    pub tolerance: f64,
+    /// Why, in a sentence.
+    pub why: String,
+}
+
+/// The method that is expected to need the least work to keep the tolerance over the
+/// whole run.
 ///
 /// One of the library's own or of `ode_solvers`; explicit unless the implicit
 /// one is expected to need less.
-pub fn choose(situation: &Situation) -> (Method, String) {
+pub fn choose(situation: &Situation) -> Chosen {
     // A system without springs has no rate of its own.
     let situation = &Situation {
         fastest: situation.fastest.max(situation.shown()),
@@ -199,21 +231,29 @@ pub fn choose(situation: &Situation) -> (Method, String) {
     };
     let implicit = |behaviour: &Behaviour| behaviour.stable.is_infinite();
     let least = |wanted: bool| {
-        let fit = BEHAVIOURS.iter().filter(|b| {
-            implicit(b) == wanted
-                && (situation.expands || b.method != Method::Taylor)
-                && !(situation.kinks && b.method == Method::Radau)
-        });
+        let fit = BEHAVIOURS
+            .iter()
+            .filter(|b| implicit(b) == wanted && (situation.expands || b.method != Method::Taylor));
         fit.min_by(|a, b| a.work(situation).total_cmp(&b.work(situation)))
             .expect("the list has methods of both kinds")
     };
     let (explicit, implicit) = (least(false), least(true));
     let [accurate, stable] = explicit.steps(situation);
     let bar = if stable < accurate { 1.0 } else { SOFT };
-    if implicit.work(situation) < bar * explicit.work(situation) {
-        return (implicit.method, why_implicit(situation, explicit, implicit));
+    let (chosen, why) = match implicit.work(situation) < bar * explicit.work(situation) {
+        true => (implicit, why_implicit(situation, explicit, implicit)),
+        false => (explicit, why_explicit(situation, explicit)),
+    };
+    let tolerance = chosen.aim(situation);
+    let why = match tolerance < situation.tolerance {
+        true => format!("{why}; with a tolerance of {tolerance:.1e}, as errors add up over a run"),
+        false => why,
+    };
+    Chosen {
+        method: chosen.method,
+        tolerance,
+        why,
     }
-    (explicit.method, why_explicit(situation, explicit))
 }
 
 fn why_implicit(situation: &Situation, explicit: &Behaviour, implicit: &Behaviour) -> String {

@@ -27,7 +27,7 @@ mod taylor;
 #[cfg(test)]
 mod tests;
 
-pub use auto::{Situation, Vibration, choose, fastest_rate};
+pub use auto::{Chosen, Situation, Vibration, choose, fastest_rate};
 pub use dynamics::{Dynamics, Edge, Guard, Modes, PhysicalStop, Probe, Watch};
 pub use taylor::degree as series_degree;
 

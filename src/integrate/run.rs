@@ -214,6 +214,10 @@ impl<'a, D: Dynamics> Run<'a, D> {
             }
         };
         let found = self.probe_before(found);
+        let found = match given {
+            Given::Nothing => self.look_again(found),
+            _ => found,
+        };
         // Trial points beyond a switch may leave the domain; that is no failure.
         self.evaluator.take_not_finite();
         if let (Some(found), None, Given::Polynomial(..)) = (found, edge, given)
@@ -264,6 +268,18 @@ impl<'a, D: Dynamics> Run<'a, D> {
         // good as the method's own result, and look again.
         self.output.raise(self.evaluator, &self.from, &self.to);
         self.earliest()
+    }
+
+    /// What a probe has found on an output that only a method of low order has, once
+    /// more on a better one: the run restarts from there.
+    fn look_again(&mut self, found: Option<Located>) -> Option<Located> {
+        let probed = found.is_some_and(|found| found.watch >= self.watches.len());
+        if !probed || self.settings.method == Method::Dop853 {
+            return found;
+        }
+        self.output.raise(self.evaluator, &self.from, &self.to);
+        let found = self.earliest();
+        self.probe_before(found)
     }
 
     /// The earliest switch on the output of an implicit method.

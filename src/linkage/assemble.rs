@@ -10,7 +10,13 @@ use super::solve::{around, drive};
 use super::spec::{AssemblyChoice, AssemblySpec, LinkageSpec};
 use super::state::State;
 use super::structure::Group;
-use crate::fault::Fault;
+use crate::fault::{Fault, Faults};
+
+/// An approximate position is clearly nearer to one assembly when it is at most this
+/// part as far from it as from the other.
+const CLEARLY: f64 = 0.5;
+/// A link this far from its approximate position (rad, or sizes) is elsewhere.
+const FAR: f64 = 0.5;
 
 /// Chooses the branches and leaves the position at the start in `state`.
 ///
@@ -23,6 +29,7 @@ pub(super) fn assemble(
     state: &mut State,
 ) -> Result<Vec<Branch>, Vec<Fault>> {
     drive::<1>(plan, state, spec.start);
+    placed_by_the_driver(spec, plan, state)?;
     let mut branches = Vec::new();
     for (index, step) in plan.steps.iter().enumerate() {
         let choices: Vec<&AssemblySpec> = spec
@@ -53,6 +60,29 @@ pub(super) fn assemble(
     Ok(branches)
 }
 
+/// Refuses what is said of a link that the driver alone places, where it is a branch
+/// or another position than that of the start.
+fn placed_by_the_driver(spec: &LinkageSpec, plan: &Plan, state: &State) -> Result<(), Vec<Fault>> {
+    let bodies = plan.steps.iter().flat_map(Step::bodies);
+    let mut faults = Faults::default();
+    for choice in &spec.assembly {
+        let branch = matches!(choice.choice, AssemblyChoice::Branch(_));
+        let far = mismatch(choice, state, plan.size) > FAR;
+        if (branch || far) && !bodies.clone().any(|body| body.has(choice.link)) {
+            let name = &spec.links[choice.link].name;
+            faults.add(
+                format!("assembly.{name}"),
+                format!(
+                    "`{name}` is placed by the driver, at the start {}: there is no other way",
+                    start_in_words(spec)
+                ),
+                "leave it out, or give another `start`",
+            );
+        }
+    }
+    faults.check()
+}
+
 /// The choice that concerns a group, or its first link.
 fn path(spec: &LinkageSpec, group: &Group, choices: &[&AssemblySpec]) -> String {
     let link = choices.first().map_or(group.links[0], |choice| choice.link);
@@ -78,7 +108,7 @@ fn dyad_at_start(
         return Err(not_assemblable(spec, dyad, state, &names, &margin));
     }
     state.margins[index] = margin;
-    let mut place = |sign: f64| -> f64 {
+    let mut place = |sign: f64| -> Vec<f64> {
         let of = dyad.directions(&around, sign, plan.size).of;
         for (body, frame) in dyad.bodies.iter().zip(dyad.place(&around, of)) {
             state.put::<1>(body, &frame);
@@ -86,12 +116,12 @@ fn dyad_at_start(
         choices
             .iter()
             .map(|choice| mismatch(choice, state, plan.size))
-            .sum()
+            .collect()
     };
-    let asked = asked_branch(choices);
+    let asked = asked_branch(choices)?;
     if matches!(dyad.form, Form::Prp | Form::Rpp) {
         place(side);
-        return match asked? {
+        return match asked {
             Some(_) => Err((
                 format!("{names} have one assembly only"),
                 "leave out the branch".to_owned(),
@@ -99,11 +129,13 @@ fn dyad_at_start(
             None => Ok(side),
         };
     }
-    let sign = match asked? {
+    let (plus, minus) = (place(1.0), place(-1.0));
+    agree(spec, choices, [&plus, &minus])?;
+    let sign = match asked {
         Some(sign) => sign,
         None if choices.is_empty() => 1.0,
         None => {
-            let (plus, minus) = (place(1.0), place(-1.0));
+            let [plus, minus]: [f64; 2] = [plus, minus].map(|parts| parts.iter().sum());
             if (plus - minus).abs() <= 1e-6 * (plus + minus) {
                 return Err((
                     format!("both assemblies of {names} are as near to the approximate position"),
@@ -115,6 +147,34 @@ fn dyad_at_start(
     };
     place(sign);
     Ok(sign)
+}
+
+/// Refuses choices of which one asks for a branch, or is clearly nearer to it, and
+/// another is clearly nearer to the other branch.
+fn agree(
+    spec: &LinkageSpec,
+    choices: &[&AssemblySpec],
+    [plus, minus]: [&[f64]; 2],
+) -> Result<(), Wrong> {
+    let wanted = |index: usize| match choices[index].choice {
+        AssemblyChoice::Branch(sign) => Some(sign),
+        _ if plus[index] < CLEARLY * minus[index] => Some(1.0),
+        _ if minus[index] < CLEARLY * plus[index] => Some(-1.0),
+        _ => None,
+    };
+    let first = |sign: f64| (0..choices.len()).find(|&index| wanted(index) == Some(sign));
+    let (Some(one), Some(other)) = (first(1.0), first(-1.0)) else {
+        return Ok(());
+    };
+    let name = |index: usize| &spec.links[choices[index].link].name;
+    Err((
+        format!(
+            "what is said of `{}` asks for the branch +, what is said of `{}` for the branch -",
+            name(one),
+            name(other)
+        ),
+        "give the approximate position or the branch of one of these links only".to_owned(),
+    ))
 }
 
 /// The branch that was asked for, if any.
@@ -168,7 +228,7 @@ fn not_assemblable(
     let around = around::<1>(dyad, state);
     let [one, other] = [0, 1].map(|k| dyad.arm(&around, k).length().value());
     let apart = dyad.apart(&around).square().value().sqrt();
-    let start = short(spec.start);
+    let start = start_in_words(spec);
     if matches!(dyad.form, Form::Prp | Form::Rpp) {
         return (
             format!("the guides of {names} are parallel at the start {start}, they hold nothing"),
@@ -205,6 +265,14 @@ fn not_assemblable(
     };
     let hint = "change these lengths, or give the approximate positions for another input";
     (message, hint.to_owned())
+}
+
+/// The input at the start with its unit.
+pub(super) fn start_in_words(spec: &LinkageSpec) -> String {
+    match spec.pairs[spec.driver].slides() {
+        true => format!("{} m", short(spec.start)),
+        false => format!("{} deg", short(spec.start.to_degrees())),
+    }
 }
 
 /// A number with six digits, without zeros at the end; with an exponent where it

@@ -267,10 +267,14 @@ fn dyad(
     };
     let inner = pairs.iter().copied().find(|&p| is_inner(p));
     let (Some(inner), [Some(one), Some(other)]) = (inner, group.map(outer)) else {
+        let names = group.map(|body| format!("`{}`", spec.links[bodies.list[body].base].name));
         faults.add(
             "pairs",
-            "two links are joined in a way that holds nothing",
-            "",
+            format!(
+                "{} are joined in a way that holds nothing",
+                names.join(" and ")
+            ),
+            "join each to the rest by one pair, and both to each other by one",
         );
         return (None, GroupKind::Rrr);
     };

@@ -7,6 +7,10 @@
 //! free. When everything fits, a body depends on the bodies at the other ends of
 //! the pairs whose equations it was given; bodies that depend on each other form
 //! one Assur group, whichever way the equations were handed out.
+//!
+//! A part that can be moved as a whole has at most three equations among its own
+//! bodies for each of them but one. That is asked for every body in turn, as if it
+//! were the one, with the pairs to what is placed left out.
 
 /// A pair between two bodies; `None`: what is placed already.
 pub(super) type Edge = [Option<usize>; 2];
@@ -22,7 +26,7 @@ pub(super) enum Decomposition {
     /// It does not fit.
     Unfit {
         /// Bodies that are held more than once (with the pairs that hold them).
-        held: Vec<(Vec<usize>, Vec<usize>)>,
+        held: Vec<Held>,
         /// Bodies that are free to move with the driver standing still.
         free: Vec<usize>,
     },
@@ -35,33 +39,21 @@ struct Handing<'a> {
     owner: Vec<[Option<usize>; 2]>,
     /// Number of equations of every body.
     count: Vec<usize>,
+    /// Number of equations that every body needs.
+    needed: Vec<usize>,
 }
+
+/// Bodies that are held more than once, and the pairs that hold them.
+pub(super) type Held = (Vec<usize>, Vec<usize>);
 
 /// Splits `bodies` joined by `edges` into groups.
 pub(super) fn decompose(bodies: usize, edges: &[Edge]) -> Decomposition {
-    let mut handing = Handing {
-        edges,
-        owner: vec![[None; 2]; edges.len()],
-        count: vec![0; bodies],
-    };
-    let mut held: Vec<(Vec<usize>, Vec<usize>)> = Vec::new();
-    for edge in 0..edges.len() {
-        for unit in 0..2 {
-            let mut seen = vec![false; bodies];
-            let ends = edges[edge].iter().flatten();
-            let taker = ends
-                .copied()
-                .find(|&body| handing.make_room(body, &mut seen));
-            match taker {
-                Some(body) => {
-                    handing.owner[edge][unit] = Some(body);
-                    handing.count[body] += 1;
-                }
-                None => held.push(handing.held_by(&seen, edge)),
-            }
-        }
-    }
+    let mut handing = Handing::new(edges, vec![NEEDED; bodies]);
+    let mut held = handing.hand_out();
     let free = handing.free();
+    if held.is_empty() && free.is_empty() {
+        held.extend(held_among_themselves(bodies, edges));
+    }
     if !held.is_empty() || !free.is_empty() {
         held.dedup();
         return Decomposition::Unfit { held, free };
@@ -69,14 +61,61 @@ pub(super) fn decompose(bodies: usize, edges: &[Edge]) -> Decomposition {
     Decomposition::Groups(groups(&handing.dependencies()))
 }
 
+/// A part with more equations among its own bodies than hold them together.
+fn held_among_themselves(bodies: usize, edges: &[Edge]) -> Option<Held> {
+    let inner = |edge: &Edge| match *edge {
+        [Some(_), Some(_)] => *edge,
+        _ => [None, None],
+    };
+    let edges: Vec<Edge> = edges.iter().map(inner).collect();
+    (0..bodies).find_map(|body| {
+        let mut needed = vec![NEEDED; bodies];
+        needed[body] = 0;
+        let held = Handing::new(&edges, needed).hand_out();
+        // Nobody takes the equations of the pairs that are left out.
+        held.into_iter().find(|(bodies, _)| !bodies.is_empty())
+    })
+}
+
+impl<'a> Handing<'a> {
+    fn new(edges: &'a [Edge], needed: Vec<usize>) -> Self {
+        Self {
+            edges,
+            owner: vec![[None; 2]; edges.len()],
+            count: vec![0; needed.len()],
+            needed,
+        }
+    }
+}
+
 impl Handing<'_> {
+    /// Hands out all equations; what holds a part more than once.
+    fn hand_out(&mut self) -> Vec<Held> {
+        let mut held = Vec::new();
+        for edge in 0..self.edges.len() {
+            for unit in 0..2 {
+                let mut seen = vec![false; self.count.len()];
+                let ends = self.edges[edge];
+                let mut ends = ends.iter().flatten().copied();
+                match ends.find(|&body| self.make_room(body, &mut seen)) {
+                    Some(body) => {
+                        self.owner[edge][unit] = Some(body);
+                        self.count[body] += 1;
+                    }
+                    None => held.push(self.held_by(&seen, edge)),
+                }
+            }
+        }
+        held
+    }
+
     /// Frees one place at `body` by moving an equation on; true when it has one.
     fn make_room(&mut self, body: usize, seen: &mut [bool]) -> bool {
         if seen[body] {
             return false;
         }
         seen[body] = true;
-        if self.count[body] < NEEDED {
+        if self.count[body] < self.needed[body] {
             return true;
         }
         for edge in 0..self.edges.len() {
@@ -104,7 +143,7 @@ impl Handing<'_> {
     }
 
     /// The bodies that could not make room, and the pairs that fill them.
-    fn held_by(&self, seen: &[bool], edge: usize) -> (Vec<usize>, Vec<usize>) {
+    fn held_by(&self, seen: &[bool], edge: usize) -> Held {
         let bodies: Vec<usize> = (0..seen.len()).filter(|&body| seen[body]).collect();
         let inside = |edge: &Edge| edge.iter().flatten().all(|&body| seen[body]);
         let mut pairs: Vec<usize> = (0..self.edges.len())
@@ -122,7 +161,8 @@ impl Handing<'_> {
 
     /// Bodies with too few equations, and those from which they could take one.
     fn free(&self) -> Vec<usize> {
-        let mut free: Vec<bool> = self.count.iter().map(|&count| count < NEEDED).collect();
+        let counts = self.count.iter().zip(&self.needed);
+        let mut free: Vec<bool> = counts.map(|(count, needed)| count < needed).collect();
         let mut grew = true;
         while grew {
             grew = false;
@@ -236,5 +276,23 @@ mod tests {
         };
         assert_eq!(held, [(vec![0], vec![0, 1])]);
         assert_eq!(free, [1, 2, 3]);
+    }
+
+    #[test]
+    fn a_part_that_is_held_more_than_once_by_itself_is_named() {
+        // Bodies 1 and 2 are pinned together twice; the count of all fits.
+        let edges = [
+            [PLACED, Some(0)],
+            [Some(0), Some(1)],
+            [Some(1), Some(2)],
+            [Some(2), Some(1)],
+            [Some(2), Some(3)],
+            [Some(3), PLACED],
+        ];
+        let wanted = Decomposition::Unfit {
+            held: vec![(vec![1, 2], vec![2, 3])],
+            free: Vec::new(),
+        };
+        assert_eq!(decompose(4, &edges), wanted);
     }
 }

@@ -6,6 +6,7 @@
 //! lies does not matter to the closure. Every form is solved on directions,
 //! without angles; the one square root of a form carries the branch.
 
+use super::closure::{TwoCircles, circle_and_line, guide_between_pins};
 use super::plan::{Body, Element, Frame, Part};
 use super::series::Series;
 use super::vector::{Arm, Local, Vector};
@@ -146,14 +147,15 @@ impl Dyad {
         let (arms, lengths, apart) = self.arms(around);
         let square = apart.square();
         let [a, b] = lengths;
-        // 4·area of the triangle, squared, as a product of differences.
         let unstretched = (a + b).square() - square;
         let unfolded = square - (a - b).square();
         let discriminant = unstretched * unfolded;
-        let area = Series::closing_root(unstretched, unfolded, sign);
+        let closure = TwoCircles {
+            factors: [unstretched, unfolded],
+            along: square + (a - b) * (a + b),
+        };
         let half = square.reciprocal().scale(0.5);
-        let along = (square + (a - b) * (a + b)) * half;
-        let to_pin = apart.times(along) + apart.left().times(area * half);
+        let to_pin = apart.turn(closure.pin(sign).times(half));
         let size = (a.value() + b.value()).powi(2) + square.value();
         let scale = 0.25 / (arms[0].unit(typical) * arms[1].unit(typical)).powi(2);
         let noise = size * (unstretched.value().abs() + unfolded.value().abs()) * scale;
@@ -235,8 +237,8 @@ impl Dyad {
         let (along, second) = self.guided(around, 1);
         let off = along.cross(self.apart(around)) + self.aside(around, 1);
         let discriminant = (length - off) * (length + off);
-        let ahead = Series::closing_root(length - off, length + off, sign);
-        let to_pin = along.times(ahead) + along.left().times(off);
+        let ahead = circle_and_line(length - off, length + off, sign);
+        let to_pin = along.turn(Vector::new(ahead, off));
         let scale = arm.unit(typical).powi(-2);
         let reach = length.value().abs() + off.value().abs();
         Directions {
@@ -254,12 +256,8 @@ impl Dyad {
         let off = self.arm(around, 0).across(guides[0]) - self.arm(around, 1).across(guides[1]);
         let apart = self.apart(around);
         let square = apart.square();
-        // Where the guide passes through both pins the distance itself is
-        // wanted: its square has lost half the digits of a small one.
-        let distance = square.sqrt();
-        let ahead = Series::closing_root(distance - off, distance + off, sign);
-        let turned = Vector::new(ahead, -off);
-        let along = apart.turn(turned).times(square.reciprocal());
+        let seen = guide_between_pins(square, off, sign);
+        let along = apart.turn(seen).times(square.reciprocal());
         let scale = (size * size).recip();
         Directions {
             of: [guides[0].frame(along), guides[1].frame(along)],

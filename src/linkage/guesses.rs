@@ -1,7 +1,7 @@
 //! The first position of a larger group, from approximate positions of some of
 //! its links or from a number of trials.
 
-use super::assemble::{Wrong, asked_branch, mismatch, names, short};
+use super::assemble::{Wrong, asked_branch, mismatch, names, short, start_in_words};
 use super::course::nearest_turn;
 use super::dense::{factorise, solve};
 use super::dyad::Margin;
@@ -73,7 +73,8 @@ pub(super) fn assemble(
             break;
         }
     }
-    let chosen = choose(&names, choices, &found, closest * plan.size, spec.start)?;
+    let start = start_in_words(spec);
+    let chosen = choose(&names, choices, &found, closest * plan.size, &start)?;
     for (unknown, value) in scratch.unknowns.iter_mut().zip(&chosen.unknowns) {
         unknown[0] = *value;
     }
@@ -86,14 +87,14 @@ fn choose<'a>(
     choices: &[&AssemblySpec],
     found: &'a [Assembly],
     closest: f64,
-    start: f64,
+    start: &str,
 ) -> Result<&'a Assembly, Wrong> {
     if found.is_empty() {
         return Err((
             format!(
                 "{names} cannot be joined at the start {}: the closest of {TRIALS} trials \
                  leaves a closing error of {} m",
-                short(start),
+                start,
                 short(closest)
             ),
             "check the lengths, or give approximate positions of these links".to_owned(),
@@ -177,7 +178,7 @@ fn guess(
     }
 }
 
-/// Newton's method with steps cut until the closing error falls.
+/// Newton's method after a first guess of the positions that suits the angles.
 fn settle(
     group: &NewtonGroup,
     state: &State,

@@ -20,6 +20,7 @@
 mod assemble;
 mod change;
 mod check;
+pub(crate) mod closure;
 mod compile;
 mod course;
 mod decompose;
@@ -217,7 +218,7 @@ fn explore(
             "links",
             format!(
                 "{names} are in a dead position at the start {}",
-                assemble::short(start)
+                assemble::start_in_words(spec)
             ),
             "give approximate positions for another input",
         )]);

@@ -53,6 +53,12 @@ impl<const N: usize> Series<N> {
         self.0[0]
     }
 
+    /// True when it is zero everywhere.
+    #[inline(always)]
+    pub(crate) fn is_zero(&self) -> bool {
+        self.0 == [0.0; N]
+    }
+
     /// The same times a constant.
     #[inline(always)]
     pub(crate) fn scale(self, factor: f64) -> Self {
@@ -102,13 +108,6 @@ impl<const N: usize> Series<N> {
             root[k] = rest * half;
         }
         Self(root)
-    }
-
-    /// The root of a discriminant given as a product of differences, on a
-    /// branch: the closure of a triangle or of a link between a pin and a line.
-    #[inline(always)]
-    pub(crate) fn closing_root(above: Self, below: Self, branch: f64) -> Self {
-        (above * below).sqrt().scale(branch)
     }
 
     /// 1 over the series.

@@ -119,6 +119,12 @@ impl<const N: usize> Vector<N> {
         Self::new(self.x, -self.y)
     }
 
+    /// Its direction, in (−π, π] as a value.
+    #[inline(always)]
+    pub(crate) fn angle(self) -> Series<N> {
+        Series::atan2(self.y, self.x)
+    }
+
     /// The values.
     #[inline(always)]
     pub(crate) fn value(&self) -> [f64; 2] {

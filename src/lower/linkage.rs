@@ -151,19 +151,24 @@ impl Lowering<'_> {
         let jet = position.jet(0, 0.0);
         let ends = [reach.0, reach.1].map(|q| (q - jet.value) / jet.first);
         let of_driver = (ends[0].min(ends[1]), ends[0].max(ends[1]));
-        self.limit(id, input, of_driver, ends_in_words(linkage));
+        self.limit(id, input, of_driver, &ends_in_words(linkage));
     }
 }
 
 /// What is at the ends of a linkage's reach.
-fn ends_in_words(linkage: &Linkage) -> &'static str {
+fn ends_in_words(linkage: &Linkage) -> String {
     let Reach::Interval { lower, upper } = linkage.range().reach else {
-        return DEAD;
+        return DEAD.to_owned();
     };
-    match [lower, upper].map(|end| matches!(end.cause, Cause::DeadPosition { .. })) {
-        [true, true] => DEAD,
-        [false, false] => "at the end of its travel",
-        _ => "in a dead position or at the end of its travel",
+    let [one, other] = [lower, upper].map(|end| match end.cause {
+        Cause::DeadPosition { .. } => DEAD,
+        Cause::Travel => "at the end of its travel",
+        Cause::Unexplored => "where it was not followed further",
+    });
+    if one == other {
+        one.to_owned()
+    } else {
+        format!("{one} or {other}")
     }
 }
 

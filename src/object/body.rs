@@ -328,9 +328,9 @@ fn split_json(split: &InertiaSplit) -> serde_json::Value {
     }
 }
 
-/// Refuses numbers that overflow once they are combined.
-fn sound(fields: &mut Fields<'_>, body: BodySpec) -> Option<BodySpec> {
-    let good = match &body {
+/// True when its numbers do not overflow once they are combined.
+pub(super) fn is_sound(body: &BodySpec) -> bool {
+    match body {
         BodySpec::Rigid { inertia } => inertia.is_finite(),
         BodySpec::Uniform {
             inertia,
@@ -353,8 +353,12 @@ fn sound(fields: &mut Fields<'_>, body: BodySpec) -> Option<BodySpec> {
             all.into_iter().flatten().all(|value| value.is_finite())
                 && inertias.iter().chain(stiffnesses).all(|value| *value > 0.0)
         }
-    };
-    if good {
+    }
+}
+
+/// Refuses numbers that overflow once they are combined.
+fn sound(fields: &mut Fields<'_>, body: BodySpec) -> Option<BodySpec> {
+    if is_sound(&body) {
         return Some(body);
     }
     let name = if fields.has("stiffness") {

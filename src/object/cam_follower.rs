@@ -89,6 +89,10 @@ impl Object for CamFollower {
         Description::Chain(&self.chain)
     }
 
+    fn chain_mut(&mut self) -> Option<&mut ChainSpec> {
+        Some(&mut self.chain)
+    }
+
     fn cam(&self) -> Option<&CamGeometry> {
         self.cam.as_ref()
     }

@@ -15,6 +15,7 @@ mod linkage;
 mod load;
 mod measures;
 mod motor;
+pub(crate) mod numbers;
 mod pair;
 mod plan;
 mod position;
@@ -51,6 +52,11 @@ pub trait Object: fmt::Debug + Send + Sync {
 
     /// The disc cam that realises its position function, if the scene tells of one.
     fn cam(&self) -> Option<&CamGeometry> {
+        None
+    }
+
+    /// Its chain, where [`numbers::set`] may set single numbers.
+    fn chain_mut(&mut self) -> Option<&mut ChainSpec> {
         None
     }
 }

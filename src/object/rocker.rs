@@ -63,6 +63,10 @@ impl Object for Rocker {
         Description::Chain(&self.chain)
     }
 
+    fn chain_mut(&mut self) -> Option<&mut ChainSpec> {
+        Some(&mut self.chain)
+    }
+
     fn cam(&self) -> Option<&CamGeometry> {
         self.cam.as_ref()
     }

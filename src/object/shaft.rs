@@ -55,4 +55,8 @@ impl Object for Shaft {
     fn description(&self) -> Description<'_> {
         Description::Chain(&self.chain)
     }
+
+    fn chain_mut(&mut self) -> Option<&mut ChainSpec> {
+        Some(&mut self.chain)
+    }
 }

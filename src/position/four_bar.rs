@@ -3,6 +3,7 @@
 use super::reach::{ForbiddenArcs, OutOfReach, half_width};
 use crate::fault::{Fault, Faults};
 use crate::jet::Jet;
+use crate::linkage::closure::TwoCircles;
 use crate::linkage::series::Series;
 use std::f64::consts::PI;
 
@@ -20,6 +21,10 @@ use std::f64::consts::PI;
 /// grows without bound there and ψ has no value beyond (derivatives, then
 /// values, that are not numbers). A linkage that can fold flat (a
 /// parallelogram) may leave that position in two ways; it is held to be dead.
+///
+/// It is the massless short form of a linkage ([`super::Position::as_linkage`])
+/// and closes as its dyad does, coupler and rocker between the crank's end and
+/// the rocker's pivot, with the same branches.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FourBar {
     /// Driving crank length a (m), > 0.
@@ -34,6 +39,10 @@ pub struct FourBar {
     pub branch: f64,
     /// Added to the driver's displacement (rad).
     pub phase: f64,
+    /// Least values of the factors of the discriminant, f being the distance of
+    /// the crank's end from the rocker's pivot: f² − (b − c)² at θ = 0,
+    /// (b + c)² − f² at θ = π (m²).
+    least: [f64; 2],
     arcs: ForbiddenArcs,
 }
 
@@ -63,18 +72,13 @@ impl FourBar {
         }
         faults.check()?;
         let [a, b, c, d] = lengths;
-        // f is the distance of the crank's end from the rocker's pivot.
-        // f² − (b − c)² is least at θ = 0, (b + c)² − f² at θ = π.
-        let folded = half_width(
-            difference_of_squares(b - c, a - d),
-            difference_of_squares(a + d, b - c),
-            total * total,
-        );
-        let stretched = half_width(
-            difference_of_squares(a + d, b + c),
-            difference_of_squares(b + c, a - d),
-            total * total,
-        );
+        let least = [
+            difference_of_squares(a - d, b - c),
+            difference_of_squares(b + c, a + d),
+        ];
+        let size = total * total;
+        let folded = half_width(-least[0], difference_of_squares(a + d, b - c), size);
+        let stretched = half_width(-least[1], difference_of_squares(b + c, a - d), size);
         Ok(Self {
             crank: a,
             coupler: b,
@@ -82,6 +86,7 @@ impl FourBar {
             frame: d,
             branch,
             phase,
+            least,
             arcs: ForbiddenArcs {
                 centre: 0.0,
                 half_widths: [folded, stretched],
@@ -104,30 +109,31 @@ impl FourBar {
         let sin = (half_sin * half_cos).scale(2.0);
         // Squares and differences of squares from sums of terms of one sign.
         let reach = sin_square.scale(4.0 * a * d);
-        let unfolded = reach.shift(difference_of_squares(a - d, b - c));
-        let unstretched = cos_square
-            .scale(4.0 * a * d)
-            .shift(difference_of_squares(b + c, a + d));
-        // β, at the rocker's pivot, between rocker and crank's end:
-        // tan β = 4·area/(c² + f² − b²).
-        let beta = Series::atan2(
-            Series::closing_root(unfolded, unstretched, 1.0),
-            reach.shift((a - d) * (a - d) + difference_of_squares(c, b)),
-        );
-        self.direction(theta, sin, sin_square, beta).jet()
+        let closure = TwoCircles {
+            factors: [
+                cos_square.scale(4.0 * a * d).shift(self.least[1]),
+                reach.shift(self.least[0]),
+            ],
+            along: reach.shift((a - d) * (a - d) + difference_of_squares(c, b)),
+        };
+        // Rocker first, seen from its pivot towards the crank's end: the dyad
+        // looks the other way, from the crank's end, so that left is right.
+        let swing = closure.pin(-self.branch).angle();
+        self.direction(theta, sin, sin_square, swing).jet()
     }
 
-    /// Direction from the rocker's pivot to the crank's end, unwrapped, less
-    /// (open) or plus (crossed) β.
+    /// Direction from the rocker's pivot to the crank's end, unwrapped, and from
+    /// there by `swing` to the rocker.
+    // A linkage unwraps its angles by the table of its walk; here the vector is
+    // known to stay within 90° of a direction that is continuous itself.
     fn direction(
         &self,
         theta: f64,
         sin: Series<4>,
         sin_square: Series<4>,
-        beta: Series<4>,
+        swing: Series<4>,
     ) -> Series<4> {
         let (a, d) = (self.crank, self.frame);
-        let swing = beta.scale(-self.branch);
         if a < d {
             // The vector never turns round: ψ stays about ±π.
             let towards = sin_square.scale(2.0 * a).shift(d - a);

@@ -83,6 +83,12 @@ fn pair(name: &str, on: PointOf, link: PointOf, kind: PairKind) -> PairSpec {
     }
 }
 
+/// The dyad of a link on a branch.
+fn branch(link: usize, sign: f64) -> Vec<AssemblySpec> {
+    let choice = AssemblyChoice::Branch(sign);
+    vec![AssemblySpec { link, choice }]
+}
+
 fn output(name: &str, kind: OutputKind) -> Vec<OutputSpec> {
     vec![OutputSpec {
         name: name.to_owned(),
@@ -107,11 +113,7 @@ fn slider_crank(short: &SliderCrank, phi: f64) -> LinkageSpec {
             guide("guide", ground(g), of(2, ORIGIN)),
         ],
         driver: 2,
-        // Ahead of the crank's end or behind it, as the root's sign says.
-        assembly: vec![AssemblySpec {
-            link: 2,
-            choice: AssemblyChoice::Branch(short.branch),
-        }],
+        assembly: branch(2, short.branch),
         start: phi,
         outputs: output(
             "slide",
@@ -141,10 +143,7 @@ fn four_bar(short: &FourBar, phi: f64) -> LinkageSpec {
             pin("O", ground(o), of(1, ORIGIN)),
         ],
         driver: 3,
-        assembly: vec![AssemblySpec {
-            link: 2,
-            choice: AssemblyChoice::Angle(short.jet(phi).value),
-        }],
+        assembly: branch(2, short.branch),
         start: phi,
         outputs: output("rocker", OutputKind::Angle { link: 2 }),
         ..LinkageSpec::default()
@@ -164,10 +163,6 @@ fn slotted_link(short: &SlottedLink, phi: f64) -> LinkageSpec {
         SlottedOutput::Block => ("block", OutputKind::Pair { pair: 3 }),
         SlottedOutput::Crank => ("crank", OutputKind::Angle { link: 1 }),
     };
-    let near = |link, angle| {
-        let choice = AssemblyChoice::Angle(angle);
-        vec![AssemblySpec { link, choice }]
-    };
     LinkageSpec {
         links: vec![
             link("block", &[]),
@@ -182,10 +177,13 @@ fn slotted_link(short: &SlottedLink, phi: f64) -> LinkageSpec {
             guide("slide", of(2, [along, 0.0]), of(0, ORIGIN)),
         ],
         driver: if by_crank { 1 } else { 3 },
+        // Driven by the crank, the block lies ahead of O2 in the slot. Driven by
+        // the block, the dyad begins at O2: a crank that turns counterclockwise as
+        // the block moves away has its end to the right of the line to O1.
         assembly: if by_crank {
-            near(2, short.angle_of(SlottedOutput::Link, phi))
+            branch(2, 1.0)
         } else {
-            near(1, short.angle_of(SlottedOutput::Crank, phi))
+            branch(1, -spec.branch)
         },
         start: phi,
         outputs: output(watched, kind),

@@ -3,6 +3,7 @@
 use super::reach::{ForbiddenArcs, OutOfReach, half_width};
 use crate::fault::{Fault, Faults};
 use crate::jet::Jet;
+use crate::linkage::closure::circle_and_line;
 use crate::linkage::series::Series;
 use std::f64::consts::FRAC_PI_2;
 
@@ -13,6 +14,10 @@ use std::f64::consts::FRAC_PI_2;
 /// the crank's axis. Where the rod stands across the guide, |r·sin θ − e| = l,
 /// is a dead position: U′ grows without bound there and U has no value beyond
 /// (derivatives, then values, that are not numbers).
+///
+/// It is the massless short form of a linkage ([`super::Position::as_linkage`])
+/// and closes as its dyad does: the slide lies ahead of the crank's end on
+/// branch +, behind it on branch −.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SliderCrank {
     /// Crank radius r (m), > 0.
@@ -25,6 +30,9 @@ pub struct SliderCrank {
     pub branch: f64,
     /// Added to the driver's displacement (rad).
     pub phase: f64,
+    /// Least values of the factors of the discriminant: l − (r sin θ − e) at
+    /// θ = 90°, l + (r sin θ − e) at −90° (m).
+    least: [f64; 2],
     arcs: ForbiddenArcs,
 }
 
@@ -58,15 +66,16 @@ impl SliderCrank {
             faults.check()?;
         }
         let size = crank + rod + offset.abs();
-        // l − (r sin θ − e) is least at θ = 90°, l + (r sin θ − e) at −90°.
-        let upper = half_width(crank - rod - offset, crank + rod + offset, size);
-        let lower = half_width(crank - rod + offset, crank + rod - offset, size);
+        let least = [rod + offset - crank, rod - offset - crank];
+        let upper = half_width(-least[0], crank + rod + offset, size);
+        let lower = half_width(-least[1], crank + rod - offset, size);
         Ok(Self {
             crank,
             rod,
             offset,
             branch,
             phase,
+            least,
             arcs: ForbiddenArcs {
                 centre: FRAC_PI_2,
                 half_widths: [upper, lower],
@@ -76,12 +85,7 @@ impl SliderCrank {
 
     /// U and its derivatives at `phi`.
     pub fn jet(&self, phi: f64) -> Jet {
-        let Self {
-            crank: r,
-            rod: l,
-            offset: e,
-            ..
-        } = *self;
+        let r = self.crank;
         let (sin, cos) = Series::<4>::sin_cos(phi + self.phase, 1.0);
         // Both factors of the difference of squares stay exact where the rod
         // stands nearly across the guide: of 1 − sin θ and 1 + sin θ the lesser
@@ -94,9 +98,9 @@ impl SliderCrank {
         } else {
             (lesser, greater)
         };
-        let above = sin.scale(-r).with_value(r * down + (l + e - r));
-        let below = sin.scale(r).with_value(r * up + (l - e - r));
-        (cos.scale(r) + Series::closing_root(above, below, self.branch)).jet()
+        let above = sin.scale(-r).with_value(r * down + self.least[0]);
+        let below = sin.scale(r).with_value(r * up + self.least[1]);
+        (cos.scale(r) + circle_and_line(above, below, self.branch)).jet()
     }
 
     /// The interval around `phi` in which it can be assembled; `None`: a full turn.

@@ -5,7 +5,9 @@ use super::reach::{ForbiddenArcs, OutOfReach};
 use super::spec::{SlottedDriver, SlottedLinkSpec, SlottedOutput};
 use crate::fault::{Fault, Faults};
 use crate::jet::Jet;
+use crate::linkage::closure::{TwoCircles, guide_between_pins};
 use crate::linkage::series::Series;
+use crate::linkage::vector::Vector;
 use std::f64::consts::{PI, TAU};
 
 /// Below this part of the crank the block counts as lying on the pivot of the
@@ -27,6 +29,11 @@ const ON_THE_PIVOT: f64 = 1e-9;
 /// When the block drives, S lies between |D − l| and D + l; both ends are dead
 /// positions (crank and slot in line): U′ grows without bound there and U has
 /// no value beyond.
+///
+/// It is the massless short form of a linkage ([`super::Position::as_linkage`])
+/// and closes as its dyads do: driven by the crank a guide between two pins, the
+/// slot passing through O2; driven by the block two circles, the slot being a
+/// link of length S.
 ///
 /// Source: D. Smirnov, *Kinematic analysis of a one-degree-of-freedom
 /// slide-crank mechanism with fixed turning pairs*, 2014, its misprints put right.
@@ -99,13 +106,6 @@ impl SlottedLink {
         .jet()
     }
 
-    /// The angle of the crank or of the link at `phi`, whatever the output is.
-    pub(super) fn angle_of(&self, part: SlottedOutput, phi: f64) -> f64 {
-        let mut other = self.clone();
-        other.spec.output = part;
-        other.jet(phi).value
-    }
-
     /// φ2 or S over φ1.
     fn of_crank(&self, angle: f64) -> Series<4> {
         let SlottedLinkSpec {
@@ -115,18 +115,21 @@ impl SlottedLink {
         // or from the exact difference D − l.
         let (half_sin, half_cos) = Series::<4>::sin_cos(0.5 * angle, 0.5);
         let cos_square = half_cos.square();
-        let sin = (half_sin * half_cos).scale(2.0);
         if self.spec.output == SlottedOutput::Block {
             let square = cos_square.scale(4.0 * d * l).shift((d - l) * (d - l));
-            return square.sqrt();
+            return guide_between_pins(square, Series::constant(0.0), 1.0).x;
         }
+        // The slot passes through both pins, O2 and the crank's end: it points as
+        // their line does, nothing is left to be closed.
+        let sin = (half_sin * half_cos).scale(2.0);
         if d >= l {
             let along = cos_square.scale(2.0 * l).shift(d - l);
-            Series::atan2(sin.scale(l), along)
+            Vector::new(along, sin.scale(l)).angle()
         } else {
             // The link turns with the crank, less than 90° behind or ahead.
             let along = cos_square.scale(2.0 * d).shift(l - d);
-            Series::atan2(-sin.scale(d), along).shift(angle).tilt(1.0)
+            let behind = Vector::new(along, -sin.scale(d)).angle();
+            behind.shift(angle).tilt(1.0)
         }
     }
 
@@ -136,17 +139,34 @@ impl SlottedLink {
             crank: l, frame: d, ..
         } = self.spec;
         let s = Series::<4>::variable(distance);
-        let nearest = (d - l).abs();
-        // (D + l)² − S² and S² − (D − l)² as products of differences: their
-        // product is (2·D·l·sin φ1)².
-        let short = (-s).shift(d + l) * s.shift(d + l);
-        let long = s.shift(-nearest) * s.shift(nearest);
-        let root = Series::closing_root(short, long, -self.spec.branch);
-        let across = match self.spec.output {
-            SlottedOutput::Link => s.square().shift((d - l) * (d + l)),
-            _ => s.square().shift(-(d * d + l * l)),
-        };
-        Series::atan2(root, across)
+        let [nearest, farthest] = self.travel();
+        // S² − (D − l)² and (D + l)² − S² as products of differences.
+        let beyond = s.shift(-nearest) * s.shift(nearest);
+        let within = (-s).shift(farthest) * s.shift(farthest);
+        let factors = [within, beyond];
+        if self.spec.output == SlottedOutput::Link {
+            // Slot first, seen from O2 towards O1.
+            let closure = TwoCircles {
+                factors,
+                along: s.square().shift((d - l) * (d + l)),
+            };
+            closure.pin(-self.spec.branch).angle()
+        } else {
+            // Crank first, seen from O1 towards O2, against which φ1 counts.
+            let closure = TwoCircles {
+                factors,
+                along: (-s.square()).shift(d * d + l * l),
+            };
+            (-closure.pin(self.spec.branch)).angle()
+        }
+    }
+
+    /// Least and greatest S of a driving block: its dead positions (m).
+    fn travel(&self) -> [f64; 2] {
+        let SlottedLinkSpec {
+            crank: l, frame: d, ..
+        } = self.spec;
+        [(d - l).abs(), d + l]
     }
 
     /// The interval around `phi` in which it can be assembled; `None`: a full turn.
@@ -154,16 +174,12 @@ impl SlottedLink {
     /// # Errors
     /// It cannot be assembled at `phi`.
     pub fn reach_from(&self, phi: f64) -> Result<Option<(f64, f64)>, OutOfReach> {
-        let SlottedLinkSpec {
-            crank,
-            frame,
-            phase,
-            ..
-        } = self.spec;
+        let phase = self.spec.phase;
         if self.spec.driver == SlottedDriver::Crank {
             return super::shifted(self.arcs.reach_from(phi + phase), phase);
         }
-        let interval = ((frame - crank).abs() - phase, frame + crank - phase);
+        let [nearest, farthest] = self.travel();
+        let interval = (nearest - phase, farthest - phase);
         if interval.0 < phi && phi < interval.1 {
             Ok(Some(interval))
         } else {

@@ -75,8 +75,8 @@ impl<'s> Observer<'s> {
 
     /// A number that changes at kinks of the friction, where the system was looked at
     /// last.
-    pub(crate) fn friction_side(&self, modes: &Modes) -> u64 {
-        self.system.friction_side(modes, &self.scratch)
+    pub(crate) fn friction_side(&self) -> u64 {
+        self.system.friction_side(&self.scratch)
     }
 
     /// Energies at a state.

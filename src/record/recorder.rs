@@ -213,7 +213,7 @@ impl<'s> Recorder<'s> {
                 (self.powers[index], self.energy) = (power, energy);
                 self.sides[index] = match self.joints.is_empty() {
                     true => 0,
-                    false => self.observer.friction_side(modes),
+                    false => self.observer.friction_side(),
                 };
             }
         }

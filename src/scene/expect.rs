@@ -8,8 +8,10 @@ use crate::read::{Bounds, Fields, Slot, Wanted, closest, did_you_mean, quoted_li
 use crate::units::{Quantity, quantities as q};
 
 /// Reasons for which a run may be expected to stop.
-const STOPS: [&str; 9] = [
+const STOPS: [&str; 11] = [
     "dead_position",
+    "end_of_travel",
+    "not_explored",
     "self_locking",
     "several_solutions",
     "not_finite",

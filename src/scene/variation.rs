@@ -5,6 +5,7 @@ use super::address::{RESERVED, Step};
 use super::objects::{self, Known};
 use super::{Catalogue, Document, Overrides, Scene, StartSpec, overrides, run};
 use crate::diagnostics::{Diagnostic, Diagnostics, Severity, Sources};
+use crate::object::numbers;
 use crate::read::{Node, Reader};
 
 /// A scene with some properties set that are to be set again. Its scenes have
@@ -16,6 +17,8 @@ pub struct Variation {
     known: Known,
     /// The settings in force; none after settings that could not be taken.
     settings: Vec<String>,
+    /// See [`Self::laws`].
+    laws: u64,
 }
 
 impl Variation {
@@ -45,12 +48,20 @@ impl Variation {
             root,
             scene,
             settings: settings.to_vec(),
+            laws: 0,
         })
     }
 
     /// The scene as it stands.
     pub fn scene(&self) -> &Scene {
         &self.scene
+    }
+
+    /// How often anything but plain numbers of chains was set, which change no
+    /// law of motion: as long as this stays the same, all laws of motion, the
+    /// duration and the number of masses do.
+    pub fn laws(&self) -> u64 {
+        self.laws
     }
 
     /// Sets the properties, in the order of [`Self::new`]; `None`: the scene
@@ -63,11 +74,13 @@ impl Variation {
             if before.get(number) == Some(setting) {
                 continue;
             }
-            let name = self.put(setting)?;
-            if !touched.contains(&name) {
+            if let Some(name) = self.put(setting)?
+                && !touched.contains(&name)
+            {
                 touched.push(name);
             }
         }
+        self.laws += touched.len() as u64;
         for name in touched {
             match name.as_str() {
                 "run" => self.read_run()?,
@@ -78,19 +91,35 @@ impl Variation {
         Some(&self.scene)
     }
 
-    /// Puts a setting into the tree; returns the object, or `run`.
-    fn put(&mut self, setting: &str) -> Option<String> {
+    /// Puts a setting into the tree; returns the object that must be read, or
+    /// `run`. `None`: it cannot be taken. No object: it is in the scene already.
+    fn put(&mut self, setting: &str) -> Option<Option<String>> {
         let (mut sources, mut faults) = (Sources::default(), Vec::new());
         let one = Overrides::new([setting]);
         let changes = overrides::read(&one, &mut sources, &mut faults);
         let change = changes.first().filter(|change| !change.chooses_from())?;
         overrides::apply(&mut self.root, change).ok()?;
         match &change.parts[0].step {
-            Step::Name(name) if name == "run" || !RESERVED.contains(&name.as_str()) => {
-                Some(name.clone())
+            Step::Name(name) if name == "run" => Some(Some(name.clone())),
+            Step::Name(name) if !RESERVED.contains(&name.as_str()) => {
+                let number = change.number();
+                let set = number.is_some_and(|number| self.set_number(setting, name, number));
+                Some((!set).then(|| name.clone()))
             }
             _ => None,
         }
+    }
+
+    /// Sets a number of an object in place, where that is the same as reading.
+    fn set_number(&mut self, setting: &str, id: &str, value: f64) -> bool {
+        let address = setting.split('=').next().unwrap_or("").trim_end();
+        let property = address.strip_prefix(id).and_then(|p| p.strip_prefix('.'));
+        let written = self.root.get("objects").and_then(|all| all.get(id));
+        let object = self.scene.objects.get_mut(id);
+        let (Some(property), Some(written), Some(entry)) = (property, written, object) else {
+            return false;
+        };
+        numbers::set(entry.object.as_mut(), written, property, value)
     }
 
     fn read_run(&mut self) -> Option<()> {
@@ -180,6 +209,52 @@ mod tests {
                 assert_eq!(meaning(own), meaning(&whole.unwrap().scene), "{set:?}");
                 assert_eq!(own.hash, "");
             }
+        }
+    }
+
+    #[test]
+    fn numbers_set_in_place_mean_what_is_read() {
+        let document = document();
+        // The second value of each is set in place where that is the same.
+        for (first, second, in_place) in [
+            ("arm.inertia=0.2", "arm.inertia=0.3", true),
+            ("arm.stiffness=2e6", "arm.stiffness=3e6", true),
+            ("arm.damping_capacity=0.2", "arm.damping_capacity=0", true),
+            (
+                "arm.loads.closing.constant=-700",
+                "arm.loads.closing.constant=7",
+                true,
+            ),
+            ("tip.inertia=0.02", "tip.inertia=0", true),
+            ("arm.damping=3", "arm.damping=4", false),
+            ("arm.damping=3", "arm.inertia=0.4", false),
+            ("arm.inertia=0.2", "arm.inertia=\"400 kg cm2\"", false),
+            ("arm.masses=2", "arm.masses=1", false),
+            ("tip.position.ratio=2", "tip.position.ratio=3", false),
+            ("cam.motion.speed=10", "cam.motion.speed=20", false),
+            ("tip.stiffness=3", "tip.stiffness=4", false),
+        ] {
+            let first = [first.to_owned()];
+            let mut varied = Variation::new(&document, &BuiltIn, &[], &first).unwrap();
+            let before = varied.laws();
+            let both = [first[0].clone(), second.to_owned()];
+            let whole = document.scene(&BuiltIn, &Overrides::new(both));
+            let own = meaning(varied.set(&[second.to_owned()]).unwrap());
+            assert_eq!(own, meaning(&whole.unwrap().scene), "{second}");
+            assert_eq!(varied.laws() == before, in_place, "{second}");
+        }
+        // What is not allowed is refused as before, and leaves no trace.
+        let good = ["arm.inertia=0.2".to_owned()];
+        let mut varied = Variation::new(&document, &BuiltIn, &[], &good).unwrap();
+        let wanted = meaning(varied.scene());
+        for bad in [
+            "arm.inertia=0",
+            "arm.inertia=-1",
+            "arm.inertia=1e999",
+            "arm.inertia=1e-320",
+        ] {
+            assert!(varied.set(&[bad.to_owned()]).is_none(), "{bad}");
+            assert_eq!(meaning(varied.set(&good).unwrap()), wanted, "{bad}");
         }
     }
 

@@ -273,7 +273,7 @@ impl Dynamics for System {
     }
 
     fn stop_at(&self, time: f64, edge: &Edge) -> PhysicalStop {
-        self.dead_position(time, edge)
+        self.end_of_reach(time, edge)
     }
 
     fn next_break(&self, time: f64, modes: &Modes) -> f64 {

@@ -9,6 +9,7 @@
 //! `observe`, `energy` and `reduce` what is read off; `scales` and `frequencies` what the
 //! methods are chosen and steered by.
 
+mod accelerations;
 mod balance;
 mod build;
 mod check;
@@ -32,6 +33,7 @@ mod placing;
 mod quantity;
 mod reduce;
 mod scales;
+mod separate;
 mod series;
 mod start;
 mod start_messages;
@@ -184,6 +186,13 @@ impl System {
     /// samples of the laws are saved in a map.)
     fn scales_of_state(&self) -> &[f64] {
         self.scales.get_or_init(|| scales::scales(&self.frozen))
+    }
+
+    /// What the scale δ* of an elastic object is at least, without sampling its
+    /// law; zero of anything else.
+    pub(crate) fn least_deflection(&self, object: usize) -> f64 {
+        let chain = self.chain(object);
+        chain.map_or(0.0, |chain| scales::least_deflection(&self.frozen, chain))
     }
 
     /// The model it was made from.

@@ -258,10 +258,11 @@ impl System {
         self.frozen.friction_losses(&modes.0, &scratch.work)
     }
 
-    /// A number that changes where friction has a kink: where a corner of a block
-    /// begins to press on the other side of its guide. As of the last evaluation.
-    pub(crate) fn friction_side(&self, modes: &Modes, scratch: &Scratch) -> u64 {
-        self.frozen.pressing_corners(&modes.0, &scratch.work)
+    /// A number that changes where friction has a kink that no switch marks: where in
+    /// a given motion a corner of a block begins to press on the other side of its
+    /// guide. As of the last evaluation.
+    pub(crate) fn friction_side(&self, scratch: &Scratch) -> u64 {
+        self.frozen.pressing_corners(&scratch.work)
     }
 
     /// Objects whose joints have friction, each with the component of [`Modes`] that

@@ -22,6 +22,7 @@ impl System {
         // pairs have a say in.
         self.frozen.locate_tracks(y, modes);
         self.settle_directions(&mut state.y, &mut state.modes.0);
+        self.frozen.settle_sides(0.0, &state.y, &mut state.modes.0);
         Ok(state)
     }
 

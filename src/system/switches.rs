@@ -86,6 +86,8 @@ impl Frozen {
                 modes[component] += 1;
             }
         }
+        // Loads may have changed at once.
+        self.open_sides(modes);
     }
 
     fn time_tracks(&self) -> impl Iterator<Item = usize> + '_ {
@@ -125,10 +127,17 @@ impl System {
         if watch.component >= frozen.pairs.len() + frozen.tracks.len() {
             return self.pass_direction(time, y, watch.component, watch.target, modes);
         }
-        if watch.component >= self.frozen.pairs.len() {
+        if watch.component >= frozen.pairs.len() {
             modes.0[watch.component] = watch.target;
-            return Ok(());
+        } else {
+            self.pass_flank(y, watch, modes);
         }
+        frozen.settle_sides(time, y, &mut modes.0);
+        Ok(())
+    }
+
+    /// A pair comes into contact or leaves it.
+    fn pass_flank(&self, y: &[f64], watch: &Watch, modes: &mut Modes) {
         let chain = &self.frozen.chains[self.frozen.pairs[watch.component]];
         let before = modes.0[watch.component];
         modes.0[watch.component] = if watch.target == super::pairs::OPEN {
@@ -138,11 +147,10 @@ impl System {
         } else {
             watch.target
         };
-        Ok(())
     }
 
-    /// The end of a run at an edge: a dead position.
-    pub(super) fn dead_position(&self, time: f64, edge: &Edge) -> PhysicalStop {
+    /// The end of a run at an edge: a dead position, or the end of a travel.
+    pub(super) fn end_of_reach(&self, time: f64, edge: &Edge) -> PhysicalStop {
         let track = &self.frozen.tracks[edge.component - self.frozen.pairs.len()];
         let part = &self.model.objects[track.object];
         let driver = part.driver.map(|driver| &self.model.objects[driver]);
@@ -151,21 +159,40 @@ impl System {
             _ => format!("{:.6}°", edge.place.to_degrees()),
         };
         let driver = driver.map_or("its driver", |driver| driver.id.as_str());
-        let cause = self.cause(track.object, edge.place);
-        let cause = cause.unwrap_or_else(|| "a dead position".to_owned());
-        PhysicalStop {
-            name: "dead_position",
-            object: part.id.clone(),
-            message: format!(
-                "{} cannot be assembled beyond {driver} at {place}, reached at t = {time:.9} s: \
-                 {cause}",
-                part.id
+        let at = format!("{driver} at {place}, reached at t = {time:.9} s");
+        let id = &part.id;
+        // In a dead position speeds and forces grow beyond bounds; at the end of
+        // a travel nothing happens but that it is not given to go further.
+        let (name, message) = match self.cause(track.object, edge.place) {
+            Some((Cause::Travel, _)) => (
+                "end_of_travel",
+                format!("{id} has no travel beyond {at}: the end of its travel"),
             ),
+            Some((Cause::Unexplored, _)) => (
+                "not_explored",
+                format!(
+                    "{id} was not looked at beyond {at}: it was not followed further before the run"
+                ),
+            ),
+            Some((Cause::DeadPosition { .. }, group)) => (
+                "dead_position",
+                format!("{id} cannot be assembled beyond {at}: a dead position of {group}"),
+            ),
+            None => (
+                "dead_position",
+                format!("{id} cannot be assembled beyond {at}: a dead position"),
+            ),
+        };
+        PhysicalStop {
+            name,
+            object: id.clone(),
+            message,
         }
     }
 
-    /// Why a linkage goes no further than where its driver has a displacement.
-    fn cause(&self, object: usize, driver: f64) -> Option<String> {
+    /// Why a linkage goes no further than where its driver has a displacement,
+    /// and the group that is in a dead position there.
+    fn cause(&self, object: usize, driver: f64) -> Option<(Cause, String)> {
         let mut linkages = self.model.linkages.iter();
         let body = linkages.find(|body| body.object == object)?;
         let NodeMotion::Rigid { law } = &self.model.nodes[body.node].motion else {
@@ -177,13 +204,10 @@ impl System {
         };
         let near = (q - lower.at).abs() < (q - upper.at).abs();
         let end = if near { lower } else { upper };
-        Some(match end.cause {
-            Cause::DeadPosition { group } => format!(
-                "a dead position of {}",
-                body.linkage.structure().describe(group)
-            ),
-            Cause::Travel => "the end of its travel".to_owned(),
-            Cause::Unexplored => "it was not looked further before the run".to_owned(),
-        })
+        let group = match end.cause {
+            Cause::DeadPosition { group } => body.linkage.structure().describe(group),
+            Cause::Travel | Cause::Unexplored => String::new(),
+        };
+        Some((end.cause, group))
     }
 }

@@ -1,7 +1,8 @@
 //! Motion under a given driver's force: friction at rest, strong friction.
 
 use super::checks::{each, rich, solve};
-use super::mechanisms::known;
+use super::mechanisms::{known, spec};
+use super::reference;
 use dam::linkage::kinetostatics::{ForceWorkspace, InputMotion, Kinetostatics, Options, Outcome};
 use std::f64::consts::TAU;
 
@@ -154,5 +155,36 @@ fn friction_holds_at_rest() {
                 other => panic!("{other:?}"),
             }
         }
+    }
+}
+
+/// At a dead centre of the output the sign of the ratio is that just after it, in the
+/// direction asked for: at rest as at the slowest speed.
+#[test]
+fn a_dead_centre_at_rest_has_the_sign_of_the_direction_asked_for() {
+    let reference = reference();
+    let data = &reference["cases"][2]["data"];
+    let linkage = spec("slider_crank", data);
+    let solver = Kinetostatics::new(&linkage).unwrap();
+    let mut w = solver.workspace();
+    let mut sign = |speed: f64, direction: Option<f64>| {
+        let (positions, _) = known("slider_crank", data, 0.0);
+        let motion = InputMotion {
+            speed,
+            ..InputMotion::default()
+        };
+        let options = Options {
+            direction,
+            ..Options::default()
+        };
+        solver.solve(&positions, motion, &options, &mut w).unwrap();
+        let found = solver.transmission(0, &solver.loads_of(0), 0.0, &w);
+        assert!(found.ratio.abs() < 1e-15);
+        found.sign
+    };
+    for direction in [1.0, -1.0] {
+        let moving = sign(1e-6 * direction, None);
+        assert_eq!(moving, -direction, "the slide comes back from its end");
+        assert_eq!(sign(0.0, Some(direction)), moving);
     }
 }

@@ -7,7 +7,9 @@ mod oracle;
 mod support;
 
 mod closed_forms;
+mod corners;
 mod groups;
+mod loose;
 mod methods;
 mod motions;
 mod reference;

@@ -32,11 +32,7 @@ pub(crate) fn scene_of(objects: &str, run: &str) -> String {
 
 /// Runs a scene; the run must be worth trusting.
 pub(crate) fn run_of(text: &str, overrides: &[&str]) -> RunResult {
-    let scene = read(text, overrides);
-    let model = lower(&scene).unwrap_or_else(|faults| panic!("{faults:?}"));
-    let system = System::new(model).unwrap_or_else(|faults| panic!("{faults:?}"));
-    let settings = RunSettings::of(&scene).expect("settings");
-    let result = run(&system, &settings, &Control::default(), &mut []).expect("a run");
+    let result = ran(&read(text, overrides));
     let (stop, warnings) = (&result.outcome.stop, &result.figures.warnings);
     assert!(
         result.is_trusted(),
@@ -44,6 +40,14 @@ pub(crate) fn run_of(text: &str, overrides: &[&str]) -> RunResult {
         result.outcome.time
     );
     result
+}
+
+/// Runs a scene, whatever comes of it.
+pub(crate) fn ran(scene: &Scene) -> RunResult {
+    let model = lower(scene).unwrap_or_else(|faults| panic!("{faults:?}"));
+    let system = System::new(model).unwrap_or_else(|faults| panic!("{faults:?}"));
+    let settings = RunSettings::of(scene).expect("settings");
+    run(&system, &settings, &Control::default(), &mut []).expect("a run")
 }
 
 /// A figure that must have a value.

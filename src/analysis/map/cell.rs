@@ -1,10 +1,10 @@
 //! One point of a map.
 
 use super::figure::read;
-use super::judge::{Evidence, judge};
+use super::judge::{Begun, Evidence, judge, on_law};
 use super::quick;
-use super::rigid::{RigidMotion, rigid_motion};
-use super::scenes::Scenes;
+use super::rigid::RigidMotion;
+use super::scenes::{Kept, Scenes};
 use super::study::Study;
 use super::verdict::Verdict;
 use crate::analysis::run::{RunResult, run};
@@ -16,6 +16,7 @@ use crate::lower::lower;
 use crate::record::{Record, drive_cycle};
 use crate::scene::Scene;
 use crate::system::System;
+use std::sync::atomic::Ordering::Relaxed;
 
 /// Most steps of the run of one cell: where a general method would crawl, a
 /// map says so and goes on.
@@ -58,27 +59,39 @@ impl Cell {
 /// Works out one cell; `None` when interrupted.
 pub(super) fn evaluate(
     study: &Study<'_>,
-    scenes: &Scenes<'_>,
+    scenes: &mut Scenes<'_>,
     (panel, cell): (usize, usize),
     control: &Control<'_>,
 ) -> Option<Cell> {
-    let prepared = scenes.show(panel, cell, |scene| match scene {
-        Ok(scene) => prepare(scene).map_err(|faults| in_words(&faults)),
-        Err(diagnostics) => {
-            let errors = diagnostics.items.iter();
-            let first = errors.map(|item| item.message.as_str()).next();
-            Err(first.unwrap_or("the scene is wrong").to_owned())
+    scenes.show(panel, cell, |scene| {
+        let refused = |cause: String| Some(Cell::without_value(Verdict::Refused, cause));
+        match scene {
+            Ok((scene, kept)) => match prepare(scene) {
+                Ok((system, settings)) => judged(study, &system, &settings, kept, control),
+                Err(faults) => refused(in_words(&faults)),
+            },
+            Err(diagnostics) => {
+                let errors = diagnostics.items.iter();
+                let first = errors.map(|item| item.message.as_str()).next();
+                refused(first.unwrap_or("the scene is wrong").to_owned())
+            }
         }
-    });
-    let (system, settings) = match prepared {
-        Ok(ready) => ready,
-        Err(cause) => return Some(Cell::without_value(Verdict::Refused, cause)),
-    };
-    let rigid = rigid_motion(system.model(), settings.duration);
-    let exact = quick::answer(study, &system, &settings, &rigid, control);
+    })
+}
+
+/// The cell of a system; `None` when interrupted.
+fn judged(
+    study: &Study<'_>,
+    system: &System,
+    settings: &RunSettings,
+    kept: &mut Kept,
+    control: &Control<'_>,
+) -> Option<Cell> {
+    let rigid = kept.rigid_motion(system.model(), settings.duration);
+    let exact = quick::answer(study, system, settings, (&rigid, &kept.exact), control);
     let found = match exact {
         Some(found) => found,
-        None => answer(study, &system, &settings, &rigid, control),
+        None => answer(study, system, settings, &rigid, control),
     };
     let cell = match found {
         Ok(cell) => cell?,
@@ -127,14 +140,30 @@ fn answer(
     let cycle = drive_cycle(system.model()).ok();
     let record = &result.record;
     let window = result.figures.run.window;
+    let mut again = |object: usize, begun: Begun| {
+        let id = &system.model().objects[object].id;
+        match begun {
+            Begun::AsGiven => steady(record, id, window, cycle),
+            Begun::OnLaw => {
+                let system = System::new(on_law(system.model())).ok()?;
+                let other = run(&system, settings, control, &mut []).ok()?;
+                let good = other.is_complete() && failed(&other).is_none();
+                good.then(|| steady(&other.record, id, window, cycle))?
+            }
+        }
+    };
     let (verdict, cause) = judge(&mut Evidence {
         system,
         figures: result.figures.objects.values().collect(),
         rigid,
         cycle,
         time: result.outcome.time,
-        steady: &mut |object| steady(record, &system.model().objects[object].id, window, cycle),
+        steady: &mut again,
     });
+    // What was interrupted in between may have been judged by half of it.
+    if control.interrupt.is_some_and(|flag| flag.load(Relaxed)) {
+        return Ok(None);
+    }
     let value = read(&result.figures, &study.figure).filter(|value| value.is_finite());
     let mut cell = Cell {
         value,

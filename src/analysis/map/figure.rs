@@ -17,6 +17,24 @@ pub(super) fn default_figure(model: &Model, order: &[String]) -> Option<String> 
     Some(format!("{last}.delta_max"))
 }
 
+/// Why there is no figure to begin with, and which there are in every cell: those
+/// of an object's whole motion, which rigid objects and drives have as well.
+pub(super) fn nothing_elastic(model: &Model) -> String {
+    let driven = model
+        .objects
+        .iter()
+        .rev()
+        .find(|part| part.driver.is_some());
+    let id = driven.or(model.objects.last());
+    let id = id.map_or("object", |part| part.id.as_str());
+    let all = ["peak_speed", "peak_acceleration", "peak_reaction"];
+    let all = all.map(|name| format!("{id}.{name}")).join(", ");
+    format!(
+        "nothing in this scene is elastic at the corners and in the middle of the map, so that \
+         there is no δ_max to map; name a figure with --figure, every cell has for example {all}"
+    )
+}
+
 /// Checks that a run of a model has a figure.
 pub(super) fn check_figure(figure: &str, model: &Model) -> Result<(), Fault> {
     let Err(AddressError::Unknown { close }) = blank(model).value(figure) else {

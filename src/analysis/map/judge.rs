@@ -3,7 +3,7 @@
 use super::rigid::RigidMotion;
 use super::verdict::{NEAR_HARMONIC, RESONANCE, STEADY, THROWN_OFF, Verdict};
 use crate::integrate::Dynamics;
-use crate::model::Model;
+use crate::model::{Model, Start};
 use crate::record::{ObjectFigures, PairFigures};
 use crate::system::{Regime, System};
 use std::f64::consts::TAU;
@@ -22,7 +22,16 @@ pub(super) struct Evidence<'a> {
     pub(super) time: f64,
     /// Greatest |δ| of an object over the last whole cycle but one and over
     /// the last; `None` without them.
-    pub(super) steady: &'a mut dyn FnMut(usize) -> Option<[f64; 2]>,
+    pub(super) steady: &'a mut dyn FnMut(usize, Begun) -> Option<[f64; 2]>,
+}
+
+/// Where a motion that is looked at begins.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Begun {
+    /// As the scene says.
+    AsGiven,
+    /// On the law: what it then reaches, the drive has built up.
+    OnLaw,
 }
 
 /// The verdict on a mechanism whose run is complete and to be trusted.
@@ -123,28 +132,45 @@ fn greatest(figures: &ObjectFigures) -> f64 {
 fn resonates(evidence: &mut Evidence<'_>, object: usize) -> Option<String> {
     let system = evidence.system;
     let cycle = evidence.cycle?;
+    // Asked first, since it costs nothing: the whole run holds the last cycle.
+    let greatest = greatest(evidence.figures[object]);
+    if greatest < RESONANCE * system.least_deflection(object) {
+        return None;
+    }
     // δ*: see `System::scales`.
     let quasi_static = system.scales()[system.first_coordinate(object)?];
-    // Asked first, since it costs nothing: the whole run holds the last cycle.
-    if greatest(evidence.figures[object]) < RESONANCE * quasi_static {
+    if greatest < RESONANCE * quasi_static {
         return None;
     }
-    let [before, last] = (evidence.steady)(object)?;
-    let magnification = last / quasi_static;
-    if magnification < RESONANCE || last < (1.0 - STEADY) * before {
-        return None;
-    }
+    let large = |[before, last]: &[f64; 2]| {
+        *last >= RESONANCE * quasi_static && *last >= (1.0 - STEADY) * before
+    };
+    let [before, last] = (evidence.steady)(object, Begun::AsGiven).filter(large)?;
     let (frequency, harmonic, ratio) = nearest_harmonic(system, TAU / cycle)?;
-    let near = (1.0 - ratio * ratio).abs() * NEAR_HARMONIC <= 1.0;
-    near.then(|| {
-        format!(
-            "{}: {magnification:.3} times the quasi-static deflection in the last cycle, \
-             {:.3} times in the one before; harmonic {harmonic} of the drive is at {ratio:.4} of \
-             the natural frequency {frequency:.6e} rad/s",
-            id(system.model(), object),
-            before / quasi_static
-        )
-    })
+    if (1.0 - ratio * ratio).abs() * NEAR_HARMONIC > 1.0 {
+        return None;
+    }
+    // A start of one's own may be a free vibration as large as one likes, which
+    // without damping goes on for ever beside any drive.
+    if matches!(system.model().start, Start::Explicit(_)) {
+        (evidence.steady)(object, Begun::OnLaw).filter(large)?;
+    }
+    Some(format!(
+        "{}: {:.3} times the quasi-static deflection in the last cycle, {:.3} times in the one \
+         before; harmonic {harmonic} of the drive is at {ratio:.4} of the natural frequency \
+         {frequency:.6e} rad/s",
+        id(system.model(), object),
+        last / quasi_static,
+        before / quasi_static
+    ))
+}
+
+/// The same model from a start on its law.
+pub(super) fn on_law(model: &Model) -> Model {
+    Model {
+        start: Start::OnLaw,
+        ..model.clone()
+    }
 }
 
 fn id(model: &Model, object: usize) -> &str {

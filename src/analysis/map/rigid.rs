@@ -13,7 +13,8 @@
 //! moment M: P = M − J·A·Ω² at the peak, J* = M/(A·Ω²).)
 
 use crate::model::{
-    Closure, LoadLaw, Model, Node, NodeIndex, NodeMotion, ObjectPart, Pair, Track, TrackSource,
+    Closure, Load, LoadLaw, Model, Node, NodeIndex, NodeMotion, ObjectPart, Pair, Track,
+    TrackSource,
 };
 use crate::position::Position;
 use crate::record::drive_cycle;
@@ -37,46 +38,205 @@ pub struct RigidMotion {
 /// Follows the rigid mechanism over one cycle of its drives, or over
 /// `duration` (s) where there is no cycle; knows nothing behind motors.
 pub fn rigid_motion(model: &Model, duration: f64) -> RigidMotion {
-    let objects = &model.objects;
-    let mut stroke = vec![[f64::INFINITY, f64::NEG_INFINITY]; objects.len()];
-    let pairs: Vec<Option<Pair>> = objects.iter().map(|part| force_pair(model, part)).collect();
-    let mut forces = vec![Vec::new(); objects.len()];
-    let motor = |node: &Node| matches!(node.motion, NodeMotion::Rotor { .. });
-    if model.nodes.iter().any(motor) {
-        return RigidMotion {
-            amplitude: vec![None; objects.len()],
-            margin: None,
+    Path::new(model, duration).rigid_motion(model)
+}
+
+/// The motion of the rigid mechanism: what follows from its laws alone.
+#[derive(Debug)]
+pub(super) struct Path {
+    /// φ, φ̇, φ̈ and U′ of every node at every instant, one row an instant;
+    /// none behind motors. All masses of a chain stand on the place of the first.
+    rows: Vec<[f64; 4]>,
+    /// Place of every node in a row.
+    places: Vec<usize>,
+    /// The first node of every place.
+    heads: Vec<NodeIndex>,
+    /// The instants (s).
+    times: Vec<f64>,
+    /// See [`RigidMotion::amplitude`].
+    amplitude: Vec<Option<f64>>,
+}
+
+impl Path {
+    /// Follows the laws of a model.
+    pub(super) fn new(model: &Model, duration: f64) -> Self {
+        let (places, heads) = places(model);
+        let mut path = Self {
+            rows: Vec::new(),
+            places,
+            heads,
+            times: Vec::new(),
+            amplitude: vec![None; model.objects.len()],
         };
+        let motor = |node: &Node| matches!(node.motion, NodeMotion::Rotor { .. });
+        if model.nodes.iter().any(motor) {
+            return path;
+        }
+        let span = span(model, duration);
+        path.rows.reserve_exact((SAMPLES + 1) * path.heads.len());
+        for sample in 0..=SAMPLES {
+            let time = span * sample as f64 / SAMPLES as f64;
+            path.times.push(time);
+            path.go_to(model, time);
+        }
+        for (object, part) in model.objects.iter().enumerate() {
+            path.amplitude[object] = path.amplitude(model, part);
+        }
+        path
     }
-    let mut walk = Walk::new(model);
-    let span = span(model, duration);
-    for sample in 0..=SAMPLES {
-        walk.go_to(span * sample as f64 / SAMPLES as f64);
-        for (object, part) in objects.iter().enumerate() {
-            let Some(&node) = part.nodes.first() else {
+
+    /// Numbers that it holds.
+    pub(super) fn size(&self) -> usize {
+        self.rows.len()
+    }
+
+    /// Adds the row of an instant.
+    fn go_to(&mut self, model: &Model, time: f64) {
+        let start = self.rows.len();
+        let segment = |track: Option<usize>, x: f64, sense: f64| {
+            track.map_or(0, |track| model.tracks[track].breaks.locate(x, sense))
+        };
+        for (node, at) in model.nodes.iter().enumerate() {
+            if self.heads[self.places[node]] != node {
                 continue;
-            };
-            let ([low, high], at) = (&mut stroke[object], walk.motion[node][0]);
-            (*low, *high) = (low.min(at), high.max(at));
-            if let Some(pair) = pairs[object] {
-                forces[object].push(pair.opens * walk.force[node]);
+            }
+            self.rows.push(match &at.motion {
+                NodeMotion::Prescribed { motion, track } => {
+                    let jet = motion.jet(segment(*track, time, 1.0), time);
+                    [jet.value, jet.first, jet.second, 0.0]
+                }
+                NodeMotion::Rotor { .. } => [f64::NAN; 4],
+                NodeMotion::Mass { law } | NodeMotion::Rigid { law } => {
+                    let driver = self.rows[start + self.places[law.driver]];
+                    let [phi, speed, acceleration, _] = driver;
+                    let segment = segment(law.track, phi, speed);
+                    let jet = law.position.jet(segment, phi).scaled(law.lever);
+                    [
+                        jet.value,
+                        jet.first * speed,
+                        jet.second * speed * speed + jet.first * acceleration,
+                        jet.first,
+                    ]
+                }
+            });
+        }
+    }
+
+    /// Half the stroke of an object.
+    fn amplitude(&self, model: &Model, part: &ObjectPart) -> Option<f64> {
+        let &node = part.nodes.first()?;
+        let displacements = self.instants().map(|(_, row)| row[self.places[node]][0]);
+        let (low, high) = displacements.fold((f64::INFINITY, f64::NEG_INFINITY), |ends, at| {
+            (ends.0.min(at), ends.1.max(at))
+        });
+        let half = 0.5 * (high - low);
+        (half.is_finite() && half > 0.0 && oscillates(model, node)).then_some(half)
+    }
+
+    fn instants(&self) -> impl Iterator<Item = (f64, &[[f64; 4]])> {
+        let rows = self.rows.chunks_exact(self.heads.len().max(1));
+        self.times.iter().copied().zip(rows)
+    }
+
+    /// The rigid mechanism of a model with these laws: the one that the path was
+    /// made of, or with other inertias and loads.
+    pub(super) fn rigid_motion(&self, model: &Model) -> RigidMotion {
+        let objects = model.objects.iter();
+        let pairs =
+            objects.filter_map(|part| Some((force_pair(model, part)?, *part.nodes.first()?)));
+        let pairs: Vec<(Pair, NodeIndex)> = pairs.collect();
+        let mut margin = None;
+        // What a linkage hands on to its driver is not followed here.
+        if !pairs.is_empty() && !self.times.is_empty() && model.linkages.is_empty() {
+            let count = self.times.len();
+            let mut forces = vec![0.0; pairs.len() * count];
+            let mut carried = vec![0.0; self.heads.len()];
+            for (instant, now) in self.instants().enumerate() {
+                self.carry(model, now, &mut carried);
+                for (number, (pair, node)) in pairs.iter().enumerate() {
+                    forces[number * count + instant] = pair.opens * carried[self.places[*node]];
+                }
+            }
+            // A margin that is no number must not vanish behind one that is.
+            let margins = forces.chunks_exact(count).map(least);
+            margin = margins.reduce(|a, b| if a <= b || a.is_nan() { a } else { b });
+        }
+        RigidMotion {
+            amplitude: self.amplitude.clone(),
+            margin: margin.filter(|margin| margin.is_finite()),
+        }
+    }
+
+    /// Gathers the forces P from the last follower to the drives, one for each
+    /// place.
+    fn carry(&self, model: &Model, now: (f64, &[[f64; 4]]), forces: &mut [f64]) {
+        let (_, row) = now;
+        forces.fill(0.0);
+        for (node, &place) in model.nodes.iter().zip(&self.places) {
+            forces[place] += node.inertia * row[place][2];
+        }
+        for load in &model.loads {
+            forces[self.places[load.node]] -= self.strength(model, load, now);
+        }
+        // Drivers stand before what they drive.
+        for (place, &node) in self.heads.iter().enumerate().rev() {
+            if let NodeMotion::Mass { law } | NodeMotion::Rigid { law } = &model.nodes[node].motion
+            {
+                forces[self.places[law.driver]] += row[place][3] * forces[place];
             }
         }
     }
-    let amplitude = |(object, part): (usize, &ObjectPart)| {
-        let half = 0.5 * (stroke[object][1] - stroke[object][0]);
-        let &node = part.nodes.first()?;
-        (half.is_finite() && half > 0.0 && oscillates(model, node)).then_some(half)
-    };
-    let margins = forces.iter().filter(|forces| !forces.is_empty());
-    // A margin that is no number must not vanish behind one that is.
-    let margin = margins.map(|forces| least(forces));
-    let margin = margin.reduce(|a, b| if a <= b || a.is_nan() { a } else { b });
-    RigidMotion {
-        amplitude: objects.iter().enumerate().map(amplitude).collect(),
-        // What a linkage hands on to its driver is not followed here.
-        margin: margin.filter(|margin| margin.is_finite() && model.linkages.is_empty()),
+
+    /// A load's force at an instant; not a number for motors.
+    fn strength(&self, model: &Model, load: &Load, (time, row): (f64, &[[f64; 4]])) -> f64 {
+        let [displacement, speed, ..] = row[self.places[load.node]];
+        match &load.law {
+            LoadLaw::Constant(force) => *force,
+            LoadLaw::Pieces { track, pieces } => {
+                let track = &model.tracks[*track];
+                let (x, sense) = match track.source {
+                    TrackSource::Time => (time, 1.0),
+                    TrackSource::Node(node) => {
+                        let [x, sense, ..] = row[self.places[node]];
+                        (x, sense)
+                    }
+                };
+                let (index, shift) = track.breaks.piece(track.breaks.locate(x, sense));
+                pieces.get(index).map_or(0.0, |piece| {
+                    piece.value + piece.slope * (x - shift - piece.start)
+                })
+            }
+            LoadLaw::Spring { rate, preload } => -preload - rate * displacement,
+            LoadLaw::Viscous(damping) => -damping * speed,
+            LoadLaw::Friction { force, width } => -force * (speed / width).tanh(),
+            LoadLaw::LinearMotor { .. } | LoadLaw::Kloss { .. } | LoadLaw::SpeedTable(_) => {
+                f64::NAN
+            }
+        }
     }
+}
+
+/// Places of the nodes in a row, and the first node of every place: all masses
+/// of a chain follow the same law and share one.
+fn places(model: &Model) -> (Vec<usize>, Vec<NodeIndex>) {
+    let mut first: Vec<NodeIndex> = (0..model.nodes.len()).collect();
+    for part in &model.objects {
+        for &node in &part.nodes {
+            first[node] = part.nodes[0];
+        }
+    }
+    let (mut places, mut heads) = (Vec::with_capacity(first.len()), Vec::new());
+    // First masses stand before the others.
+    for (node, &first) in first.iter().enumerate() {
+        if first == node {
+            heads.push(node);
+        }
+        places.push(match first == node {
+            true => heads.len() - 1,
+            false => places[first],
+        });
+    }
+    (places, heads)
 }
 
 /// How long the rigid mechanism is followed: a cycle, if all of it repeats.
@@ -103,119 +263,6 @@ fn oscillates(model: &Model, node: NodeIndex) -> bool {
             !matches!(law.position, Position::Ratio { .. }) || oscillates(model, law.driver)
         }
         NodeMotion::Prescribed { .. } | NodeMotion::Rotor { .. } => false,
-    }
-}
-
-/// The rigid mechanism at an instant.
-struct Walk<'m> {
-    model: &'m Model,
-    /// First mass of the object that each node belongs to.
-    first: Vec<NodeIndex>,
-    time: f64,
-    /// φ, φ̇ and φ̈ of every node.
-    motion: Vec<[f64; 3]>,
-    /// U′ of every node's law.
-    slope: Vec<f64>,
-    /// P of every object, at its first node.
-    force: Vec<f64>,
-}
-
-impl<'m> Walk<'m> {
-    fn new(model: &'m Model) -> Self {
-        let count = model.nodes.len();
-        let mut first: Vec<NodeIndex> = (0..count).collect();
-        for part in &model.objects {
-            for &node in &part.nodes {
-                first[node] = part.nodes[0];
-            }
-        }
-        Self {
-            model,
-            first,
-            time: 0.0,
-            motion: vec![[0.0; 3]; count],
-            slope: vec![0.0; count],
-            force: vec![0.0; count],
-        }
-    }
-
-    /// Moves everything to `time`.
-    fn go_to(&mut self, time: f64) {
-        self.time = time;
-        for (node, at) in self.model.nodes.iter().enumerate() {
-            self.motion[node] = match &at.motion {
-                NodeMotion::Prescribed { motion, track } => {
-                    let jet = motion.jet(self.segment(*track, time, 1.0), time);
-                    [jet.value, jet.first, jet.second]
-                }
-                NodeMotion::Rotor { .. } => [f64::NAN; 3],
-                // All masses of a chain follow the same law.
-                _ if self.first[node] != node => self.motion[self.first[node]],
-                NodeMotion::Mass { law } | NodeMotion::Rigid { law } => {
-                    let [phi, speed, acceleration] = self.motion[law.driver];
-                    let segment = self.segment(law.track, phi, speed);
-                    let jet = law.position.jet(segment, phi).scaled(law.lever);
-                    self.slope[node] = jet.first;
-                    [
-                        jet.value,
-                        jet.first * speed,
-                        jet.second * speed * speed + jet.first * acceleration,
-                    ]
-                }
-            };
-        }
-        self.carry();
-    }
-
-    fn segment(&self, track: Option<usize>, x: f64, sense: f64) -> i64 {
-        track.map_or(0, |track| self.model.tracks[track].breaks.locate(x, sense))
-    }
-
-    /// Gathers the forces from the last follower to the drives.
-    fn carry(&mut self) {
-        for (node, at) in self.model.nodes.iter().enumerate() {
-            self.force[node] = at.inertia * self.motion[node][2];
-        }
-        for load in &self.model.loads {
-            self.force[load.node] -= self.strength(&load.law, self.motion[load.node]);
-        }
-        // Drivers stand before what they drive, first masses before the others.
-        for node in (0..self.model.nodes.len()).rev() {
-            let force = self.force[node];
-            match &self.model.nodes[node].motion {
-                NodeMotion::Mass { .. } if self.first[node] != node => {
-                    self.force[self.first[node]] += force;
-                }
-                NodeMotion::Mass { law } | NodeMotion::Rigid { law } => {
-                    self.force[law.driver] += self.slope[node] * force;
-                }
-                NodeMotion::Prescribed { .. } | NodeMotion::Rotor { .. } => {}
-            }
-        }
-    }
-
-    /// A load's force; not a number for motors.
-    fn strength(&self, law: &LoadLaw, [displacement, speed, _]: [f64; 3]) -> f64 {
-        match law {
-            LoadLaw::Constant(force) => *force,
-            LoadLaw::Pieces { track, pieces } => {
-                let track = &self.model.tracks[*track];
-                let (x, sense) = match track.source {
-                    TrackSource::Time => (self.time, 1.0),
-                    TrackSource::Node(node) => (self.motion[node][0], self.motion[node][1]),
-                };
-                let (index, shift) = track.breaks.piece(track.breaks.locate(x, sense));
-                pieces.get(index).map_or(0.0, |piece| {
-                    piece.value + piece.slope * (x - shift - piece.start)
-                })
-            }
-            LoadLaw::Spring { rate, preload } => -preload - rate * displacement,
-            LoadLaw::Viscous(damping) => -damping * speed,
-            LoadLaw::Friction { force, width } => -force * (speed / width).tanh(),
-            LoadLaw::LinearMotor { .. } | LoadLaw::Kloss { .. } | LoadLaw::SpeedTable(_) => {
-                f64::NAN
-            }
-        }
     }
 }
 

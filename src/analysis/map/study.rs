@@ -1,6 +1,6 @@
 //! What is asked: a scene, axes, panels and a figure, checked before any run.
 
-use super::figure::{check_figure, default_figure, parameter_unit, unit};
+use super::figure::{check_figure, default_figure, nothing_elastic, parameter_unit, unit};
 use super::panels::Panels;
 use crate::analysis::RunSettings;
 use crate::analysis::axis::Axis;
@@ -110,7 +110,10 @@ impl<'a> Study<'a> {
         let mut hashes = Vec::new();
         for panel in 0..study.panels.panels.len() {
             let (reading, system) = study.probe(panel)?;
-            study.choose_figure(&reading, &system)?;
+            if study.figure.is_empty() {
+                study.figure = study.default_figure(panel, &reading, &system)?;
+            }
+            study.check_figure(&system)?;
             study.scene.clone_from(&reading.scene.name);
             hashes.push(reading.scene.hash);
         }
@@ -118,8 +121,8 @@ impl<'a> Study<'a> {
         Ok(study)
     }
 
-    /// The first of a panel's corners and its middle that is a mechanism.
-    fn probe(&self, panel: usize) -> Result<(Reading, System), StudyFault> {
+    /// Cells of a panel that are tried beforehand: its corners and its middle.
+    fn points(&self) -> [usize; 5] {
         let (columns, rows) = (self.columns(), self.cells_in_panel() / self.columns());
         let (last, top) = (columns - 1, rows - 1);
         let points = [
@@ -129,14 +132,40 @@ impl<'a> Study<'a> {
             (0, top),
             (last / 2, top / 2),
         ];
+        points.map(|(column, row)| row * columns + column)
+    }
+
+    /// The first of a panel's corners and its middle that is a mechanism.
+    fn probe(&self, panel: usize) -> Result<(Reading, System), StudyFault> {
         let mut first = None;
-        for (column, row) in points {
-            match self.try_cell(panel, row * columns + column) {
+        for cell in self.points() {
+            match self.try_cell(panel, cell) {
                 Ok(found) => return Ok(found),
                 Err(diagnostics) => first = first.or(Some(diagnostics)),
             }
         }
         Err(StudyFault::Scene(Box::new(first.unwrap_or_default())))
+    }
+
+    /// δ_max of the last elastic object, at the first of a panel's points where
+    /// something is elastic: the number of masses may be on an axis, from 0 on.
+    fn default_figure(
+        &self,
+        panel: usize,
+        reading: &Reading,
+        system: &System,
+    ) -> Result<String, StudyFault> {
+        let of = |reading: &Reading, system: &System| {
+            default_figure(system.model(), &reading.scene.order())
+        };
+        if let Some(found) = of(reading, system) {
+            return Ok(found);
+        }
+        let others = self.points().into_iter();
+        let mut others = others.filter_map(|cell| self.try_cell(panel, cell).ok());
+        others
+            .find_map(|(reading, system)| of(&reading, &system))
+            .ok_or_else(|| StudyFault::Question(nothing_elastic(system.model())))
     }
 
     fn try_cell(&self, panel: usize, cell: usize) -> Result<(Reading, System), Diagnostics> {
@@ -150,17 +179,8 @@ impl<'a> Study<'a> {
         Ok((reading, system))
     }
 
-    fn choose_figure(&mut self, reading: &Reading, system: &System) -> Result<(), StudyFault> {
+    fn check_figure(&mut self, system: &System) -> Result<(), StudyFault> {
         let model = system.model();
-        if self.figure.is_empty() {
-            self.figure = default_figure(model, &reading.scene.order()).ok_or_else(|| {
-                StudyFault::Question(
-                    "nothing in this scene is elastic, so that there is no δ_max to map; \
-                     name a figure, for example --figure rocker.peak_reaction"
-                        .to_owned(),
-                )
-            })?;
-        }
         check_figure(&self.figure, model).map_err(|fault| {
             let hint = match fault.hint.is_empty() {
                 true => "write object.figure, for example rocker.delta_max",

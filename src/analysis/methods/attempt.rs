@@ -63,21 +63,39 @@ impl Attempt {
         effort: &Effort<'_>,
     ) -> Self {
         let mut attempt = Self::light(problem, method, setting, effort);
-        if !attempt.has_ended_well() {
-            return attempt;
+        if attempt.has_ended_well() {
+            attempt.repeat(problem, effort);
+            attempt.record(problem, effort);
         }
-        attempt.repeat(problem, effort);
+        attempt
+    }
+
+    /// The same without repetitions, where its time does not matter.
+    pub(super) fn untimed(
+        problem: &Problem<'_>,
+        method: Method,
+        setting: Setting,
+        effort: &Effort<'_>,
+    ) -> Self {
+        let mut attempt = Self::light(problem, method, setting, effort);
+        if attempt.has_ended_well() {
+            attempt.record(problem, effort);
+        }
+        attempt
+    }
+
+    /// Runs once more with the recorder, for the figures.
+    fn record(&mut self, problem: &Problem<'_>, effort: &Effort<'_>) {
         let control = Control {
             wall_clock: Some(effort.limit * RECORDED_TAKES),
             ..effort.control
         };
-        let settings = problem.with(method, setting);
+        let settings = problem.with(self.method, self.setting);
         let recorded = run(problem.system, &settings, &control, &mut []);
-        attempt.figures = recorded
+        self.figures = recorded
             .ok()
             .filter(|result| has_ended_well(&result.outcome.stop))
             .map(|result| result.figures);
-        attempt
     }
 
     /// The same without repetitions and figures.

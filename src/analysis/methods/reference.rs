@@ -73,7 +73,7 @@ pub struct Distance {
 pub(super) struct Truth {
     pub(super) public: Reference,
     pub(super) trace: Trace,
-    /// Index of the point that it is.
+    /// Index of the point that it is among all, shown or not.
     pub(super) index: usize,
     pub(super) figures: Option<Figures>,
     /// max|δ| of every track; 0 for tracks at rest, which are not judged.
@@ -104,7 +104,7 @@ pub(super) fn distance(a: &Trace, b: &Trace, sizes: &[f64], until: usize) -> Opt
     Some(greatest)
 }
 
-/// Finds the reference among the points of all methods.
+/// Finds the reference among the points of all methods, shown or not.
 ///
 /// # Errors
 /// No two methods agree: how far they are apart.

@@ -24,6 +24,9 @@ pub struct Plan {
     pub accuracy: f64,
     /// The methods.
     pub methods: Vec<Method>,
+    /// True: errors are taken against `exact` where it applies, even if it is
+    /// not among the methods; false: against one of them only.
+    pub exact_beside: bool,
     /// Tolerances, the coarsest first.
     pub tolerances: Vec<f64>,
     /// Steps of methods of fixed step (s), the longest first; `None`: from just
@@ -42,6 +45,7 @@ impl Plan {
         Self {
             accuracy,
             methods: all_methods(),
+            exact_beside: true,
             tolerances: (3..=13).map(|digits| 10f64.powi(-digits)).collect(),
             steps: None,
             repeats: 5,
@@ -131,7 +135,9 @@ pub fn study(
     };
     let coordinates = crate::integrate::Dynamics::coordinates(system);
     let spectrum = Spectrum::of(system, coordinates);
-    let (attempts, complete) = attempts(&problem, plan, &spectrum, &effort, progress);
+    let beside = beside(&problem, plan, &effort);
+    let (own, complete) = attempts(&problem, plan, &spectrum, &effort, progress);
+    let attempts: Vec<Attempt> = beside.into_iter().chain(own).collect();
     // What was done before an interrupt is still judged; no limits are measured.
     let interrupt = control.interrupt.filter(|_| complete);
     let effort = Effort {
@@ -184,6 +190,12 @@ fn nothing_to_choose() -> Fault {
          drives, and there is no method to choose",
         "give an object `masses` and a `stiffness`",
     )
+}
+
+/// The exact motion beside the methods of a plan that does not name it.
+fn beside(problem: &Problem<'_>, plan: &Plan, effort: &Effort<'_>) -> Option<Attempt> {
+    let wanted = plan.exact_beside && !plan.methods.contains(&Method::Exact);
+    wanted.then(|| Attempt::untimed(problem, Method::Exact, Setting::Exact, effort))
 }
 
 /// Runs all points; false: interrupted.

@@ -168,7 +168,13 @@ fn over(
             let ready = input.prepare(&[axis.setting(x)])?;
             Ok((ready.system, ready.settings))
         },
-        |_, faults| first.reading.places.diagnose(&faults).into(),
+        |x, mut faults| {
+            for fault in &mut faults {
+                let message = std::mem::take(&mut fault.message);
+                fault.message = format!("with {}: {message}", axis.setting(x));
+            }
+            first.reading.places.diagnose(&faults).into()
+        },
         &mut |index, now| bar.at(index, now),
     );
     bar.finish();

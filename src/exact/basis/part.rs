@@ -66,7 +66,13 @@ impl Part {
         if pencil.floats() && pencil.dragged() {
             values.insert(0, ZERO);
         }
-        for lane in cluster::lanes(pencil, &values).map_err(NoBasis)? {
+        let own = cluster::lanes(pencil, &values).map_err(NoBasis)?;
+        if self.members.len() == n {
+            // It is all of the tree, in the same order.
+            lanes.extend(own);
+            return Ok(());
+        }
+        for lane in own {
             let spread = |local: &[C]| self.spread(n, |k| local[k]);
             lanes.push(Lane {
                 row_q: spread(&lane.row_q),

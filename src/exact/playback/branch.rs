@@ -1,6 +1,5 @@
 //! One tree in the system's coordinates.
 
-use crate::exact::cursor::NOTHING;
 use crate::exact::from_model::Part;
 use crate::exact::{Cursor, ExactTree, MOST_ORDERS, Refusal};
 use crate::integrate::Modes;
@@ -88,7 +87,7 @@ impl<'a> Branch<'a> {
         });
         let mut longest = self.cursor.pace();
         self.cursor.lanes(s, |rate, own| {
-            if own <= NOTHING * size || rate == 0.0 {
+            if rate == 0.0 || own == 0.0 {
                 return;
             }
             let mut radians = (HERMITE * size / own).powf(1.0 / 16.0);

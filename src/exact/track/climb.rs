@@ -122,7 +122,7 @@ impl Track {
                 f: f[0],
                 g: f[1],
             });
-            let (x, _) = reversed([f[1], f[2], f[3], 0.0, 0.0], 0.0);
+            let (x, _) = reversed::<A>([f[1], f[2], f[3], 0.0, 0.0], 0.0);
             let target = s + x;
             if !(f[2] < 0.0 && target > piece.a.s && target < piece.b.s) {
                 return plain;
@@ -268,7 +268,7 @@ impl Track {
                 f: f[0],
                 g: f[1],
             });
-            let (x, _) = reversed([f[0], f[1], f[2], f[3], 0.0], 0.0);
+            let (x, _) = reversed::<A>([f[0], f[1], f[2], f[3], 0.0], 0.0);
             let target = s + x;
             if !(crosses && target > piece.a.s && target < piece.b.s) {
                 return plain;

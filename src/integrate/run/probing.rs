@@ -7,6 +7,8 @@ use crate::integrate::{Dynamics, Guard, Probe, Watch};
 
 /// Bisections, down to the rounding of a place on the step.
 const BISECTIONS: usize = 60;
+/// A probe may differ from a parabola by this part of its change.
+const UNLIKE: f64 = 0.25;
 
 impl<D: Dynamics> Run<'_, D> {
     /// The watch that was found; one made up for a probe.
@@ -48,34 +50,58 @@ impl<D: Dynamics> Run<'_, D> {
 
     /// Where a probe becomes positive first, up to `end`.
     fn fires(&self, probe: &Probe, end: f64, y: &mut [f64]) -> Option<f64> {
-        let mut low = 0.0;
         // The start of a step is the end of the last one, unless something has
         // switched there.
-        if self.fresh && self.is_positive(probe, 0.0, y) {
+        let turns = probe.looks > 1;
+        let begin = match self.fresh || turns {
+            true => self.value(probe, 0.0, y),
+            false => f64::NEG_INFINITY,
+        };
+        if self.fresh && begin > 0.0 {
             return Some(0.0);
         }
+        let (mut before, mut low) = (None, (0.0, begin));
         for look in 1..=probe.looks {
-            let mut high = end * look as f64 / probe.looks as f64;
-            if !self.is_positive(probe, high, y) {
-                low = high;
-                continue;
+            let s = end * look as f64 / probe.looks as f64;
+            let high = (s, self.value(probe, s, y));
+            // It may have been positive in between.
+            if let Some([a, b]) = before.map(|before| [before, low])
+                && let Some(s) = summit([a, b, high])
+                && self.value(probe, s, y) > 0.0
+            {
+                let low = if s > b.0 { b.0 } else { a.0 };
+                return Some(self.bisect(probe, [low, s], y));
             }
-            for _ in 0..BISECTIONS {
-                let middle = 0.5 * (low + high);
-                if middle <= low || middle >= high {
-                    break;
-                }
-                match self.is_positive(probe, middle, y) {
-                    true => high = middle,
-                    false => low = middle,
-                }
+            if high.1 > 0.0 {
+                return Some(self.bisect(probe, [low.0, high.0], y));
             }
-            return Some(high);
+            before = turns.then_some(low);
+            low = high;
         }
         None
     }
 
-    fn is_positive(&self, probe: &Probe, s: f64, y: &mut [f64]) -> bool {
+    /// Where a probe becomes positive between two places; just before, where there are
+    /// no forces beyond.
+    fn bisect(&self, probe: &Probe, [mut low, mut high]: [f64; 2], y: &mut [f64]) -> f64 {
+        for _ in 0..BISECTIONS {
+            let middle = 0.5 * (low + high);
+            if middle <= low || middle >= high {
+                break;
+            }
+            match self.value(probe, middle, y) > 0.0 {
+                true => high = middle,
+                false => low = middle,
+            }
+        }
+        if self.value(probe, high, y) == f64::INFINITY {
+            low
+        } else {
+            high
+        }
+    }
+
+    fn value(&self, probe: &Probe, s: f64, y: &mut [f64]) -> f64 {
         let step = self.output.step(1.0);
         let time = if s == 0.0 {
             y.copy_from_slice(&self.from.y);
@@ -87,6 +113,24 @@ impl<D: Dynamics> Run<'_, D> {
             step.state(s, y);
             step.time(s)
         };
-        self.evaluator.probe(probe, time, y) > 0.0
+        self.evaluator.probe(probe, time, y)
     }
+}
+
+/// Where a parabola through three places has its summit, if it lies between them and
+/// may reach above zero while the first two are below.
+fn summit([(a, fa), (b, fb), (c, fc)]: [(f64, f64); 3]) -> Option<f64> {
+    if !(fa <= 0.0 && fb <= 0.0) {
+        return None;
+    }
+    let (left, right) = ((fb - fa) / (b - a), (fc - fb) / (c - b));
+    let curvature = (right - left) / (c - a);
+    if !(curvature < 0.0) {
+        return None;
+    }
+    let s = 0.5 * (a + b - left / curvature);
+    let rise = |x: f64| fa + left * (x - a) + curvature * (x - a) * (x - b);
+    let doubt = UNLIKE * (fa.max(fb).max(fc) - fa.min(fb).min(fc));
+    // One beyond zero is found without it, unless it comes down before.
+    (s > a && s < c && rise(s) + doubt > 0.0 && (fc <= 0.0 || s < b)).then_some(s)
 }

@@ -238,6 +238,7 @@ impl Kinetostatics {
                 unknown: 2 * index,
                 column: w.columns,
                 law,
+                pressed: None,
             };
             w.columns += term.width();
             w.terms.push(term);

@@ -23,6 +23,10 @@ pub(super) struct Term {
     pub(super) column: usize,
     /// Pin or guide.
     pub(super) law: Law,
+    /// Signs of the normal forces on both corners of a block, where they are given;
+    /// of a pin a direction near that of its reaction, which changes nothing. `None`:
+    /// as they turn out.
+    pub(super) pressed: Option<[f64; 2]>,
 }
 
 /// The factors of a pair's friction, each with the sign of the sliding.
@@ -42,7 +46,11 @@ impl Term {
         match self.law {
             Law::Pin(factor) => tau[self.column] = -factor * (a * a + b * b).sqrt(),
             Law::Guide([along, couple]) => {
-                tau[self.column] = -along * (a.abs() + b.abs());
+                let pressed = match self.pressed {
+                    Some([p, q]) => p * a + q * b,
+                    None => a.abs() + b.abs(),
+                };
+                tau[self.column] = -along * pressed;
                 tau[self.column + 1] = -couple * (a + b);
             }
         }
@@ -63,7 +71,8 @@ impl Term {
                 }
             }
             Law::Guide([along, couple]) => {
-                [[-along * sign(a), -along * sign(b)], [-couple, -couple]]
+                let [p, q] = self.pressed.unwrap_or([sign(a), sign(b)]);
+                [[-along * p, -along * q], [-couple, -couple]]
             }
         }
     }

@@ -31,6 +31,7 @@ mod result;
 mod reversals;
 mod search;
 mod sensitivity;
+mod sides;
 mod solve;
 mod workspace;
 

@@ -94,12 +94,11 @@ impl Kinetostatics {
         w: &ForceWorkspace,
     ) -> Transmission {
         let [ratio, slope] = self.output_rates(output, w);
-        let direction = if w.speed < 0.0 { -1.0 } else { 1.0 };
         let scale = AT_REST * self.output_scale(output);
         let sign = if ratio.abs() > scale {
             ratio.signum()
         } else if slope.abs() > scale {
-            (slope * direction).signum()
+            (slope * w.direction).signum()
         } else {
             0.0
         };

@@ -15,6 +15,7 @@
 
 use super::external::Input;
 use super::positions::Positions;
+use super::sides::press;
 use super::solve::{ForceFailure, Options};
 use super::workspace::ForceWorkspace;
 use super::{Kinetostatics, Unknown};
@@ -40,6 +41,9 @@ pub struct Resisted<'a> {
     /// are taken as given, so that everything is smooth also just beyond a
     /// change of direction.
     pub senses: &'a [f64],
+    /// The sides on which pairs press ([`Kinetostatics::sides`]), those of blocks
+    /// taken as given likewise; `None`: as they turn out.
+    pub pressed: Option<u64>,
 }
 
 /// What friction does at the input.
@@ -72,6 +76,7 @@ impl Kinetostatics {
         w: &mut ForceWorkspace,
     ) -> Result<Resistance, ForceFailure> {
         w.speed = motion.speed;
+        w.direction = motion.direction;
         self.place_sliding(positions, motion.senses, motion.direction, w);
         w.set_output_loads(motion.loads);
         w.output_inertias.fill(0.0);
@@ -85,6 +90,9 @@ impl Kinetostatics {
         self.apply_forces(input, w);
         self.carry_outputs(w);
         self.friction_terms(options.friction, w);
+        if let Some(pressed) = motion.pressed {
+            press(pressed, &mut w.terms);
+        }
         self.drive_rows(w);
         let solutions = self.balance_resistance(motion, options, w);
         // Other questions to the same memory know nothing of inertias on outputs.
@@ -234,16 +242,6 @@ impl Kinetostatics {
     /// the length scale of a driver that slides (m).
     pub fn coordinate_scale(&self) -> f64 {
         self.length / self.units[self.spec.driver]
-    }
-
-    /// Which corners of blocks with friction press with a positive normal force, as
-    /// bits (of the first 32 blocks): a change makes a kink in the friction.
-    pub fn pressing_corners(&self, w: &ForceWorkspace) -> u64 {
-        let guides = w.terms.iter().filter(|term| term.width() == 2);
-        guides.take(32).fold(0, |bits, term| {
-            let [first, second] = [0, 1].map(|k| u64::from(w.unknowns[term.unknown + k] > 0.0));
-            bits << 2 | first << 1 | second
-        })
     }
 
     /// Greatest magnitude of the reactions found last (N, couples over the

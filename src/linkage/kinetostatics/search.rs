@@ -96,9 +96,11 @@ impl ForceWorkspace {
         found
     }
 
-    /// Number of guides with friction.
+    /// Number of guides with friction whose corners may press on either side.
     fn guides(&self) -> usize {
-        let is_guide = |term: &&super::friction::Term| matches!(term.law, Law::Guide(_));
+        let is_guide = |term: &&super::friction::Term| {
+            matches!(term.law, Law::Guide(_)) && term.pressed.is_none()
+        };
         self.terms.iter().filter(is_guide).count()
     }
 
@@ -142,8 +144,9 @@ impl ForceWorkspace {
                     1.0
                 }
             };
-            let rows = [[along * sign(0), along * sign(1)], [couple, couple]];
-            guide += 1;
+            let [p, q] = term.pressed.unwrap_or([sign(0), sign(1)]);
+            let rows = [[along * p, along * q], [couple, couple]];
+            guide += usize::from(term.pressed.is_none());
             for (which, [p, q]) in rows.into_iter().enumerate() {
                 let row = term.column + which;
                 let [f, g] = [0, 1].map(|k| self.right[(term.unknown + k) * (1 + m)]);

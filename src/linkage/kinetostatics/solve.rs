@@ -185,6 +185,7 @@ impl Kinetostatics {
         w: &mut ForceWorkspace,
     ) {
         w.speed = motion.speed;
+        w.direction = direction;
         self.place(positions, direction, w);
         let input = Input {
             coordinate: motion.coordinate,

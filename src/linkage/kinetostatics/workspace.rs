@@ -63,6 +63,8 @@ pub struct ForceWorkspace {
     pub(super) scratch: [Vec<f64>; 2],
     /// Input at the last position.
     pub(super) speed: f64,
+    /// Sign of its motion just after that position, also from rest.
+    pub(super) direction: f64,
     pub(super) acceleration: f64,
     /// The driver's force (N·m or N).
     pub(super) drive: f64,

@@ -43,6 +43,14 @@ fn golden() {
                 .pin((GROUND, [0.4, 0.0]), (Some(4), [0.3, 0.0]))
                 .0
         }),
+        ("two links pinned together twice", {
+            Builder::new(&["crank", "plate", "lid"])
+                .pin((GROUND, [0.0; 2]), (Some(0), [0.0; 2]))
+                .pin((Some(0), [0.1, 0.0]), (Some(1), [0.0; 2]))
+                .pin((Some(1), [0.3, 0.0]), (Some(2), [0.3, 0.0]))
+                .pin((Some(1), [0.2, 0.1]), (Some(2), [0.2, 0.1]))
+                .0
+        }),
         ("wedges", {
             Builder::new(&["crank", "a", "b"])
                 .pin((GROUND, [0.0; 2]), (Some(0), [0.0; 2]))
@@ -67,6 +75,18 @@ fn golden() {
         ("both branches", {
             let plus = four_bar([0.1, 0.4, 0.3, 0.45]).choose(1, AssemblyChoice::Branch(1.0));
             plus.choose(2, AssemblyChoice::Branch(-1.0)).0
+        }),
+        ("a branch and a position on the other", {
+            let plus = four_bar([0.1, 0.4, 0.3, 0.45]).choose(1, AssemblyChoice::Branch(1.0));
+            plus.choose(2, AssemblyChoice::Angle(-1.8)).0
+        }),
+        ("two positions on different branches", {
+            let below = four_bar([0.1, 0.4, 0.3, 0.45]).choose(1, AssemblyChoice::Angle(-0.8));
+            below.choose(2, AssemblyChoice::Angle(1.8)).0
+        }),
+        ("another angle of the crank", {
+            let four_bar = four_bar([0.1, 0.4, 0.3, 0.45]).start(0.3);
+            four_bar.choose(0, AssemblyChoice::Angle(1.5)).0
         }),
         ("wrong numbers", wrong_numbers()),
     ];

@@ -45,35 +45,21 @@ fn pair(slot: Slot<'_>, name: &str, names: &Names) -> Option<PairSpec> {
             sliding(slot, names)
         });
         let kind = kind.finish();
-        let sliding = fields.member("sliding");
-        let given_corners = sliding.is_some_and(|pair| pair.value.get("corners").is_some());
         let doc = "Diameter of the pin, for friction; default 0";
         let diameter = fields.maybe("diameter", doc, |slot| {
             slot.quantity(q::LENGTH, Bounds::NOT_NEGATIVE)
         });
-        let (friction, (on, link, mut kind), diameter) = (friction?, kind?, diameter?);
-        match (&mut kind, diameter) {
-            (PairKind::Revolute { diameter }, given) => *diameter = given.unwrap_or(0.0),
-            (PairKind::Sliding { .. }, None) => {
-                if friction > 0.0 && !given_corners {
-                    let message = "a block with friction needs the places of its two corners";
-                    let fault = fields.refuse("friction", "missing-property", message);
-                    let hint = "add \"corners\": [\"20 mm\", \"-20 mm\"] to `sliding`";
-                    fault.hints.push(hint.to_owned());
-                    return None;
-                }
-            }
-            (PairKind::Sliding { .. }, Some(_)) => {
-                let message = "a sliding pair has no pin and no `diameter`";
-                fields.refuse("diameter", "contradiction", message);
-                return None;
-            }
+        let whole = fits_a_block(fields, friction.unwrap_or(0.0));
+        let (friction, (on, link, mut kind), given) = (friction?, kind?, diameter?);
+        if let PairKind::Revolute { diameter } = &mut kind {
+            *diameter = given.unwrap_or(0.0);
         }
         if on.link == link.link {
             let message = format!("`{name}` joins a link to itself");
             fields.refuse("", "contradiction", message);
             return None;
         }
+        whole.then_some(())?;
         Some(PairSpec {
             name: name.to_owned(),
             on,
@@ -82,6 +68,29 @@ fn pair(slot: Slot<'_>, name: &str, names: &Names) -> Option<PairSpec> {
             friction,
         })
     })
+}
+
+/// Whether what is said of a pair beside its kind is enough for a block, and no more;
+/// also told where its guide has faults of its own.
+fn fits_a_block(fields: &mut Fields<'_>, friction: f64) -> bool {
+    let Some(sliding) = fields.member("sliding") else {
+        return true;
+    };
+    let without_corners = sliding.value.get("corners").is_none();
+    let mut fits = true;
+    if friction > 0.0 && without_corners {
+        let message = "a block with friction needs the places of its two corners";
+        let fault = fields.refuse("friction", "missing-property", message);
+        let hint = "add \"corners\": [\"20 mm\", \"-20 mm\"] to `sliding`";
+        fault.hints.push(hint.to_owned());
+        fits = false;
+    }
+    if fields.member("diameter").is_some() {
+        let message = "a sliding pair has no pin and no `diameter`";
+        fields.refuse("diameter", "contradiction", message);
+        fits = false;
+    }
+    fits
 }
 
 fn sliding(slot: Slot<'_>, names: &Names) -> Option<(PointOf, PointOf, PairKind)> {
@@ -105,22 +114,16 @@ fn sliding(slot: Slot<'_>, names: &Names) -> Option<(PointOf, PointOf, PairKind)
             slot.quantity(q::LENGTH, Bounds::NOT_NEGATIVE)
         });
         let clash = fields.clash("direction", "through", "both give the direction of the guide");
+        let ordered = corners.is_none_or(|corners| in_order(fields, corners));
         let (guide, block, through, corners) = (guide?, block?, through?, corners?);
         let direction = match (direction?, through) {
             (given, None) => given.unwrap_or(0.0),
             (_, Some(through)) => towards(fields, guide, through)?,
         };
         fields.fill_in("direction", json!(direction));
-        if let Some((forward, back)) = corners
-            && !(forward > back)
-        {
-            let message = format!("the first corner ({forward} m) must lie before the second ({back} m)");
-            fields.refuse("corners", "out-of-range", message);
-            return None;
-        }
         fields.fill_in("corners", json!(corners.unwrap_or(CORNERS)));
         let (forward, back) = corners.unwrap_or(CORNERS);
-        (!clash).then_some(())?;
+        (ordered && !clash).then_some(())?;
         let kind = PairKind::Sliding {
             direction,
             angle: turned?,
@@ -129,6 +132,16 @@ fn sliding(slot: Slot<'_>, names: &Names) -> Option<(PointOf, PointOf, PairKind)
         };
         Some((guide, block, kind))
     })
+}
+
+/// Whether a block's corners, if they are given, carry a couple.
+fn in_order(fields: &mut Fields<'_>, corners: Option<(f64, f64)>) -> bool {
+    let Some((forward, back)) = corners.filter(|(forward, back)| !(forward > back)) else {
+        return true;
+    };
+    let message = format!("the first corner ({forward} m) must lie before the second ({back} m)");
+    fields.refuse("corners", "out-of-range", message);
+    false
 }
 
 /// Direction from one point of a guide to another one.

@@ -60,7 +60,7 @@ impl Recorder<'_> {
             for _ in 0..KINK_BISECTIONS {
                 let middle = 0.5 * (low + high);
                 self.observer.at(step, middle, modes);
-                match self.observer.friction_side(modes) == before {
+                match self.observer.friction_side() == before {
                     true => low = middle,
                     false => high = middle,
                 }

@@ -3,7 +3,8 @@
 use crate::analysis::kinematics::Kinematics;
 use crate::report::csv::{number, write};
 
-/// A row a position; angles continuous and in radians, everything in SI.
+/// A row a position; angles continuous and in radians, everything in SI; empty where
+/// a quantity grows beyond all numbers.
 ///
 /// # Errors
 /// Never in practice: writing into memory.
@@ -13,7 +14,11 @@ pub fn kinematics_csv(found: &Kinematics) -> Result<String, csv::Error> {
     let names = names.map(|column| format!("{} [{}]", column.name(), column.unit));
     let rows = found.axis.values.iter().enumerate().map(|(row, place)| {
         let values = found.columns.iter().map(move |column| column.values[row]);
-        std::iter::once(*place).chain(values).map(number)
+        let cell = |value: f64| match value.is_finite() {
+            true => number(value),
+            false => String::new(),
+        };
+        std::iter::once(*place).chain(values).map(cell)
     });
     write(
         std::iter::once(axis).chain(names),

@@ -25,6 +25,8 @@ pub(super) struct Moving<N> {
     pub(super) direction: f64,
     /// Segment of its course.
     pub(super) segment: i64,
+    /// Sides on which the corners of its blocks press, where they are given.
+    pub(super) pressed: Option<u64>,
 }
 
 pub(super) fn options(search: bool) -> Options {
@@ -46,6 +48,8 @@ impl Frozen {
         work: &mut Work<N>,
     ) -> N {
         let options = options(search);
+        // What is searched for presses on any side.
+        let pressed = moving.pressed.filter(|_| !search);
         let q = work.displacement[member.node];
         let Work {
             rubbing,
@@ -71,6 +75,7 @@ impl Frozen {
             inertias: &own.inertias,
             direction: moving.direction,
             senses: member.reversals.at(moving.segment),
+            pressed,
         };
         let solver = &member.kinetostatics;
         let mut solved = linkages[member.linkage].borrow_mut();

@@ -74,6 +74,7 @@ impl Frozen {
                 mobility: zero,
                 direction,
                 segment: self.segment_towards(member, direction, modes, work),
+                pressed: None,
             };
             let force = self.friction(member, &moving, false, work);
             let force = N::from(force.value());

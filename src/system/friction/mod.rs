@@ -9,12 +9,18 @@
 //! that friction holds it at rest. Of a linkage whose input does not keep a constant
 //! ratio to the root, or whose motion is given: its own direction. And for every
 //! linkage a track of the places at which pairs change theirs. `standstill` decides
-//! what happens where a group stops, and when it breaks loose again.
+//! what happens where a group stops, and when it breaks loose again; `sides` where
+//! corners of blocks begin to press on the other side, and where the reaction of a pin
+//! passes close by zero, so that friction is smooth in between; `unsolved` where there
+//! is no motion, or more than one.
 
 mod force;
 mod hold;
 mod passes;
+mod sides;
 mod standstill;
+mod stops;
+mod unsolved;
 
 use super::frozen::{Frozen, FrozenTrack};
 use super::quantity::Quantity;
@@ -31,6 +37,8 @@ pub(super) const UNSETTLED: i64 = 0;
 pub(crate) const HELD: i64 = 2;
 /// A target of no mode: the equations of motion have not just one solution.
 pub(super) const UNSOLVED: i64 = 3;
+/// A target of no mode: pairs press on another side.
+pub(super) const LIFTED: i64 = 4;
 
 /// What follows a root rigidly, as far as joints with friction are in it.
 #[derive(Clone, Debug)]
@@ -62,6 +70,9 @@ pub(super) struct Member {
     pub(super) direction: Direction,
     /// Component of the modes that selects the piece of its course, if it has pieces.
     pub(super) segment: Option<usize>,
+    /// Component of the modes that says on which sides its pairs press; `None` where
+    /// its motion is given.
+    pub(super) sides: Option<usize>,
     pub(super) reversals: Arc<Reversals>,
     pub(super) kinetostatics: Arc<Kinetostatics>,
     /// The nodes of its outputs.
@@ -171,6 +182,7 @@ impl Frozen {
                 },
             },
             segment,
+            sides: None,
             reversals,
             kinetostatics: Arc::clone(kinetostatics),
             outputs: body.outputs.iter().map(|&o| self.internal[o]).collect(),
@@ -207,6 +219,7 @@ impl Frozen {
         for group in &mut self.groups {
             group.component = group.coordinate.map(|_| number());
             for member in &mut group.members {
+                member.sides = group.component.map(|_| number());
                 if let Direction::Own { component, .. } = &mut member.direction {
                     *component = number();
                 }

@@ -52,21 +52,16 @@ impl Frozen {
         })
     }
 
-    /// Which corners of blocks press, as found last; one number for all linkages.
-    pub(in crate::system) fn pressing_corners(&self, modes: &[i64], work: &Work<f64>) -> u64 {
-        let mut sum = 0u64;
-        for group in &self.groups {
-            if group.component.is_some_and(|c| modes[c] == HELD) {
-                continue;
-            }
-            for member in &group.members {
-                if let Some(forces) = &work.rubbing[member.linkage].forces {
-                    let bits = member.kinetostatics.pressing_corners(forces);
-                    sum = sum.rotate_left(7) ^ bits;
-                }
-            }
-        }
-        sum
+    /// Which corners of blocks press, as found last, of linkages whose motion is given;
+    /// one number for all. Of those that move freely modes tell it.
+    pub(in crate::system) fn pressing_corners(&self, work: &Work<f64>) -> u64 {
+        let driven = self.groups.iter().filter(|group| group.component.is_none());
+        let members = driven.flat_map(|group| &group.members);
+        members.fold(0, |sum: u64, member| {
+            let forces = work.rubbing[member.linkage].forces.as_ref();
+            let bits = forces.map_or(0, |w| member.kinetostatics.pressing_corners(w));
+            sum.rotate_left(7) ^ bits
+        })
     }
 
     /// The force of a chain's links on a root that is one of its masses.
@@ -115,12 +110,58 @@ impl Frozen {
         [ratio, acceleration]
     }
 
-    /// Direction of a linkage's input in the present modes, its root moving in
-    /// `root`; 0 where it is not known.
-    fn direction_of(member: &Member, root: f64, modes: &[i64]) -> f64 {
-        match member.direction {
-            Direction::OfRoot(sign) => sign * root,
+    /// Acceleration of a group's root with the forces that are on it now, `link` being
+    /// those of its links.
+    pub(super) fn root_acceleration<N: Quantity>(
+        &self,
+        group: &Group,
+        link: N,
+        work: &Work<N>,
+    ) -> N {
+        match group.component {
+            Some(_) => (work.force[group.root] + link) / work.mass[group.root],
+            None => work.acceleration[group.root],
+        }
+    }
+
+    /// How a linkage of a group moves where its root has the acceleration `root`, its
+    /// own friction, as far as `work` has it, taken off.
+    pub(super) fn moving<N: Quantity>(
+        &self,
+        group: &Group,
+        member: &Member,
+        root: N,
+        modes: &[i64],
+        work: &Work<N>,
+    ) -> Moving<N> {
+        let [ratio, acceleration] = self.along(member, root, work);
+        let speed = work.speed[member.node];
+        let (mobility, free) = match group.component {
+            Some(_) => {
+                let mobility = ratio * ratio / work.mass[group.root];
+                let own = work.rubbing[member.linkage].force;
+                (mobility, acceleration - mobility * own)
+            }
+            None => (N::from(0.0), acceleration),
+        };
+        let forwards = segment(modes, group.component) as f64;
+        let known = match member.direction {
+            Direction::OfRoot(sign) => sign * forwards,
             Direction::Own { component, .. } => modes[component] as f64,
+        };
+        let direction = match (known, group.component) {
+            (0.0, Some(_)) => sign_of(ratio.value()) * forwards,
+            (0.0, None) if speed.value() == 0.0 => sign_of(free.value()),
+            (0.0, None) => speed.value().signum(),
+            (known, _) => known,
+        };
+        Moving {
+            speed,
+            free,
+            mobility,
+            direction,
+            segment: segment(modes, member.segment),
+            pressed: member.pressed(modes),
         }
     }
 
@@ -133,9 +174,7 @@ impl Frozen {
         modes: &[i64],
         work: &mut Work<N>,
     ) {
-        let root = segment(modes, group.component) as f64;
         let link = self.link_force(group, state, work);
-        let mass = work.mass[group.root];
         let alone = group.members.len() == 1;
         let mut left = if alone { 1 } else { ROUNDS };
         let mut extra = None;
@@ -144,24 +183,13 @@ impl Frozen {
             let mut change = 0.0f64;
             let mut size = 0.0f64;
             for member in group.members.iter().rev() {
-                let now = (work.force[group.root] + link) / mass;
-                let [ratio, acceleration] = self.along(member, now, work);
-                let mobility = ratio * ratio / mass;
+                let root = self.root_acceleration(group, link, work);
+                let moving = self.moving(group, member, root, modes, work);
                 let before = work.rubbing[member.linkage].force;
-                let direction = match Self::direction_of(member, root, modes) {
-                    0.0 => sign_of(ratio.value()) * root,
-                    direction => direction,
-                };
-                let moving = Moving {
-                    speed: work.speed[member.node],
-                    free: acceleration - mobility * before,
-                    mobility,
-                    direction,
-                    segment: segment(modes, member.segment),
-                };
                 let force = self.friction(member, &moving, false, work);
                 work.rubbing[member.linkage].force = force;
                 self.push(member, force - before, work);
+                let [ratio, _] = self.along(member, root, work);
                 let share = ratio.value().abs();
                 change = change.max(share * (force - before).value().abs());
                 size = size.max(share * force.value().abs());
@@ -190,22 +218,11 @@ impl Frozen {
     fn rub_driven<N: Quantity>(&self, group: &Group, modes: &[i64], work: &mut Work<N>) {
         let root = work.acceleration[group.root];
         for member in group.members.iter().rev() {
-            let [_, free] = self.along(member, root, work);
-            let speed = work.speed[member.node];
-            let direction = match (Self::direction_of(member, 0.0, modes), speed.value()) {
-                // In a dwell friction may be anything up to its limit: none is told.
-                (_, 0.0) if free.value() == 0.0 => continue,
-                (0.0, 0.0) => sign_of(free.value()),
-                (0.0, speed) => speed.signum(),
-                (direction, _) => direction,
-            };
-            let moving = Moving {
-                speed,
-                free,
-                mobility: N::from(0.0),
-                direction,
-                segment: segment(modes, member.segment),
-            };
+            let moving = self.moving(group, member, root, modes, work);
+            // In a dwell friction may be anything up to its limit: none is told.
+            if moving.speed.value() == 0.0 && moving.free.value() == 0.0 {
+                continue;
+            }
             let force = self.friction(member, &moving, false, work);
             work.rubbing[member.linkage].force = force;
             self.push(member, force, work);

@@ -1,13 +1,12 @@
 //! Where a group stops: does it turn back, go on, or rest? And when does what rests
 //! break loose?
 
-use super::force::Moving;
 use super::passes::sign_of;
-use super::{Direction, Group, HELD, Obstacle, UNSETTLED, UNSOLVED};
+use super::{Direction, Group, HELD, LIFTED, Member, Obstacle, UNSETTLED, UNSOLVED};
 use crate::integrate::{Modes, PhysicalStop, Probe};
 use crate::linkage::kinetostatics::ForceFailure;
 use crate::system::System;
-use crate::system::frozen::{Frozen, segment};
+use crate::system::frozen::Frozen;
 use crate::system::passes::{Extent, Work};
 
 /// Friction of what is about to start exceeds that of what has just started by this
@@ -18,6 +17,8 @@ const ROUNDING: f64 = 1e-13;
 /// Places of a step at which a group at rest is looked at: between them a start is
 /// located by bisection.
 const LOOKS: usize = 8;
+/// The same for a group that moves, whose pairs may begin to press on another side.
+const SIDES: usize = 4;
 
 impl Frozen {
     /// What to look for besides the watches: starts of what rests, and motions with
@@ -47,6 +48,9 @@ impl Frozen {
                     }
                 }
             }
+            if let Some(component) = group.pressing(modes) {
+                probe(component, LIFTED, SIDES);
+            }
         }
     }
 
@@ -62,9 +66,13 @@ impl Frozen {
         let group = &self.groups[probe.index];
         if probe.target == UNSOLVED {
             return match self.unsolved(group, time, state, modes, work) {
+                Some((_, Obstacle::Failed(ForceFailure::SelfLocking { .. }))) => f64::INFINITY,
                 Some(_) => 1.0,
                 None => -1.0,
             };
+        }
+        if probe.target == LIFTED {
+            return self.lifts(group, time, state, modes, work);
         }
         self.stop_root(group, time, state, modes, work);
         let [forwards, backwards] = self.starts(group, time, state, modes, work);
@@ -76,67 +84,12 @@ impl Frozen {
     }
 
     /// All forces at a state, friction left out.
-    fn forces(&self, time: f64, state: &[f64], modes: &[i64], work: &mut Work<f64>) {
+    pub(super) fn forces(&self, time: f64, state: &[f64], modes: &[i64], work: &mut Work<f64>) {
         let extent = Extent::Full;
         self.motion(time, state, modes, extent, work);
         self.apply_loads(time, modes, extent, work);
         self.apply_reactions(state, modes, extent, work);
         self.reduce_rigid(extent, work);
-    }
-
-    /// Why the motion of a group has no solution, or not just one: the member and
-    /// the reason.
-    fn unsolved(
-        &self,
-        group: &Group,
-        time: f64,
-        state: &[f64],
-        modes: &[i64],
-        work: &mut Work<f64>,
-    ) -> Option<(usize, Obstacle)> {
-        self.forces(time, state, modes, work);
-        self.rub(state, modes, Extent::Full, work);
-        let link = self.link_force(group, state, work);
-        for (number, member) in group.members.iter().enumerate() {
-            if let Some(failure) = work.rubbing[member.linkage].failure {
-                return Some((number, failure));
-            }
-            let held = work.rubbing[member.linkage].force;
-            if held == 0.0 {
-                continue;
-            }
-            let root = match group.component {
-                Some(_) => (work.force[group.root] + link) / work.mass[group.root],
-                None => work.acceleration[group.root],
-            };
-            let [ratio, acceleration] = self.along(member, root, work);
-            let mobility = match group.component {
-                Some(_) => ratio * ratio / work.mass[group.root],
-                None => 0.0,
-            };
-            let direction = match member.direction {
-                Direction::OfRoot(sign) => sign * segment(modes, group.component) as f64,
-                Direction::Own { component, .. } => modes[component] as f64,
-            };
-            let direction = if direction == 0.0 {
-                sign_of(work.speed[member.node])
-            } else {
-                direction
-            };
-            let moving = Moving {
-                speed: work.speed[member.node],
-                free: acceleration - mobility * held,
-                mobility,
-                direction,
-                segment: segment(modes, member.segment),
-            };
-            let search = group.component.is_some();
-            self.friction(member, &moving, search, work);
-            if let Some(failure) = work.rubbing[member.linkage].failure {
-                return Some((number, failure));
-            }
-        }
-        None
     }
 
     /// Takes the speed of a group's root out of a state; `work` then holds its motion.
@@ -225,17 +178,7 @@ impl System {
             (true, false) => 1,
             (false, true) => -1,
             (false, false) => HELD,
-            (true, true) => {
-                let id = self.rubbing_id(index, 0);
-                return Err(PhysicalStop {
-                    name: "several_solutions",
-                    message: format!(
-                        "{id} stands at t = {time:.9} s and may start in either direction: with \
-                         the friction of its joints the motion is not determined"
-                    ),
-                    object: id,
-                });
-            }
+            (true, true) => return Err(self.either_way(index, time)),
         };
         frozen.set_out(group, now, modes, &work);
         Ok(())
@@ -250,87 +193,29 @@ impl System {
         target: i64,
         modes: &mut Modes,
     ) -> Result<(), PhysicalStop> {
-        let own = |group: &Group| {
-            group.members.iter().any(|member| {
-                matches!(member.direction, Direction::Own { component: c, .. } if c == component)
-            })
+        let own = |member: &Member| {
+            let directed =
+                matches!(member.direction, Direction::Own { component: c, .. } if c == component);
+            directed || member.sides == Some(component)
         };
         let mut groups = self.frozen.groups.iter();
-        let Some(index) = groups.position(|group| group.component == Some(component) || own(group))
-        else {
+        let concerned = groups
+            .position(|group| group.component == Some(component) || group.members.iter().any(own));
+        let Some(index) = concerned else {
             return Ok(());
         };
-        if target == UNSOLVED {
-            return Err(self.without_solution(index, time, y, &modes.0));
+        match target {
+            UNSOLVED => return Err(self.without_solution(index, time, y, &modes.0)),
+            LIFTED => return self.change_sides(index, time, y, &mut modes.0),
+            _ => {}
         }
         if self.frozen.groups[index].component == Some(component) {
-            return self.decide(index, time, y, &mut modes.0);
+            self.decide(index, time, y, &mut modes.0)?;
+        } else {
+            modes.0[component] = target;
         }
-        modes.0[component] = target;
+        self.frozen.settle_sides(time, y, &mut modes.0);
         Ok(())
-    }
-
-    /// The end of a run whose motion has no solution or several.
-    fn without_solution(&self, index: usize, time: f64, y: &[f64], modes: &[i64]) -> PhysicalStop {
-        let mut work = Work::new(&self.frozen);
-        let group = &self.frozen.groups[index];
-        let found = self.frozen.unsolved(group, time, y, modes, &mut work);
-        let (member, failure) = found.unwrap_or((0, Obstacle::Several));
-        self.friction_stop(index, member, failure)
-    }
-
-    fn rubbing_id(&self, index: usize, member: usize) -> String {
-        let object = self.frozen.groups[index].members[member].object;
-        self.model.objects[object].id.clone()
-    }
-
-    fn friction_stop(&self, index: usize, member: usize, failure: Obstacle) -> PhysicalStop {
-        let object = self.rubbing_id(index, member);
-        let given = self.frozen.groups[index].coordinate.is_none();
-        let (name, message) = match failure {
-            Obstacle::Several => (
-                "several_solutions",
-                format!(
-                    "the motion of {object} is not determined: several accelerations agree with \
-                     the friction that they cause in its joints (Painlevé)"
-                ),
-            ),
-            Obstacle::Failed(ForceFailure::DeadPosition { .. }) => (
-                "self_locking",
-                format!("{object} locks: the equations of its motion are singular here"),
-            ),
-            _ if given => (
-                "self_locking",
-                format!(
-                    "{object} locks: no force of its drive overcomes the friction of its joints"
-                ),
-            ),
-            _ => (
-                "self_locking",
-                format!(
-                    "{object} locks: no acceleration agrees with the friction that it causes in \
-                     its joints"
-                ),
-            ),
-        };
-        PhysicalStop {
-            name,
-            object,
-            message,
-        }
-    }
-
-    /// Why the last evaluation gave no numbers, where friction is the reason.
-    pub(in crate::system) fn friction_obstacle(&self, work: &Work<f64>) -> Option<PhysicalStop> {
-        for (index, group) in self.frozen.groups.iter().enumerate() {
-            for (number, member) in group.members.iter().enumerate() {
-                match work.rubbing[member.linkage].failure {
-                    None | Some(Obstacle::Failed(ForceFailure::NotFinite)) => {}
-                    Some(failure) => return Some(self.friction_stop(index, number, failure)),
-                }
-            }
-        }
-        None
     }
 
     /// Directions of all groups at t = 0: by their speeds, and where they rest by what

@@ -18,6 +18,7 @@ mod loads;
 mod tests;
 
 pub(crate) use law::HIGHEST;
+pub(super) use law::way as way_of_law;
 
 use super::frozen::{Chain, Frozen, Step};
 use super::pairs::OPEN;
