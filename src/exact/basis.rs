@@ -13,7 +13,6 @@
 //! A part of the tree that floats has the rigid motion of double root 0; its
 //! centre moves as η̈ = xᵀf/xᵀJx and is kept in closed form apart from the lanes.
 
-mod complete;
 mod part;
 mod response;
 
@@ -30,12 +29,6 @@ const ZERO: C = C::new(0.0, 0.0);
 /// Most masses of a tree whose modes are separated: the work grows with the third
 /// power of their number, that of a step of a method for stiff systems with the first.
 const MOST_MASSES: usize = 200;
-
-/// Trees of fewer masses keep their digits: too few modes can run into each other.
-const FEW: usize = 4;
-
-/// Most that a state may be off once it is made of modes, in shares of itself.
-const LOST: f64 = 1e-12;
 
 /// A lane is followed over steps of up to this many radians of it.
 const FOLLOW: f64 = 3.2;
@@ -174,11 +167,6 @@ impl Basis {
         });
         if !sound {
             return Err(NoBasis("a mode is not finite".into()));
-        }
-        if n >= FEW && complete::lost(problem, &lanes, &rigid) > LOST {
-            return Err(NoBasis(
-                "its modes lie so close together that they would cost digits".into(),
-            ));
         }
         let mut basis = Self::packed(n, lanes, rigid, flank_force(problem, states));
         basis.resonance = Resonance::new(resonant).map(Box::new);

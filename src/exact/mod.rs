@@ -41,9 +41,6 @@
 //!   taken together and lose no digits to speak of: the motion is right to
 //!   10⁻¹² through critical damping. Hardly damped modes that coincide without
 //!   independent eigenvectors are refused. See [`Refusal`].
-//! - Where the modes of a tree of four masses or more do not give states back to
-//!   10⁻¹², as in long chains of overdamped links, whose rates gather at stiffness
-//!   over damping, they are refused.
 //! - A hardly damped mode driven within 10⁻³ of its own frequency, or at it, costs
 //!   no digits but time: its phases last a tenth of the harmonic's period.
 //! - The motion of a floating part that only a light damper to the ground drags, with
