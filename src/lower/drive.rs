@@ -21,7 +21,7 @@ impl<'a> Lowering<'a> {
         };
         let track = self.track(TrackSource::Time, motion.breaks(), self.indices[id]);
         self.courses
-            .insert(id.to_owned(), reach::Course::prescribed(&motion));
+            .insert(id.to_owned(), Box::new(reach::Course::prescribed(&motion)));
         self.add_output(
             id,
             Node {
@@ -38,7 +38,7 @@ impl<'a> Lowering<'a> {
         self.faults.finite(&format!("{id}.motor.angle"), angle);
         self.faults.finite(&format!("{id}.motor.speed"), speed);
         self.courses
-            .insert(id.to_owned(), reach::Course::motor(angle));
+            .insert(id.to_owned(), Box::new(reach::Course::motor(angle)));
         let node = self.add_output(
             id,
             Node {

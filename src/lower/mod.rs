@@ -86,8 +86,8 @@ struct Lowering<'a> {
     /// outputs.
     outputs: BTreeMap<String, NodeIndex>,
     /// The objects' motions as long as every mass follows its law, as far as
-    /// they are known beforehand.
-    courses: BTreeMap<String, reach::Course>,
+    /// they are known beforehand; boxed, since a tree keeps room for several.
+    courses: BTreeMap<String, Box<reach::Course>>,
 }
 
 impl<'a> Lowering<'a> {

@@ -170,7 +170,7 @@ impl<'a> Lowering<'a> {
             start: step.displacement(self.start_of(input)?),
             origin: Origin::Follows(input.to_owned(), step),
         };
-        self.courses.insert(id.to_owned(), course);
+        self.courses.insert(id.to_owned(), Box::new(course));
         Some(())
     }
 

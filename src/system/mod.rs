@@ -57,10 +57,11 @@ use crate::fault::Fault;
 use crate::integrate::Modes;
 use crate::model::Model;
 use crate::number::{Dual, Duals};
-use frozen::Frozen;
+use frozen::{Frozen, Step};
 use observe::{Body, ObjectPlace};
 use passes::Work;
-use std::sync::OnceLock;
+pub(crate) use scales::Sampled;
+use std::sync::{Arc, OnceLock};
 use taylor::Taylor;
 
 /// A model frozen for integration; implements [`crate::integrate::Dynamics`].
@@ -72,6 +73,8 @@ pub struct System {
     places: Vec<ObjectPlace>,
     /// Scale of each state entry, found when first asked for.
     scales: OnceLock<Vec<f64>>,
+    /// The laws along the motion of the drives, sampled for the scales.
+    sampled: OnceLock<Arc<Sampled>>,
 }
 
 /// Working memory of one evaluation; made by
@@ -177,6 +180,7 @@ impl System {
             frozen,
             places,
             scales: OnceLock::new(),
+            sampled: OnceLock::new(),
         };
         system.find_kappas()?;
         Ok(system)
@@ -185,7 +189,23 @@ impl System {
     /// Scale of each state entry. (Exact propagation needs none: thousands of
     /// samples of the laws are saved in a map.)
     fn scales_of_state(&self) -> &[f64] {
-        self.scales.get_or_init(|| scales::scales(&self.frozen))
+        let sample = || Arc::new(scales::sample(&self.frozen));
+        self.scales
+            .get_or_init(|| scales::scales(&self.frozen, self.sampled.get_or_init(sample)))
+    }
+
+    /// The samples of its laws that scales are found from, if they have been taken
+    /// and follow from the laws alone: a motor's depend on its inertia and torque.
+    pub(crate) fn samples_of_laws(&self) -> Option<Arc<Sampled>> {
+        let rotor = |step: &Step| matches!(step, Step::Rotor(_));
+        let taken = self.sampled.get()?;
+        (!self.frozen.steps.iter().any(rotor)).then(|| taken.clone())
+    }
+
+    /// Takes over the samples of a system that moves by the same laws.
+    pub(crate) fn take_samples(&self, samples: Arc<Sampled>) {
+        // Own ones, where there are any, are the same.
+        let _ = self.sampled.set(samples);
     }
 
     /// What the scale δ* of an elastic object is at least, without sampling its

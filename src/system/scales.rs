@@ -36,11 +36,10 @@ struct Range {
 }
 
 /// Scales of all 2n entries: > 0 and finite.
-pub(super) fn scales(frozen: &Frozen) -> Vec<f64> {
+pub(super) fn scales(frozen: &Frozen, sampled: &Sampled) -> Vec<f64> {
     let n = frozen.coordinates;
     let mut scales = vec![1.0; 2 * n];
-    let sampled = sample(frozen);
-    let carried = carried_loads(frozen, &sampled);
+    let carried = carried_loads(frozen, sampled);
     for step in &frozen.steps {
         match step {
             Step::Prescribed(_) | Step::Rigid(_) => {}
@@ -197,7 +196,8 @@ fn carried_inertia(frozen: &Frozen, node: usize) -> f64 {
 }
 
 /// Greatest values over samples of the motion of the drives.
-struct Sampled {
+#[derive(Debug)]
+pub(crate) struct Sampled {
     /// |φ|, |φ̇|, |φ̈| of every node on its law.
     ranges: Vec<Range>,
     /// |U′| of every law.
@@ -206,7 +206,8 @@ struct Sampled {
     linkages: Vec<f64>,
 }
 
-fn sample(frozen: &Frozen) -> Sampled {
+/// Samples the laws along the motion of the drives.
+pub(super) fn sample(frozen: &Frozen) -> Sampled {
     let mut ranges = vec![Range::default(); frozen.inertia.len()];
     let mut slopes = vec![0.0; frozen.laws.len()];
     let mut linkages = vec![0.0f64; frozen.linkages.len()];

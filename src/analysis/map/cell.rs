@@ -88,11 +88,17 @@ fn judged(
     control: &Control<'_>,
 ) -> Option<Cell> {
     let rigid = kept.rigid_motion(system.model(), settings.duration);
+    if let Some(samples) = &kept.samples {
+        system.take_samples(samples.clone());
+    }
     let exact = quick::answer(study, system, settings, (&rigid, &kept.exact), control);
     let found = match exact {
         Some(found) => found,
         None => answer(study, system, settings, &rigid, control),
     };
+    if kept.samples.is_none() {
+        kept.samples = system.samples_of_laws();
+    }
     let cell = match found {
         Ok(cell) => cell?,
         Err(faults) => Cell::without_value(Verdict::Refused, in_words(&faults)),

@@ -44,10 +44,10 @@ pub fn rigid_motion(model: &Model, duration: f64) -> RigidMotion {
 /// The motion of the rigid mechanism: what follows from its laws alone.
 #[derive(Debug)]
 pub(super) struct Path {
-    /// φ, φ̇, φ̈ and U′ of every node at every instant, one row an instant;
-    /// none behind motors. All masses of a chain stand on the place of the first.
-    rows: Vec<[f64; 4]>,
-    /// Place of every node in a row.
+    /// φ, φ̇, φ̈ and U′ at every place over the instants; none behind motors. All
+    /// masses of a chain stand on the place of the first.
+    motions: Vec<Motion>,
+    /// Place of every node.
     places: Vec<usize>,
     /// The first node of every place.
     heads: Vec<NodeIndex>,
@@ -57,12 +57,25 @@ pub(super) struct Path {
     amplitude: Vec<Option<f64>>,
 }
 
+/// The motion at one place, a number an instant.
+#[derive(Debug)]
+struct Motion {
+    /// φ.
+    displacement: Vec<f64>,
+    /// φ̇.
+    speed: Vec<f64>,
+    /// φ̈.
+    acceleration: Vec<f64>,
+    /// U′ of the law.
+    slope: Vec<f64>,
+}
+
 impl Path {
     /// Follows the laws of a model.
     pub(super) fn new(model: &Model, duration: f64) -> Self {
         let (places, heads) = places(model);
         let mut path = Self {
-            rows: Vec::new(),
+            motions: Vec::with_capacity(heads.len()),
             places,
             heads,
             times: Vec::new(),
@@ -73,11 +86,12 @@ impl Path {
             return path;
         }
         let span = span(model, duration);
-        path.rows.reserve_exact((SAMPLES + 1) * path.heads.len());
-        for sample in 0..=SAMPLES {
-            let time = span * sample as f64 / SAMPLES as f64;
-            path.times.push(time);
-            path.go_to(model, time);
+        let times = (0..=SAMPLES).map(|sample| span * sample as f64 / SAMPLES as f64);
+        path.times = times.collect();
+        // Drivers stand before what they drive.
+        for place in 0..path.heads.len() {
+            let motion = path.follow(model, path.heads[place]);
+            path.motions.push(motion);
         }
         for (object, part) in model.objects.iter().enumerate() {
             path.amplitude[object] = path.amplitude(model, part);
@@ -87,79 +101,77 @@ impl Path {
 
     /// Numbers that it holds.
     pub(super) fn size(&self) -> usize {
-        self.rows.len()
+        4 * self.motions.len() * self.times.len()
     }
 
-    /// Adds the row of an instant.
-    fn go_to(&mut self, model: &Model, time: f64) {
-        let start = self.rows.len();
+    /// The motion of a node whose driver has been followed.
+    fn follow(&self, model: &Model, node: NodeIndex) -> Motion {
         let segment = |track: Option<usize>, x: f64, sense: f64| {
             track.map_or(0, |track| model.tracks[track].breaks.locate(x, sense))
         };
-        for (node, at) in model.nodes.iter().enumerate() {
-            if self.heads[self.places[node]] != node {
-                continue;
+        let at = |(instant, &time): (usize, &f64)| match &model.nodes[node].motion {
+            NodeMotion::Prescribed { motion, track } => {
+                let jet = motion.jet(segment(*track, time, 1.0), time);
+                [jet.value, jet.first, jet.second, 0.0]
             }
-            self.rows.push(match &at.motion {
-                NodeMotion::Prescribed { motion, track } => {
-                    let jet = motion.jet(segment(*track, time, 1.0), time);
-                    [jet.value, jet.first, jet.second, 0.0]
-                }
-                NodeMotion::Rotor { .. } => [f64::NAN; 4],
-                NodeMotion::Mass { law } | NodeMotion::Rigid { law } => {
-                    let driver = self.rows[start + self.places[law.driver]];
-                    let [phi, speed, acceleration, _] = driver;
-                    let segment = segment(law.track, phi, speed);
-                    let jet = law.position.jet(segment, phi).scaled(law.lever);
-                    [
-                        jet.value,
-                        jet.first * speed,
-                        jet.second * speed * speed + jet.first * acceleration,
-                        jet.first,
-                    ]
-                }
-            });
+            NodeMotion::Rotor { .. } => [f64::NAN; 4],
+            NodeMotion::Mass { law } | NodeMotion::Rigid { law } => {
+                let driver = &self.motions[self.places[law.driver]];
+                let (phi, speed) = (driver.displacement[instant], driver.speed[instant]);
+                let segment = segment(law.track, phi, speed);
+                let jet = law.position.jet(segment, phi).scaled(law.lever);
+                [
+                    jet.value,
+                    jet.first * speed,
+                    jet.second * speed * speed + jet.first * driver.acceleration[instant],
+                    jet.first,
+                ]
+            }
+        };
+        let all: Vec<[f64; 4]> = self.times.iter().enumerate().map(at).collect();
+        let column = |index: usize| all.iter().map(|row| row[index]).collect();
+        Motion {
+            displacement: column(0),
+            speed: column(1),
+            acceleration: column(2),
+            slope: column(3),
         }
     }
 
     /// Half the stroke of an object.
     fn amplitude(&self, model: &Model, part: &ObjectPart) -> Option<f64> {
         let &node = part.nodes.first()?;
-        let displacements = self.instants().map(|(_, row)| row[self.places[node]][0]);
-        let (low, high) = displacements.fold((f64::INFINITY, f64::NEG_INFINITY), |ends, at| {
+        let displacements = self.motions[self.places[node]].displacement.iter();
+        let (low, high) = displacements.fold((f64::INFINITY, f64::NEG_INFINITY), |ends, &at| {
             (ends.0.min(at), ends.1.max(at))
         });
         let half = 0.5 * (high - low);
         (half.is_finite() && half > 0.0 && oscillates(model, node)).then_some(half)
     }
 
-    fn instants(&self) -> impl Iterator<Item = (f64, &[[f64; 4]])> {
-        let rows = self.rows.chunks_exact(self.heads.len().max(1));
-        self.times.iter().copied().zip(rows)
-    }
-
     /// The rigid mechanism of a model with these laws: the one that the path was
     /// made of, or with other inertias and loads.
     pub(super) fn rigid_motion(&self, model: &Model) -> RigidMotion {
-        let objects = model.objects.iter();
-        let pairs =
-            objects.filter_map(|part| Some((force_pair(model, part)?, *part.nodes.first()?)));
-        let pairs: Vec<(Pair, NodeIndex)> = pairs.collect();
-        let mut margin = None;
+        let mut margin: Option<f64> = None;
+        let pairs = model.objects.iter();
+        let mut pairs = pairs
+            .filter_map(|part| Some((force_pair(model, part)?, *part.nodes.first()?)))
+            .peekable();
         // What a linkage hands on to its driver is not followed here.
-        if !pairs.is_empty() && !self.times.is_empty() && model.linkages.is_empty() {
+        if pairs.peek().is_some() && !self.times.is_empty() && model.linkages.is_empty() {
+            let mut forces = self.forces(model);
             let count = self.times.len();
-            let mut forces = vec![0.0; pairs.len() * count];
-            let mut carried = vec![0.0; self.heads.len()];
-            for (instant, now) in self.instants().enumerate() {
-                self.carry(model, now, &mut carried);
-                for (number, (pair, node)) in pairs.iter().enumerate() {
-                    forces[number * count + instant] = pair.opens * carried[self.places[*node]];
-                }
+            for (pair, node) in pairs {
+                let place = self.places[node];
+                let own = &mut forces[place * count..][..count];
+                own.iter_mut().for_each(|force| *force *= pair.opens);
+                // A margin that is no number must not vanish behind one that is.
+                let own = least(own);
+                margin = match margin {
+                    Some(other) if other <= own || other.is_nan() => Some(other),
+                    _ => Some(own),
+                };
             }
-            // A margin that is no number must not vanish behind one that is.
-            let margins = forces.chunks_exact(count).map(least);
-            margin = margins.reduce(|a, b| if a <= b || a.is_nan() { a } else { b });
         }
         RigidMotion {
             amplitude: self.amplitude.clone(),
@@ -167,39 +179,58 @@ impl Path {
         }
     }
 
-    /// Gathers the forces P from the last follower to the drives, one for each
-    /// place.
-    fn carry(&self, model: &Model, now: (f64, &[[f64; 4]]), forces: &mut [f64]) {
-        let (_, row) = now;
-        forces.fill(0.0);
+    /// The forces P at every place over the instants, gathered from the last
+    /// follower to the drives.
+    fn forces(&self, model: &Model) -> Vec<f64> {
+        let count = self.times.len();
+        let mut forces = vec![0.0; self.heads.len() * count];
         for (node, &place) in model.nodes.iter().zip(&self.places) {
-            forces[place] += node.inertia * row[place][2];
+            let own = forces[place * count..][..count].iter_mut();
+            for (force, acceleration) in own.zip(&self.motions[place].acceleration) {
+                *force += node.inertia * acceleration;
+            }
         }
         for load in &model.loads {
-            forces[self.places[load.node]] -= self.strength(model, load, now);
+            let place = self.places[load.node];
+            let own = &mut forces[place * count..][..count];
+            match load.law {
+                LoadLaw::Constant(load) => own.iter_mut().for_each(|force| *force -= load),
+                _ => {
+                    for (instant, force) in own.iter_mut().enumerate() {
+                        *force -= self.strength(model, load, instant);
+                    }
+                }
+            }
         }
         // Drivers stand before what they drive.
         for (place, &node) in self.heads.iter().enumerate().rev() {
             if let NodeMotion::Mass { law } | NodeMotion::Rigid { law } = &model.nodes[node].motion
             {
-                forces[self.places[law.driver]] += row[place][3] * forces[place];
+                let (before, own) = forces.split_at_mut(place * count);
+                let driver = before[self.places[law.driver] * count..].iter_mut();
+                let carried = own.iter().zip(&self.motions[place].slope);
+                for (force, (own, slope)) in driver.zip(carried).take(count) {
+                    *force += slope * own;
+                }
             }
         }
+        forces
     }
 
     /// A load's force at an instant; not a number for motors.
-    fn strength(&self, model: &Model, load: &Load, (time, row): (f64, &[[f64; 4]])) -> f64 {
-        let [displacement, speed, ..] = row[self.places[load.node]];
+    fn strength(&self, model: &Model, load: &Load, instant: usize) -> f64 {
+        let at = |node: NodeIndex| {
+            let motion = &self.motions[self.places[node]];
+            (motion.displacement[instant], motion.speed[instant])
+        };
+        let (displacement, speed) = at(load.node);
         match &load.law {
             LoadLaw::Constant(force) => *force,
             LoadLaw::Pieces { track, pieces } => {
                 let track = &model.tracks[*track];
                 let (x, sense) = match track.source {
-                    TrackSource::Time => (time, 1.0),
-                    TrackSource::Node(node) => {
-                        let [x, sense, ..] = row[self.places[node]];
-                        (x, sense)
-                    }
+                    TrackSource::Time => (self.times[instant], 1.0),
+                    TrackSource::Node(node) => at(node),
                 };
                 let (index, shift) = track.breaks.piece(track.breaks.locate(x, sense));
                 pieces.get(index).map_or(0.0, |piece| {
@@ -216,7 +247,7 @@ impl Path {
     }
 }
 
-/// Places of the nodes in a row, and the first node of every place: all masses
+/// Places of the nodes, and the first node of every place: all masses
 /// of a chain follow the same law and share one.
 fn places(model: &Model) -> (Vec<usize>, Vec<NodeIndex>) {
     let mut first: Vec<NodeIndex> = (0..model.nodes.len()).collect();

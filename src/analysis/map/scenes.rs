@@ -7,7 +7,9 @@ use crate::diagnostics::Diagnostics;
 use crate::exact::KeptLaws;
 use crate::model::Model;
 use crate::scene::{Scene, Variation};
+use crate::system::Sampled;
 use std::cell::RefCell;
+use std::sync::Arc;
 
 /// Most numbers of a rigid motion that is kept from cell to cell.
 const MOST_KEPT: usize = 1 << 18;
@@ -32,6 +34,8 @@ pub(super) struct Kept {
     /// The laws of the scene at hand; `None`: they are those of no other.
     laws: Option<u64>,
     path: Option<Path>,
+    /// Samples of the laws for the scales of a system.
+    pub(super) samples: Option<Arc<Sampled>>,
     /// The laws as exact propagation has them.
     pub(super) exact: RefCell<KeptLaws>,
 }
