@@ -120,7 +120,7 @@ const BEHAVIOURS: [Behaviour; 5] = [
         order: 46.0,
         stable: 5.0,
         follows_laws: true,
-        margin: 10.0,
+        margin: 20.0,
         restart: 1.0,
         cost: [4.0, 0.0],
         digit: 0.9,

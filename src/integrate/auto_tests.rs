@@ -175,7 +175,7 @@ fn laws_of_many_harmonics_speak_against_power_series() {
 fn errors_add_up_so_that_a_finer_tolerance_is_aimed_at() {
     for asked in [1e-4, 1e-7, 1e-10, 1e-13, 1e-14] {
         let Chosen { tolerance, why, .. } = choose(&situation(asked, 2.0));
-        let expected = if asked < 5e-13 { asked } else { 0.1 * asked };
+        let expected = if asked < 5e-13 { asked } else { 0.05 * asked };
         approx::assert_relative_eq!(tolerance, expected, max_relative = 1e-12);
         assert_eq!(
             why.contains("with a tolerance of"),
