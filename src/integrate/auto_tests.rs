@@ -47,6 +47,7 @@ fn situation(tolerance: f64, duration: f64) -> Situation {
         way: f64::INFINITY,
         breaks: 0.0,
         expands: true,
+        corners: false,
         tolerance,
         coordinates: 1,
         duration,
@@ -183,6 +184,22 @@ fn errors_add_up_so_that_a_finer_tolerance_is_aimed_at() {
             "{why}"
         );
     }
+}
+
+#[test]
+fn corners_that_no_switch_marks_ask_for_a_greater_margin() {
+    let of = |corners: bool| {
+        let chosen = choose(&Situation {
+            fastest: 1e7,
+            vibrations: vec![stays(100.0)],
+            expands: false,
+            corners,
+            ..situation(1e-7, 1.0)
+        });
+        assert_eq!(chosen.method, Method::Radau, "{}", chosen.why);
+        chosen.tolerance
+    };
+    approx::assert_relative_eq!(of(true), of(false) / UNSEEN, max_relative = 1e-12);
 }
 
 #[test]
