@@ -257,7 +257,8 @@ pub trait Dynamics: Sync {
         out.clear();
     }
 
-    /// A probe at a state: it fires where this becomes positive. `y` is memory
+    /// A probe at a state: it fires where this becomes positive, or just before where
+    /// it is infinite, which means that there are no forces there. `y` is memory
     /// afterwards. Must not allocate.
     fn probe(
         &self,

@@ -142,9 +142,10 @@ fn two_blocks_together_may_have_another_motion_though_each_alone_has_not() {
 /// moves it.
 #[test]
 fn a_given_motion_ends_where_the_mechanism_locks() {
-    let (crank, rod, offset, friction, speed) = (0.1, 0.12, 0.03, 0.6, 2.0);
-    let objects = format!(
-        r#""drive": {{ "kind": "drive", "motion": {{ "speed": {speed} }} }},
+    let (crank, rod, offset, speed) = (0.1, 0.12, 0.03, 2.0);
+    let objects = |friction: f64| {
+        format!(
+            r#""drive": {{ "kind": "drive", "motion": {{ "speed": {speed} }} }},
         "m": {{ "kind": "linkage", "input": "drive", "driver": "O", "joint_friction": true,
             "ground": {{ "O": [0, 0], "G": [0, -{offset}] }},
             "links": {{ "crank": {{ "points": {{ "A": [{crank}, 0] }} }}, "rod": {{ "points": {{ "B": [{rod}, 0] }} }}, "block": {{}} }},
@@ -157,23 +158,20 @@ fn a_given_motion_ends_where_the_mechanism_locks() {
             "assembly": {{ "block": {{ "near": [0.2, -{offset}] }} }},
             "forces": {{ "load": {{ "force": {{ "point": "block.origin", "force": [50, 0] }} }} }},
             "outputs": {{ "block": {{ "point": "block.origin" }} }} }}"#
-    );
-    let slope = f64::atan(1.0 / friction);
-    let locks = f64::asin((rod * slope.sin() - offset) / crank) / speed;
-    for method in ["auto", "dop853", "radau"] {
+        )
+    };
+    for (friction, method) in [(0.6, "auto"), (0.6, "radau"), (0.2, "dop853")] {
+        let slope = f64::atan(1.0 / friction);
+        let locks = f64::asin((rod * slope.sin() - offset) / crank) / speed;
         let run = format!(r#""duration": 1, "method": "{method}""#);
-        let found = run_of(&scene_of(&objects, &run), &[]);
+        let found = run_of(&scene_of(&objects(friction), &run), &[]);
         assert_eq!(stopped(&found), Some("self_locking"), "{method}");
         approx::assert_abs_diff_eq!(found.outcome.time, locks, epsilon = 1e-9);
         let said = format!("{:?}", found.outcome.stop);
         assert!(said.contains("no force of its drive overcomes"), "{said}");
         assert_finite(&found);
-        // Down to there the drive does what the rod asks for.
+        // Towards there the force grows without limit.
         let reaction = figure(&found, "drive.peak_reaction");
-        assert!(reaction > 5.0, "{reaction}");
+        assert!(reaction > 1e3, "{reaction}");
     }
-    // With less friction it goes through, up to its dead position.
-    let eased =
-        scene_of(&objects, r#""duration": 1"#).replace("\"friction\": 0.6", "\"friction\": 0.2");
-    assert_eq!(stopped(&run_of(&eased, &[])), Some("dead_position"));
 }

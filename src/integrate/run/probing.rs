@@ -81,7 +81,8 @@ impl<D: Dynamics> Run<'_, D> {
         None
     }
 
-    /// Where a probe becomes positive between two places.
+    /// Where a probe becomes positive between two places; just before, where there are
+    /// no forces beyond.
     fn bisect(&self, probe: &Probe, [mut low, mut high]: [f64; 2], y: &mut [f64]) -> f64 {
         for _ in 0..BISECTIONS {
             let middle = 0.5 * (low + high);
@@ -93,7 +94,11 @@ impl<D: Dynamics> Run<'_, D> {
                 false => low = middle,
             }
         }
-        high
+        if self.value(probe, high, y) == f64::INFINITY {
+            low
+        } else {
+            high
+        }
     }
 
     fn value(&self, probe: &Probe, s: f64, y: &mut [f64]) -> f64 {

@@ -2,8 +2,9 @@
 //! break loose?
 
 use super::passes::sign_of;
-use super::{Direction, Group, HELD, LIFTED, Member, UNSETTLED, UNSOLVED};
+use super::{Direction, Group, HELD, LIFTED, Member, Obstacle, UNSETTLED, UNSOLVED};
 use crate::integrate::{Modes, PhysicalStop, Probe};
+use crate::linkage::kinetostatics::ForceFailure;
 use crate::system::System;
 use crate::system::frozen::Frozen;
 use crate::system::passes::{Extent, Work};
@@ -65,6 +66,7 @@ impl Frozen {
         let group = &self.groups[probe.index];
         if probe.target == UNSOLVED {
             return match self.unsolved(group, time, state, modes, work) {
+                Some((_, Obstacle::Failed(ForceFailure::SelfLocking { .. }))) => f64::INFINITY,
                 Some(_) => 1.0,
                 None => -1.0,
             };

@@ -6,6 +6,8 @@ use crate::linkage::kinetostatics::ForceFailure;
 use crate::system::System;
 use crate::system::passes::Work;
 
+/// How far beyond a state the reason of a stop is looked for, in parts of the time.
+const AHEAD: [f64; 5] = [0.0, 1e-15, 1e-14, 1e-12, 1e-9];
 /// No acceleration agrees with its friction.
 const LOCKED: Obstacle = Obstacle::Failed(ForceFailure::SelfLocking {
     change: f64::NAN,
@@ -26,7 +28,8 @@ impl System {
         }
     }
 
-    /// The end of a run whose motion has no solution or several.
+    /// The end of a run whose motion has no solution or several, at a state or just
+    /// beyond it.
     pub(super) fn without_solution(
         &self,
         index: usize,
@@ -36,7 +39,14 @@ impl System {
     ) -> PhysicalStop {
         let mut work = Work::new(&self.frozen);
         let group = &self.frozen.groups[index];
-        let found = self.frozen.unsolved(group, time, y, modes, &mut work);
+        let (u, v) = y.split_at(self.frozen.coordinates);
+        let found = AHEAD.iter().find_map(|ahead| {
+            let ahead = ahead * time;
+            let moved = u.iter().zip(v).map(|(u, v)| u + ahead * v);
+            let state: Vec<f64> = moved.chain(v.iter().copied()).collect();
+            self.frozen
+                .unsolved(group, time + ahead, &state, modes, &mut work)
+        });
         // Found by following the motion itself: friction goes on as it came beyond a
         // kink, where the other side of it does not lead on.
         let (member, failure) = found.unwrap_or((0, LOCKED));
