@@ -200,6 +200,7 @@ fn situation(system: &System, settings: &RunSettings) -> Situation {
         way: system.way_of_laws(turning * duration),
         breaks: system.breaks_passed(duration),
         expands: system.expands(),
+        corners: system.has_corners(),
         tolerance: settings.tolerance,
         coordinates: system.coordinates(),
         duration,

@@ -25,6 +25,9 @@ pub struct Situation {
     pub breaks: f64,
     /// True when the motion has a power series ([`Dynamics::expands`]).
     pub expands: bool,
+    /// True when a motor's torque over its speed has corners (a table), at which
+    /// nothing switches.
+    pub corners: bool,
     /// Error wanted, relative to the scales of the state.
     pub tolerance: f64,
     /// Number of coordinates.
@@ -102,9 +105,9 @@ const MOST_DIGITS: f64 = 13.0;
 /// Coordinates above which the cost of a step against that of an evaluation stays.
 const FULL: f64 = 6.0;
 
-/// Where accuracy limits the step of the explicit method, the implicit one must be
-/// expected to need less than this share of its work: it gains least there.
-const SOFT: f64 = 0.9;
+/// With corners that no switch marks, a step of high order may pass over one unseen: the
+/// margin of `radau` is so many times greater.
+const UNSEEN: f64 = 5.0;
 
 /// The way over which a law is known grows with the tolerance to the first of these
 /// powers, up to a tolerance of 1e-4; below 1e-7 to the second (see `system::taylor::law`).
@@ -120,7 +123,7 @@ const BEHAVIOURS: [Behaviour; 5] = [
         order: 46.0,
         stable: 5.0,
         follows_laws: true,
-        margin: 10.0,
+        margin: 20.0,
         restart: 1.0,
         cost: [4.0, 0.0],
         digit: 0.9,
@@ -133,7 +136,7 @@ const BEHAVIOURS: [Behaviour; 5] = [
         follows_laws: false,
         margin: 4.0,
         restart: 1.0,
-        cost: [18.0, 0.0],
+        cost: [20.0, 0.0],
         digit: 0.0,
     },
     Behaviour {
@@ -176,7 +179,11 @@ impl Behaviour {
     /// The tolerance that keeps the one asked for over a whole run.
     fn aim(&self, situation: &Situation) -> f64 {
         let asked = situation.tolerance;
-        (asked / self.margin).max(FINEST).min(asked)
+        let unseen = match situation.corners && self.method == Method::Radau {
+            true => UNSEEN,
+            false => 1.0,
+        };
+        (asked / (unseen * self.margin)).max(FINEST).min(asked)
     }
 
     /// Steps (s) that accuracy and stability allow.
@@ -238,9 +245,7 @@ pub fn choose(situation: &Situation) -> Chosen {
             .expect("the list has methods of both kinds")
     };
     let (explicit, implicit) = (least(false), least(true));
-    let [accurate, stable] = explicit.steps(situation);
-    let bar = if stable < accurate { 1.0 } else { SOFT };
-    let (chosen, why) = match implicit.work(situation) < bar * explicit.work(situation) {
+    let (chosen, why) = match implicit.work(situation) < explicit.work(situation) {
         true => (implicit, why_implicit(situation, explicit, implicit)),
         false => (explicit, why_explicit(situation, explicit)),
     };

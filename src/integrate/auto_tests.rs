@@ -47,6 +47,7 @@ fn situation(tolerance: f64, duration: f64) -> Situation {
         way: f64::INFINITY,
         breaks: 0.0,
         expands: true,
+        corners: false,
         tolerance,
         coordinates: 1,
         duration,
@@ -175,7 +176,7 @@ fn laws_of_many_harmonics_speak_against_power_series() {
 fn errors_add_up_so_that_a_finer_tolerance_is_aimed_at() {
     for asked in [1e-4, 1e-7, 1e-10, 1e-13, 1e-14] {
         let Chosen { tolerance, why, .. } = choose(&situation(asked, 2.0));
-        let expected = if asked < 5e-13 { asked } else { 0.1 * asked };
+        let expected = if asked < 5e-13 { asked } else { 0.05 * asked };
         approx::assert_relative_eq!(tolerance, expected, max_relative = 1e-12);
         assert_eq!(
             why.contains("with a tolerance of"),
@@ -183,6 +184,22 @@ fn errors_add_up_so_that_a_finer_tolerance_is_aimed_at() {
             "{why}"
         );
     }
+}
+
+#[test]
+fn corners_that_no_switch_marks_ask_for_a_greater_margin() {
+    let of = |corners: bool| {
+        let chosen = choose(&Situation {
+            fastest: 1e7,
+            vibrations: vec![stays(100.0)],
+            expands: false,
+            corners,
+            ..situation(1e-7, 1.0)
+        });
+        assert_eq!(chosen.method, Method::Radau, "{}", chosen.why);
+        chosen.tolerance
+    };
+    approx::assert_relative_eq!(of(true), of(false) / UNSEEN, max_relative = 1e-12);
 }
 
 #[test]

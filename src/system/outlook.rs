@@ -4,6 +4,7 @@ use super::System;
 use super::frozen::{Frozen, FrozenLaw, Step};
 use super::taylor::way_of_law;
 use crate::breaks::Breaks;
+use crate::model::LoadLaw;
 use crate::position::Position;
 use std::f64::consts::TAU;
 
@@ -24,6 +25,13 @@ impl System {
     pub fn bends(&self) -> bool {
         let bent = |law: &super::frozen::FrozenLaw| !matches!(law.position, Position::Ratio { .. });
         !self.frozen.linkages.is_empty() || self.frozen.laws.iter().any(bent)
+    }
+
+    /// True when a motor's torque is a table over its speed, whose corners are passed
+    /// without a switch.
+    pub fn has_corners(&self) -> bool {
+        let mut loads = self.frozen.loads.iter();
+        loads.any(|load| matches!(load.law, LoadLaw::SpeedTable(_)))
     }
 
     /// About how many breaks of laws and loads are passed in a time (s): those over
