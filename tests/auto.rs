@@ -26,11 +26,13 @@ const METHODS: [Method; 5] = [
 
 /// Evaluations of the right-hand side that an evaluation counted by a method amounts
 /// to in time: an order of a power series, a stage of an implicit method with its share of
-/// the Jacobian and of linear algebra (measured on scenarios of 1 to 9 coordinates,
-/// where all lie between 0.6 and 1.6).
+/// the Jacobian and of linear algebra; dopri5, whose steps are short, has a continuous
+/// output for every six of them. Measured on scenarios of 1 to 9 coordinates, where all lie
+/// between 0.6 and 1.6 of Dop853's, and dopri5 between 1 and 2.
 const fn weight(method: Method) -> f64 {
     match method {
         Method::Taylor => 0.9,
+        Method::Dopri5 => 1.5,
         _ => 1.0,
     }
 }
@@ -119,12 +121,8 @@ impl Judged {
 
     /// What `auto` picks keeps the tolerance, with not much more work than the best.
     fn check(&self) {
-        self.check_at(&JUDGED);
-    }
-
-    fn check_at(&self, tolerances: &[f64]) {
         let resolution = self.study.reference.as_ref().unwrap().resolution;
-        for &tolerance in tolerances {
+        for tolerance in JUDGED {
             let auto = self.auto(tolerance);
             let (method, why) = (auto.method, &auto.figures.run.why);
             let place = format!("{} at {tolerance:.0e}: {method}: {why}", self.name);
@@ -141,11 +139,11 @@ impl Judged {
         }
     }
 
-    /// The check can fail: some method that converges has far more work.
+    /// The check can fail: some method that converges has too much work.
     fn differs(&self, tolerance: f64) {
         let works = self.works(tolerance);
         let (least, most) = (works[0], works[works.len() - 1]);
-        assert!(most.0 > 1.5 * WITHIN * least.0, "{works:?}");
+        assert!(most.0 > WITHIN * least.0, "{works:?}");
     }
 }
 
@@ -178,9 +176,16 @@ fn rigid_machines_behind_a_motor() {
         "rigid/pump.json",
         "steady/press_flywheel.json",
         "linkages/slider_crank_spring.json",
+        "linkages/one_window.json",
     ] {
         Judged::new(name, &[]).check();
     }
+}
+
+#[test]
+fn laws_that_start_at_a_dead_centre() {
+    // At rest there, rounding must not be taken for a bend of the law.
+    Judged::new("fan_out/sewing_machine.json", &[]).check();
 }
 
 #[test]

@@ -18,7 +18,7 @@ const LONGEST: Duration = Duration::from_secs(4);
 /// A method whose motion takes this share more than the fastest one's is not timed again.
 const LIKELY: f64 = 1.6;
 /// Time for the repetitions of a scenario's runs at a tolerance (s).
-const BUDGET: f64 = 0.25;
+const BUDGET: f64 = 0.6;
 
 /// What is told of a scenario at a tolerance.
 pub(crate) struct Line {

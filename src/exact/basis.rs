@@ -103,6 +103,8 @@ pub(crate) struct Basis {
     pub(crate) kept: usize,
     /// Lane of each harmonic.
     pub(crate) harmonic: Vec<usize>,
+    /// Its vector, and 1 where it stands in it.
+    pub(crate) unit: Vec<(usize, V)>,
     /// Shapes by mass: re, im, then λ·shape re, im; index mass·blocks + block.
     pub(crate) shape: Vec<[V; 4]>,
     /// Rows by mass: row_q re, im, row_v re, im; index mass·blocks + block.
@@ -227,6 +229,12 @@ impl Basis {
                 harmonic[j] = k;
             }
         }
+        let unit = |k: usize| {
+            let mut one = V::ZERO;
+            one.0[k % WIDTH] = 1.0;
+            (k / WIDTH, one)
+        };
+        let unit = harmonic.iter().map(|&k| unit(k)).collect();
         let kept = harmonic.iter().fold(1, |m, k| m.max(k / WIDTH + 1));
         Self {
             masses: n,
@@ -245,6 +253,7 @@ impl Basis {
             extent,
             longest,
             harmonic,
+            unit,
             shape,
             row,
             rigid,

@@ -161,7 +161,7 @@ impl<'a> Cursor<'a> {
         let (masses, blocks) = (basis.masses, basis.blocks);
         self.polynomials(s, orders, out);
         for lane in 0..basis.lanes.len() {
-            if self.lane_size(basis, lane, s).is_none() {
+            if self.decay(basis, lane, s).is_none() {
                 continue;
             }
             let (b, l) = (lane / WIDTH, lane % WIDTH);
@@ -220,24 +220,22 @@ impl<'a> Cursor<'a> {
             return;
         };
         let basis = &self.work.regimes[passed.regime].basis;
+        let phase = &self.work.phase;
         for (lane, &modulus) in basis.modulus.iter().enumerate().take(basis.lanes.len()) {
-            if let Some(size) = self.lane_size(basis, lane, s) {
-                see(modulus, size);
+            if let Some(decay) = self.decay(basis, lane, s) {
+                let (b, l) = (lane / WIDTH, lane % WIDTH);
+                let amplitude = phase.re[b].0[l].hypot(phase.im[b].0[l]);
+                see(modulus, amplitude * basis.extent[b].0[l].sqrt() * decay);
             }
         }
     }
 
-    /// Size of the motion of a lane at local time `s`; `None` for a mode that is
+    /// What is left of a lane at local time `s`; `None` for a mode that is
     /// nothing, from then on to the end of the phase.
-    fn lane_size(&self, basis: &Basis, lane: usize, s: f64) -> Option<f64> {
-        let (b, l) = (lane / WIDTH, lane % WIDTH);
-        let decay = (basis.re[b].0[l] * s).exp();
-        if self.shares[lane] * decay <= NOTHING && basis.lanes[lane].kind == LaneKind::Mode {
-            return None;
-        }
-        let phase = &self.work.phase;
-        let amplitude = phase.re[b].0[l].hypot(phase.im[b].0[l]);
-        Some(amplitude * basis.extent[b].0[l].sqrt() * decay)
+    fn decay(&self, basis: &Basis, lane: usize, s: f64) -> Option<f64> {
+        let decay = (basis.re[lane / WIDTH].0[lane % WIDTH] * s).exp();
+        let mode = basis.lanes[lane].kind == LaneKind::Mode;
+        (!mode || self.shares[lane] * decay > NOTHING).then_some(decay)
     }
 
     /// Takes the shares of the lanes in the phase that has just been gone through.

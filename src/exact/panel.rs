@@ -48,7 +48,7 @@ pub(crate) struct Panel {
     law: [V; 3],
     constant: V,
     /// By lane, filled up with nothing to whole vectors.
-    lanes: Vec<Seen>,
+    lanes: Vec<[Seen; WIDTH]>,
     /// By functional and vector of lanes.
     own: Vec<Own>,
     /// Weight/λ of the first functional, its primitive, by block: re, im.
@@ -62,7 +62,7 @@ pub(crate) struct Panel {
 
 impl Panel {
     pub(crate) fn new(basis: &Basis, functionals: [Functional; WIDTH]) -> Self {
-        let mut lanes = vec![Seen::default(); WIDTH * basis.blocks];
+        let mut lanes = vec![[Seen::default(); WIDTH]; basis.blocks];
         let mut own = vec![Own::default(); WIDTH * basis.blocks];
         let mut primitive = vec![[V::ZERO; 2]; basis.blocks];
         let mut resting = Vec::new();
@@ -72,7 +72,7 @@ impl Panel {
             let modulus = lane.lambda.norm_sqr();
             let size = w.map(|x| x.norm_sqr().sqrt());
             let slope = w.map(|x| x * lane.lambda);
-            lanes[k] = Seen {
+            lanes[b][i] = Seen {
                 weight: [
                     w.map(|x| x.re),
                     w.map(|x| x.im),
@@ -92,7 +92,7 @@ impl Panel {
                     weight *= lane.lambda;
                 }
                 own.size.0[i] = size[f];
-                own.fourth.0[i] = lanes[k].fourth.0[f];
+                own.fourth.0[i] = lanes[b][i].fourth.0[f];
             }
             if modulus == 0.0 {
                 resting.push(k);
@@ -140,5 +140,12 @@ impl Panel {
             resting,
             rigid,
         }
+    }
+}
+
+impl Panel {
+    #[inline(always)]
+    fn seen(&self, k: usize) -> &Seen {
+        &self.lanes[k / WIDTH][k % WIDTH]
     }
 }

@@ -179,9 +179,11 @@ impl Phase {
             self.re[b] = re;
             self.im[b] = im;
         }
-        for (j, &k) in basis.harmonic.iter().enumerate() {
-            self.re[k / WIDTH].0[k % WIDTH] = self.forcing.harmonics[j].re;
-            self.im[k / WIDTH].0[k % WIDTH] = self.forcing.harmonics[j].im;
+        // Rows of harmonics are zero; one number stored into a vector would hold up
+        // whoever reads the vector next.
+        for (&(b, unit), z) in basis.unit.iter().zip(&self.forcing.harmonics) {
+            self.re[b] = unit.fma::<A>(V::splat(z.re), self.re[b]);
+            self.im[b] = unit.fma::<A>(V::splat(z.im), self.im[b]);
         }
     }
 
@@ -226,13 +228,16 @@ impl Phase {
         q: &mut [f64],
         v: &mut [f64],
     ) {
-        let (n, blocks) = (basis.masses, basis.blocks);
+        let (n, blocks, active) = (basis.masses, basis.blocks, self.active);
+        let (ar, ai) = (&self.re[..active], &self.im[..active]);
+        let (er, ei) = (&e.re[..active], &e.im[..active]);
         for i in 0..n {
             let (mut place, mut speed) = (V::ZERO, V::ZERO);
-            let shapes = &basis.shape[i * blocks..][..self.active];
-            for (b, shape) in shapes.iter().enumerate() {
-                let re = self.re[b] * e.re[b] - self.im[b] * e.im[b];
-                let im = self.re[b] * e.im[b] + self.im[b] * e.re[b];
+            let shapes = &basis.shape[i * blocks..][..active];
+            for b in 0..active {
+                let shape = &shapes[b];
+                let re = ar[b] * er[b] - ai[b] * ei[b];
+                let im = ar[b] * ei[b] + ai[b] * er[b];
                 place = shape[0].fma::<A>(re, place) - shape[1] * im;
                 speed = shape[2].fma::<A>(re, speed) - shape[3] * im;
             }
@@ -307,15 +312,36 @@ impl Task for Evaluate<'_> {
             out,
         } = self;
         out.s = s;
-        // The first vector apart: most often it is the only one.
-        if phase.active > 0 {
-            out.turn::<A>(basis, 0);
-        }
-        for b in 1..phase.active {
-            out.turn::<A>(basis, b);
+        // Most often there is one vector: without a loop its constants are used
+        // where they are, and not put aside for the next round.
+        out.turn::<A>(basis, 0);
+        if phase.active > 1 {
+            A::apart(Others {
+                basis,
+                active: phase.active,
+                out,
+            });
         }
         if !phase.flights.is_empty() {
             phase.swing::<A>(basis, out);
+        }
+    }
+}
+
+/// The vectors behind the first.
+struct Others<'a> {
+    basis: &'a Basis,
+    active: usize,
+    out: &'a mut Exponentials,
+}
+
+impl Task for Others<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<A: Arith>(self) {
+        for b in 1..self.active {
+            self.out.turn::<A>(self.basis, b);
         }
     }
 }

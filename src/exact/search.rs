@@ -114,16 +114,17 @@ impl Search {
                 && root.is_none_or(|(_, other)| bracket.guess < other.guess)
             {
                 root = Some((number, bracket));
-                second = second.min(length);
+                second = lesser(second, length);
             } else {
-                second = second.min(free);
+                second = lesser(second, free);
             }
-            length = length.min(free);
+            length = lesser(length, free);
         }
         self.steps += 1;
         let looks = witness.looks();
         if let Some((number, bracket)) = root
             && (second >= bracket.high || second >= left)
+            && !(s == 0.0 && signals[watched[number]].passing)
         {
             let signal = &signals[watched[number]];
             let step = self.polish::<A>(basis, phase, signal, bracket, left, number);
@@ -155,17 +156,7 @@ impl Search {
             return seen.free;
         }
         self.grazing += 1;
-        let [_, d1, d2, d3, d4] = seen.jet.map(f64::abs);
-        let n = 0.25 * signal.noise;
-        let mut h = left;
-        h = h
-            .min(n / d1)
-            .min((2.0 * n / d2).sqrt())
-            .min((6.0 * n / d3).cbrt());
-        h = h.min((24.0 * n / d4).sqrt().sqrt());
-        h = h.min((120.0 * n / seen.remainder).powf(0.2));
-        // Exactly zero in every order that is seen: a billionth of what is left.
-        h.max(2.0 * least).max(1e-9 * left).min(left)
+        grazed(signal.noise, seen, least, left)
     }
 
     /// Polishes the root in the bracket and evaluates there.
@@ -197,7 +188,7 @@ impl Search {
             } else {
                 high = s
             }
-            let (x, lost) = reversed(a, r);
+            let (x, lost) = reversed::<A>(a, r);
             let next = s + x;
             let inside = next >= low && next <= high;
             if inside && lost * x.abs() <= 1e-16 * s {
@@ -253,6 +244,29 @@ impl Search {
             self.e.size[b] = self.e.size[b] * u.fma::<A>(f(1.0) + u, f(1.0));
         }
     }
+}
+
+/// The lesser of two numbers; one that is not a number has been refused before.
+#[inline(always)]
+fn lesser(a: f64, b: f64) -> f64 {
+    if a < b { a } else { b }
+}
+
+/// How long a signal that is not told from zero stays within a quarter of `noise`.
+#[cold]
+#[inline(never)]
+fn grazed(noise: f64, seen: &Assessment, least: f64, left: f64) -> f64 {
+    let [_, d1, d2, d3, d4] = seen.jet.map(f64::abs);
+    let n = 0.25 * noise;
+    let mut h = left;
+    h = h
+        .min(n / d1)
+        .min((2.0 * n / d2).sqrt())
+        .min((6.0 * n / d3).cbrt());
+    h = h.min((24.0 * n / d4).sqrt().sqrt());
+    h = h.min((120.0 * n / seen.remainder).powf(0.2));
+    // Exactly zero in every order that is seen: a billionth of what is left.
+    h.max(2.0 * least).max(1e-9 * left).min(left)
 }
 
 /// True when the signal has passed zero already.

@@ -50,6 +50,9 @@ pub(crate) struct Signal {
     pub(crate) zeros: usize,
     /// Started at zero and has not yet been seen clearly positive.
     pub(crate) leaving: bool,
+    /// Nobody asks for its root once something else has come about, which most
+    /// often it does before: near the start the step ends in front of the root.
+    pub(crate) passing: bool,
 }
 
 /// Value and derivatives, with the lanes' own contributions left in the scratch.
@@ -123,6 +126,7 @@ impl Signal {
             noise: 0.0,
             zeros: 0,
             leaving: false,
+            passing: false,
         }
     }
 
@@ -201,6 +205,7 @@ impl Signal {
         self.noise = 4.0 * f64::EPSILON * scale;
         self.zeros = 0;
         self.leaving = false;
+        self.passing = false;
     }
 
     /// Bound on the fifth derivative of the polynomial over the phase.

@@ -191,9 +191,12 @@ impl Track {
         }
         self.whole = self.state.whole::<A>(panel, phase);
         self.seen = 0;
-        self.look_ahead::<A>(0.0, self.whole);
+        self.calm = self.whole;
+        // What flies is at rest at the start alone.
+        let flies = self.asked.mean && !phase.flights.is_empty();
+        self.quiet = !flies && self.nothing_between::<A>(0.0, 0.0);
         (self.before.s, self.now.s) = (f64::NEG_INFINITY, f64::NEG_INFINITY);
-        self.last.s = f64::NEG_INFINITY;
+        (self.last.s, self.look.s) = (f64::NEG_INFINITY, f64::NEG_INFINITY);
         if !self.quiet || self.asked.mean {
             self.state.first(phase, &mut self.now);
         }
@@ -203,7 +206,9 @@ impl Track {
             self.last = point;
         }
         if self.asked.mean {
-            self.turned = self.state.primitive::<A>(panel, phase, &self.now, e);
+            self.turned = self
+                .state
+                .first_primitive::<A>(panel, phase.active, &self.now);
         }
     }
 
@@ -261,6 +266,19 @@ impl Track {
         point
     }
 
+    /// The same at the local time s, which was passed by.
+    #[inline(always)]
+    fn stand_before<A: Arith>(&mut self, scene: Scene, s: f64) {
+        let mut e = std::mem::take(&mut self.e);
+        if s == 0.0 {
+            e.start(scene.phase.active);
+        } else {
+            scene.phase.exponentials::<A>(scene.basis, s, &mut e);
+        }
+        self.last = self.stand_at::<A>(scene, &e);
+        self.e = e;
+    }
+
     #[inline(always)]
     fn note_values(&mut self, value: V) {
         let (over, under) = (value - self.high, self.low - value);
@@ -282,10 +300,7 @@ impl Track {
             return;
         }
         if self.last.s != from {
-            let mut e = std::mem::take(&mut self.e);
-            scene.phase.exponentials::<A>(scene.basis, from, &mut e);
-            self.last = self.stand_at::<A>(scene, &e);
-            self.e = e;
+            self.stand_before::<A>(scene, from);
         }
         std::mem::swap(&mut self.before, &mut self.now);
         let before = self.last;

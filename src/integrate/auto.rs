@@ -122,8 +122,8 @@ const BEHAVIOURS: [Behaviour; 5] = [
         follows_laws: true,
         margin: 10.0,
         restart: 1.0,
-        cost: [3.0, 0.0],
-        digit: 0.8,
+        cost: [4.0, 0.0],
+        digit: 0.9,
     },
     Behaviour {
         method: Method::Dop853,
@@ -133,7 +133,7 @@ const BEHAVIOURS: [Behaviour; 5] = [
         follows_laws: false,
         margin: 4.0,
         restart: 1.0,
-        cost: [25.0, 0.0],
+        cost: [18.0, 0.0],
         digit: 0.0,
     },
     Behaviour {
@@ -164,7 +164,7 @@ const BEHAVIOURS: [Behaviour; 5] = [
         order: 9.0,
         stable: f64::INFINITY,
         follows_laws: false,
-        margin: 10.0,
+        margin: 20.0,
         restart: 3.0,
         // Fewer iterations and refusals, the finer the tolerance.
         cost: [36.0, -1.2],

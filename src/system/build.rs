@@ -1,12 +1,9 @@
 //! From the model to the frozen layout, with every check on its numbers.
 
-use super::frozen::{
-    Branch, Chain, Frozen, FrozenLaw, FrozenTrack, Prescribed, Rigid, Rotor, Step,
-};
+use super::frozen::{Chain, Frozen, FrozenLaw, FrozenTrack, Prescribed, Rigid, Rotor, Step};
 use super::linkages::{FrozenLinkage, OutputPlace};
 use super::loads::{Argument, FrozenLoad};
 use super::pairs::Contact;
-use super::trains::trains;
 use crate::fault::Fault;
 use crate::model::{Law, LinkBase, LoadLaw, Model, NodeMotion, TrackSource};
 
@@ -24,8 +21,8 @@ pub(super) fn freeze(model: &Model) -> Result<Frozen, Vec<Fault>> {
     builder.place_tracks();
     builder.place_friction();
     builder.place_loads();
-    builder.mark_chains();
-    builder.separate();
+    builder.frozen.mark_chains();
+    builder.frozen.separate();
     if builder.faults.is_empty() {
         Ok(builder.frozen)
     } else {
@@ -252,108 +249,6 @@ impl<'a> Builder<'a> {
                 argument,
             });
         }
-    }
-
-    /// Which chains somebody looks at, which carry rigid objects.
-    fn mark_chains(&mut self) {
-        let frozen = &mut self.frozen;
-        let watched: Vec<usize> = (frozen.laws.iter().map(|law| law.driver))
-            .chain(frozen.loads.iter().map(|load| load.node))
-            .chain(frozen.tracks.iter().filter_map(|track| track.node))
-            .collect();
-        let carrying: Vec<usize> = (frozen.rigids.iter())
-            .map(|rigid| frozen.laws[rigid.law].driver)
-            .collect();
-        for chain in &mut frozen.chains {
-            chain.watched = watched.iter().any(|node| chain.nodes().contains(node));
-            chain.carries = carrying.iter().any(|node| chain.nodes().contains(node));
-        }
-    }
-
-    /// Outputs of linkages that are only looked at from outside: the equations
-    /// of motion need not know where they are.
-    fn idle_outputs(&self) -> Vec<usize> {
-        let frozen = &self.frozen;
-        let watched: Vec<usize> = (frozen.laws.iter().map(|law| law.driver))
-            .chain(frozen.loads.iter().map(|load| load.node))
-            .chain(frozen.tracks.iter().filter_map(|track| track.node))
-            .collect();
-        let idle = |rigid: &&Rigid| {
-            frozen.laws[rigid.law].output.is_some()
-                && frozen.constant_force[rigid.node] == 0.0
-                && !watched.contains(&rigid.node)
-        };
-        frozen
-            .rigids
-            .iter()
-            .filter(idle)
-            .map(|rigid| rigid.node)
-            .collect()
-    }
-
-    /// Takes apart what hangs on a prescribed drive alone.
-    fn separate(&mut self) {
-        let idle = self.idle_outputs();
-        let frozen = &mut self.frozen;
-        let needed = frozen
-            .rigids
-            .iter()
-            .filter(|rigid| !idle.contains(&rigid.node));
-        frozen.needed_rigids = needed.copied().collect();
-        for number in 0..frozen.linkages.len() {
-            // Behind a prescribed drive its inertia and forces move nothing.
-            if frozen.moves_freely(frozen.linkages[number].node) {
-                let asked = frozen.needed_rigids.iter().filter_map(|rigid| {
-                    let output = frozen.laws[rigid.law].output?;
-                    (output.linkage == number).then_some(output.output)
-                });
-                let mut asked: Vec<usize> = asked.collect();
-                asked.sort_unstable();
-                asked.dedup();
-                frozen.linkages[number].tabulate(&asked);
-            }
-        }
-        let drive_of = |chain: &Chain| {
-            frozen.steps.iter().find_map(|step| match step {
-                Step::Prescribed(drive) if drive.node == frozen.laws[chain.law].driver => {
-                    Some(drive.clone())
-                }
-                _ => None,
-            })
-        };
-        let mut branches = Vec::new();
-        let mut coupled = Vec::new();
-        for step in &frozen.steps {
-            let alone = match step {
-                Step::Chain(index) => {
-                    let chain = frozen.chains[*index];
-                    let drive = drive_of(&chain).filter(|_| !chain.watched);
-                    drive.map(|drive| Branch {
-                        drive,
-                        law: frozen.laws[chain.law].clone(),
-                        chain,
-                        stiffness: frozen.stiffness[chain.coordinates()].into(),
-                        damping: frozen.damping[chain.coordinates()].into(),
-                        inverse_inertia: frozen.inverse_inertia[chain.coordinates()].into(),
-                        constant_force: frozen.constant_force[chain.nodes()].into(),
-                    })
-                }
-                Step::Rigid(index) if idle.contains(&frozen.rigids[*index].node) => continue,
-                _ => None,
-            };
-            match alone {
-                Some(branch) => branches.push(branch),
-                None => coupled.push(step.clone()),
-            }
-        }
-        // Drives alone need no evaluation, unless their displacement is a signal.
-        let drive = |step: &Step| matches!(step, Step::Prescribed(_));
-        if frozen.extra.is_empty() && coupled.iter().all(drive) {
-            coupled.clear();
-        }
-        frozen.branches = branches;
-        frozen.coupled = coupled;
-        frozen.trains = trains(frozen);
     }
 }
 

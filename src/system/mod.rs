@@ -9,6 +9,7 @@
 //! `observe`, `energy` and `reduce` what is read off; `scales` and `frequencies` what the
 //! methods are chosen and steered by.
 
+mod accelerations;
 mod balance;
 mod build;
 mod check;
@@ -32,6 +33,7 @@ mod placing;
 mod quantity;
 mod reduce;
 mod scales;
+mod separate;
 mod series;
 mod start;
 mod start_messages;

@@ -128,24 +128,26 @@ impl Form {
     /// The integral over the lanes' parts at the ends of a phase.
     #[inline(always)]
     pub(super) fn integral<A: Arith>(&self, ends: &[Ends], phase: &Phase, e: &Exponentials) -> f64 {
-        let mut sum = V::ZERO;
-        let count = ends.len().max(1);
-        for (&j, cells) in self.rows.iter().zip(self.cells.chunks_exact(count)) {
+        let (mut even, mut odd) = (V::ZERO, V::ZERO);
+        let count = ends.len();
+        for (row, &j) in self.rows.iter().enumerate() {
+            let used = if self.symmetric { j / WIDTH + 1 } else { count };
+            let cells = &self.cells[row * count..][..used];
             let own = &ends[j / WIDTH];
             let part = |v: &V| V::splat(v.0[j % WIDTH]);
-            let [br, bi, ar, ai] =
-                [&own.start[0], &own.start[1], &own.end[0], &own.end[1]].map(part);
-            let used = if self.symmetric { j / WIDTH + 1 } else { count };
-            for (other, cell) in ends[..used].iter().zip(&cells[..used]) {
+            let (br, bi) = (part(&own.start[0]), part(&own.start[1]));
+            let (ar, ai) = (part(&own.end[0]), part(&own.end[1]));
+            for (b, other) in ends[..used].iter().enumerate() {
                 let ([cr, ci], [wr, wi]) = (other.start, other.end);
+                let [rr, ii, ri, ir] = cells[b];
                 // The four products of parts, ends less starts.
-                sum = cell[0].fma::<A>(ar.fma::<A>(wr, -(br * cr)), sum);
-                sum = cell[1].fma::<A>(ai.fma::<A>(wi, -(bi * ci)), sum);
-                sum = cell[2].fma::<A>(ar.fma::<A>(wi, -(br * ci)), sum);
-                sum = cell[3].fma::<A>(ai.fma::<A>(wr, -(bi * cr)), sum);
+                even = rr.fma::<A>(ar.fma::<A>(wr, -(br * cr)), even);
+                odd = ii.fma::<A>(ai.fma::<A>(wi, -(bi * ci)), odd);
+                even = ri.fma::<A>(ar.fma::<A>(wi, -(br * ci)), even);
+                odd = ir.fma::<A>(ai.fma::<A>(wr, -(bi * cr)), odd);
             }
         }
-        let mut total = sum.sum();
+        let mut total = (even + odd).sum();
         let amplitude = |k: usize| {
             let (b, i) = (k / WIDTH, k % WIDTH);
             C::new(phase.re[b].0[i], phase.im[b].0[i])

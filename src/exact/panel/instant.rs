@@ -76,10 +76,10 @@ impl PanelPhase {
     #[inline(always)]
     pub(crate) fn whole<A: Arith>(&self, panel: &Panel, phase: &Phase) -> V {
         let mut sum = V::ZERO;
-        let seen = panel.lanes[..WIDTH * phase.active].chunks_exact(WIDTH);
-        for (size, four) in self.size[..phase.active].iter().zip(seen) {
+        let seen = &panel.lanes[..phase.active];
+        for (b, size) in self.size[..phase.active].iter().enumerate() {
             for i in 0..WIDTH {
-                sum = four[i].size.fma::<A>(V::splat(size.0[i]), sum);
+                sum = seen[b][i].size.fma::<A>(V::splat(size.0[i]), sum);
             }
         }
         sum
@@ -98,10 +98,10 @@ impl PanelPhase {
         let [mut value, mut slope] = self.slow_two::<A>(e);
         let mut turned = [V::ZERO; 2];
         let (mut fourth, mut envelope) = (self.slow4, V::ZERO);
-        let seen = panel.lanes[..WIDTH * active].chunks_exact(WIDTH);
-        for ([re, im, size], four) in lanes.lanes[..active].iter().zip(seen) {
+        let seen = &panel.lanes[..active];
+        for (b, [re, im, size]) in lanes.lanes[..active].iter().enumerate() {
             for i in 0..WIDTH {
-                let lane = &four[i];
+                let lane = &seen[b][i];
                 let w = &lane.weight;
                 let (re, im) = (V::splat(re.0[i]), V::splat(im.0[i]));
                 value = w[0].fma::<A>(re, value);
@@ -127,14 +127,14 @@ impl PanelPhase {
     pub(crate) fn lane<A: Arith>(&self, panel: &Panel, lanes: &Amplitudes, k: usize) -> [V; 2] {
         let [re, im, _] = lanes.get(k / WIDTH);
         let (re, im) = (V::splat(re.0[k % WIDTH]), V::splat(-im.0[k % WIDTH]));
-        let w = &panel.lanes[k].weight;
+        let w = &panel.seen(k).weight;
         [w[0].fma::<A>(re, w[1] * im), w[2].fma::<A>(re, w[3] * im)]
     }
 
     /// Envelope of lane k from an instant on.
     #[inline(always)]
     pub(crate) fn lane_size(&self, panel: &Panel, lanes: &Amplitudes, k: usize) -> V {
-        panel.lanes[k].size * V::splat(lanes.get(k / WIDTH)[2].0[k % WIDTH])
+        panel.seen(k).size * V::splat(lanes.get(k / WIDTH)[2].0[k % WIDTH])
     }
 
     /// What Hermite's cubic may miss over a length h from an instant (`None`:
@@ -159,7 +159,7 @@ impl PanelPhase {
             let (bent, level) = missed::<A>(basis, b, h, share);
             let (curved, leveled) = (size * bent, size * level);
             for i in 0..WIDTH.min(follow - b * WIDTH) {
-                let own = panel.lanes[b * WIDTH + i].size;
+                let own = panel.lanes[b][i].size;
                 if bent.0[i] < level.0[i] {
                     middle = own.fma::<A>(V::splat(curved.0[i]), middle);
                 } else {
@@ -209,15 +209,16 @@ impl PanelPhase {
         let mut rest = V::ZERO;
         let blocks = panel.primitive.len();
         let own = &panel.own[f * blocks..][..active];
-        for ([re, im, size], own) in lanes.lanes[..active].iter().zip(own) {
-            for (sum, w) in sums.iter_mut().zip(&own.weight) {
-                *sum = w[0].fma::<A>(*re, *sum) - w[1] * *im;
+        for (b, [re, im, size]) in lanes.lanes[..active].iter().enumerate() {
+            for order in 0..4 {
+                let w = &own[b].weight[order];
+                sums[order] = w[0].fma::<A>(*re, sums[order]) - w[1] * *im;
             }
-            rest = own.fourth.fma::<A>(*size, rest);
+            rest = own[b].fourth.fma::<A>(*size, rest);
         }
         let mut jet = self.slow_one::<A>(e, f);
-        for (derivative, sum) in jet.iter_mut().zip(sums) {
-            *derivative += sum.sum();
+        for order in 0..4 {
+            jet[order] += sums[order].sum();
         }
         (jet, self.slow4.0[f] + rest.sum())
     }
@@ -232,19 +233,30 @@ impl PanelPhase {
         lanes: &Amplitudes,
         e: &Exponentials,
     ) -> f64 {
-        let mut sum = V::ZERO;
-        let active = phase.active;
-        let own = panel.primitive[..active].iter();
-        for ([re, im, _], [wr, wi]) in lanes.lanes[..active].iter().zip(own) {
-            sum = wr.fma::<A>(*re, sum) - *wi * *im;
-        }
         let mut resting = 0.0;
         for &k in &panel.resting {
             let (b, i) = (k / WIDTH, k % WIDTH);
-            let w = &panel.lanes[k].weight;
+            let w = &panel.seen(k).weight;
             resting += w[0].0[0] * phase.re[b].0[i] - w[1].0[0] * phase.im[b].0[i];
         }
-        sum.sum() + resting * e.s + self.slow_primitive::<A>(e)
+        let start = self.first_primitive::<A>(panel, phase.active, lanes);
+        start + resting * e.s + self.slow_primitive::<A>(e)
+    }
+
+    /// The same at the start of the phase, where the lanes are all there is.
+    #[inline(always)]
+    pub(crate) fn first_primitive<A: Arith>(
+        &self,
+        panel: &Panel,
+        active: usize,
+        lanes: &Amplitudes,
+    ) -> f64 {
+        let mut sum = V::ZERO;
+        let own = &panel.primitive[..active];
+        for (b, [re, im, _]) in lanes.lanes[..active].iter().enumerate() {
+            sum = own[b][0].fma::<A>(*re, sum) - own[b][1] * *im;
+        }
+        sum.sum()
     }
 }
 

@@ -209,15 +209,21 @@ impl PanelPhase {
     /// Polynomial and arcs in functional f: value and three derivatives.
     #[inline(always)]
     pub(super) fn slow_one<A: Arith>(&self, e: &Exponentials, f: usize) -> [f64; 4] {
-        let mut d = [self.poly[self.degree].0[f], 0.0, 0.0, 0.0];
-        for k in (0..self.degree).rev() {
-            d[3] = A::fma(d[3], e.s, d[2]);
-            d[2] = A::fma(d[2], e.s, d[1]);
-            d[1] = A::fma(d[1], e.s, d[0]);
-            d[0] = A::fma(d[0], e.s, self.poly[k].0[f]);
-        }
-        d[2] *= 2.0;
-        d[3] *= 6.0;
+        let poly = |k: usize| self.poly[k].0[f];
+        let mut d = if self.degree <= 2 {
+            let (a, b, c) = (poly(0), poly(1), poly(2));
+            let value = A::fma(A::fma(c, e.s, b), e.s, a);
+            [value, A::fma(c + c, e.s, b), c + c, 0.0]
+        } else {
+            let mut d = [poly(self.degree), 0.0, 0.0, 0.0];
+            for k in (0..self.degree).rev() {
+                d[3] = A::fma(d[3], e.s, d[2]);
+                d[2] = A::fma(d[2], e.s, d[1]);
+                d[1] = A::fma(d[1], e.s, d[0]);
+                d[0] = A::fma(d[0], e.s, poly(k));
+            }
+            [d[0], d[1], 2.0 * d[2], 6.0 * d[3]]
+        };
         for arc in &self.arcs {
             let w = arc.omega;
             let Swing {

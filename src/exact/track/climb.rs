@@ -7,6 +7,10 @@ use crate::exact::bound::reversed;
 use crate::exact::hermite::{End, Piece, Point};
 use crate::exact::lanes::{Arith, Task};
 
+/// A summit is looked for first where the last one was, if that is so near to
+/// where it is expected, in lengths of the piece.
+const NEAR: f64 = 0.02;
+
 /// [`Track::climb`], out of line.
 pub(super) struct Climb<'a> {
     pub(super) track: &'a mut Track,
@@ -82,7 +86,8 @@ impl Track {
             }
             cuts += 1;
             let guess = piece.a.s + piece.summit() * piece.length();
-            let cut = self.summit::<A>(scene, (k, sign), &piece, guess, margin);
+            let figure = (k, sign, best);
+            let cut = self.summit::<A>(scene, figure, &piece, guess, margin);
             best = best.max(cut.f);
             self.pieces.push(Piece { a: cut, b: piece.b });
             self.pieces.push(Piece { a: piece.a, b: cut });
@@ -93,17 +98,21 @@ impl Track {
     }
 
     /// The summit near `guess`, with slope exactly zero; where there is none
-    /// within the piece, the point at `guess`.
+    /// within the piece, or none higher than `best`, a point near `guess`.
     #[inline(always)]
     fn summit<A: Arith>(
         &mut self,
         scene: Scene,
-        (k, sign): (usize, f64),
+        (k, sign, best): (usize, f64, f64),
         piece: &Piece,
         guess: f64,
         margin: f64,
     ) -> End {
-        let mut s = guess;
+        // Several functionals often have their summits at one instant.
+        let near = (guess - self.look.s).abs() < NEAR * piece.length()
+            && self.look.s > piece.a.s
+            && self.look.s < piece.b.s;
+        let mut s = if near { self.look.s } else { guess };
         let mut first = None;
         for _ in 0..8 {
             let (jet, rest) = self.jet::<A>(scene, k, s);
@@ -113,14 +122,20 @@ impl Track {
                 f: f[0],
                 g: f[1],
             });
-            let (x, _) = reversed([f[1], f[2], f[3], 0.0, 0.0], 0.0);
+            let (x, _) = reversed::<A>([f[1], f[2], f[3], 0.0, 0.0], 0.0);
             let target = s + x;
             if !(f[2] < 0.0 && target > piece.a.s && target < piece.b.s) {
                 return plain;
             }
             let cube = rest * (x * x * x).abs();
+            let value = f[0] + x * (f[1] + x * (f[2] * 0.5 + x * (f[3] * (1.0 / 6.0))));
+            // What stays so far below that the bounds on either side tell it need
+            // not be found to rounding.
+            let slack = 0.25 * (f[1] * piece.length()).abs() + cube * x.abs() * (1.0 / 24.0);
+            if value.max(f[0]) + slack <= best {
+                return plain;
+            }
             if cube * piece.length() <= 24.0 * margin || x.abs() <= 1e-15 * target {
-                let value = f[0] + x * (f[1] + x * (f[2] * 0.5 + x * (f[3] / 6.0)));
                 return End {
                     s: target,
                     f: value,
@@ -135,8 +150,10 @@ impl Track {
     #[inline(always)]
     fn jet<A: Arith>(&mut self, scene: Scene, k: usize, s: f64) -> ([f64; 4], f64) {
         let phase = scene.phase;
-        phase.exponentials::<A>(scene.basis, s, &mut self.e);
-        self.state.amplitudes::<A>(phase, &self.e, &mut self.look);
+        if s != self.look.s || s != self.e.s {
+            phase.exponentials::<A>(scene.basis, s, &mut self.e);
+            self.state.amplitudes::<A>(phase, &self.e, &mut self.look);
+        }
         let lanes = (&self.look, phase.active);
         self.state.jet::<A>(scene.panel, lanes, &self.e, k)
     }
@@ -200,7 +217,9 @@ impl Track {
         if !(x > 0.0 && x < most && settled && harmless((x, off(x)), slope(x), allowed)) {
             return None;
         }
-        let start = self.state.primitive::<A>(panel, phase, &self.look, &self.e);
+        let start = self
+            .state
+            .first_primitive::<A>(panel, phase.active, &self.look);
         let more = x * (f[0] + x * (f[1] * 0.5 + x * (f[2] / 6.0 + x * (f[3] / 24.0))));
         self.roots.push((x, start + more));
         Some(End {
@@ -249,7 +268,7 @@ impl Track {
                 f: f[0],
                 g: f[1],
             });
-            let (x, _) = reversed([f[0], f[1], f[2], f[3], 0.0], 0.0);
+            let (x, _) = reversed::<A>([f[0], f[1], f[2], f[3], 0.0], 0.0);
             let target = s + x;
             if !(crosses && target > piece.a.s && target < piece.b.s) {
                 return plain;

@@ -50,7 +50,17 @@ impl Rubbing {
     }
 
     /// T and q̈ for a₀, s, speed, and the force and inertia on the output.
-    fn resist(&mut self, q: f64, [a, s, speed, load, inertia]: [f64; 5]) -> Option<[f64; 2]> {
+    fn resist(&mut self, q: f64, asked: [f64; 5]) -> Option<[f64; 2]> {
+        self.resist_pressed(q, asked, None)
+    }
+
+    /// The same with pairs that press on given sides.
+    fn resist_pressed(
+        &mut self,
+        q: f64,
+        [a, s, speed, load, inertia]: [f64; 5],
+        pressed: Option<u64>,
+    ) -> Option<[f64; 2]> {
         self.linkage.solve(q, 2, &mut self.at).ok()?;
         let segment = self.reversals.breaks.locate(self.q, 1.0);
         let motion = Resisted {
@@ -62,7 +72,7 @@ impl Rubbing {
             inertias: &[inertia],
             direction: speed.signum(),
             senses: self.reversals.at(segment),
-            pressed: None,
+            pressed,
         };
         let options = Options {
             tolerance: 1e-14,
@@ -181,6 +191,35 @@ proptest! {
             let wanted = (above[0] - below[0]) / (2.0 * step);
             let limit = 1e-4 * (found.abs() + wanted.abs()) + 1e-7 * size;
             prop_assert!((found - wanted).abs() <= limit, "{which}: {found} {wanted}");
+        }
+    }
+
+    /// With the sides on which they press given, pairs rub as they do by themselves; a
+    /// corner that presses on the other side than it is told tells so.
+    #[test]
+    fn given_sides_are_those_that_turn_out(
+        seed: u64, dyads in 1usize..4, part in 0.05f64..0.95, load in -20.0f64..20.0,
+    ) {
+        let Some(mut rubbing) = Rubbing::new(seed, dyads, part, 0.05) else { return Ok(()) };
+        let q = rubbing.q;
+        let asked = [1.3, 0.0, SPEED, load, 0.0];
+        let Some([force, _]) = rubbing.resist(q, asked) else { return Ok(()) };
+        let sides = rubbing.solver.sides(&rubbing.w);
+        let size = rubbing.solver.greatest_reaction(&rubbing.w);
+        let Some([given, _]) = rubbing.resist_pressed(q, asked, Some(sides)) else { return Ok(()) };
+        prop_assert!(near(given, force, 1e-9, 1e-4 * size), "{given} {force}");
+        prop_assert!(rubbing.solver.side_margin(&rubbing.w) > 0.0);
+        prop_assert_eq!(rubbing.solver.lifted_corners(&rubbing.w), 0);
+        let corners = rubbing.solver.pressing_corners(&rubbing.w);
+        prop_assert_eq!(corners & !sides, 0);
+        // Each corner by itself told to press on the other side.
+        for bit in (0..62).map(|bit| 1u64 << bit).filter(|bit| corners & bit != 0) {
+            let Some([other, _]) = rubbing.resist_pressed(q, asked, Some(sides ^ bit))
+                else { continue };
+            let lifted = rubbing.solver.lifted_corners(&rubbing.w);
+            let margin = rubbing.solver.side_margin(&rubbing.w);
+            prop_assert!(lifted & bit != 0 || margin.abs() < 1e-6, "{lifted:b} {bit:b} {margin}");
+            prop_assert!(margin < 1e-6 && other.is_finite(), "{margin} {other}");
         }
     }
 
