@@ -210,6 +210,11 @@ fn efficiency_of_a_cycle() {
     assert!(found.worst_balance() < 1e-11);
     assert!(found.worst_influence() < 1e-13);
     assert!(found.warnings().is_empty());
+    // Sums that there are none of although every position has its forces.
+    let mut without = found.clone();
+    without.cycle = None;
+    let warnings = without.warnings().join(" ");
+    assert!(warnings.contains("between two positions"), "{warnings}");
     for extreme in &found.extremes {
         assert!(extreme.least.value <= extreme.greatest.value);
     }

@@ -14,7 +14,7 @@ const EVALUATIONS: usize = 100;
 /// Evaluations that short courses may use as well.
 const AT_LEAST: usize = 20_000;
 
-/// Sums over a course; none where the input rests or positions have no forces.
+/// Sums over a course.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CycleForces {
     /// True: a whole cycle, over which inertia and weights do no work.

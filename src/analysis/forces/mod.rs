@@ -68,7 +68,8 @@ pub struct ForceStudy {
     pub rows: Vec<Row>,
     /// Least and greatest value of each quantity, between the positions too.
     pub extremes: Vec<Extremes>,
-    /// Work, losses and efficiency over the course.
+    /// Work, losses and efficiency over the course; none where the input rests,
+    /// or where there are no forces on the way.
     pub cycle: Option<CycleForces>,
     /// Intervals of self-locking, of no solution, and out of reach.
     pub zones: Vec<Zone>,
@@ -172,6 +173,12 @@ impl ForceStudy {
             ));
         }
         let missing = self.rows.len() - self.solved().count();
+        if missing == 0 && self.cycle.is_none() && self.course.panels().is_some() {
+            warnings.push(
+                "between two positions there are no forces: work, losses and efficiency of the course are left out; more positions show where"
+                    .to_owned(),
+            );
+        }
         if missing > 0 {
             let first = self.rows.iter().find_map(|row| row.forces.as_ref().err());
             let reason = first.map(ToString::to_string).unwrap_or_default();
