@@ -170,7 +170,9 @@ impl System {
             ),
             Some((Cause::Unexplored, _)) => (
                 "not_explored",
-                format!("{id} was not looked at beyond {at}: it was not followed further before the run"),
+                format!(
+                    "{id} was not looked at beyond {at}: it was not followed further before the run"
+                ),
             ),
             Some((Cause::DeadPosition { .. }, group)) => (
                 "dead_position",
