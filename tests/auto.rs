@@ -1,5 +1,6 @@
-//! `method: auto`: what it picks converges and has not much more work than the
-//! best, on scenes of every kind. Work is counted, not timed.
+//! `method: auto`: what it picks keeps the tolerance over the whole run, and has not much
+//! more work than the best method that does so when given that tolerance, on scenes of
+//! every kind. Work is counted, not timed.
 
 use dam::analysis::methods::{Plan, Point, Study, Verdict, study};
 use dam::analysis::run::{RunResult, run};
@@ -11,8 +12,8 @@ use dam::system::System;
 use std::path::PathBuf;
 use std::time::Duration;
 
-/// Tolerances at which `auto` is judged; the last one is for the reference.
-const TOLERANCES: [f64; 4] = [1e-4, 1e-7, 1e-10, 1e-12];
+/// The finest tolerance, for the reference.
+const FINEST: f64 = 1e-12;
 
 /// The library's own methods and those of ode_solvers.
 const METHODS: [Method; 5] = [
@@ -25,33 +26,28 @@ const METHODS: [Method; 5] = [
 
 /// Evaluations of the right-hand side that an evaluation counted by a method amounts
 /// to in time: an order of a power series, a stage of an implicit method with its share of
-/// the Jacobian and of linear algebra (measured on scenarios of 1 to 9 coordinates,
-/// where all lie between 0.6 and 1.6).
+/// the Jacobian and of linear algebra; dopri5, whose steps are short, has a continuous
+/// output for every six of them. Measured on scenarios of 1 to 9 coordinates, where all lie
+/// between 0.6 and 1.6 of Dop853's, and dopri5 between 1 and 2.
 const fn weight(method: Method) -> f64 {
     match method {
         Method::Taylor => 0.9,
+        Method::Dopri5 => 1.5,
         _ => 1.0,
     }
 }
 
 /// `auto` may have this many times the evaluations of the best.
-const WITHIN: f64 = 2.5;
+const WITHIN: f64 = 2.0;
 
-/// A run keeps its tolerance, which bounds the error of a step, within this factor.
-const KEPT: f64 = 100.0;
-
-/// True when a point ended well and its error is what a run may make of the tolerance.
-fn keeps(point: &Point, tolerance: f64) -> bool {
-    let ended = matches!(point.verdict, Verdict::Converged | Verdict::Inaccurate);
-    let near = point.error.is_some_and(|error| error <= KEPT * tolerance);
-    point.verdict == Verdict::Converged || ended && near
-}
+/// Tolerances at which `auto` is judged.
+const JUDGED: [f64; 3] = [1e-4, 1e-7, 1e-10];
 
 struct Judged {
     name: &'static str,
-    system: System,
-    settings: RunSettings,
     study: Study,
+    /// What `auto` does at the tolerances [`JUDGED`].
+    autos: Vec<RunResult>,
 }
 
 impl Judged {
@@ -68,9 +64,20 @@ impl Judged {
             method: None,
             ..RunSettings::of(&reading.scene).unwrap()
         };
+        let autos = JUDGED.map(|tolerance| {
+            let settings = RunSettings {
+                tolerance,
+                ..settings.clone()
+            };
+            run(&system, &settings, &Control::default(), &mut []).unwrap()
+        });
+        let aims = autos.iter().map(|auto| auto.tolerance);
+        let mut tolerances: Vec<f64> = aims.chain(JUDGED).chain([FINEST]).collect();
+        tolerances.sort_by(|a, b| b.total_cmp(a));
+        tolerances.dedup();
         let plan = Plan {
             methods: METHODS.to_vec(),
-            tolerances: TOLERANCES.to_vec(),
+            tolerances,
             repeats: 1,
             point_limit: Duration::from_secs(60),
             ..Plan::new(1e-7)
@@ -79,18 +86,15 @@ impl Judged {
         assert!(study.reference.is_some(), "{name}: no reference");
         Self {
             name,
-            system,
-            settings,
             study,
+            autos: autos.into(),
         }
     }
 
-    fn auto(&self, tolerance: f64) -> RunResult {
-        let settings = RunSettings {
-            tolerance,
-            ..self.settings.clone()
-        };
-        run(&self.system, &settings, &Control::default(), &mut []).unwrap()
+    /// What `auto` does at one of the tolerances [`JUDGED`].
+    fn auto(&self, tolerance: f64) -> &RunResult {
+        let place = JUDGED.iter().position(|judged| *judged == tolerance);
+        &self.autos[place.unwrap()]
     }
 
     fn point(&self, method: Method, tolerance: f64) -> &Point {
@@ -101,11 +105,12 @@ impl Judged {
             .unwrap_or_else(|| panic!("{}: no point of {method} at {tolerance:e}", self.name))
     }
 
-    /// Work of the methods that converge at a tolerance, the least first.
+    /// Work of the methods that converge when given a tolerance, the least first.
     fn works(&self, tolerance: f64) -> Vec<(f64, Method)> {
         let points = self.study.methods.iter().filter_map(|line| {
-            let fit =
-                |point: &&Point| point.tolerance == Some(tolerance) && keeps(point, tolerance);
+            let fit = |point: &&Point| {
+                point.tolerance == Some(tolerance) && point.verdict == Verdict::Converged
+            };
             let point = line.points.iter().find(fit)?;
             Some((weight(line.method) * point.evaluations? as f64, line.method))
         });
@@ -114,26 +119,31 @@ impl Judged {
         works
     }
 
-    /// What `auto` picks converges, with not much more work than the best.
+    /// What `auto` picks keeps the tolerance, with not much more work than the best.
     fn check(&self) {
-        for tolerance in [1e-4, 1e-7, 1e-10] {
+        let resolution = self.study.reference.as_ref().unwrap().resolution;
+        for tolerance in JUDGED {
             let auto = self.auto(tolerance);
             let (method, why) = (auto.method, &auto.figures.run.why);
             let place = format!("{} at {tolerance:.0e}: {method}: {why}", self.name);
-            let own = self.point(method, tolerance);
-            assert!(keeps(own, tolerance), "{place}; {}", own.cause);
-            let works = self.works(tolerance);
-            let work = weight(method) * own.evaluations.unwrap() as f64;
-            assert!(work <= WITHIN * works[0].0, "{place}; {works:?}");
+            let own = self.point(method, auto.tolerance);
+            let ended = matches!(own.verdict, Verdict::Converged | Verdict::Inaccurate);
+            let error = own.error.unwrap_or(f64::INFINITY);
+            let kept = error <= tolerance.max(3.0 * resolution);
+            assert!(ended && kept, "{place}; {error:e}; {}", own.cause);
             assert!(!why.contains("NaN") && !why.contains("inf"), "{place}");
+            let works = self.works(tolerance);
+            let Some(best) = works.first() else { continue };
+            let work = weight(method) * own.evaluations.unwrap() as f64;
+            assert!(work <= WITHIN * best.0, "{place}; {work} {works:?}");
         }
     }
 
-    /// The check can fail: some method that converges has far more work.
+    /// The check can fail: some method that converges has too much work.
     fn differs(&self, tolerance: f64) {
         let works = self.works(tolerance);
         let (least, most) = (works[0], works[works.len() - 1]);
-        assert!(most.0 > 1.5 * WITHIN * least.0, "{works:?}");
+        assert!(most.0 > WITHIN * least.0, "{works:?}");
     }
 }
 
@@ -166,9 +176,16 @@ fn rigid_machines_behind_a_motor() {
         "rigid/pump.json",
         "steady/press_flywheel.json",
         "linkages/slider_crank_spring.json",
+        "linkages/one_window.json",
     ] {
         Judged::new(name, &[]).check();
     }
+}
+
+#[test]
+fn laws_that_start_at_a_dead_centre() {
+    // At rest there, rounding must not be taken for a bend of the law.
+    Judged::new("fan_out/sewing_machine.json", &[]).check();
 }
 
 #[test]

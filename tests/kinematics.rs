@@ -304,6 +304,31 @@ const SLEY: &str = r#"{ "dam": 1, "name": "Sley", "objects": {
       "position": { "four_bar": { "crank": 0.04, "coupler": 0.12, "rocker": 0.1, "frame": 0.13 } } } EXPECT
   "run": { "duration": 1 } }"#;
 
+/// What can go everywhere has no range of its own.
+#[test]
+fn a_lone_block_behind_a_motor_needs_a_range() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = scene_file(
+        folder.path(),
+        r#"{ "dam": 1, "name": "Block", "objects": {
+    "cylinder": { "kind": "drive", "coordinate": "sliding", "motor": { "inertia": "1 kg", "force": { "constant": "5 N" } } },
+    "block": { "kind": "linkage", "input": "cylinder", "driver": "guide",
+      "ground": { "O": [0, 0] }, "links": { "block": { "mass": "3 kg" } },
+      "pairs": { "guide": { "sliding": { "guide": "ground.O", "block": "block.origin" } } } } },
+  "run": { "duration": 1 } }"#,
+    );
+    for command in ["kinematics", "forces"] {
+        let (code, _, error) = ran(&[command, &scene]);
+        assert_eq!(code, Some(2));
+        assert!(
+            error.contains("goes everywhere: say over which range"),
+            "{error}"
+        );
+        let (code, _, error) = ran(&[command, &scene, "--range", "0:1", "--speed", "0.1"]);
+        assert_eq!(code, Some(0), "{error}");
+    }
+}
+
 /// A position function has the kinematics of the linkage that it is short for.
 #[test]
 fn a_position_function_is_looked_at_as_its_linkage() {

@@ -100,6 +100,46 @@ fn panels_are_told_apart_everywhere() {
     assert_eq!(json["y"]["unit"], "N m/rad");
 }
 
+#[test]
+fn a_curve_of_which_half_would_lie_on_the_axis_is_logarithmic() {
+    let document = load();
+    let picture = |axis: &str| {
+        let question = Question {
+            overrides: vec!["run.duration=0.3".to_owned()],
+            x: Axis::parse(axis).unwrap(),
+            y: None,
+            panels: Panels::parse(&[]).unwrap(),
+            figure: None,
+            check_determined: false,
+        };
+        let study = Study::new(&document, &BuiltIn, question).unwrap();
+        let result = run(&study, BTreeMap::new(), 2, &Silent);
+        let values: Vec<f64> = result.panels[0]
+            .iter()
+            .map(|cell| cell.as_ref().unwrap().value.unwrap())
+            .collect();
+        (values, svg::map::svg(&study, &result))
+    };
+    // From tens of µrad, with a sign, to being thrown off by radians.
+    let (values, wide) = picture("shaft.motion.speed=100:900 rpm:9");
+    assert!(values[0] < 0.0 && values[0] > -1e-3 && values[8] > 1.0);
+    assert!(wide.contains("|rocker.delta_max|, rad"));
+    assert!(!wide.contains("NaN") && !wide.contains("inf"));
+    // The first point stands near the floor, the last near the ceiling.
+    let heights: Vec<f64> = (wide.split("<circle ").skip(1))
+        .filter_map(|mark| mark.split("cy=\"").nth(1)?.split('"').next()?.parse().ok())
+        .collect();
+    let share = |value: f64| (value.abs() / values[0].abs()).ln();
+    let slope = (heights[8] - heights[0]) / share(values[8]);
+    for (height, value) in heights.iter().zip(&values) {
+        approx::assert_abs_diff_eq!(*height, heights[0] + slope * share(*value), epsilon = 0.2);
+    }
+    // Of one size, signs are read from the axis.
+    let (values, plain) = picture("shaft.motion.speed=100:300 rpm:9");
+    assert!(values.iter().all(|value| *value < 0.0));
+    assert!(plain.contains("rocker.delta_max, µrad") && !plain.contains("|rocker"));
+}
+
 /// Keeps the lines of a journal.
 struct Lines(Mutex<String>);
 

@@ -220,6 +220,16 @@ fn bad_scenes_and_bad_arguments_end_with_status_two() {
 }
 
 #[test]
+fn a_parameter_over_which_there_is_nothing_to_choose_is_told_with_its_value() {
+    let rocker = scene("rocker/two_masses.json");
+    let output = dam(&["methods", &rocker, "--x", "rocker.masses=0:3:4"]);
+    let said = stderr(&output);
+    assert_eq!(output.status.code(), Some(2), "{said}");
+    assert!(said.contains("with rocker.masses=0: nothing in the scene is elastic"));
+    assert!(output.stdout.is_empty());
+}
+
+#[test]
 fn a_run_that_stops_early_says_so_with_status_one() {
     let two = scene("rocker/two_masses.json");
     let output = dam(&["run", &two, "--json", "--set", "run.max_switches=20"]);

@@ -167,7 +167,8 @@ pub(crate) struct MapArgs {
     #[command(flatten)]
     pub(crate) scene: SceneArgs,
     /// The parameter along the map: rocker.inertia=0.05:1:20, or …:20:log; a unit may stand after
-    /// the ends: shaft.motion.speed=100:900 rpm:50
+    /// the ends: shaft.motion.speed=100:900 rpm:50. Of a number of masses 0 is a value like others:
+    /// rigid, on its law, with lift-off where its pair would have to pull
     #[arg(long, value_name = "PATH=FROM:TO:COUNT")]
     pub(crate) x: String,
     /// The parameter up the map; without it the map is a curve

@@ -17,7 +17,7 @@ pub(super) use forms::Forms;
 use super::lanes::Arith;
 use super::law::LAW_DEGREE;
 use super::phase::{Exponentials, Phase};
-use super::problem::{PairState, TimeLoad, TreeMass, TreeProblem};
+use super::problem::{Flank, PairState, TimeLoad, TreeMass, TreeProblem};
 use super::regime::Regime;
 use moving::Room;
 
@@ -65,9 +65,23 @@ pub(super) struct Instant<'a> {
     pub(super) law: (f64, f64),
 }
 
+/// Where energy is stored: a mass, and the link that holds it.
+#[derive(Clone, Copy, Debug)]
+struct Store {
+    inertia: f64,
+    ratio: f64,
+    stiffness: f64,
+    /// The mass that the link stands on, with the lever between.
+    parent: usize,
+    lever: f64,
+    flanks: [Flank; 2],
+    count: usize,
+}
+
 /// Collects the energies phase by phase.
 #[derive(Clone, Debug)]
 pub(super) struct Ledger {
+    stores: Vec<Store>,
     drives: f64,
     loads: f64,
     dissipated: f64,
@@ -92,6 +106,7 @@ pub(super) fn varying(mass: &TreeMass) -> bool {
 }
 
 /// L and L̇ in the phase at the instant of `e`.
+#[inline(always)]
 pub(super) fn law_at(phase: &Phase, harmonic: &[(usize, f64)], e: &Exponentials) -> (f64, f64) {
     let forcing = &phase.forcing;
     let (mut value, mut speed) = (0.0, 0.0);
@@ -109,8 +124,9 @@ pub(super) fn law_at(phase: &Phase, harmonic: &[(usize, f64)], e: &Exponentials)
 }
 
 impl Ledger {
-    pub(super) fn new() -> Self {
+    pub(super) fn new(problem: &TreeProblem) -> Self {
         Self {
+            stores: problem.masses.iter().map(Store::new).collect(),
             drives: 0.0,
             loads: 0.0,
             dissipated: 0.0,
@@ -135,16 +151,17 @@ impl Ledger {
     ) {
         if self.start.is_none() {
             let at = first();
-            self.start = Some((energy(problem, &at), potential(problem, &at)));
-            self.see(problem, &at);
+            self.start = Some((energy(&self.stores, &at), potential(problem, &at)));
+            self.see(&at);
         }
-        self.held = held(problem, key, q);
+        self.held = held(&self.stores, key, q);
     }
 
     #[inline(always)]
-    fn see(&mut self, problem: &TreeProblem, at: &Instant<'_>) {
-        for (most, now) in self.greatest.iter_mut().zip(energy(problem, at)) {
-            *most = now.max(*most);
+    fn see(&mut self, at: &Instant<'_>) {
+        let now = energy(&self.stores, at);
+        for k in 0..2 {
+            self.greatest[k] = now[k].max(self.greatest[k]);
         }
     }
 
@@ -164,9 +181,9 @@ impl Ledger {
         let work = forms.work::<A>(problem, &regime.basis, phase, e, &mut self.room);
         self.drives += work.drives;
         self.loads += work.loads;
-        self.dissipated += work.dissipated + self.held - held(problem, &regime.key, at.q);
+        self.dissipated += work.dissipated + self.held - held(&self.stores, &regime.key, at.q);
         self.law = at.law;
-        self.see(problem, at);
+        self.see(at);
         self.put_in[0] += work.drives.max(0.0);
         self.put_in[1] += work.loads.max(0.0);
     }
@@ -175,7 +192,7 @@ impl Ledger {
     pub(super) fn close(&self, problem: &TreeProblem, q: &[f64], v: &[f64]) -> TreeAudit {
         let law = self.law;
         let at = &Instant { q, v, law };
-        let end = (energy(problem, at), potential(problem, at));
+        let end = (energy(&self.stores, at), potential(problem, at));
         let (energy, potential) = self.start.unwrap_or(end);
         let fell = potential - end.1;
         let total = |e: [f64; 2]| e[0] + e[1];
@@ -194,43 +211,57 @@ impl Ledger {
     }
 }
 
-/// Deformation of link i at an instant.
-fn deformation(problem: &TreeProblem, i: usize, q: &[f64]) -> f64 {
-    let mass = &problem.masses[i];
-    q[i] - mass.parent.map_or(0.0, |p| mass.lever * q[p])
-}
+impl Store {
+    fn new(mass: &TreeMass) -> Self {
+        let (flanks, count) = mass.pair.flanks();
+        // A link on the law stands on what is at rest in q.
+        let (parent, lever) = mass.parent.map_or((0, 0.0), |p| (p, mass.lever));
+        Self {
+            inertia: mass.inertia,
+            ratio: mass.ratio,
+            stiffness: mass.stiffness,
+            parent,
+            lever,
+            flanks,
+            count,
+        }
+    }
 
-/// Energy stored in the pair of link i.
-fn stored(mass: &TreeMass, x: f64) -> f64 {
-    let (flanks, count) = mass.pair.flanks();
-    if count == 0 {
-        return 0.5 * mass.stiffness * x * x;
+    /// Energy stored in the link of mass i, or in its pair.
+    #[inline(always)]
+    fn stored(&self, i: usize, q: &[f64]) -> f64 {
+        let x = q[i] - self.lever * q[self.parent];
+        if self.count == 0 {
+            return 0.5 * self.stiffness * x * x;
+        }
+        let mut sum = 0.0;
+        for flank in &self.flanks[..self.count] {
+            let clear = (flank.sign * x + flank.offset).min(0.0);
+            sum += 0.5 * self.stiffness * clear * clear;
+        }
+        sum
     }
-    let mut sum = 0.0;
-    for flank in &flanks[..count] {
-        let clear = (flank.sign * x + flank.offset).min(0.0);
-        sum += 0.5 * mass.stiffness * clear * clear;
-    }
-    sum
 }
 
 /// Kinetic energy, and elastic energy of links and pairs.
-fn energy(problem: &TreeProblem, at: &Instant<'_>) -> [f64; 2] {
+#[inline(always)]
+fn energy(stores: &[Store], at: &Instant<'_>) -> [f64; 2] {
     let mut out = [0.0; 2];
-    for (i, mass) in problem.masses.iter().enumerate() {
-        let speed = at.v[i] + mass.ratio * at.law.1;
-        out[0] += 0.5 * mass.inertia * speed * speed;
-        out[1] += stored(mass, deformation(problem, i, at.q));
+    for (i, store) in stores.iter().enumerate() {
+        let speed = at.v[i] + store.ratio * at.law.1;
+        out[0] += 0.5 * store.inertia * speed * speed;
+        out[1] += store.stored(i, at.q);
     }
     out
 }
 
 /// Energy stored in the open pairs.
-fn held(problem: &TreeProblem, key: &[PairState], q: &[f64]) -> f64 {
+#[inline(always)]
+fn held(stores: &[Store], key: &[PairState], q: &[f64]) -> f64 {
     let mut sum = 0.0;
-    for (i, mass) in problem.masses.iter().enumerate() {
-        if !key[i].engaged() && mass.pair.flanks().1 > 0 {
-            sum += stored(mass, deformation(problem, i, q));
+    for (i, store) in stores.iter().enumerate() {
+        if store.count > 0 && !key[i].engaged() {
+            sum += store.stored(i, q);
         }
     }
     sum

@@ -103,10 +103,12 @@ pub(crate) struct Basis {
     pub(crate) kept: usize,
     /// Lane of each harmonic.
     pub(crate) harmonic: Vec<usize>,
+    /// Its vector, and 1 where it stands in it.
+    pub(crate) unit: Vec<(usize, V)>,
     /// Shapes by mass: re, im, then λ·shape re, im; index mass·blocks + block.
-    pub(crate) shape: [Vec<V>; 4],
-    /// Rows by mass: row_q re, im, row_v re, im.
-    pub(crate) row: [Vec<V>; 4],
+    pub(crate) shape: Vec<[V; 4]>,
+    /// Rows by mass: row_q re, im, row_v re, im; index mass·blocks + block.
+    pub(crate) row: Vec<[V; 4]>,
     /// Floating parts.
     pub(crate) rigid: Vec<Rigid>,
     /// Constant force of the flanks in contact (springs relaxed at the flank).
@@ -173,31 +175,36 @@ impl Basis {
 
     fn packed(n: usize, lanes: Vec<Lane>, rigid: Vec<Rigid>, flank_force: Vec<f64>) -> Self {
         let blocks = lanes.len().div_ceil(WIDTH).max(1);
-        let pack = |f: &dyn Fn(&Lane, usize) -> f64, rows: usize| -> Vec<V> {
-            let mut out = vec![V::ZERO; rows * blocks];
-            for i in 0..rows {
-                for (k, lane) in lanes.iter().enumerate() {
-                    out[i * blocks + k / WIDTH].0[k % WIDTH] = f(lane, i);
-                }
+        let pack = |f: &dyn Fn(&Lane) -> f64| -> Vec<V> {
+            let mut out = vec![V::ZERO; blocks];
+            for (k, lane) in lanes.iter().enumerate() {
+                out[k / WIDTH].0[k % WIDTH] = f(lane);
             }
             out
         };
-        let re = pack(&|l, _| l.lambda.re, 1);
-        let im = pack(&|l, _| l.lambda.im, 1);
-        let shape = [
-            pack(&|l, i| l.shape[i].re, n),
-            pack(&|l, i| l.shape[i].im, n),
-            pack(&|l, i| (l.shape[i] * l.lambda).re, n),
-            pack(&|l, i| (l.shape[i] * l.lambda).im, n),
-        ];
-        let row = [
-            pack(&|l, i| l.row_q[i].re, n),
-            pack(&|l, i| l.row_q[i].im, n),
-            pack(&|l, i| l.row_v[i].re, n),
-            pack(&|l, i| l.row_v[i].im, n),
-        ];
+        let re = pack(&|l| l.lambda.re);
+        let im = pack(&|l| l.lambda.im);
+        let (mut shape, mut row) = (
+            vec![[V::ZERO; 4]; n * blocks],
+            vec![[V::ZERO; 4]; n * blocks],
+        );
+        for (k, lane) in lanes.iter().enumerate() {
+            for i in 0..n {
+                let at = i * blocks + k / WIDTH;
+                let (place, speed) = (lane.shape[i], lane.shape[i] * lane.lambda);
+                let (q, v) = (lane.row_q[i], lane.row_v[i]);
+                let both = [
+                    [place.re, place.im, speed.re, speed.im],
+                    [q.re, q.im, v.re, v.im],
+                ];
+                for part in 0..4 {
+                    shape[at][part].0[k % WIDTH] = both[0][part];
+                    row[at][part].0[k % WIDTH] = both[1][part];
+                }
+            }
+        }
         let modulus: Vec<f64> = lanes.iter().map(|l| l.lambda.norm()).collect();
-        let moduli = pack(&|l, _| l.lambda.norm(), 1);
+        let moduli = pack(&|l| l.lambda.norm());
         let follow = modulus.iter().map(|m| FOLLOW / m).collect();
         let harmonics = lanes.iter().filter(|l| l.kind != LaneKind::Mode);
         let swing = harmonics.fold(0.0f64, |m, l| m.max(l.lambda.im));
@@ -206,13 +213,10 @@ impl Basis {
         } else {
             FOLLOW / swing
         };
-        let fourth = pack(&|l, _| l.lambda.norm().powi(4), 1);
-        let fifth = pack(&|l, _| l.lambda.norm().powi(5), 1);
-        let present = pack(&|_, _| 1.0, 1);
-        let extent = pack(
-            &|l, _| l.shape.iter().fold(0.0, |m, x| x.norm_sqr().max(m)),
-            1,
-        );
+        let fourth = pack(&|l| l.lambda.norm().powi(4));
+        let fifth = pack(&|l| l.lambda.norm().powi(5));
+        let present = pack(&|_| 1.0);
+        let extent = pack(&|l| l.shape.iter().fold(0.0, |m, x| x.norm_sqr().max(m)));
         let fastest = lanes.iter().fold(0.0f64, |m, l| m.max(l.lambda.im.abs()));
         let longest = 0.5 * SIN_COS_LIMIT / fastest;
         let drift = drift(&lanes);
@@ -225,6 +229,12 @@ impl Basis {
                 harmonic[j] = k;
             }
         }
+        let unit = |k: usize| {
+            let mut one = V::ZERO;
+            one.0[k % WIDTH] = 1.0;
+            (k / WIDTH, one)
+        };
+        let unit = harmonic.iter().map(|&k| unit(k)).collect();
         let kept = harmonic.iter().fold(1, |m, k| m.max(k / WIDTH + 1));
         Self {
             masses: n,
@@ -243,6 +253,7 @@ impl Basis {
             extent,
             longest,
             harmonic,
+            unit,
             shape,
             row,
             rigid,

@@ -12,6 +12,7 @@
 use super::basis::Basis;
 use super::functional::ORDERS;
 use super::lanes::{Arith, V, WIDTH};
+use super::phase::Exponentials;
 use super::signal::{Signal, Terms};
 
 /// g and its derivatives.
@@ -41,17 +42,18 @@ pub(crate) struct Bracket {
 /// Trial lengths tested at once, as shares of the greatest.
 const LADDER: [V; 2] = [V([1.0, 0.8, 0.62, 0.47]), V([0.35, 0.22, 0.1, 0.03])];
 
-/// Assesses `signal` from `terms`, up to `left` ahead.
+/// Assesses `signal` at the instant of `e`, up to `left` ahead.
 #[inline(always)]
 pub(crate) fn assess<A: Arith>(
     basis: &Basis,
     active: usize,
     signal: &Signal,
-    terms: &Terms,
-    s: f64,
+    e: &Exponentials,
+    terms: &mut Terms,
     left: f64,
 ) -> Assessment {
-    let (mut a, r) = terms.jet(basis, active, signal.slow5());
+    let s = e.s;
+    let (mut a, r) = signal.terms::<A>(basis, active, e, terms);
     if s == 0.0 {
         a[..signal.zeros].fill(0.0);
     }
@@ -97,11 +99,11 @@ fn enveloped<A: Arith>(
     left: f64,
     mut best: f64,
 ) -> f64 {
-    let blocks = basis.blocks;
-    let lane = |order: usize, k: usize| terms.lane[order * blocks + k / WIDTH].0[k % WIDTH];
+    let lane = |order: usize, k: usize| terms.lanes[k / WIDTH].orders[order].0[k % WIDTH];
+    let size = |k: usize| terms.lanes[k / WIDTH].size.0[k % WIDTH];
     let (mut value, mut rest) = (terms.slow[0], 0.0);
     for k in 0..lanes {
-        rest += lane(ORDERS, k);
+        rest += size(k);
     }
     let mut reach = basis.follow_flights;
     for k in 0..lanes {
@@ -113,7 +115,7 @@ fn enveloped<A: Arith>(
                 for (order, value) in a.iter_mut().enumerate() {
                     *value += lane(order, i);
                 }
-                r += lane(ORDERS, i) * basis.fifth[i / WIDTH].0[i % WIDTH];
+                r += size(i) * basis.fifth[i / WIDTH].0[i % WIDTH];
             }
             a[0] -= rest;
             best = best.max(longest::<A>(a, r, reach, left));
@@ -122,7 +124,7 @@ fn enveloped<A: Arith>(
             }
         }
         value += lane(0, k);
-        rest -= lane(ORDERS, k);
+        rest -= size(k);
         reach = reach.min(basis.follow[k]);
     }
     best
@@ -138,7 +140,7 @@ fn longest<A: Arith>(a: Jet, r: f64, reach: f64, left: f64) -> f64 {
         // Nothing in sight: leap.
         while top < left {
             let next = (top * 8.0).min(left);
-            if !passes(a, r, next) {
+            if !passes::<A>(a, r, next) {
                 break;
             }
             top = next;
@@ -192,18 +194,24 @@ fn least_coefficient<A: Arith>(a: Jet, r: f64, h: V) -> V {
 }
 
 #[inline(always)]
-fn passes(a: Jet, r: f64, h: f64) -> bool {
+fn passes<A: Arith>(a: Jet, r: f64, h: f64) -> bool {
     let h2 = h * h;
     let (p1, p2) = (a[1] * h, a[2] * h2 * 0.5);
     let (p3, p4) = (a[3] * h2 * h * (1.0 / 6.0), a[4] * h2 * h2 * (1.0 / 24.0));
     let p5 = r * (h2 * h2) * h * (1.0 / 120.0);
+    let b4 = A::fma(p1, 0.8, a[0]) + A::fma(p2, 0.6, p3 * 0.4);
     // All at once: which of them fails first cannot be foreseen.
     (a[0] >= 0.0)
-        & (a[0] + 0.2 * p1 >= 0.0)
-        & (a[0] + 0.4 * p1 + 0.1 * p2 >= 0.0)
-        & (a[0] + 0.6 * p1 + (0.3 * p2 + 0.1 * p3) >= 0.0)
-        & ((a[0] + 0.8 * p1) + (0.6 * p2 + 0.4 * p3) + 0.2 * p4 >= 0.0)
+        & (A::fma(p1, 0.2, a[0]) >= 0.0)
+        & (A::fma(p2, 0.1, A::fma(p1, 0.4, a[0])) >= 0.0)
+        & (A::fma(p1, 0.6, a[0]) + A::fma(p2, 0.3, p3 * 0.1) >= 0.0)
+        & (A::fma(p4, 0.2, b4) >= 0.0)
         & ((a[0] + p1) + (p2 + p3) + (p4 - p5) >= 0.0)
+}
+
+#[inline(always)]
+fn greater(a: f64, b: f64) -> f64 {
+    if a > b { a } else { b }
 }
 
 /// The first positive root of the parabola; not a number, or not positive,
@@ -252,15 +260,18 @@ fn certify<A: Arith>(a: Jet, r: f64, lift: f64, left: f64) -> Option<Bracket> {
     // ġ over [low, high] in Bernstein form, and what it may be off there.
     let off = r * (high * high) * (high * high) * (1.0 / 24.0);
     let w = high - low;
-    let d0 = a[1] + low * (a[2] + low * (a[3] * 0.5 + low * (a[4] * (1.0 / 6.0))));
-    let d1 = w * (a[2] + low * (a[3] + low * (a[4] * 0.5)));
-    let d2 = w * w * 0.5 * (a[3] + low * a[4]);
+    let d0 = A::fma(low, a[4] * (1.0 / 6.0), a[3] * 0.5);
+    let d0 = A::fma(low, A::fma(low, d0, a[2]), a[1]);
+    let d1 = w * A::fma(low, A::fma(low, a[4] * 0.5, a[3]), a[2]);
+    let d2 = w * w * 0.5 * A::fma(low, a[4], a[3]);
     let d3 = w * w * w * (1.0 / 6.0) * a[4];
-    let (c1, c2) = (d0 + d1 * (1.0 / 3.0), d0 + (2.0 * d1 + d2) * (1.0 / 3.0));
-    let steepest = d0.max(c1).max(c2.max(d0 + d1 + d2 + d3)) + off;
+    let c1 = A::fma(d1, 1.0 / 3.0, d0);
+    let c2 = A::fma(d1 + d1 + d2, 1.0 / 3.0, d0);
+    let steepest = greater(greater(d0, c1), greater(c2, d0 + d1 + d2 + d3)) + off;
     let (c2, c3, c4) = (a[2] * 0.5, a[3] * (1.0 / 6.0), a[4] * (1.0 / 24.0));
-    let end = a[0] + high * (a[1] + high * (c2 + high * (c3 + high * c4))) + off * high * 0.2;
-    let free = passes([a[0] + lift, a[1], a[2], a[3], a[4]], r, low);
+    let end = A::fma(high, A::fma(high, A::fma(high, c4, c3), c2), a[1]);
+    let end = A::fma(high, end, a[0]) + off * high * 0.2;
+    let free = passes::<A>([a[0] + lift, a[1], a[2], a[3], a[4]], r, low);
     ((steepest < 0.0) & (end < 0.0) & free).then_some(Bracket {
         low,
         guess: u,
@@ -273,14 +284,16 @@ fn certify<A: Arith>(a: Jet, r: f64, lift: f64, left: f64) -> Option<Bracket> {
 /// β = g⃛/6ġ, γ = g⁗/24ġ; and a bound on what it leaves out relative to x,
 /// r being one on |fifth derivative|.
 #[inline(always)]
-pub(crate) fn reversed(a: Jet, r: f64) -> (f64, f64) {
+pub(crate) fn reversed<A: Arith>(a: Jet, r: f64) -> (f64, f64) {
     let inverse = 1.0 / a[1];
     let x = -a[0] * inverse;
     let (alpha, beta) = (a[2] * 0.5 * inverse, a[3] * (1.0 / 6.0) * inverse);
     let gamma = a[4] * (1.0 / 24.0) * inverse;
     let (square, bend) = (alpha * alpha, alpha * x);
-    let last = alpha * (5.0 * square - 5.0 * beta) + gamma;
-    let u = x * (1.0 - x * (alpha - x * ((2.0 * square - beta) - x * last)));
+    let last = A::fma(5.0 * alpha, square - beta, gamma);
+    let third = A::fma(-x, last, A::fma(2.0, square, -beta));
+    let second = A::fma(-x, third, alpha);
+    let u = x * A::fma(-x, second, 1.0);
     let fourth = (x * x) * (x * x);
     let lost = (r * fourth * inverse * (1.0 / 120.0)).abs() + 14.0 * (bend * bend) * (bend * bend);
     (u, lost)
@@ -327,7 +340,7 @@ mod tests {
         // g = e^{-s} − e^{-d}: all derivatives ∓e^{-s}.
         let error = |d: f64| {
             let a = [1.0 - (-d).exp(), -1.0, 1.0, -1.0, 1.0];
-            let (u, lost) = reversed(a, 1.0);
+            let (u, lost) = reversed::<Plain>(a, 1.0);
             let error = (u - d).abs();
             assert!(error <= lost * d + 1e-17, "{error:e} {lost:e}");
             error

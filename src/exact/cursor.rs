@@ -1,5 +1,6 @@
 //! A run taken phase by phase, so that several trees can be followed side by side.
 
+use super::basis::{Basis, LaneKind};
 #[cfg(target_arch = "x86_64")]
 use super::lanes::Fused;
 use super::lanes::{Plain, WIDTH};
@@ -18,6 +19,11 @@ pub const MOST_ORDERS: usize = 8;
 /// Radians of a harmonic that [`Cursor::pace`] allows.
 const RADIANS: f64 = 0.5;
 
+/// A mode that has died away to this share of the motion is no part of it any
+/// more. (Its derivatives still might be: a thousand radians to a step make 10²¹
+/// of them by the seventh.)
+const NOTHING: f64 = 1e-17;
+
 /// Degree up to which a polynomial part needs no shorter steps.
 const PLAIN_DEGREE: usize = 2 * MOST_ORDERS - 1;
 
@@ -29,6 +35,9 @@ pub struct Cursor<'a> {
     work: Workspace<'a>,
     end: f64,
     passed: Option<Passed>,
+    /// Greatest share of every lane in the motion of a mass at the start of the
+    /// present phase.
+    shares: Vec<f64>,
     /// States of the pairs over the present phase.
     states: Vec<PairState>,
     /// Switches taken before the present phase ended.
@@ -48,6 +57,7 @@ impl<'a> Cursor<'a> {
             work,
             end,
             passed: None,
+            shares: Vec::new(),
             before: 0,
         })
     }
@@ -64,6 +74,7 @@ impl<'a> Cursor<'a> {
         self.before = self.work.out.switches.len();
         let passed = self.forward()?;
         self.passed = Some(passed);
+        self.take_shares(passed.regime);
         self.work.settle(&passed)?;
         Ok(true)
     }
@@ -150,6 +161,9 @@ impl<'a> Cursor<'a> {
         let (masses, blocks) = (basis.masses, basis.blocks);
         self.polynomials(s, orders, out);
         for lane in 0..basis.lanes.len() {
+            if self.decay(basis, lane, s).is_none() {
+                continue;
+            }
             let (b, l) = (lane / WIDTH, lane % WIDTH);
             let lambda = C::new(basis.re[b].0[l], basis.im[b].0[l]);
             let amplitude = C::new(phase.re[b].0[l], phase.im[b].0[l]);
@@ -157,7 +171,7 @@ impl<'a> Cursor<'a> {
             for order in 0..orders {
                 for mass in 0..masses {
                     let at = mass * blocks + b;
-                    let (re, im) = (basis.shape[0][at].0[l], basis.shape[1][at].0[l]);
+                    let (re, im) = (basis.shape[at][0].0[l], basis.shape[at][1].0[l]);
                     out[mass * orders + order] += re * w.re - im * w.im;
                 }
                 w *= lambda;
@@ -208,15 +222,43 @@ impl<'a> Cursor<'a> {
         let basis = &self.work.regimes[passed.regime].basis;
         let phase = &self.work.phase;
         for (lane, &modulus) in basis.modulus.iter().enumerate().take(basis.lanes.len()) {
+            if let Some(decay) = self.decay(basis, lane, s) {
+                let (b, l) = (lane / WIDTH, lane % WIDTH);
+                let amplitude = phase.re[b].0[l].hypot(phase.im[b].0[l]);
+                see(modulus, amplitude * basis.extent[b].0[l].sqrt() * decay);
+            }
+        }
+    }
+
+    /// What is left of a lane at local time `s`; `None` for a mode that is
+    /// nothing, from then on to the end of the phase.
+    fn decay(&self, basis: &Basis, lane: usize, s: f64) -> Option<f64> {
+        let decay = (basis.re[lane / WIDTH].0[lane % WIDTH] * s).exp();
+        let mode = basis.lanes[lane].kind == LaneKind::Mode;
+        (!mode || self.shares[lane] * decay > NOTHING).then_some(decay)
+    }
+
+    /// Takes the shares of the lanes in the phase that has just been gone through.
+    fn take_shares(&mut self, regime: usize) {
+        let basis = &self.work.regimes[regime].basis;
+        let phase = &self.work.phase;
+        let size = |mass: usize, lane: usize| {
             let (b, l) = (lane / WIDTH, lane % WIDTH);
-            let amplitude = phase.re[b].0[l].hypot(phase.im[b].0[l]);
-            let shape = (0..basis.masses)
-                .map(|mass| {
-                    let at = mass * basis.blocks + b;
-                    basis.shape[0][at].0[l].hypot(basis.shape[1][at].0[l])
-                })
-                .fold(0.0, f64::max);
-            see(modulus, amplitude * shape * (basis.re[b].0[l] * s).exp());
+            let [re, im, ..] = basis.shape[mass * basis.blocks + b];
+            let shape = re.0[l].hypot(im.0[l]);
+            shape * phase.re[b].0[l].hypot(phase.im[b].0[l])
+        };
+        let lanes = basis.lanes.len();
+        self.shares.clear();
+        self.shares.resize(lanes, 0.0);
+        for mass in 0..basis.masses {
+            let constant = phase.poly[mass * POLY].abs();
+            let whole = (0..lanes).fold(constant, |most, lane| most.max(size(mass, lane)));
+            for (lane, share) in self.shares.iter_mut().enumerate() {
+                if whole > 0.0 {
+                    *share = share.max(size(mass, lane) / whole);
+                }
+            }
         }
     }
 }

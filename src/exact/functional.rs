@@ -134,8 +134,8 @@ pub(crate) const ORDERS: usize = 5;
 /// A functional in a basis: weight of each lane in g and its derivatives.
 #[derive(Clone, Debug)]
 pub(crate) struct Weights {
-    /// `[order][re/im][block]`.
-    pub(crate) w: Vec<V>,
+    /// By vectors of lanes, then by order: re, im.
+    pub(crate) w: Vec<[[V; 2]; ORDERS]>,
     /// Weight of each floating part's η, η̇ and η̈.
     pub(crate) rigid: Vec<[f64; 3]>,
 }
@@ -149,13 +149,13 @@ pub(crate) fn value<A: Arith>(
     phase: &Phase,
     e: &Exponentials,
 ) -> (f64, f64) {
-    let blocks = weights.w.len() / (2 * ORDERS);
     let (mut sum, mut size) = (V::ZERO, V::ZERO);
     for b in 0..phase.active {
         let (zr, zi) = (phase.re[b], phase.im[b]);
         let re = zr.fma::<A>(e.re[b], -(zi * e.im[b]));
         let im = zr.fma::<A>(e.im[b], zi * e.re[b]);
-        let (own, other) = (weights.w[b] * re, weights.w[blocks + b] * im);
+        let [wr, wi] = weights.w[b][0];
+        let (own, other) = (wr * re, wi * im);
         sum = sum + (own - other);
         size = size + own.map(f64::abs) + other.map(f64::abs);
     }
@@ -177,13 +177,12 @@ pub(crate) fn value<A: Arith>(
 
 impl Weights {
     pub(crate) fn new(basis: &Basis, functional: &Functional) -> Self {
-        let blocks = basis.blocks;
-        let mut w = vec![V::ZERO; 2 * ORDERS * blocks];
+        let mut w = vec![[[V::ZERO; 2]; ORDERS]; basis.blocks];
         for (k, lane) in basis.lanes.iter().enumerate() {
             let mut weight = functional.weight(&basis.rigid, lane);
-            for order in 0..ORDERS {
-                w[2 * order * blocks + k / WIDTH].0[k % WIDTH] = weight.re;
-                w[(2 * order + 1) * blocks + k / WIDTH].0[k % WIDTH] = weight.im;
+            for [re, im] in &mut w[k / WIDTH] {
+                re.0[k % WIDTH] = weight.re;
+                im.0[k % WIDTH] = weight.im;
                 weight *= lane.lambda;
             }
         }

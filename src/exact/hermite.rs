@@ -20,6 +20,8 @@ pub(crate) struct Point {
     pub(crate) slope: V,
     /// Bound on the fourth derivatives from here on.
     pub(crate) fourth: V,
+    /// What all lanes together amount to at most from here on.
+    pub(crate) envelope: V,
 }
 
 /// What the quartics take on top of the cubic.
@@ -116,8 +118,17 @@ impl Piece {
         let rise = 3.0 * (self.b.f - self.a.f);
         let (bend, cube) = (rise - 2.0 * first - last, first + last - rise * 2.0 / 3.0);
         let (mut low, mut high) = (0.0, 1.0);
-        let mut t = self.a.f / (self.a.f - self.b.f);
-        for _ in 0..4 {
+        // First by the cubic of the inverse function, where it is one.
+        let fall = self.b.f - self.a.f;
+        let u = -self.a.f / fall;
+        let (start, end) = (fall / first, fall / last);
+        let (mut t, tries) = if start > 0.0 && start < 3.0 && end > 0.0 && end < 3.0 {
+            let v = 1.0 - u;
+            (u * (v * (v * start - u * end) + u * (3.0 - 2.0 * u)), 1)
+        } else {
+            (u, 4)
+        };
+        for _ in 0..tries {
             let value = self.a.f + t * (first + t * (bend + t * cube));
             if (value > 0.0) == (self.a.f > 0.0) {
                 low = t
@@ -171,6 +182,7 @@ mod tests {
                 value: V::splat(e.f),
                 slope: V::splat(e.g),
                 fourth: V::splat(81.0),
+                envelope: V::ZERO,
             };
             let loss = Loss {
                 middle: V::splat(middle),

@@ -18,6 +18,9 @@ pub(crate) trait Arith: Copy {
     /// a·b + c.
     fn fma(a: f64, b: f64, c: f64) -> f64;
 
+    /// a·b as a sum of two numbers.
+    fn product(a: f64, b: f64) -> (f64, f64);
+
     /// Does a task out of line, compiled for the same processor as the caller:
     /// what is rarely needed, or needed in several places, does not swell the
     /// loops that are always run.
@@ -46,6 +49,19 @@ impl Arith for Plain {
         a * b + c
     }
 
+    /// After Dekker, as nothing is fused.
+    #[inline(always)]
+    fn product(a: f64, b: f64) -> (f64, f64) {
+        let split = |x: f64| {
+            let big = 134_217_729.0 * x;
+            let high = big - (big - x);
+            (high, x - high)
+        };
+        let p = a * b;
+        let ((ah, al), (bh, bl)) = (split(a), split(b));
+        (p, ((ah * bh - p) + ah * bl + al * bh) + al * bl)
+    }
+
     #[inline(never)]
     fn apart<T: Task>(task: T) -> T::Output {
         task.run::<Self>()
@@ -56,6 +72,12 @@ impl Arith for Fused {
     #[inline(always)]
     fn fma(a: f64, b: f64, c: f64) -> f64 {
         a.mul_add(b, c)
+    }
+
+    #[inline(always)]
+    fn product(a: f64, b: f64) -> (f64, f64) {
+        let p = a * b;
+        (p, a.mul_add(b, -p))
     }
 
     #[cfg(target_arch = "x86_64")]

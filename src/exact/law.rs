@@ -125,7 +125,7 @@ impl Law {
         match self {
             Self::Harmonic { mean, slope, sines } => {
                 for (z, sine) in out.harmonics.iter_mut().zip(sines) {
-                    let theta = turn(sine.frequency, time) + sine.frequency * low + sine.phase;
+                    let theta = turn::<A>(sine.frequency, time) + sine.frequency * low + sine.phase;
                     let near = theta.abs() < SIN_COS_LIMIT;
                     let (sin, cos) = if near {
                         sin_cos_one::<A>(theta)
@@ -162,25 +162,18 @@ const ROUND: f64 = 6_755_399_441_055_744.0;
 /// frequency·time modulo 2π: the product is split so that its own rounding
 /// does not count, then reduced.
 #[inline(always)]
-fn turn(frequency: f64, time: f64) -> f64 {
-    let (product, error) = product(frequency, time);
+fn turn<A: Arith>(frequency: f64, time: f64) -> f64 {
+    let (product, error) = A::product(frequency, time);
     const TWO_PI_LOW: f64 = 2.449_293_598_294_706_4e-16;
     let turns = (product * (1.0 / std::f64::consts::TAU) + ROUND) - ROUND;
-    let (whole, lost) = super::law::product(turns, std::f64::consts::TAU);
+    let (whole, lost) = A::product(turns, std::f64::consts::TAU);
     (product - whole) - lost - turns * TWO_PI_LOW + error
 }
 
-/// a·b as a sum of two numbers (Dekker), without a fused multiply-add.
+/// a·b as a sum of two numbers, on every processor the same.
 #[inline(always)]
 pub(crate) fn product(a: f64, b: f64) -> (f64, f64) {
-    let split = |x: f64| {
-        let big = 134_217_729.0 * x;
-        let high = big - (big - x);
-        (high, x - high)
-    };
-    let p = a * b;
-    let ((ah, al), (bh, bl)) = (split(a), split(b));
-    (p, ((ah * bh - p) + ah * bl + al * bh) + al * bl)
+    Plain::product(a, b)
 }
 
 /// The span's law as a polynomial in the time from `tau` on.
@@ -212,6 +205,7 @@ pub(crate) fn shift(coefficients: &mut [f64], by: f64) {
 
 #[cfg(test)]
 mod tests {
+    use super::super::lanes::Fused;
     use super::*;
 
     #[test]
@@ -232,11 +226,16 @@ mod tests {
         // 10⁶ turns and a quarter, with a frequency whose product rounds.
         let frequency = 62.831_853_071_795_86;
         let time = 100_000.025;
-        let (p, e) = product(frequency, time);
+        let (p, e) = Plain::product(frequency, time);
+        assert_eq!(Fused::product(frequency, time), (p, e));
         let reference = (p % std::f64::consts::TAU) + e;
-        let difference = turn(frequency, time) - reference;
-        let whole = difference / std::f64::consts::TAU;
-        assert!((whole - whole.round()).abs() < 1e-9, "{difference}");
-        assert!((turn(frequency, 0.025) - frequency * 0.025).abs() < 3e-16);
+        let close = |turn: fn(f64, f64) -> f64| {
+            let difference = turn(frequency, time) - reference;
+            let whole = difference / std::f64::consts::TAU;
+            assert!((whole - whole.round()).abs() < 1e-9, "{difference}");
+            assert!((turn(frequency, 0.025) - frequency * 0.025).abs() < 3e-16);
+        };
+        close(turn::<Plain>);
+        close(turn::<Fused>);
     }
 }

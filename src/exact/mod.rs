@@ -135,7 +135,7 @@ mod workspace;
 pub use asked::Asked;
 pub use audit::TreeAudit;
 pub use cursor::{Cursor, MOST_ORDERS};
-pub use from_model::{Part, Parts, Rest};
+pub use from_model::{KeptLaws, Part, Parts, Rest};
 pub use law::{LAW_DEGREE, Law, PolynomialSpan, Sine, SpanSource};
 pub use problem::{
     Flank, ForcePiece, ForceSource, PairState, Refusal, TimeLoad, TreeMass, TreeObject, TreePair,

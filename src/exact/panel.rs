@@ -6,15 +6,37 @@
 //! says whether any can pass the greatest value met so far. Almost always none
 //! can.
 
+mod instant;
 mod phase;
 
+pub(crate) use instant::Amplitudes;
 pub(crate) use phase::PanelPhase;
 
 use super::basis::Basis;
 use super::functional::Functional;
-use super::lanes::{Arith, V, WIDTH};
-use super::pencil::C;
-use super::phase::{Exponentials, Phase};
+use super::lanes::{V, WIDTH};
+
+/// A lane in the four functionals.
+#[derive(Clone, Copy, Debug, Default)]
+struct Seen {
+    /// Weight in value and slope: re, im each.
+    weight: [V; 4],
+    /// |weight|.
+    size: V,
+    /// |weight|·|λ|⁴.
+    fourth: V,
+}
+
+/// A vector of lanes in one functional.
+#[derive(Clone, Copy, Debug, Default)]
+struct Own {
+    /// Weight in the functional and three derivatives: re, im each.
+    weight: [[V; 2]; 4],
+    /// |weight|.
+    size: V,
+    /// |weight|·|λ|⁴.
+    fourth: V,
+}
 
 /// The four functionals of an object in a basis.
 #[derive(Clone, Debug)]
@@ -25,10 +47,10 @@ pub(crate) struct Panel {
     /// Factors of the law and its first two derivatives.
     law: [V; 3],
     constant: V,
-    /// Weights: lane-major, then order 0 … 3, then re, im.
-    weights: Vec<V>,
-    /// |weight|, and |weight|·|λ|⁴, by lane.
-    sizes: Vec<[V; 2]>,
+    /// By lane, filled up with nothing to whole vectors.
+    lanes: Vec<[Seen; WIDTH]>,
+    /// By functional and vector of lanes.
+    own: Vec<Own>,
     /// Weight/λ of the first functional, its primitive, by block: re, im.
     primitive: Vec<[V; 2]>,
     /// Lanes with λ = 0, whose primitive grows with time.
@@ -40,26 +62,44 @@ pub(crate) struct Panel {
 
 impl Panel {
     pub(crate) fn new(basis: &Basis, functionals: [Functional; WIDTH]) -> Self {
-        let mut weights = Vec::with_capacity(8 * basis.lanes.len());
-        let mut sizes = Vec::new();
+        let mut lanes = vec![[Seen::default(); WIDTH]; basis.blocks];
+        let mut own = vec![Own::default(); WIDTH * basis.blocks];
         let mut primitive = vec![[V::ZERO; 2]; basis.blocks];
         let mut resting = Vec::new();
         for (k, lane) in basis.lanes.iter().enumerate() {
+            let (b, i) = (k / WIDTH, k % WIDTH);
             let w = [0, 1, 2, 3].map(|f| functionals[f].weight(&basis.rigid, lane));
-            let mut power = C::new(1.0, 0.0);
-            for _ in 0..4 {
-                weights.push(V(w.map(|x| (x * power).re)));
-                weights.push(V(w.map(|x| (x * power).im)));
-                power *= lane.lambda;
+            let modulus = lane.lambda.norm_sqr();
+            let size = w.map(|x| x.norm_sqr().sqrt());
+            let slope = w.map(|x| x * lane.lambda);
+            lanes[b][i] = Seen {
+                weight: [
+                    w.map(|x| x.re),
+                    w.map(|x| x.im),
+                    slope.map(|x| x.re),
+                    slope.map(|x| x.im),
+                ]
+                .map(V),
+                size: V(size),
+                fourth: V(size.map(|x| x * (modulus * modulus))),
+            };
+            for f in 0..WIDTH {
+                let mut weight = w[f];
+                let own = &mut own[f * basis.blocks + b];
+                for order in &mut own.weight {
+                    order[0].0[i] = weight.re;
+                    order[1].0[i] = weight.im;
+                    weight *= lane.lambda;
+                }
+                own.size.0[i] = size[f];
+                own.fourth.0[i] = lanes[b][i].fourth.0[f];
             }
-            let size = V(w.map(|x| x.norm()));
-            sizes.push([size, size * V::splat(lane.lambda.norm().powi(4))]);
-            if lane.lambda.norm() == 0.0 {
+            if modulus == 0.0 {
                 resting.push(k);
             } else {
                 let own = w[0] / lane.lambda;
-                primitive[k / WIDTH][0].0[k % WIDTH] = own.re;
-                primitive[k / WIDTH][1].0[k % WIDTH] = own.im;
+                primitive[b][0].0[i] = own.re;
+                primitive[b][1].0[i] = own.im;
             }
         }
         let rigid = basis
@@ -71,7 +111,8 @@ impl Panel {
                 [V(f.map(|x| x[0])), V(f.map(|x| x[1])), V(folds)]
             })
             .collect();
-        let mut masses: Vec<usize> = Vec::new();
+        let terms = functionals.iter().map(|functional| functional.terms.len());
+        let mut masses: Vec<usize> = Vec::with_capacity(terms.sum());
         for functional in &functionals {
             masses.extend(functional.terms.iter().map(|term| term.0));
         }
@@ -93,8 +134,8 @@ impl Panel {
             law: [0, 1, 2].map(|order| V([0, 1, 2, 3].map(|f| functionals[f].law[order]))),
             constant: V([0, 1, 2, 3].map(|f| functionals[f].constant)),
             functionals,
-            weights,
-            sizes,
+            lanes,
+            own,
             primitive,
             resting,
             rigid,
@@ -103,14 +144,8 @@ impl Panel {
 }
 
 impl Panel {
-    /// Value and slope of lane k alone at the instant of `e`.
     #[inline(always)]
-    pub(crate) fn lane<A: Arith>(&self, phase: &Phase, e: &Exponentials, k: usize) -> [V; 2] {
-        let (b, i) = (k / WIDTH, k % WIDTH);
-        let (zr, zi) = (phase.re[b].0[i], phase.im[b].0[i]);
-        let (er, ei) = (e.re[b].0[i], e.im[b].0[i]);
-        let (re, im) = (V::splat(zr * er - zi * ei), V::splat(-(zr * ei + zi * er)));
-        let w = &self.weights[8 * k..8 * k + 4];
-        [w[0].fma::<A>(re, w[1] * im), w[2].fma::<A>(re, w[3] * im)]
+    fn seen(&self, k: usize) -> &Seen {
+        &self.lanes[k / WIDTH][k % WIDTH]
     }
 }

@@ -10,7 +10,7 @@
 //! the local s; the start is a double-double.
 
 use super::basis::Basis;
-use super::lanes::{Arith, V, WIDTH, exp, reduced_one, sin_cos, sin_cos_one};
+use super::lanes::{Arith, Task, V, WIDTH, exp, reduced_one, sin_cos, sin_cos_one};
 use super::law::{Forcing, PolynomialSpan};
 use super::pencil::C;
 use super::polynomial::Steady;
@@ -163,42 +163,39 @@ impl Phase {
             for (j, &k) in basis.harmonic.iter().enumerate() {
                 let (at, lane) = (i * blocks + k / WIDTH, k % WIDTH);
                 let z = self.forcing.harmonics[j];
-                q[i] -= basis.shape[0][at].0[lane] * z.re - basis.shape[1][at].0[lane] * z.im;
-                v[i] -= basis.shape[2][at].0[lane] * z.re - basis.shape[3][at].0[lane] * z.im;
+                let shape = &basis.shape[at];
+                q[i] -= shape[0].0[lane] * z.re - shape[1].0[lane] * z.im;
+                v[i] -= shape[2].0[lane] * z.re - shape[3].0[lane] * z.im;
             }
         }
         for b in 0..blocks {
             let (mut re, mut im) = (V::ZERO, V::ZERO);
             for i in 0..n {
-                let at = i * blocks + b;
+                let row = &basis.row[i * blocks + b];
                 let (x, y) = (V::splat(q[i]), V::splat(v[i]));
-                re = basis.row[0][at].fma::<A>(x, basis.row[2][at].fma::<A>(y, re));
-                im = basis.row[1][at].fma::<A>(x, basis.row[3][at].fma::<A>(y, im));
+                re = row[0].fma::<A>(x, row[2].fma::<A>(y, re));
+                im = row[1].fma::<A>(x, row[3].fma::<A>(y, im));
             }
             self.re[b] = re;
             self.im[b] = im;
         }
-        for (j, &k) in basis.harmonic.iter().enumerate() {
-            self.re[k / WIDTH].0[k % WIDTH] = self.forcing.harmonics[j].re;
-            self.im[k / WIDTH].0[k % WIDTH] = self.forcing.harmonics[j].im;
+        // Rows of harmonics are zero; one number stored into a vector would hold up
+        // whoever reads the vector next.
+        for (&(b, unit), z) in basis.unit.iter().zip(&self.forcing.harmonics) {
+            self.re[b] = unit.fma::<A>(V::splat(z.re), self.re[b]);
+            self.im[b] = unit.fma::<A>(V::splat(z.im), self.im[b]);
         }
     }
 
     /// Evaluates e^{λs} of the active lanes.
     #[inline(always)]
     pub(crate) fn exponentials<A: Arith>(&self, basis: &Basis, s: f64, out: &mut Exponentials) {
-        out.s = s;
-        let time = V::splat(s);
-        for b in 0..self.active {
-            let size = exp::<A>(basis.re[b] * time);
-            let (sin, cos) = sin_cos::<A>(basis.im[b] * time);
-            out.size[b] = size;
-            out.re[b] = size * cos;
-            out.im[b] = size * sin;
-        }
-        if !self.flights.is_empty() {
-            self.swing::<A>(basis, out);
-        }
+        A::apart(Evaluate {
+            phase: self,
+            basis,
+            s,
+            out,
+        });
     }
 
     /// Sets the harmonics of `e` from their lanes.
@@ -231,15 +228,18 @@ impl Phase {
         q: &mut [f64],
         v: &mut [f64],
     ) {
-        let (n, blocks) = (basis.masses, basis.blocks);
+        let (n, blocks, active) = (basis.masses, basis.blocks, self.active);
+        let (ar, ai) = (&self.re[..active], &self.im[..active]);
+        let (er, ei) = (&e.re[..active], &e.im[..active]);
         for i in 0..n {
             let (mut place, mut speed) = (V::ZERO, V::ZERO);
-            for b in 0..self.active {
-                let at = i * blocks + b;
-                let re = self.re[b] * e.re[b] - self.im[b] * e.im[b];
-                let im = self.re[b] * e.im[b] + self.im[b] * e.re[b];
-                place = basis.shape[0][at].fma::<A>(re, place) - basis.shape[1][at] * im;
-                speed = basis.shape[2][at].fma::<A>(re, speed) - basis.shape[3][at] * im;
+            let shapes = &basis.shape[i * blocks..][..active];
+            for b in 0..active {
+                let shape = &shapes[b];
+                let re = ar[b] * er[b] - ai[b] * ei[b];
+                let im = ar[b] * ei[b] + ai[b] * er[b];
+                place = shape[0].fma::<A>(re, place) - shape[1] * im;
+                speed = shape[2].fma::<A>(re, speed) - shape[3] * im;
             }
             let (p, dp) = self.polynomial::<A>(i, e.s);
             q[i] = place.sum() + p;
@@ -291,6 +291,61 @@ impl Phase {
     }
 }
 
+/// The exponentials of a phase at one instant. (Out of line: inlined where they
+/// are needed, the many constants are fetched and put aside there.)
+struct Evaluate<'a> {
+    phase: &'a Phase,
+    basis: &'a Basis,
+    s: f64,
+    out: &'a mut Exponentials,
+}
+
+impl Task for Evaluate<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<A: Arith>(self) {
+        let Self {
+            phase,
+            basis,
+            s,
+            out,
+        } = self;
+        out.s = s;
+        // Most often there is one vector: without a loop its constants are used
+        // where they are, and not put aside for the next round.
+        out.turn::<A>(basis, 0);
+        if phase.active > 1 {
+            A::apart(Others {
+                basis,
+                active: phase.active,
+                out,
+            });
+        }
+        if !phase.flights.is_empty() {
+            phase.swing::<A>(basis, out);
+        }
+    }
+}
+
+/// The vectors behind the first.
+struct Others<'a> {
+    basis: &'a Basis,
+    active: usize,
+    out: &'a mut Exponentials,
+}
+
+impl Task for Others<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<A: Arith>(self) {
+        for b in 1..self.active {
+            self.out.turn::<A>(self.basis, b);
+        }
+    }
+}
+
 impl Exponentials {
     /// Those of the start of a phase, of its first `active` vectors.
     #[inline(always)]
@@ -305,6 +360,17 @@ impl Exponentials {
             self.im[b] = V::ZERO;
             self.size[b] = V::splat(1.0);
         }
+    }
+
+    /// Vector b at the instant s.
+    #[inline(always)]
+    fn turn<A: Arith>(&mut self, basis: &Basis, b: usize) {
+        let time = V::splat(self.s);
+        let size = exp::<A>(basis.re[b] * time);
+        let (sin, cos) = sin_cos::<A>(basis.im[b] * time);
+        self.size[b] = size;
+        self.re[b] = size * cos;
+        self.im[b] = size * sin;
     }
 
     pub(crate) fn new(blocks: usize, harmonics: usize) -> Self {

@@ -189,7 +189,7 @@ impl Workspace<'_> {
             let f = self.watches[number].functional;
             let signal = &self.signals[f];
             let still = signal.leaving && event != Some(number) && {
-                let (jet, _) = self.search.jet::<A>(basis, &self.phase, signal);
+                let (jet, _) = signal.jet::<A>(basis, self.phase.active, &self.search.e);
                 let clock = f64::EPSILON * self.search.e.s * jet[1].abs();
                 jet[0].abs() <= 2.0 * (signal.noise + clock)
             };
@@ -250,13 +250,17 @@ impl Workspace<'_> {
     /// none at the horizon.
     #[inline(always)]
     fn pass<A: Arith>(&mut self, regime: usize, horizon: f64) -> Result<Option<usize>, Refusal> {
-        self.watch();
-        self.take_signals::<A>(regime);
-        if horizon <= 0.0 {
-            return Ok(None);
-        }
         let limit = self.search.steps.saturating_add(self.most_steps[0]);
+        // What is watched has changed.
+        let mut anew = true;
         loop {
+            if anew {
+                self.watch();
+                self.take_signals::<A>(regime);
+                if horizon <= 0.0 {
+                    return Ok(None);
+                }
+            }
             let steps = self.search.steps;
             if steps >= limit {
                 return Err(self.crawling(self.most_steps[0]));
@@ -286,19 +290,14 @@ impl Workspace<'_> {
                 Step::NotFinite => return Err(not_finite()),
                 Step::Reached => return Ok(None),
                 Step::Root(number) => {
-                    if self.comes_clear::<A>(regime, Some(number)) {
-                        self.watch();
-                        self.take_signals::<A>(regime);
-                        continue;
+                    anew = self.comes_clear::<A>(regime, Some(number));
+                    if !anew {
+                        return Ok(Some(number));
                     }
-                    return Ok(Some(number));
                 }
                 Step::Free => {
                     self.fade::<A>(regime);
-                    if self.comes_clear::<A>(regime, None) {
-                        self.watch();
-                        self.take_signals::<A>(regime);
-                    }
+                    anew = self.comes_clear::<A>(regime, None);
                 }
             }
         }

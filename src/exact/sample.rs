@@ -18,6 +18,13 @@ const STRIDE: usize = 8;
 /// A lane that has shrunk below this share of its start is gone.
 const GONE: f64 = 3e-20;
 
+/// Share of an interval within which of a sample it is looked at closely whether
+/// the sample lies before the end of a phase.
+const NEAR: f64 = 1e-6;
+
+/// More samples than this are always looked at closely.
+const MANY: usize = 1 << 28;
+
 /// Powers of a lane's ρ = e^{λΔ}, Δ the interval of the samples.
 #[derive(Clone, Copy, Debug)]
 struct Powers {
@@ -104,6 +111,9 @@ pub(crate) struct Sampler {
     next: usize,
     count: usize,
     end: f64,
+    /// Between two samples (s), and its inverse (1/s).
+    interval: f64,
+    rate: f64,
     all: bool,
     /// When the next sample is due (s).
     due: f64,
@@ -123,6 +133,8 @@ impl Sampler {
             next: 1,
             count: request.samples,
             end: request.end,
+            interval: request.end / request.samples as f64,
+            rate: request.samples as f64 / request.end,
             all: request.all_masses,
             due: f64::INFINITY,
             e: Exponentials::new(blocks, problem.law.frequencies().len()),
@@ -135,7 +147,7 @@ impl Sampler {
 
     /// The interval of the samples, where their lanes are to be kept.
     pub(crate) fn interval(&self) -> Option<f64> {
-        (self.count > 0 && !self.all).then(|| self.end / self.count as f64)
+        (self.count > 0 && !self.all).then_some(self.interval)
     }
 
     fn time(&self, k: usize) -> f64 {
@@ -194,8 +206,13 @@ impl Sampler {
     #[inline(always)]
     fn within(&self, phase: &Phase, first: f64, s: f64) -> usize {
         let left = self.count - self.next + 1;
-        let guess = (s - first) * (self.count as f64 / self.end);
-        let mut count = (guess as usize + 1).min(left);
+        let turns = (s - first) * self.rate;
+        let mut count = (turns as usize + 1).min(left);
+        let part = turns - turns.floor();
+        // Rounding is some 10⁻¹⁶ of the number of samples.
+        if part > NEAR && part < 1.0 - NEAR && self.count < MANY {
+            return count;
+        }
         // The guess may be one off where a sample falls on the end.
         while count < left && phase.local(self.time(self.next + count)) <= s {
             count += 1;
@@ -220,10 +237,9 @@ impl Sampler {
         let begin = out.len();
         out.resize(begin + count.next_multiple_of(WIDTH), 0.0);
         let room = &mut out[begin..];
-        let interval = self.end / self.count as f64;
         for (k, four) in room.chunks_exact_mut(WIDTH).enumerate() {
             let step = V::splat((k * WIDTH) as f64) + V([0.0, 1.0, 2.0, 3.0]);
-            let s = step.fma::<A>(V::splat(interval), V::splat(self.e.s));
+            let s = step.fma::<A>(V::splat(self.interval), V::splat(self.e.s));
             four.copy_from_slice(&slow::<A>(basis, phase, i, s).0);
         }
         for (k, powers) in strides.lanes.iter().enumerate() {
@@ -231,8 +247,8 @@ impl Sampler {
             if self.e.size[b].0[l] < GONE {
                 continue;
             }
-            let at = i * blocks + b;
-            let weight = C::new(basis.shape[0][at].0[l], basis.shape[1][at].0[l]);
+            let shape = &basis.shape[i * blocks + b];
+            let weight = C::new(shape[0].0[l], shape[1].0[l]);
             let z = C::new(phase.re[b].0[l], phase.im[b].0[l]);
             let c = weight * z * C::new(self.e.re[b].0[l], self.e.im[b].0[l]);
             if c.re != 0.0 || c.im != 0.0 {

@@ -7,11 +7,11 @@
 //! signal is below its own rounding, is counted as grazing.
 
 use super::basis::Basis;
-use super::bound::{Assessment, Bracket, Jet, assess, reversed};
+use super::bound::{Assessment, Bracket, assess, reversed};
 use super::functional::ORDERS;
 use super::lanes::{Arith, V, WIDTH};
 use super::phase::{Exponentials, Phase};
-use super::signal::{Signal, Terms};
+use super::signal::{Share, Signal, Terms};
 
 /// What a step of the search found.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -57,7 +57,7 @@ impl Search {
         Self {
             e: Exponentials::new(blocks, harmonics),
             terms: Terms {
-                lane: vec![V::ZERO; (ORDERS + 1) * blocks],
+                lanes: vec![Share::default(); blocks],
                 slow: [0.0; ORDERS],
             },
             steps: 0,
@@ -102,8 +102,7 @@ impl Search {
         let mut root: Option<(usize, Bracket)> = None;
         for (number, &index) in watched.iter().enumerate() {
             let signal = &mut signals[index];
-            signal.terms::<A>(basis, phase.active, &self.e, &mut self.terms);
-            let seen = assess::<A>(basis, phase.active, signal, &self.terms, s, left);
+            let seen = assess::<A>(basis, phase.active, signal, &self.e, &mut self.terms, left);
             if !seen.jet[0].is_finite() || !seen.remainder.is_finite() {
                 return Step::NotFinite;
             }
@@ -115,16 +114,17 @@ impl Search {
                 && root.is_none_or(|(_, other)| bracket.guess < other.guess)
             {
                 root = Some((number, bracket));
-                second = second.min(length);
+                second = lesser(second, length);
             } else {
-                second = second.min(free);
+                second = lesser(second, free);
             }
-            length = length.min(free);
+            length = lesser(length, free);
         }
         self.steps += 1;
         let looks = witness.looks();
         if let Some((number, bracket)) = root
             && (second >= bracket.high || second >= left)
+            && !(s == 0.0 && signals[watched[number]].passing)
         {
             let signal = &signals[watched[number]];
             let step = self.polish::<A>(basis, phase, signal, bracket, left, number);
@@ -156,17 +156,7 @@ impl Search {
             return seen.free;
         }
         self.grazing += 1;
-        let [_, d1, d2, d3, d4] = seen.jet.map(f64::abs);
-        let n = 0.25 * signal.noise;
-        let mut h = left;
-        h = h
-            .min(n / d1)
-            .min((2.0 * n / d2).sqrt())
-            .min((6.0 * n / d3).cbrt());
-        h = h.min((24.0 * n / d4).sqrt().sqrt());
-        h = h.min((120.0 * n / seen.remainder).powf(0.2));
-        // Exactly zero in every order that is seen: a billionth of what is left.
-        h.max(2.0 * least).max(1e-9 * left).min(left)
+        grazed(signal.noise, seen, least, left)
     }
 
     /// Polishes the root in the bracket and evaluates there.
@@ -192,13 +182,13 @@ impl Search {
         };
         for _ in 0..60 {
             self.evaluate::<A>(basis, phase, s);
-            let (a, r) = self.jet::<A>(basis, phase, signal);
+            let (a, r) = signal.jet::<A>(basis, phase.active, &self.e);
             if a[0] > 0.0 {
                 low = s
             } else {
                 high = s
             }
-            let (x, lost) = reversed(a, r);
+            let (x, lost) = reversed::<A>(a, r);
             let next = s + x;
             let inside = next >= low && next <= high;
             if inside && lost * x.abs() <= 1e-16 * s {
@@ -233,19 +223,6 @@ impl Search {
         Step::Root(number)
     }
 
-    /// g and its derivatives at the instant evaluated, all lanes followed, and
-    /// a bound on the next one.
-    #[inline(always)]
-    pub(crate) fn jet<A: Arith>(
-        &mut self,
-        basis: &Basis,
-        phase: &Phase,
-        signal: &Signal,
-    ) -> (Jet, f64) {
-        signal.terms::<A>(basis, phase.active, &self.e, &mut self.terms);
-        self.terms.jet(basis, phase.active, signal.slow5())
-    }
-
     /// Moves the exponentials by a small x: e^{λx} by its Taylor series
     /// (|λx| < 10⁻⁴: error 10⁻¹⁸).
     #[inline(always)]
@@ -263,8 +240,33 @@ impl Search {
             let (er, ei) = (self.e.re[b], self.e.im[b]);
             self.e.re[b] = er * re - ei * im;
             self.e.im[b] = er.fma::<A>(im, ei * re);
+            // A size is a bound: e^u ≤ 1 + u + u².
+            self.e.size[b] = self.e.size[b] * u.fma::<A>(f(1.0) + u, f(1.0));
         }
     }
+}
+
+/// The lesser of two numbers; one that is not a number has been refused before.
+#[inline(always)]
+fn lesser(a: f64, b: f64) -> f64 {
+    if a < b { a } else { b }
+}
+
+/// How long a signal that is not told from zero stays within a quarter of `noise`.
+#[cold]
+#[inline(never)]
+fn grazed(noise: f64, seen: &Assessment, least: f64, left: f64) -> f64 {
+    let [_, d1, d2, d3, d4] = seen.jet.map(f64::abs);
+    let n = 0.25 * noise;
+    let mut h = left;
+    h = h
+        .min(n / d1)
+        .min((2.0 * n / d2).sqrt())
+        .min((6.0 * n / d3).cbrt());
+    h = h.min((24.0 * n / d4).sqrt().sqrt());
+    h = h.min((120.0 * n / seen.remainder).powf(0.2));
+    // Exactly zero in every order that is seen: a billionth of what is left.
+    h.max(2.0 * least).max(1e-9 * left).min(left)
 }
 
 /// True when the signal has passed zero already.

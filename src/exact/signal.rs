@@ -16,13 +16,29 @@ struct Arc {
     beta: C,
 }
 
+/// The lanes of one vector at the start of the phase.
+#[derive(Clone, Copy, Debug, Default)]
+struct Amplitudes {
+    /// In g and its derivatives: re, im.
+    c: [[V; 2]; ORDERS],
+    /// Of g, absolute.
+    size: V,
+}
+
+/// What the lanes of one vector have in a signal at one instant.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Share {
+    /// In g and its derivatives.
+    pub(crate) orders: [V; ORDERS],
+    /// |amplitude| in g.
+    pub(crate) size: V,
+}
+
 /// A functional over the present phase.
 #[derive(Clone, Debug)]
 pub(crate) struct Signal {
-    /// Amplitude of each lane in g and its derivatives: `[order][re/im][block]`.
-    c: Vec<V>,
-    /// |amplitude| in g at the start.
-    size: Vec<V>,
+    /// By vectors of lanes.
+    lanes: Vec<Amplitudes>,
     poly: [f64; POLY],
     degree: usize,
     arcs: Vec<Arc>,
@@ -34,45 +50,75 @@ pub(crate) struct Signal {
     pub(crate) zeros: usize,
     /// Started at zero and has not yet been seen clearly positive.
     pub(crate) leaving: bool,
+    /// Nobody asks for its root once something else has come about, which most
+    /// often it does before: near the start the step ends in front of the root.
+    pub(crate) passing: bool,
 }
 
 /// Value and derivatives, with the lanes' own contributions left in the scratch.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Terms {
-    /// Lane contributions to g and its derivatives, and |amplitude| now:
-    /// `[ORDERS + 1][block]`.
-    pub(crate) lane: Vec<V>,
+    /// By vectors of lanes.
+    pub(crate) lanes: Vec<Share>,
     /// Polynomial and arcs.
     pub(crate) slow: [f64; ORDERS],
 }
 
-impl Terms {
-    /// g and its derivatives with all lanes followed, and a bound on the next
-    /// one, of which `slow5` belongs to the polynomial and the arcs.
+/// Sums over the lanes.
+struct Sums {
+    orders: [V; ORDERS],
+    /// |fifth derivative| at most.
+    fifth: V,
+}
+
+impl Sums {
     #[inline(always)]
-    pub(crate) fn jet(&self, basis: &Basis, active: usize, slow5: f64) -> ([f64; ORDERS], f64) {
-        let blocks = basis.blocks;
-        let mut sums = [V::ZERO; ORDERS];
-        let mut r = V::ZERO;
-        for b in 0..active {
-            for (order, sum) in sums.iter_mut().enumerate() {
-                *sum = *sum + self.lane[order * blocks + b];
-            }
-            r = r + self.lane[ORDERS * blocks + b] * basis.fifth[b];
+    fn first(share: &Share, fifth: V) -> Self {
+        Self {
+            orders: share.orders,
+            fifth: share.size * fifth,
         }
-        let mut a = self.slow;
-        for (value, sum) in a.iter_mut().zip(sums) {
-            *value += sum.sum();
+    }
+
+    #[inline(always)]
+    fn add<A: Arith>(&mut self, share: &Share, fifth: V) {
+        for order in 0..ORDERS {
+            self.orders[order] = self.orders[order] + share.orders[order];
         }
-        (a, slow5 + r.sum())
+        self.fifth = share.size.fma::<A>(fifth, self.fifth);
+    }
+
+    /// g and its derivatives, and a bound on the next one, with what does not
+    /// belong to the lanes.
+    #[inline(always)]
+    fn close(&self, slow: [f64; ORDERS], slow5: f64) -> ([f64; ORDERS], f64) {
+        let mut jet = slow;
+        for order in 0..ORDERS {
+            jet[order] += self.orders[order].sum();
+        }
+        (jet, slow5 + self.fifth.sum())
+    }
+}
+
+impl Amplitudes {
+    #[inline(always)]
+    fn share<A: Arith>(&self, re: V, im: V, size: V) -> Share {
+        let mut orders = [V::ZERO; ORDERS];
+        for order in 0..ORDERS {
+            let [own, other] = self.c[order];
+            orders[order] = re.fma::<A>(own, -(im * other));
+        }
+        Share {
+            orders,
+            size: self.size * size,
+        }
     }
 }
 
 impl Signal {
     pub(crate) fn new(blocks: usize, flights: usize) -> Self {
         Self {
-            c: vec![V::ZERO; 2 * ORDERS * blocks],
-            size: vec![V::ZERO; blocks],
+            lanes: vec![Amplitudes::default(); blocks],
             poly: [0.0; POLY],
             degree: 0,
             arcs: Vec::with_capacity(flights),
@@ -80,6 +126,7 @@ impl Signal {
             noise: 0.0,
             zeros: 0,
             leaving: false,
+            passing: false,
         }
     }
 
@@ -96,17 +143,17 @@ impl Signal {
         let blocks = basis.blocks;
         let turn = V::splat(sign);
         let mut total = V::ZERO;
+        let (re, im) = (&phase.re[..blocks], &phase.im[..blocks]);
+        let (w, lanes) = (&weights.w[..blocks], &mut self.lanes[..blocks]);
         for b in 0..blocks {
-            let (zr, zi) = (phase.re[b] * turn, phase.im[b] * turn);
+            let (zr, zi) = (re[b] * turn, im[b] * turn);
             for order in 0..ORDERS {
-                let at = 2 * order * blocks + b;
-                let (wr, wi) = (weights.w[at], weights.w[at + blocks]);
-                self.c[at] = wr.fma::<A>(zr, -(wi * zi));
-                self.c[at + blocks] = wr.fma::<A>(zi, wi * zr);
+                let [wr, wi] = w[b][order];
+                lanes[b].c[order] = [wr.fma::<A>(zr, -(wi * zi)), wr.fma::<A>(zi, wi * zr)];
             }
-            let (cr, ci) = (self.c[b], self.c[b + blocks]);
-            self.size[b] = cr.fma::<A>(cr, ci * ci).map(f64::sqrt);
-            total = total + self.size[b];
+            let [cr, ci] = lanes[b].c[0];
+            lanes[b].size = cr.fma::<A>(cr, ci * ci).map(f64::sqrt);
+            total = total + lanes[b].size;
         }
         self.take_slow::<A>(phase, functional, weights, sign, total.sum());
     }
@@ -158,6 +205,7 @@ impl Signal {
         self.noise = 4.0 * f64::EPSILON * scale;
         self.zeros = 0;
         self.leaving = false;
+        self.passing = false;
     }
 
     /// Bound on the fifth derivative of the polynomial over the phase.
@@ -171,7 +219,25 @@ impl Signal {
         sum
     }
 
-    /// Evaluates at the instant of `e`.
+    /// g and its derivatives at the instant of `e`, all lanes followed, and a
+    /// bound on the next one from there on.
+    #[inline(always)]
+    pub(crate) fn jet<A: Arith>(
+        &self,
+        basis: &Basis,
+        active: usize,
+        e: &Exponentials,
+    ) -> ([f64; ORDERS], f64) {
+        let (re, im, size) = (&e.re[..active], &e.im[..active], &e.size[..active]);
+        let (lanes, fifth) = (&self.lanes[..active], &basis.fifth[..active]);
+        let mut sums = Sums::first(&lanes[0].share::<A>(re[0], im[0], size[0]), fifth[0]);
+        for b in 1..active {
+            sums.add::<A>(&lanes[b].share::<A>(re[b], im[b], size[b]), fifth[b]);
+        }
+        sums.close(self.slow::<A>(e), self.slow5)
+    }
+
+    /// The same, with what it is made of left in `out`.
     #[inline(always)]
     pub(crate) fn terms<A: Arith>(
         &self,
@@ -179,17 +245,18 @@ impl Signal {
         active: usize,
         e: &Exponentials,
         out: &mut Terms,
-    ) {
-        let blocks = basis.blocks;
-        for b in 0..active {
-            for order in 0..ORDERS {
-                let at = 2 * order * blocks + b;
-                out.lane[order * blocks + b] =
-                    e.re[b].fma::<A>(self.c[at], -(e.im[b] * self.c[at + blocks]));
-            }
-            out.lane[ORDERS * blocks + b] = self.size[b] * e.size[b];
+    ) -> ([f64; ORDERS], f64) {
+        let (re, im, size) = (&e.re[..active], &e.im[..active], &e.size[..active]);
+        let (lanes, fifth) = (&self.lanes[..active], &basis.fifth[..active]);
+        let room = &mut out.lanes[..active];
+        room[0] = lanes[0].share::<A>(re[0], im[0], size[0]);
+        let mut sums = Sums::first(&room[0], fifth[0]);
+        for b in 1..active {
+            room[b] = lanes[b].share::<A>(re[b], im[b], size[b]);
+            sums.add::<A>(&room[b], fifth[b]);
         }
         out.slow = self.slow::<A>(e);
+        sums.close(out.slow, self.slow5)
     }
 
     /// Polynomial and arcs at the instant of `e`: value and derivatives.

@@ -21,7 +21,7 @@ use super::asked::Asked;
 use super::basis::Basis;
 use super::hermite::{Bounds, End, Piece, Point};
 use super::lanes::{Arith, V, WIDTH};
-use super::panel::{Panel, PanelPhase};
+use super::panel::{Amplitudes, Panel, PanelPhase};
 use super::phase::{Exponentials, Phase};
 
 /// Figures of one object of a tree.
@@ -49,16 +49,11 @@ const CUTS: usize = 64;
 /// Lanes are followed over up to this many radians of theirs.
 const FOLLOW: f64 = 4.5;
 
-/// No point of a phase.
-const UNKNOWN: Point = Point {
-    s: f64::NEG_INFINITY,
-    value: V::ZERO,
-    slope: V::ZERO,
-    fourth: V::ZERO,
-};
-
 /// Steps that are looked at together.
 const TOGETHER: usize = 32;
+
+/// Steps after which envelopes are asked again whether anything can still happen.
+const PATIENCE: u32 = 4;
 
 /// What the figures are taken from.
 #[derive(Clone, Copy)]
@@ -99,21 +94,32 @@ pub(crate) struct Track {
     cap: f64,
     high: V,
     low: V,
-    /// The end of the step before, unless nothing was to be seen in it.
+    /// The end of the last step that was looked at.
     last: Point,
     /// Steps to be looked at.
     steps: Vec<[Point; 2]>,
+    /// Steps seen in the phase.
+    seen: u32,
     /// Whether envelopes alone may tell that nothing happens in a step.
     quiet: bool,
+    /// What all lanes amount to at most: over the phase, and since they were
+    /// last asked.
+    whole: V,
+    calm: V,
     /// Primitive of δ where it last changed its sign, or the phase began.
     turned: f64,
     /// Where δ changes its sign in a step, with its primitive there.
     roots: Vec<(f64, f64)>,
     pieces: Vec<Piece>,
+    /// Some instant within a step, and the lanes there.
     e: Exponentials,
+    look: Amplitudes,
+    /// The lanes at the start and the end of the step.
+    before: Amplitudes,
+    now: Amplitudes,
     /// Ends of the parts of a step that is walked through.
-    from: Exponentials,
-    to: Exponentials,
+    from: Amplitudes,
+    to: Amplitudes,
 }
 
 impl Track {
@@ -138,14 +144,20 @@ impl Track {
             high: V::ZERO,
             low: V::ZERO,
             last: Point::default(),
-            steps: Vec::with_capacity(TOGETHER),
+            steps: Vec::with_capacity(if asked.mean { 0 } else { TOGETHER }),
+            seen: 0,
             quiet: false,
+            whole: V::ZERO,
+            calm: V::ZERO,
             turned: 0.0,
-            roots: Vec::with_capacity(CUTS),
-            pieces: Vec::with_capacity(2 * CUTS + 2),
+            roots: Vec::with_capacity(if asked.mean { CUTS } else { 0 }),
+            pieces: Vec::with_capacity(CUTS + 1),
             e: Exponentials::new(blocks, harmonics),
-            from: Exponentials::new(blocks, harmonics),
-            to: Exponentials::new(blocks, harmonics),
+            look: Amplitudes::new(blocks),
+            before: Amplitudes::new(blocks),
+            now: Amplitudes::new(blocks),
+            from: Amplitudes::new(blocks),
+            to: Amplitudes::new(blocks),
         }
     }
 
@@ -177,37 +189,98 @@ impl Track {
                 (self.high.0[k], self.low.0[k]) = (f64::INFINITY, f64::NEG_INFINITY);
             }
         }
-        self.quiet = self.nothing_between::<A>(0.0, 0.0);
-        self.last = UNKNOWN;
+        self.whole = self.state.whole::<A>(panel, phase);
+        self.seen = 0;
+        self.calm = self.whole;
+        // What flies is at rest at the start alone.
+        let flies = self.asked.mean && !phase.flights.is_empty();
+        self.quiet = !flies && self.nothing_between::<A>(0.0, 0.0);
+        (self.before.s, self.now.s) = (f64::NEG_INFINITY, f64::NEG_INFINITY);
+        (self.last.s, self.look.s) = (f64::NEG_INFINITY, f64::NEG_INFINITY);
+        if !self.quiet || self.asked.mean {
+            self.state.first(phase, &mut self.now);
+        }
         if !self.quiet {
-            self.stand_at::<A>(scene, e);
+            let point = self.state.point::<A>(panel, phase.active, &self.now, e);
+            self.note_values(point.value);
+            self.last = point;
         }
         if self.asked.mean {
-            self.turned = self.state.primitive::<A>(panel, phase, e);
+            self.turned = self
+                .state
+                .first_primitive::<A>(panel, phase.active, &self.now);
         }
+    }
+
+    /// Asks the envelope of all lanes from the local time s on whether anything
+    /// can happen.
+    #[inline(always)]
+    fn look_ahead<A: Arith>(&mut self, s: f64, envelope: V) {
+        self.calm = envelope;
+        self.quiet = self.nothing_between::<A>(s, s);
     }
 
     /// True when the envelopes tell that between two instants no figure can
     /// pass its greatest value and δ keeps its sign.
     #[inline(always)]
     fn nothing_between<A: Arith>(&self, from: f64, to: f64) -> bool {
-        let Some(bounds) = self.state.envelope::<A>(from, to) else {
-            return false;
-        };
-        let beyond = (bounds.high - self.high).max(self.low - bounds.low);
-        beyond.greatest() <= 0.0 && !self.may_turn(&bounds)
+        self.rules_out::<A>(from, to, self.calm)
     }
 
-    /// Evaluates at the instant of `e` and notes what is greater than before.
+    /// True when lanes within `envelope` together let nothing happen between two
+    /// instants.
     #[inline(always)]
-    fn stand_at<A: Arith>(&mut self, scene: Scene, e: &Exponentials) {
-        let Scene {
-            basis,
-            panel,
-            phase,
-        } = scene;
-        self.last = self.state.point::<A>(basis, panel, phase, e);
-        let value = self.last.value;
+    fn rules_out<A: Arith>(&self, from: f64, to: f64, envelope: V) -> bool {
+        let bounds = self.state.envelope::<A>(from, to, envelope);
+        bounds.is_some_and(|bounds| self.nothing_within(&bounds))
+    }
+
+    /// True when values within the bounds pass nothing, rounding apart, and δ
+    /// keeps its sign.
+    #[inline(always)]
+    fn nothing_within(&self, bounds: &Bounds) -> bool {
+        let beyond = (bounds.high - self.high).max(self.low - bounds.low);
+        (beyond - self.margin()).greatest() <= 0.0 && !self.may_turn(bounds)
+    }
+
+    /// Bounds between the point `a` and the instant `to`, which the envelope of
+    /// all lanes may narrow.
+    #[inline(always)]
+    fn narrowed<A: Arith>(&self, bounds: Bounds, a: &Point, to: f64) -> Bounds {
+        match self.state.envelope::<A>(a.s, to, a.envelope) {
+            Some(other) => Bounds {
+                low: bounds.low.max(other.low),
+                high: bounds.high.min(other.high),
+            },
+            None => bounds,
+        }
+    }
+
+    /// Evaluates at the instant of `e`, and notes what is greater than before.
+    #[inline(always)]
+    fn stand_at<A: Arith>(&mut self, scene: Scene, e: &Exponentials) -> Point {
+        let Scene { panel, phase, .. } = scene;
+        self.state.amplitudes::<A>(phase, e, &mut self.now);
+        let point = self.state.point::<A>(panel, phase.active, &self.now, e);
+        self.note_values(point.value);
+        point
+    }
+
+    /// The same at the local time s, which was passed by.
+    #[inline(always)]
+    fn stand_before<A: Arith>(&mut self, scene: Scene, s: f64) {
+        let mut e = std::mem::take(&mut self.e);
+        if s == 0.0 {
+            e.start(scene.phase.active);
+        } else {
+            scene.phase.exponentials::<A>(scene.basis, s, &mut e);
+        }
+        self.last = self.stand_at::<A>(scene, &e);
+        self.e = e;
+    }
+
+    #[inline(always)]
+    fn note_values(&mut self, value: V) {
         let (over, under) = (value - self.high, self.low - value);
         if over.max(under).greatest() > 0.0 {
             for k in 0..4 {
@@ -227,21 +300,24 @@ impl Track {
             return;
         }
         if self.last.s != from {
-            let mut e = std::mem::take(&mut self.e);
-            scene.phase.exponentials::<A>(scene.basis, from, &mut e);
-            self.stand_at::<A>(scene, &e);
-            self.e = e;
+            self.stand_before::<A>(scene, from);
         }
+        std::mem::swap(&mut self.before, &mut self.now);
         let before = self.last;
-        self.stand_at::<A>(scene, now);
+        self.last = self.stand_at::<A>(scene, now);
         if self.asked.mean {
             // Most steps have to be looked into anyway, in their order.
-            self.look_into::<A>(scene, [before, self.last]);
-            return;
+            let after = self.last;
+            self.look_into::<A>(scene, &before, &after);
+        } else {
+            self.steps.push([before, self.last]);
+            if self.steps.len() == TOGETHER {
+                A::apart(LookBack { track: self, scene });
+            }
         }
-        self.steps.push([before, self.last]);
-        if self.steps.len() == TOGETHER {
-            A::apart(LookBack { track: self, scene });
+        self.seen += 1;
+        if self.seen.is_multiple_of(PATIENCE) {
+            self.look_ahead::<A>(now.s, self.last.envelope);
         }
     }
 
@@ -269,7 +345,9 @@ impl Track {
         if !self.asked.mean {
             return;
         }
-        let last = self.state.primitive::<A>(scene.panel, scene.phase, e);
+        let Scene { panel, phase, .. } = scene;
+        self.state.amplitudes::<A>(phase, e, &mut self.look);
+        let last = self.state.primitive::<A>(panel, phase, &self.look, e);
         self.area += (last - self.turned).abs();
     }
 

@@ -62,6 +62,12 @@ impl Workspace<'_> {
             );
             signal.zeros = self.zeros[f];
             signal.leaving = self.zeros[f] > 0;
+            // The pull of a pair that has let go vanishes before it pulls again, where
+            // the pair has come clear by then.
+            signal.passing = match (self.states[watch.mass], watch.target) {
+                (PairState::Pressed(own), PairState::Engaged(flank)) => own == flank,
+                _ => false,
+            };
         }
     }
 

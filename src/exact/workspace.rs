@@ -102,7 +102,7 @@ impl<'a> Workspace<'a> {
             kept: Vec::with_capacity(2 * n),
             sampler: Sampler::new(problem, request, blocks),
             tracks: tracks(problem, request, blocks),
-            ledger: request.audit.then(Ledger::new),
+            ledger: request.audit.then(|| Ledger::new(problem)),
             variants: vec![(0, true); problem.objects.len()],
             out: ExactRun {
                 start: states.clone(),

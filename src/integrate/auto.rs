@@ -108,7 +108,7 @@ const SOFT: f64 = 0.9;
 
 /// The way over which a law is known grows with the tolerance to the first of these
 /// powers, up to a tolerance of 1e-4; below 1e-7 to the second (see `system::taylor::law`).
-const OF_WAY: [f64; 2] = [1.0 / 8.0, 0.4 / 8.0];
+const OF_WAY: [f64; 2] = [1.0 / 8.0, 0.5 / 8.0];
 
 /// Nothing is aimed at that is finer, unless it is asked for: rounding adds up as well.
 const FINEST: f64 = 1e-13;
@@ -122,8 +122,8 @@ const BEHAVIOURS: [Behaviour; 5] = [
         follows_laws: true,
         margin: 10.0,
         restart: 1.0,
-        cost: [3.0, 0.0],
-        digit: 0.8,
+        cost: [4.0, 0.0],
+        digit: 0.9,
     },
     Behaviour {
         method: Method::Dop853,
@@ -133,7 +133,7 @@ const BEHAVIOURS: [Behaviour; 5] = [
         follows_laws: false,
         margin: 4.0,
         restart: 1.0,
-        cost: [25.0, 0.0],
+        cost: [18.0, 0.0],
         digit: 0.0,
     },
     Behaviour {
@@ -164,7 +164,7 @@ const BEHAVIOURS: [Behaviour; 5] = [
         order: 9.0,
         stable: f64::INFINITY,
         follows_laws: false,
-        margin: 10.0,
+        margin: 20.0,
         restart: 3.0,
         // Fewer iterations and refusals, the finer the tolerance.
         cost: [36.0, -1.2],

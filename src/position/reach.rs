@@ -1,4 +1,10 @@
-//! The positions at which a linkage can be assembled.
+//! The positions at which the short form of a linkage can be assembled.
+//!
+//! A linkage in full finds its reach by a walk from an assembled start. A short
+//! form is also asked from where it cannot be assembled, how far off that is; its
+//! reach is where the least values of the factors of its closure are negative,
+//! known in closed form. The tests of [`super::short_form`] hold both against each
+//! other.
 
 use std::f64::consts::{PI, TAU};
 use std::fmt;

@@ -83,7 +83,7 @@ fn pair(name: &str, on: PointOf, link: PointOf, kind: PairKind) -> PairSpec {
     }
 }
 
-/// The branch of a position function is that of its dyad.
+/// The dyad of a link on a branch.
 fn branch(link: usize, sign: f64) -> Vec<AssemblySpec> {
     let choice = AssemblyChoice::Branch(sign);
     vec![AssemblySpec { link, choice }]
@@ -177,11 +177,13 @@ fn slotted_link(short: &SlottedLink, phi: f64) -> LinkageSpec {
             guide("slide", of(2, [along, 0.0]), of(0, ORIGIN)),
         ],
         driver: if by_crank { 1 } else { 3 },
-        // Driven by the crank, the block lies ahead of O2 in the slot.
+        // Driven by the crank, the block lies ahead of O2 in the slot. Driven by
+        // the block, the dyad begins at O2: a crank that turns counterclockwise as
+        // the block moves away has its end to the right of the line to O1.
         assembly: if by_crank {
             branch(2, 1.0)
         } else {
-            branch(1, spec.branch)
+            branch(1, -spec.branch)
         },
         start: phi,
         outputs: output(watched, kind),

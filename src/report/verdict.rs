@@ -76,7 +76,9 @@ fn stopped(figures: &Figures) -> Verdict {
     let time = with_unit(figures.run.time, "s", 6);
     let reason = figures.run.stopped_because.as_deref().unwrap_or("");
     let (sort, headline) = match name {
-        "interrupted" | "wall_clock" | "too_many_steps" => (Sort::Unfinished, "Not finished"),
+        "interrupted" | "wall_clock" | "too_many_steps" | "not_explored" => {
+            (Sort::Unfinished, "Not finished")
+        }
         "not_finite" | "step_floor" | "too_many_switches" | "method" | "" => {
             (Sort::Numerical, "The computation stopped")
         }
@@ -192,6 +194,10 @@ mod tests {
         figures.run.complete = false;
         figures.run.stopped = Some("dead_position".into());
         assert_eq!(verdict(&figures).sort, Sort::Mechanism);
+        figures.run.stopped = Some("end_of_travel".into());
+        assert_eq!(verdict(&figures).sort, Sort::Mechanism);
+        figures.run.stopped = Some("not_explored".into());
+        assert_eq!(verdict(&figures).sort, Sort::Unfinished);
         figures.run.stopped = Some("step_floor".into());
         assert_eq!(verdict(&figures).sort, Sort::Numerical);
         figures.run.stopped = Some("interrupted".into());

@@ -1,6 +1,7 @@
 //! Kinetostatics against figures computed elsewhere, with 34 digits.
 
 mod checks;
+mod cycle;
 mod jets;
 mod mechanisms;
 mod motion;

@@ -80,14 +80,14 @@ impl Data<'_> {
     }
 }
 
-fn of(link: usize, x: f64, y: f64) -> PointOf {
+pub(super) fn of(link: usize, x: f64, y: f64) -> PointOf {
     PointOf {
         link: Some(link),
         at: [x, y],
     }
 }
 
-fn ground(x: f64, y: f64) -> PointOf {
+pub(super) fn ground(x: f64, y: f64) -> PointOf {
     PointOf {
         link: None,
         at: [x, y],
@@ -101,7 +101,7 @@ fn force(name: &str, law: ForceLaw) -> ForceSpec {
     }
 }
 
-fn push(name: &str, point: PointOf, vector: [f64; 2]) -> ForceSpec {
+pub(super) fn push(name: &str, point: PointOf, vector: [f64; 2]) -> ForceSpec {
     let law = ForceLaw::Force {
         point,
         force: vector,

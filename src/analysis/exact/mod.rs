@@ -10,7 +10,7 @@ mod tests;
 pub use quick::{Quick, QuickObject, QuickRun};
 
 use crate::exact::playback::{Beside, Piece, play, play_beside};
-use crate::exact::{Parts, Rest};
+use crate::exact::{KeptLaws, Parts, Rest};
 use crate::fault::Fault;
 use crate::integrate::{Dynamics, Limits, Outcome, Sink};
 use crate::record::drive_cycle;
@@ -28,7 +28,15 @@ const STEPS_IN_RUN: f64 = 64.0;
 /// # Errors
 /// A fault for every object that stands against it, naming the reason.
 pub fn whole(system: &System) -> Result<Parts, Vec<Fault>> {
-    let parts = Parts::of(system);
+    whole_with(system, &mut KeptLaws::default())
+}
+
+/// The same, with the laws of a system before that moves by the same ones.
+///
+/// # Errors
+/// The same.
+pub fn whole_with(system: &System, laws: &mut KeptLaws) -> Result<Parts, Vec<Fault>> {
+    let parts = Parts::with_laws(system, laws);
     if parts.is_whole() {
         return Ok(parts);
     }

@@ -286,6 +286,7 @@ impl Watched {
         let mut pair = PairFigures {
             max_lift: found.max_lift,
             max_contact_force: found.peak_reaction,
+            switch_times: Vec::with_capacity(run.switches.len()),
             ..PairFigures::default()
         };
         for switch in self.switches(run) {

@@ -172,31 +172,26 @@ impl Course {
         }
     }
 
-    /// Share of each position in an integral over time, such that all shares
-    /// are the duration of the course (s): the trapezoidal rule.
-    pub fn durations(&self) -> Option<Vec<f64>> {
-        match self {
-            Self::Even { speed, closed, .. } => {
-                let each = self.step() / speed;
-                (each.is_finite() && each != 0.0).then(|| {
-                    let mut shares = vec![each.abs(); self.len()];
-                    if !closed && let [first, .., last] = shares.as_mut_slice() {
-                        *first *= 0.5;
-                        *last *= 0.5;
-                    }
-                    shares
-                })
-            }
-            Self::Instants { times, .. } => {
-                let mut shares = vec![0.0; times.len()];
-                for (index, pair) in times.windows(2).enumerate() {
-                    let half = 0.5 * (pair[1] - pair[0]);
-                    shares[index] += half;
-                    shares[index + 1] += half;
-                }
-                Some(shares)
-            }
-        }
+    /// The intervals between the positions in the course's parameter, and the
+    /// time that goes by with a unit of it; `None` where the input rests.
+    pub(super) fn panels(&self) -> Option<(Vec<[f64; 2]>, f64)> {
+        let (count, pace) = match self {
+            Self::Even {
+                speed,
+                count,
+                closed,
+                ..
+            } => (
+                count.saturating_sub(usize::from(!closed)),
+                speed.abs().recip(),
+            ),
+            Self::Instants { times, .. } => (times.len().saturating_sub(1), 1.0),
+        };
+        let panel = |index: usize| [self.parameter(index), self.parameter(index + 1)];
+        let panels: Vec<_> = (0..count).map(panel).collect();
+        let length: f64 = panels.iter().map(|[from, to]| (to - from).abs()).sum();
+        let duration = length * pace;
+        (duration.is_finite() && duration > 0.0).then_some((panels, pace))
     }
 }
 
@@ -261,8 +256,8 @@ mod tests {
             assert!((found.speed - wanted.speed).abs() < 1e-13);
             assert!((found.acceleration - wanted.acceleration).abs() < 1e-13);
         }
-        let total: f64 = course.durations().unwrap().iter().sum();
-        assert!((total - 2.0).abs() < 1e-15);
+        let (panels, pace) = course.panels().unwrap();
+        assert_eq!((panels, pace), (vec![[0.0, 0.5], [0.5, 2.0]], 1.0));
     }
 
     #[test]
@@ -301,6 +296,7 @@ mod tests {
         let places: Vec<f64> = (0..course.len()).map(|k| course.parameter(k)).collect();
         assert_eq!(places, [1.0, 2.0, 3.0, 4.0]);
         assert_eq!(course.period(), Some(4.0));
-        assert_eq!(course.durations().unwrap(), [0.5; 4]);
+        let (panels, pace) = course.panels().unwrap();
+        assert_eq!((panels.len(), panels[3], pace), (4, [4.0, 5.0], 0.5));
     }
 }

@@ -1,8 +1,18 @@
 //! Work, losses and efficiency over a course.
 
-use super::Course;
-use super::row::Row;
-use crate::linkage::spec::LinkageSpec;
+use super::quadrature::Integrals;
+use super::row::{Forces, Row, Solver};
+use super::{Course, PositionSource};
+
+/// Error of a sum that a panel may have, as a share of what flows to and fro.
+const AGREES: f64 = 1e-13;
+/// What should be zero is rounding below this share of what flows to and fro.
+const ROUNDING: f64 = 1e-10;
+/// Evaluations for each interval of the course, all in all: some hundreds are
+/// needed for a place where friction changes its direction.
+const EVALUATIONS: usize = 100;
+/// Evaluations that short courses may use as well.
+const AT_LEAST: usize = 20_000;
 
 /// Sums over a course; none where the input rests or positions have no forces.
 #[derive(Clone, Debug, PartialEq)]
@@ -31,53 +41,87 @@ pub struct CycleForces {
     pub rms_drive: f64,
 }
 
-/// Sums up a course.
-pub(super) fn sum(course: &Course, rows: &[Row], linkage: &LinkageSpec) -> Option<CycleForces> {
-    let durations = course.durations()?;
-    let duration: f64 = durations.iter().sum();
-    let mut sums = CycleForces {
-        closed: course.is_closed(),
-        duration,
-        drive_work: 0.0,
-        load_work: 0.0,
-        applied_work: 0.0,
-        loss: 0.0,
-        pair_losses: vec![0.0; linkage.pairs.len()],
-        efficiency: None,
-        mean_drive: 0.0,
-        rms_drive: 0.0,
+/// Integrands before those of the pairs' losses.
+const COMMON: usize = 6;
+
+/// What is summed up at a position: powers, driving force and its square, then
+/// the power lost in each pair.
+fn integrands(forces: &Forces, out: &mut [f64]) {
+    let balance = &forces.balance;
+    out[..COMMON].copy_from_slice(&[
+        balance.drive,
+        balance.weights + balance.forces,
+        forces.transmission.map_or(0.0, |found| found.load_power),
+        balance.loss,
+        forces.drive,
+        forces.drive * forces.drive,
+    ]);
+    for (loss, pair) in out[COMMON..].iter_mut().zip(&forces.pairs) {
+        *loss = pair.loss;
+    }
+}
+
+/// Power that flows to and fro at a position, and the size of the driving force.
+fn sizes(forces: &Forces) -> [f64; 2] {
+    let balance = &forces.balance;
+    let flow = balance.drive.abs() + balance.forces.abs() + balance.weights.abs() + balance.loss;
+    [flow, forces.drive.abs()]
+}
+
+/// Sums up a course: integrals over time, between the positions too, so that
+/// what jumps on the way is taken on either side as it is there.
+pub(super) fn sum<S: PositionSource>(
+    solver: &mut Solver<'_, S>,
+    course: &Course,
+    rows: &[Row],
+) -> Option<CycleForces> {
+    let (panels, pace) = course.panels()?;
+    let duration = panels
+        .iter()
+        .map(|[from, to]| (to - from).abs())
+        .sum::<f64>()
+        * pace;
+    let mut greatest = [0.0f64; 2];
+    for row in rows {
+        let here = sizes(row.forces.as_ref().ok()?);
+        greatest = [0, 1].map(|k| greatest[k].max(here[k]));
+    }
+    let [flow, drive] = greatest;
+    // Over the parameter of the course, which is not always the time.
+    let bound = |size: f64| AGREES * size * duration / pace;
+    let mut bounds = vec![bound(flow); COMMON + solver.kinetostatics().spec().pairs.len()];
+    (bounds[4], bounds[5]) = (bound(drive), bound(drive * drive));
+    let mut integrals = Integrals::new(bounds, AT_LEAST + EVALUATIONS * panels.len());
+    for [from, to] in panels.into_iter().filter(|[from, to]| from != to) {
+        integrals.add([from.min(to), from.max(to)], |place, out| {
+            let row = solver.row(&course.between(place), false);
+            integrands(row.forces.as_ref().ok()?, out);
+            Some(())
+        })?;
+    }
+    let sums: Vec<f64> = integrals.sums.iter().map(|sum| sum * pace).collect();
+    let clean = |sum: f64, size: f64| {
+        if sum.abs() <= ROUNDING * size {
+            0.0
+        } else {
+            sum
+        }
     };
-    let mut flowed = 0.0;
-    for (row, dt) in rows.iter().zip(&durations) {
-        let forces = row.forces.as_ref().ok()?;
-        let balance = &forces.balance;
-        sums.drive_work += balance.drive * dt;
-        sums.applied_work += (balance.weights + balance.forces) * dt;
-        sums.load_work += forces.transmission.map_or(0.0, |found| found.load_power) * dt;
-        sums.loss += balance.loss * dt;
-        flowed += (balance.drive.abs() + balance.forces.abs() + balance.weights.abs()) * dt;
-        sums.mean_drive += forces.drive * dt / duration;
-        sums.rms_drive += forces.drive * forces.drive * dt / duration;
-        for (sum, pair) in sums.pair_losses.iter_mut().zip(&forces.pairs) {
-            *sum += pair.loss * dt;
-        }
-    }
-    sums.rms_drive = sums.rms_drive.sqrt();
-    // What should be zero is rounding of what flowed to and fro.
-    for work in [
-        &mut sums.drive_work,
-        &mut sums.load_work,
-        &mut sums.applied_work,
-    ] {
-        if work.abs() <= 1e-12 * flowed {
-            *work = 0.0;
-        }
-    }
+    let [drive_work, applied_work, load_work] = [0, 1, 2].map(|k| clean(sums[k], flow * duration));
+    let (loss, closed) = (sums[3], course.is_closed());
     // Over a cycle the driver and the applied forces together cover the loss.
-    let put_in = sums.drive_work.max(0.0) + sums.applied_work.max(0.0);
-    let whole = sums.closed && put_in > 0.0;
-    let efficiency = 1.0 - sums.loss / put_in;
-    let clear = efficiency > 1e-12;
-    sums.efficiency = whole.then_some(if clear { efficiency.min(1.0) } else { 0.0 });
-    Some(sums)
+    let put_in = drive_work.max(0.0) + applied_work.max(0.0);
+    let efficiency = (closed && put_in > 0.0).then(|| clean(1.0 - loss / put_in, 1.0));
+    Some(CycleForces {
+        closed,
+        duration,
+        drive_work,
+        load_work,
+        applied_work,
+        loss,
+        pair_losses: sums[COMMON..].to_vec(),
+        efficiency: efficiency.map(|share| share.clamp(0.0, 1.0)),
+        mean_drive: clean(sums[4] / duration, drive),
+        rms_drive: (sums[5] / duration).sqrt(),
+    })
 }

@@ -9,6 +9,7 @@ mod cycle;
 mod extremes;
 mod figures;
 mod massless;
+mod quadrature;
 mod row;
 mod zones;
 
@@ -98,7 +99,7 @@ pub fn study<S: PositionSource>(
         .collect();
     let extremes = extremes::find(&mut solver, &course, &rows);
     let zones = zones::find(&mut solver, &course, &rows);
-    let cycle = cycle::sum(&course, &rows, linkage);
+    let cycle = cycle::sum(&mut solver, &course, &rows);
     let counterweight = counterweight::fit(linkage, &rows);
     Ok(ForceStudy {
         course,

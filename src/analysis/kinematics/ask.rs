@@ -140,6 +140,10 @@ impl<'a> Asked<'a> {
                     self.range_in_words()
                 )),
             },
+            Over::Range { from, to } if from.is_nan() || to.is_nan() => Err(format!(
+                "`{}` goes everywhere: say over which range, as in --range \"0:100 mm\"",
+                self.object
+            )),
             Over::Range { from, to } if !(from.is_finite() && to.is_finite() && from != to) => {
                 Err("a range needs two different finite ends".to_owned())
             }
@@ -218,6 +222,7 @@ pub fn whole_travel(linkage: &Linkage) -> Over {
     if range.period.is_some() {
         return Over::Turn;
     }
+    // Where it goes everywhere, the ends are no numbers, which is refused.
     let [from, to] = range.ends();
     let room = 1e-6 * (to - from);
     Over::Range {

@@ -4,7 +4,7 @@ use super::figure::read;
 use super::judge::{Begun, Evidence, judge, on_law};
 use super::quick;
 use super::rigid::RigidMotion;
-use super::scenes::Scenes;
+use super::scenes::{Kept, Scenes};
 use super::study::Study;
 use super::verdict::Verdict;
 use crate::analysis::run::{RunResult, run};
@@ -63,26 +63,35 @@ pub(super) fn evaluate(
     (panel, cell): (usize, usize),
     control: &Control<'_>,
 ) -> Option<Cell> {
-    let prepared = scenes.show(panel, cell, |scene| match scene {
-        Ok((scene, paths)) => {
-            let ready = prepare(scene).map_err(|faults| in_words(&faults))?;
-            let rigid = paths.rigid_motion(ready.0.model(), ready.1.duration);
-            Ok((ready, rigid))
+    scenes.show(panel, cell, |scene| {
+        let refused = |cause: String| Some(Cell::without_value(Verdict::Refused, cause));
+        match scene {
+            Ok((scene, kept)) => match prepare(scene) {
+                Ok((system, settings)) => judged(study, &system, &settings, kept, control),
+                Err(faults) => refused(in_words(&faults)),
+            },
+            Err(diagnostics) => {
+                let errors = diagnostics.items.iter();
+                let first = errors.map(|item| item.message.as_str()).next();
+                refused(first.unwrap_or("the scene is wrong").to_owned())
+            }
         }
-        Err(diagnostics) => {
-            let errors = diagnostics.items.iter();
-            let first = errors.map(|item| item.message.as_str()).next();
-            Err(first.unwrap_or("the scene is wrong").to_owned())
-        }
-    });
-    let ((system, settings), rigid) = match prepared {
-        Ok(ready) => ready,
-        Err(cause) => return Some(Cell::without_value(Verdict::Refused, cause)),
-    };
-    let exact = quick::answer(study, &system, &settings, &rigid, control);
+    })
+}
+
+/// The cell of a system; `None` when interrupted.
+fn judged(
+    study: &Study<'_>,
+    system: &System,
+    settings: &RunSettings,
+    kept: &mut Kept,
+    control: &Control<'_>,
+) -> Option<Cell> {
+    let rigid = kept.rigid_motion(system.model(), settings.duration);
+    let exact = quick::answer(study, system, settings, (&rigid, &kept.exact), control);
     let found = match exact {
         Some(found) => found,
-        None => answer(study, &system, &settings, &rigid, control),
+        None => answer(study, system, settings, &rigid, control),
     };
     let cell = match found {
         Ok(cell) => cell?,

@@ -229,6 +229,8 @@ mod tests {
 
     const TWO_MASSES: &[u8] = include_bytes!("../../../scenarios/rocker/two_masses.json");
 
+    const SOFT_SHOCK: &[u8] = include_bytes!("../../../scenarios/indexing/soft_shock.json");
+
     fn question(overrides: &[&str]) -> Question {
         Question {
             overrides: overrides.iter().map(|&text| text.to_owned()).collect(),
@@ -272,18 +274,38 @@ mod tests {
     #[test]
     fn cells_do_not_depend_on_who_worked_out_the_one_before() {
         let document = Document::parse("two_masses.json", TWO_MASSES).unwrap();
-        let study = Study::new(&document, &BuiltIn, question(&["run.duration=0.2"])).unwrap();
+        each_row_alone(&document, question(&["run.duration=0.2"]));
+        // A law that is fitted, kept along a row and another one in the next.
+        let document = Document::parse("soft_shock.json", SOFT_SHOCK).unwrap();
+        let cam = Question {
+            x: Axis::parse("lever.stiffness=9e3:2e4:3").unwrap(),
+            y: Some(Axis::parse("cam.motion.speed=60:90 rpm:3").unwrap()),
+            ..question(&[])
+        };
+        each_row_alone(&document, cam);
+    }
+
+    fn each_row_alone(document: &Document, question: Question) {
+        let study = Study::new(document, &BuiltIn, question).unwrap();
         let control = Control::default();
         let all = |known, threads| map(&study, known, Some(threads), &control, &Silent).unwrap();
         let whole = all(BTreeMap::new(), 1);
         assert!(whole.complete);
+        assert!(
+            whole.panels[0]
+                .iter()
+                .flatten()
+                .all(|cell| cell.value.is_some())
+        );
         assert_eq!(all(BTreeMap::new(), 3), whole);
-        // The last row alone, by a scene that has seen no other.
-        let known = (0..study.rows() - 1).map(|row| {
-            let (panel, cells) = study.row(row);
-            let cells = cells.map(|cell| whole.panels[panel][cell].clone().unwrap());
-            (row, cells.collect())
-        });
-        assert_eq!(all(known.collect(), 1), whole);
+        // One row alone, by a scene that has seen no other.
+        for alone in 0..study.rows() {
+            let others = (0..study.rows()).filter(|row| *row != alone).map(|row| {
+                let (panel, cells) = study.row(row);
+                let cells = cells.map(|cell| whole.panels[panel][cell].clone().unwrap());
+                (row, cells.collect())
+            });
+            assert_eq!(all(others.collect(), 1), whole);
+        }
     }
 }

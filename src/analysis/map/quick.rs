@@ -7,15 +7,16 @@ use super::judge::{Begun, Evidence, judge, on_law};
 use super::rigid::RigidMotion;
 use super::study::Study;
 use super::verdict::Verdict;
-use crate::analysis::exact::{Quick, QuickRun, whole};
+use crate::analysis::exact::{Quick, QuickRun, whole_with};
 use crate::analysis::spread::{CHANGE, DETERMINED, changed_loads};
 use crate::analysis::{Control, RunSettings};
-use crate::exact::Asked;
+use crate::exact::{Asked, KeptLaws};
 use crate::fault::Fault;
 use crate::integrate::{Method, Stop};
 use crate::model::{Closure, ObjectPart};
 use crate::record::{ObjectFigures, drive_cycle};
 use crate::system::System;
+use std::cell::RefCell;
 use std::sync::atomic::Ordering::Relaxed;
 
 /// Samples in a cycle where the last cycles are looked at.
@@ -33,7 +34,7 @@ pub(super) fn answer(
     study: &Study<'_>,
     system: &System,
     settings: &RunSettings,
-    rigid: &RigidMotion,
+    (rigid, laws): (&RigidMotion, &RefCell<KeptLaws>),
     control: &Control<'_>,
 ) -> Option<Result<Option<Cell>, Vec<Fault>>> {
     let (object, name) = qualifies(study, system, settings)?;
@@ -41,6 +42,7 @@ pub(super) fn answer(
         system,
         settings,
         control,
+        laws,
         figure: (object, name),
     };
     let run = match task.propagate(0)? {
@@ -116,6 +118,8 @@ struct Task<'t> {
     system: &'t System,
     settings: &'t RunSettings,
     control: &'t Control<'t>,
+    /// Laws of motion that are known from cells before.
+    laws: &'t RefCell<KeptLaws>,
     /// Object and name of the figure.
     figure: (usize, &'t str),
 }
@@ -123,7 +127,7 @@ struct Task<'t> {
 impl Task<'_> {
     /// Runs the system; `None` when it cannot be propagated exactly as a whole.
     fn propagate(&self, samples: usize) -> Option<Result<QuickRun, Vec<Fault>>> {
-        let parts = whole(self.system).ok()?;
+        let parts = whole_with(self.system, &mut self.laws.borrow_mut()).ok()?;
         let place = match self.system.initial_place() {
             Ok(place) => place,
             Err(faults) => return Some(Err(faults)),

@@ -4,8 +4,10 @@
 use super::rigid::{Path, RigidMotion};
 use super::study::Study;
 use crate::diagnostics::Diagnostics;
+use crate::exact::KeptLaws;
 use crate::model::Model;
 use crate::scene::{Scene, Variation};
+use std::cell::RefCell;
 
 /// Most numbers of a rigid motion that is kept from cell to cell.
 const MOST_KEPT: usize = 1 << 18;
@@ -21,29 +23,36 @@ pub(super) struct Scenes<'s> {
 /// A scene that is changed from cell to cell, with what stays the same.
 struct Bench {
     varied: Variation,
-    paths: Paths,
+    kept: Kept,
 }
 
-/// The rigid motion of the cell before, for as long as the laws are the same.
+/// What follows from the laws of motion alone, kept for as long as they are the same.
 #[derive(Debug, Default)]
-pub(super) struct Paths {
+pub(super) struct Kept {
     /// The laws of the scene at hand; `None`: they are those of no other.
     laws: Option<u64>,
-    known: Option<(u64, Path)>,
+    path: Option<Path>,
+    /// The laws as exact propagation has them.
+    pub(super) exact: RefCell<KeptLaws>,
 }
 
-impl Paths {
+impl Kept {
+    /// Turns to a scene with these laws.
+    fn turn_to(&mut self, laws: Option<u64>) {
+        if laws.is_none() || laws != self.laws {
+            *self = Self::default();
+        }
+        self.laws = laws;
+    }
+
     /// What the rigid mechanism of a cell would do.
     pub(super) fn rigid_motion(&mut self, model: &Model, duration: f64) -> RigidMotion {
-        if let Some((laws, path)) = &self.known
-            && self.laws == Some(*laws)
-        {
+        if let Some(path) = &self.path {
             return path.rigid_motion(model);
         }
         let path = Path::new(model, duration);
         let found = path.rigid_motion(model);
-        let few = path.size() <= MOST_KEPT;
-        self.known = self.laws.filter(|_| few).map(|laws| (laws, path));
+        self.path = (path.size() <= MOST_KEPT).then_some(path);
         found
     }
 }
@@ -53,32 +62,32 @@ impl<'s> Scenes<'s> {
         Self { study, bench: None }
     }
 
-    /// Shows a cell's scene, or what is wrong with it.
+    /// Shows a cell's scene, or what is wrong with it, and what is kept beside it.
     pub(super) fn show<T>(
         &mut self,
         panel: usize,
         cell: usize,
-        to: impl FnOnce(Result<(&Scene, &mut Paths), Diagnostics>) -> T,
+        to: impl FnOnce(Result<(&Scene, &mut Kept), Diagnostics>) -> T,
     ) -> T {
         let settings = self.study.varied(cell);
-        let kept = self.bench.take().filter(|(of, _)| *of == panel);
-        let (_, bench) = match kept {
-            Some(kept) => self.bench.insert(kept),
+        let before = self.bench.take().filter(|(of, _)| *of == panel);
+        let (_, bench) = match before {
+            Some(before) => self.bench.insert(before),
             None => match self.study.variation(panel, &settings) {
                 Ok(varied) => {
-                    let paths = Paths::default();
-                    self.bench.insert((panel, Bench { varied, paths }))
+                    let kept = Kept::default();
+                    self.bench.insert((panel, Bench { varied, kept }))
                 }
                 Err(diagnostics) => return to(Err(diagnostics)),
             },
         };
         if bench.varied.set(&settings).is_some() {
-            bench.paths.laws = Some(bench.varied.laws());
-            return to(Ok((bench.varied.scene(), &mut bench.paths)));
+            bench.kept.turn_to(Some(bench.varied.laws()));
+            return to(Ok((bench.varied.scene(), &mut bench.kept)));
         }
-        bench.paths.laws = None;
+        bench.kept.turn_to(None);
         match self.study.read(panel, cell) {
-            Ok(reading) => to(Ok((&reading.scene, &mut bench.paths))),
+            Ok(reading) => to(Ok((&reading.scene, &mut bench.kept))),
             Err(diagnostics) => to(Err(diagnostics)),
         }
     }

@@ -12,7 +12,8 @@ pub(crate) struct MethodsArgs {
     /// [default: run.tolerance of the scene]
     #[arg(long, value_name = "ERROR", value_parser = share)]
     pub(crate) accuracy: Option<f64>,
-    /// Methods to try, by name [default: all]
+    /// Methods to try, by name; errors are taken against `exact` where it applies,
+    /// named or not [default: all]
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     pub(crate) methods: Vec<String>,
     /// Tolerances to try [default: 1e-3, 1e-4, … 1e-13]

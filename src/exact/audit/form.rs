@@ -1,7 +1,7 @@
 //! Integrals of products of two sums of lanes.
 
 use super::moments::integral;
-use crate::exact::basis::{Basis, Lane};
+use crate::exact::basis::Lane;
 use crate::exact::lanes::{Arith, V, WIDTH};
 use crate::exact::pencil::C;
 use crate::exact::phase::{Exponentials, Phase};
@@ -23,11 +23,40 @@ const LEVEL: f64 = 1e-6;
 pub(super) struct Form {
     /// Lanes j.
     rows: Vec<usize>,
-    /// P re, im, Q re, im by row and block of lanes k.
+    /// By row and block of lanes k, what the products of the lanes' parts count:
+    /// re·re, im·im, re·im, im·re.
     cells: Vec<[V; 4]>,
     level: Vec<Level>,
     /// Only pairs with k ≤ j, those with k < j twice.
     symmetric: bool,
+}
+
+/// Real and imaginary parts of a vector of lanes at the ends of a phase.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Ends {
+    start: [V; 2],
+    end: [V; 2],
+}
+
+impl Ends {
+    /// Those of the phase up to the instant of `e`.
+    #[inline(always)]
+    pub(super) fn take<A: Arith>(
+        phase: &Phase,
+        e: &Exponentials,
+        blocks: usize,
+        out: &mut Vec<Self>,
+    ) {
+        out.clear();
+        let start = phase.re[..blocks].iter().zip(&phase.im[..blocks]);
+        let now = e.re[..blocks].iter().zip(&e.im[..blocks]);
+        for ((cr, ci), (er, ei)) in start.zip(now) {
+            out.push(Self {
+                start: [*cr, *ci],
+                end: [cr.fma::<A>(*er, -(*ci * *ei)), cr.fma::<A>(*ei, *ci * *er)],
+            });
+        }
+    }
 }
 
 /// A pair of lanes whose exponents cancel.
@@ -53,10 +82,11 @@ impl Form {
         let mut level = Vec::new();
         for (row, &j) in rows.iter().enumerate() {
             let others = if symmetric { j + 1 } else { lanes.len() };
+            let own = lanes[j].lambda;
             for (k, other) in lanes[..others].iter().enumerate() {
                 let share = if symmetric && k < j { 1.0 } else { 0.5 };
+                let whole = own.norm_sqr() + other.lambda.norm_sqr();
                 for conjugate in [false, true] {
-                    let own = lanes[j].lambda;
                     let exponent = own
                         + if conjugate {
                             other.lambda.conj()
@@ -67,7 +97,7 @@ impl Form {
                     if weight.norm_sqr() == 0.0 {
                         continue;
                     }
-                    if exponent.norm() <= LEVEL * (own.norm() + other.lambda.norm()) {
+                    if exponent.norm_sqr() <= LEVEL * LEVEL * whole {
                         level.push(Level {
                             j,
                             k,
@@ -79,9 +109,11 @@ impl Form {
                     }
                     let value = weight / exponent;
                     let cell = &mut cells[row * blocks + k / WIDTH];
-                    let at = 2 * usize::from(conjugate);
-                    cell[at].0[k % WIDTH] = value.re;
-                    cell[at + 1].0[k % WIDTH] = value.im;
+                    let sign = if conjugate { -1.0 } else { 1.0 };
+                    cell[0].0[k % WIDTH] += value.re;
+                    cell[1].0[k % WIDTH] -= sign * value.re;
+                    cell[2].0[k % WIDTH] -= sign * value.im;
+                    cell[3].0[k % WIDTH] -= value.im;
                 }
             }
         }
@@ -93,32 +125,29 @@ impl Form {
         }
     }
 
-    /// The integral from the start of the phase to the instant of `e`.
+    /// The integral over the lanes' parts at the ends of a phase.
     #[inline(always)]
-    pub(super) fn integral<A: Arith>(&self, basis: &Basis, phase: &Phase, e: &Exponentials) -> f64 {
-        let blocks = basis.blocks;
-        let mut sum = V::ZERO;
+    pub(super) fn integral<A: Arith>(&self, ends: &[Ends], phase: &Phase, e: &Exponentials) -> f64 {
+        let (mut even, mut odd) = (V::ZERO, V::ZERO);
+        let count = ends.len();
         for (row, &j) in self.rows.iter().enumerate() {
-            let (jb, ji) = (j / WIDTH, j % WIDTH);
-            let (br, bi) = (phase.re[jb].0[ji], phase.im[jb].0[ji]);
-            let (er, ei) = (e.re[jb].0[ji], e.im[jb].0[ji]);
-            let (ar, ai) = (br * er - bi * ei, br * ei + bi * er);
-            let [ar, ai, br, bi] = [V::splat(ar), V::splat(ai), V::splat(br), V::splat(bi)];
-            for b in 0..if self.symmetric { jb + 1 } else { blocks } {
-                let (cr, ci) = (phase.re[b], phase.im[b]);
-                let wr = cr.fma::<A>(e.re[b], -(ci * e.im[b]));
-                let wi = cr.fma::<A>(e.im[b], ci * e.re[b]);
+            let used = if self.symmetric { j / WIDTH + 1 } else { count };
+            let cells = &self.cells[row * count..][..used];
+            let own = &ends[j / WIDTH];
+            let part = |v: &V| V::splat(v.0[j % WIDTH]);
+            let (br, bi) = (part(&own.start[0]), part(&own.start[1]));
+            let (ar, ai) = (part(&own.end[0]), part(&own.end[1]));
+            for (b, other) in ends[..used].iter().enumerate() {
+                let ([cr, ci], [wr, wi]) = (other.start, other.end);
+                let [rr, ii, ri, ir] = cells[b];
                 // The four products of parts, ends less starts.
-                let rr = ar.fma::<A>(wr, -(br * cr));
-                let ii = ai.fma::<A>(wi, -(bi * ci));
-                let ri = ar.fma::<A>(wi, -(br * ci));
-                let ir = ai.fma::<A>(wr, -(bi * cr));
-                let [pr, pi, qr, qi] = self.cells[row * blocks + b];
-                sum = pr.fma::<A>(rr - ii, sum) - pi * (ri + ir);
-                sum = qr.fma::<A>(rr + ii, sum) - qi * (ir - ri);
+                even = rr.fma::<A>(ar.fma::<A>(wr, -(br * cr)), even);
+                odd = ii.fma::<A>(ai.fma::<A>(wi, -(bi * ci)), odd);
+                even = ri.fma::<A>(ar.fma::<A>(wi, -(br * ci)), even);
+                odd = ir.fma::<A>(ai.fma::<A>(wr, -(bi * cr)), odd);
             }
         }
-        let mut total = sum.sum();
+        let mut total = (even + odd).sum();
         let amplitude = |k: usize| {
             let (b, i) = (k / WIDTH, k % WIDTH);
             C::new(phase.re[b].0[i], phase.im[b].0[i])

@@ -1,6 +1,6 @@
 //! Work and dissipation over a phase of one combination of engaged pairs.
 
-use super::form::Form;
+use super::form::{Ends, Form};
 use super::moving::{Moving, Room};
 use super::varying;
 use crate::exact::basis::{Basis, Lane, LaneKind};
@@ -181,13 +181,15 @@ impl Forms {
         e: &Exponentials,
         room: &mut Room,
     ) -> Work {
+        Ends::take::<A>(phase, e, basis.blocks, &mut room.ends);
+        let ends = &room.ends;
         let mut work = Work {
-            drives: self.drive.integral::<A>(basis, phase, e),
+            drives: self.drive.integral::<A>(ends, phase, e),
             loads: 0.0,
-            dissipated: self.links.integral::<A>(basis, phase, e),
+            dissipated: self.links.integral::<A>(ends, phase, e),
         };
         if let Some(ground) = &self.ground {
-            work.loads -= ground.integral::<A>(basis, phase, e);
+            work.loads -= ground.integral::<A>(ends, phase, e);
         }
         if self.plain && phase.forcing.degree == 0 {
             // The moment's constant part moves with the harmonics alone.

@@ -1,6 +1,7 @@
 //! What polynomials (laws in spans, loads that change, drifts) add to work and
 //! dissipation over a phase.
 
+use super::form::Ends;
 use super::forms::{Forms, Work};
 use super::moments::{against, moments, product};
 use super::varying;
@@ -24,6 +25,8 @@ pub(super) struct Moving<'a> {
 /// Working memory: polynomials of the present phase.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Room {
+    /// The lanes at its ends.
+    pub(super) ends: Vec<Ends>,
     /// Speed of every damper.
     speeds: Vec<[f64; POLY]>,
     /// Loads that change, with their masses.

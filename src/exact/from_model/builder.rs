@@ -3,7 +3,7 @@
 mod loads;
 
 use super::course::{Course, straight};
-use super::{Holder, MassPlace, Part, Parts, law, load};
+use super::{Holder, KeptLaws, MassPlace, Part, Parts, law, load};
 use crate::exact::{Law, Refusal, TreeMass, TreeObject, TreePair, TreeProblem};
 use crate::model::{
     Closure, DampingLaw, Law as ModelLaw, LinkBase, Model, NodeMotion, ObjectPart, Pair,
@@ -32,6 +32,7 @@ struct Moved {
 }
 
 struct Builder<'m> {
+    laws: &'m mut KeptLaws,
     system: &'m System,
     model: &'m Model,
     roles: Vec<Role<'m>>,
@@ -42,9 +43,10 @@ struct Builder<'m> {
 }
 
 /// Takes a system apart.
-pub(super) fn build(system: &System) -> Parts {
+pub(super) fn build(system: &System, laws: &mut KeptLaws) -> Parts {
     let model = system.model();
     let mut builder = Builder {
+        laws,
         system,
         model,
         roles: vec![Role::Unfit; model.nodes.len()],
@@ -175,10 +177,11 @@ impl<'m> Builder<'m> {
                 let Role::Prescribed(course, laws) = follow(course, laws, law) else {
                     return;
                 };
+                let law = self.laws.law(object, || law::law(&course, &laws));
                 self.trees.push(Part {
                     problem: TreeProblem {
                         masses: Vec::new(),
-                        law: law::law(&course, &laws),
+                        law,
                         displacement: Vec::new(),
                         speed: Vec::new(),
                         objects: Vec::new(),

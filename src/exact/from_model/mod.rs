@@ -22,7 +22,7 @@ pub(crate) use course::{Course, within};
 pub(crate) use fit::{Target, fit};
 pub use rest::Rest;
 
-use super::{ExactTree, PairState, Refusal, SpanSource, TreeProblem};
+use super::{ExactTree, Law, PairState, Refusal, SpanSource, TreeProblem};
 use crate::system::System;
 use std::sync::Arc;
 
@@ -76,10 +76,32 @@ pub(crate) struct MassPlace {
     pub(crate) base: Option<(usize, f64)>,
 }
 
+/// The laws of the trees of a system, for systems that differ from it in inertias,
+/// stiffnesses, dampings and loads alone: a law in spans is fitted once.
+#[derive(Debug, Default)]
+pub struct KeptLaws(Vec<(usize, Law)>);
+
+impl KeptLaws {
+    /// The law of the tree that begins with an object, made where it is not known.
+    fn law(&mut self, object: usize, make: impl FnOnce() -> Law) -> Law {
+        if let Some((_, law)) = self.0.iter().find(|(of, _)| *of == object) {
+            return law.clone();
+        }
+        let law = make();
+        self.0.push((object, law.clone()));
+        law
+    }
+}
+
 impl Parts {
     /// Takes a system apart.
     pub fn of(system: &System) -> Self {
-        builder::build(system)
+        builder::build(system, &mut KeptLaws::default())
+    }
+
+    /// The same, with the laws of a system before that moves by the same ones.
+    pub fn with_laws(system: &System, laws: &mut KeptLaws) -> Self {
+        builder::build(system, laws)
     }
 
     /// Gives up trees whose modes cannot be separated, with the reason: what is

@@ -2,8 +2,8 @@
 
 use super::Panel;
 use crate::exact::basis::Basis;
-use crate::exact::hermite::{Bounds, Loss, Point};
-use crate::exact::lanes::{Arith, V, WIDTH};
+use crate::exact::hermite::Bounds;
+use crate::exact::lanes::{Arith, V};
 use crate::exact::pencil::C;
 use crate::exact::phase::{Exponentials, POLY, Phase, Swing};
 
@@ -23,11 +23,9 @@ pub(crate) struct PanelPhase {
     degree: usize,
     arcs: Vec<Arc>,
     /// |fourth derivative| of polynomial and arcs.
-    slow4: V,
+    pub(super) slow4: V,
     /// |amplitude| of the lanes at the start.
-    size: Vec<V>,
-    /// What all lanes together amount to at most.
-    whole: V,
+    pub(super) size: Vec<V>,
 }
 
 impl PanelPhase {
@@ -38,7 +36,6 @@ impl PanelPhase {
             arcs: Vec::with_capacity(flights),
             slow4: V::ZERO,
             size: vec![V::ZERO; blocks],
-            whole: V::ZERO,
         }
     }
 
@@ -48,11 +45,6 @@ impl PanelPhase {
         for b in 0..basis.blocks {
             let (re, im) = (phase.re[b], phase.im[b]);
             self.size[b] = re.fma::<A>(re, im * im).map(f64::sqrt);
-        }
-        self.whole = V::ZERO;
-        for (k, size) in panel.sizes.iter().enumerate() {
-            let own = V::splat(self.size[k / WIDTH].0[k % WIDTH]);
-            self.whole = size[0].fma::<A>(own, self.whole);
         }
         self.take_polynomials::<A>(panel, phase);
         self.slow4 = if self.degree > 3 {
@@ -130,113 +122,11 @@ impl PanelPhase {
         sum
     }
 
-    /// Values and slopes at the instant of `e`, and bounds on the fourth derivatives.
+    /// Bounds between two instants with all lanes together within `envelope`;
+    /// nothing has to be evaluated for them. `None` under a law or loads of
+    /// higher powers of time.
     #[inline(always)]
-    pub(crate) fn point<A: Arith>(
-        &self,
-        basis: &Basis,
-        panel: &Panel,
-        phase: &Phase,
-        e: &Exponentials,
-    ) -> Point {
-        let [mut value, mut slope] = self.slow_two::<A>(e);
-        let mut fourth = self.slow4;
-        let lanes = basis.lanes.len().min(phase.active * WIDTH);
-        for b in 0..phase.active {
-            let (zr, zi) = (phase.re[b], phase.im[b]);
-            let re = zr.fma::<A>(e.re[b], -(zi * e.im[b]));
-            let im = zr.fma::<A>(e.im[b], zi * e.re[b]);
-            let size = self.size[b] * e.size[b];
-            for i in 0..WIDTH.min(lanes - b * WIDTH) {
-                let w = &panel.weights[8 * (b * WIDTH + i)..][..4];
-                let (pr, pi) = (V::splat(re.0[i]), V::splat(-im.0[i]));
-                value = w[0].fma::<A>(pr, w[1].fma::<A>(pi, value));
-                slope = w[2].fma::<A>(pr, w[3].fma::<A>(pi, slope));
-                let own = panel.sizes[b * WIDTH + i][1];
-                fourth = own.fma::<A>(V::splat(size.0[i]), fourth);
-            }
-        }
-        Point {
-            s: e.s,
-            value,
-            slope,
-            fourth,
-        }
-    }
-
-    /// What Hermite's cubic may miss over a length h from the instant of `e`
-    /// (`None`: from the start of the phase on), of the first `follow` lanes.
-    ///
-    /// A lane of size z (decaying) misses at most z·(|λ|h)⁴/144 on the middle
-    /// coefficient. Where it turns fast its own cubic is bounded instead: by
-    /// its values, and |λ|h/4 for its slopes.
-    #[inline(always)]
-    pub(crate) fn loss<A: Arith>(
-        &self,
-        basis: &Basis,
-        panel: &Panel,
-        (e, follow): (Option<&Exponentials>, usize),
-        h: f64,
-    ) -> Loss {
-        let square = h * h;
-        let mut middle = self.slow4 * V::splat(square * square * (1.0 / 144.0));
-        let mut flat = V::ZERO;
-        for b in 0..follow.div_ceil(WIDTH) {
-            let size = e.map_or(self.size[b], |e| self.size[b] * e.size[b]);
-            let level = basis.moduli[b].fma::<A>(V::splat(0.25 * h), V::splat(2.0));
-            let fourth = basis.fourth[b] * V::splat(square * square * (1.0 / 144.0));
-            let (bent, level_part) = (size * fourth, size * level);
-            for i in 0..WIDTH.min(follow - b * WIDTH) {
-                let own = panel.sizes[b * WIDTH + i][0];
-                if fourth.0[i] < level.0[i] {
-                    middle = own.fma::<A>(V::splat(bent.0[i]), middle);
-                } else {
-                    flat = own.fma::<A>(V::splat(level_part.0[i]), flat);
-                }
-            }
-        }
-        Loss { middle, flat }
-    }
-
-    /// Envelope of lane k from the instant of `e` on.
-    #[inline(always)]
-    pub(crate) fn lane_size(&self, panel: &Panel, e: &Exponentials, k: usize) -> V {
-        let (b, i) = (k / WIDTH, k % WIDTH);
-        panel.sizes[k][0] * V::splat(self.size[b].0[i] * e.size[b].0[i])
-    }
-
-    /// Functional f and three derivatives at the instant of `e`, and a bound
-    /// on its fourth from there on.
-    #[inline(always)]
-    pub(crate) fn jet<A: Arith>(
-        &self,
-        basis: &Basis,
-        panel: &Panel,
-        phase: &Phase,
-        e: &Exponentials,
-        f: usize,
-    ) -> ([f64; 4], f64) {
-        let mut a = self.slow::<A>(e).map(|v| v.0[f]);
-        let mut r = self.slow4.0[f];
-        for k in 0..basis.lanes.len().min(phase.active * WIDTH) {
-            let (b, i) = (k / WIDTH, k % WIDTH);
-            let (zr, zi) = (phase.re[b].0[i], phase.im[b].0[i]);
-            let (er, ei) = (e.re[b].0[i], e.im[b].0[i]);
-            let (pr, pi) = (zr * er - zi * ei, zr * ei + zi * er);
-            let w = &panel.weights[8 * k..8 * k + 8];
-            for (order, sum) in a.iter_mut().enumerate() {
-                *sum += w[2 * order].0[f] * pr - w[2 * order + 1].0[f] * pi;
-            }
-            r += panel.sizes[k][1].0[f] * self.size[b].0[i] * e.size[b].0[i];
-        }
-        (a, r)
-    }
-
-    /// Bounds between two instants with every lane within its envelope at the
-    /// start of the phase; nothing has to be evaluated for them. `None` under
-    /// a law or loads of higher powers of time.
-    #[inline(always)]
-    pub(crate) fn envelope<A: Arith>(&self, from: f64, to: f64) -> Option<Bounds> {
+    pub(crate) fn envelope<A: Arith>(&self, from: f64, to: f64, envelope: V) -> Option<Bounds> {
         if self.degree > 2 {
             return None;
         }
@@ -247,7 +137,7 @@ impl PanelPhase {
         let slope = (c + c).fma::<A>(s, b);
         let middle = slope.fma::<A>(V::splat(0.5) * h, first);
         let last = c.fma::<A>(h, slope).fma::<A>(h, first);
-        let spread = self.whole + self.swung(to);
+        let spread = envelope + self.swung(to);
         Some(Bounds {
             low: first.min(middle.min(last)) - spread,
             high: first.max(middle.max(last)) + spread,
@@ -268,14 +158,15 @@ impl PanelPhase {
         sum
     }
 
-    /// Rounding of the four up to the local time s.
+    /// Rounding of the four up to the local time s, `envelope` being that of all
+    /// lanes at the start of the phase.
     #[inline(always)]
-    pub(crate) fn noise(&self, s: f64) -> V {
+    pub(crate) fn noise(&self, s: f64, envelope: V) -> V {
         let mut sum = V::ZERO;
         for k in (0..=self.degree).rev() {
             sum = sum * V::splat(s) + self.poly[k].map(f64::abs);
         }
-        sum = sum + self.whole;
+        sum = sum + envelope;
         for arc in &self.arcs {
             let x = (arc.omega * s).min(2.0);
             let [ar, ai, br, bi] = arc.c.map(|v| v.map(f64::abs));
@@ -286,7 +177,7 @@ impl PanelPhase {
 
     /// Value and slope of polynomial and arcs.
     #[inline(always)]
-    fn slow_two<A: Arith>(&self, e: &Exponentials) -> [V; 2] {
+    pub(super) fn slow_two<A: Arith>(&self, e: &Exponentials) -> [V; 2] {
         let time = V::splat(e.s);
         let (mut value, mut slope) = (self.poly[self.degree], V::ZERO);
         if self.degree <= 2 {
@@ -315,20 +206,25 @@ impl PanelPhase {
         [value, slope]
     }
 
+    /// Polynomial and arcs in functional f: value and three derivatives.
     #[inline(always)]
-    fn slow<A: Arith>(&self, e: &Exponentials) -> [V; 4] {
-        let time = V::splat(e.s);
-        let mut d = [self.poly[self.degree], V::ZERO, V::ZERO, V::ZERO];
-        for k in (0..self.degree).rev() {
-            d[3] = d[3].fma::<A>(time, d[2]);
-            d[2] = d[2].fma::<A>(time, d[1]);
-            d[1] = d[1].fma::<A>(time, d[0]);
-            d[0] = d[0].fma::<A>(time, self.poly[k]);
-        }
-        d[2] = d[2] * V::splat(2.0);
-        d[3] = d[3] * V::splat(6.0);
+    pub(super) fn slow_one<A: Arith>(&self, e: &Exponentials, f: usize) -> [f64; 4] {
+        let poly = |k: usize| self.poly[k].0[f];
+        let mut d = if self.degree <= 2 {
+            let (a, b, c) = (poly(0), poly(1), poly(2));
+            let value = A::fma(A::fma(c, e.s, b), e.s, a);
+            [value, A::fma(c + c, e.s, b), c + c, 0.0]
+        } else {
+            let mut d = [poly(self.degree), 0.0, 0.0, 0.0];
+            for k in (0..self.degree).rev() {
+                d[3] = A::fma(d[3], e.s, d[2]);
+                d[2] = A::fma(d[2], e.s, d[1]);
+                d[1] = A::fma(d[1], e.s, d[0]);
+                d[0] = A::fma(d[0], e.s, poly(k));
+            }
+            [d[0], d[1], 2.0 * d[2], 6.0 * d[3]]
+        };
         for arc in &self.arcs {
-            let f = V::splat;
             let w = arc.omega;
             let Swing {
                 sin,
@@ -336,39 +232,21 @@ impl PanelPhase {
                 less_one: c,
                 less_x: l,
             } = e.swings[arc.harmonic];
-            let [ar, ai, br, bi] = arc.c;
+            let [ar, ai, br, bi] = arc.c.map(|v| v.0[f]);
             let (sr, si) = (ar + br, ai + bi);
-            d[0] = d[0] + (ar * f(c) - ai * f(l)) + (br * f(c) - bi * f(sin));
-            d[1] = d[1] - f(w) * (ar * f(sin) + ai * f(c) + br * f(sin) + bi * f(cos));
-            d[2] = d[2] - f(w * w) * (sr * f(cos) - si * f(sin));
-            d[3] = d[3] + f(w * w * w) * (sr * f(sin) + si * f(cos));
+            d[0] += (ar * c - ai * l) + (br * c - bi * sin);
+            d[1] -= w * (ar * sin + ai * c + br * sin + bi * cos);
+            d[2] -= w * w * (sr * cos - si * sin);
+            d[3] += w * w * w * (sr * sin + si * cos);
         }
         d
     }
 
-    /// Primitive of the first functional at the instant of `e`.
+    /// Primitive of polynomial and arcs in the first functional.
     #[inline(always)]
-    pub(crate) fn primitive<A: Arith>(
-        &self,
-        panel: &Panel,
-        phase: &Phase,
-        e: &Exponentials,
-    ) -> f64 {
-        let mut lanes = V::ZERO;
-        for b in 0..phase.active {
-            let (zr, zi) = (phase.re[b], phase.im[b]);
-            let re = zr.fma::<A>(e.re[b], -(zi * e.im[b]));
-            let im = zr.fma::<A>(e.im[b], zi * e.re[b]);
-            let [wr, wi] = panel.primitive[b];
-            lanes = wr.fma::<A>(re, lanes) - wi * im;
-        }
-        let mut sum = lanes.sum();
-        for &k in &panel.resting {
-            let (b, i) = (k / WIDTH, k % WIDTH);
-            let w = &panel.weights[8 * k..];
-            sum += (w[0].0[0] * phase.re[b].0[i] - w[1].0[0] * phase.im[b].0[i]) * e.s;
-        }
+    pub(super) fn slow_primitive<A: Arith>(&self, e: &Exponentials) -> f64 {
         let poly = |k: usize| self.poly[k].0[0];
+        let mut sum = 0.0;
         if self.degree <= 2 {
             let high = A::fma(poly(2) * (1.0 / 3.0), e.s, 0.5 * poly(1));
             sum += A::fma(high, e.s, poly(0)) * e.s;

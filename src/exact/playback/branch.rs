@@ -87,7 +87,7 @@ impl<'a> Branch<'a> {
         });
         let mut longest = self.cursor.pace();
         self.cursor.lanes(s, |rate, own| {
-            if own <= 1e-17 * size || rate == 0.0 {
+            if rate == 0.0 || own == 0.0 {
                 return;
             }
             let mut radians = (HERMITE * size / own).powf(1.0 / 16.0);

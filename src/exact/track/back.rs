@@ -5,7 +5,7 @@ use super::walk::Walk;
 use super::{Scene, Track};
 use crate::exact::hermite::{Loss, Point, enclose};
 use crate::exact::lanes::{Arith, Task, V};
-use crate::exact::phase::Exponentials;
+use crate::exact::panel::Amplitudes;
 
 /// How the lanes go on from the start of a part.
 #[derive(Clone, Copy)]
@@ -13,7 +13,7 @@ pub(super) enum Ahead<'a> {
     /// All can be followed; a bound on the fourth derivatives.
     Followed(V),
     /// Some turn far.
-    Mixed(&'a Exponentials),
+    Mixed(&'a Amplitudes),
 }
 
 /// [`Track::look_back`], out of line.
@@ -36,41 +36,43 @@ impl Track {
     #[inline(always)]
     fn look_back<A: Arith>(&mut self, scene: Scene) {
         for number in 0..self.steps.len() {
-            self.look_into::<A>(scene, self.steps[number]);
+            let [a, b] = self.steps[number];
+            self.look_into::<A>(scene, &a, &b);
         }
         self.steps.clear();
     }
 
     /// Takes a step into the figures.
     #[inline(always)]
-    pub(super) fn look_into<A: Arith>(&mut self, scene: Scene, ends: [Point; 2]) {
-        if scene.followed(ends[1].s - ends[0].s) == scene.lanes() {
-            self.span::<A>(scene, Ahead::Followed(ends[0].fourth), &ends);
-        } else if !self.settled::<A>(scene, &ends) {
+    pub(super) fn look_into<A: Arith>(&mut self, scene: Scene, a: &Point, b: &Point) {
+        if scene.followed(b.s - a.s) == scene.lanes() {
+            self.span::<A>(scene, Ahead::Followed(a.fourth), a, b);
+        } else if !self.settled::<A>(scene, a, b) {
             A::apart(Walk {
                 track: self,
                 scene,
-                ends,
+                ends: (a, b),
             });
         }
     }
 
     /// True when nothing happens between two points, of lanes of their sizes at
-    /// the start of the phase: the fast ones are most often small.
+    /// the first one, or at the start of the phase: the fast ones are most often
+    /// small.
     #[inline(always)]
-    fn settled<A: Arith>(&self, scene: Scene, [a, b]: &[Point; 2]) -> bool {
-        let lanes = (None, scene.lanes());
+    fn settled<A: Arith>(&self, scene: Scene, a: &Point, b: &Point) -> bool {
+        let start = (self.before.s == a.s).then_some(&self.before);
+        let lanes = (start, scene.lanes());
         let loss = self
             .state
             .loss::<A>(scene.basis, scene.panel, lanes, b.s - a.s);
         let bounds = enclose::<A>(a, b, &loss);
-        let beyond = (bounds.high - self.high).max(self.low - bounds.low);
-        (beyond - self.margin()).greatest() <= 0.0 && !self.may_turn(&bounds)
+        self.nothing_within(&self.narrowed::<A>(bounds, a, b.s))
     }
 
     /// What Hermite's cubic may miss over a length h.
     #[inline(always)]
-    pub(super) fn loss<A: Arith>(&self, scene: Scene, ahead: Ahead, h: f64) -> Loss {
+    fn loss<A: Arith>(&self, scene: Scene, ahead: Ahead, h: f64) -> Loss {
         match ahead {
             Ahead::Followed(fourth) => {
                 let square = h * h;
@@ -79,26 +81,52 @@ impl Track {
                     flat: V::ZERO,
                 }
             }
-            Ahead::Mixed(e) => {
-                let lanes = scene.lanes();
+            Ahead::Mixed(from) => {
+                let lanes = (Some(from), scene.lanes());
+                self.state.loss::<A>(scene.basis, scene.panel, lanes, h)
+            }
+        }
+    }
+
+    /// The same for one functional: on the middle coefficient, and on all.
+    #[inline(always)]
+    pub(super) fn loss_of<A: Arith>(
+        &self,
+        scene: Scene,
+        ahead: Ahead,
+        h: f64,
+        k: usize,
+    ) -> (f64, f64) {
+        match ahead {
+            Ahead::Followed(fourth) => {
+                let square = h * h;
+                (fourth.0[k] * (square * square * (1.0 / 144.0)), 0.0)
+            }
+            Ahead::Mixed(from) => {
+                let lanes = (from, scene.phase.active);
                 self.state
-                    .loss::<A>(scene.basis, scene.panel, (Some(e), lanes), h)
+                    .loss_of::<A>(scene.basis, scene.panel, lanes, h, k)
             }
         }
     }
 
     /// Takes the part between two points.
     #[inline(always)]
-    pub(super) fn span<A: Arith>(&mut self, scene: Scene, ahead: Ahead, [a, b]: &[Point; 2]) {
+    pub(super) fn span<A: Arith>(&mut self, scene: Scene, ahead: Ahead, a: &Point, b: &Point) {
         let loss = self.loss::<A>(scene, ahead, b.s - a.s);
         let bounds = enclose::<A>(a, b, &loss);
+        let beyond = (bounds.high - self.high).max(self.low - bounds.low);
+        if beyond.greatest() <= 0.0 && !self.may_turn(&bounds) {
+            return;
+        }
+        let bounds = self.narrowed::<A>(bounds, a, b.s);
         let over = bounds.high - self.high;
         let under = self.low - bounds.low;
         // Differences below rounding are not worth a climb.
         let margin = self.margin();
         let beyond = over.max(under) - margin;
         if beyond.greatest() > 0.0 {
-            let noise = self.state.noise(b.s);
+            let noise = self.state.noise(b.s, self.whole);
             for k in 0..4 {
                 let margin = margin.0[k].max(noise.0[k]);
                 for (beyond, sign) in [(over.0[k], 1.0), (under.0[k], -1.0)] {

@@ -7,6 +7,10 @@ use crate::exact::bound::reversed;
 use crate::exact::hermite::{End, Piece, Point};
 use crate::exact::lanes::{Arith, Task};
 
+/// A summit is looked for first where the last one was, if that is so near to
+/// where it is expected, in lengths of the piece.
+const NEAR: f64 = 0.02;
+
 /// [`Track::climb`], out of line.
 pub(super) struct Climb<'a> {
     pub(super) track: &'a mut Track,
@@ -75,14 +79,15 @@ impl Track {
         self.pieces.push(whole);
         let mut cuts = 0;
         while let Some(piece) = self.pieces.pop() {
-            let loss = self.loss::<A>(scene, ahead, piece.length());
-            let top = piece.range(loss.middle.0[k], loss.flat.0[k]).1;
+            let (middle, flat) = self.loss_of::<A>(scene, ahead, piece.length(), k);
+            let top = piece.range(middle, flat).1;
             if top <= best + margin || cuts >= CUTS {
                 continue;
             }
             cuts += 1;
             let guess = piece.a.s + piece.summit() * piece.length();
-            let cut = self.summit::<A>(scene, (k, sign), &piece, guess, margin);
+            let figure = (k, sign, best);
+            let cut = self.summit::<A>(scene, figure, &piece, guess, margin);
             best = best.max(cut.f);
             self.pieces.push(Piece { a: cut, b: piece.b });
             self.pieces.push(Piece { a: piece.a, b: cut });
@@ -93,17 +98,21 @@ impl Track {
     }
 
     /// The summit near `guess`, with slope exactly zero; where there is none
-    /// within the piece, the point at `guess`.
+    /// within the piece, or none higher than `best`, a point near `guess`.
     #[inline(always)]
     fn summit<A: Arith>(
         &mut self,
         scene: Scene,
-        (k, sign): (usize, f64),
+        (k, sign, best): (usize, f64, f64),
         piece: &Piece,
         guess: f64,
         margin: f64,
     ) -> End {
-        let mut s = guess;
+        // Several functionals often have their summits at one instant.
+        let near = (guess - self.look.s).abs() < NEAR * piece.length()
+            && self.look.s > piece.a.s
+            && self.look.s < piece.b.s;
+        let mut s = if near { self.look.s } else { guess };
         let mut first = None;
         for _ in 0..8 {
             let (jet, rest) = self.jet::<A>(scene, k, s);
@@ -113,14 +122,20 @@ impl Track {
                 f: f[0],
                 g: f[1],
             });
-            let (x, _) = reversed([f[1], f[2], f[3], 0.0, 0.0], 0.0);
+            let (x, _) = reversed::<A>([f[1], f[2], f[3], 0.0, 0.0], 0.0);
             let target = s + x;
             if !(f[2] < 0.0 && target > piece.a.s && target < piece.b.s) {
                 return plain;
             }
             let cube = rest * (x * x * x).abs();
+            let value = f[0] + x * (f[1] + x * (f[2] * 0.5 + x * (f[3] * (1.0 / 6.0))));
+            // What stays so far below that the bounds on either side tell it need
+            // not be found to rounding.
+            let slack = 0.25 * (f[1] * piece.length()).abs() + cube * x.abs() * (1.0 / 24.0);
+            if value.max(f[0]) + slack <= best {
+                return plain;
+            }
             if cube * piece.length() <= 24.0 * margin || x.abs() <= 1e-15 * target {
-                let value = f[0] + x * (f[1] + x * (f[2] * 0.5 + x * (f[3] / 6.0)));
                 return End {
                     s: target,
                     f: value,
@@ -134,9 +149,13 @@ impl Track {
 
     #[inline(always)]
     fn jet<A: Arith>(&mut self, scene: Scene, k: usize, s: f64) -> ([f64; 4], f64) {
-        scene.phase.exponentials::<A>(scene.basis, s, &mut self.e);
-        self.state
-            .jet::<A>(scene.basis, scene.panel, scene.phase, &self.e, k)
+        let phase = scene.phase;
+        if s != self.look.s || s != self.e.s {
+            phase.exponentials::<A>(scene.basis, s, &mut self.e);
+            self.state.amplitudes::<A>(phase, &self.e, &mut self.look);
+        }
+        let lanes = (&self.look, phase.active);
+        self.state.jet::<A>(scene.panel, lanes, &self.e, k)
     }
 
     /// Adds ∫|δ| up to every change of sign of δ in the step.
@@ -144,14 +163,14 @@ impl Track {
     /// An error d in the instant of a root costs only δ̇d² in the integral.
     #[inline(always)]
     pub(super) fn turns<A: Arith>(&mut self, scene: Scene, ahead: Ahead, (a, b): (&Point, &Point)) {
-        let noise = self.state.noise(b.s).0[0];
+        let noise = self.state.noise(b.s, self.whole).0[0];
         self.roots.clear();
         self.pieces.clear();
         self.pieces.push(piece(a, b, 0, 1.0));
         let mut cuts = 0;
         while let Some(piece) = self.pieces.pop() {
-            let loss = self.loss::<A>(scene, ahead, piece.length());
-            let (low, high) = piece.range(loss.middle.0[0], loss.flat.0[0]);
+            let (middle, flat) = self.loss_of::<A>(scene, ahead, piece.length(), 0);
+            let (low, high) = piece.range(middle, flat);
             if low >= -noise || high <= noise || cuts >= CUTS {
                 continue;
             }
@@ -160,7 +179,9 @@ impl Track {
             self.pieces.push(Piece { a: cut, b: piece.b });
             self.pieces.push(Piece { a: piece.a, b: cut });
         }
-        self.roots.sort_by(|x, y| x.0.total_cmp(&y.0));
+        if self.roots.len() > 1 {
+            self.roots.sort_by(|x, y| x.0.total_cmp(&y.0));
+        }
         for &(_, primitive) in &self.roots {
             self.area += (primitive - self.turned).abs();
             self.turned = primitive;
@@ -177,13 +198,11 @@ impl Track {
         (near, most): (f64, f64),
         allowed: f64,
     ) -> Option<End> {
-        let Scene {
-            basis,
-            panel,
-            phase,
-        } = scene;
+        let Scene { panel, phase, .. } = scene;
         self.e.start(phase.active);
-        let (f, rest) = self.state.jet::<A>(basis, panel, phase, &self.e, 0);
+        self.state.first(phase, &mut self.look);
+        let lanes = (&self.look, phase.active);
+        let (f, rest) = self.state.jet::<A>(panel, lanes, &self.e, 0);
         let off = |x: f64| rest * (x * x) * (x * x) * (1.0 / 24.0);
         if !harmless((near, off(near)), f[1] + near * f[2], allowed) {
             return None;
@@ -198,7 +217,9 @@ impl Track {
         if !(x > 0.0 && x < most && settled && harmless((x, off(x)), slope(x), allowed)) {
             return None;
         }
-        let start = self.state.primitive::<A>(panel, phase, &self.e);
+        let start = self
+            .state
+            .first_primitive::<A>(panel, phase.active, &self.look);
         let more = x * (f[0] + x * (f[1] * 0.5 + x * (f[2] / 6.0 + x * (f[3] / 24.0))));
         self.roots.push((x, start + more));
         Some(End {
@@ -247,7 +268,7 @@ impl Track {
                 f: f[0],
                 g: f[1],
             });
-            let (x, _) = reversed([f[0], f[1], f[2], f[3], 0.0], 0.0);
+            let (x, _) = reversed::<A>([f[0], f[1], f[2], f[3], 0.0], 0.0);
             let target = s + x;
             if !(crosses && target > piece.a.s && target < piece.b.s) {
                 return plain;
@@ -258,7 +279,8 @@ impl Track {
                 + 14.0 * (f[1] * x).abs() * (bend * bend) * (bend * bend);
             let allowed = noise * piece.length();
             if harmless((x, off), f[1], allowed) || x.abs() <= 1e-15 * target {
-                let primitive = self.state.primitive::<A>(scene.panel, scene.phase, &self.e);
+                let Scene { panel, phase, .. } = scene;
+                let primitive = self.state.primitive::<A>(panel, phase, &self.look, &self.e);
                 let more = x * (f[0] + x * (f[1] * 0.5 + x * (f[2] / 6.0 + x * (f[3] / 24.0))));
                 self.roots.push((target, primitive + more));
                 return End {

@@ -4,7 +4,7 @@ use super::back::Ahead;
 use super::{FOLLOW, Scene, Track};
 use crate::exact::hermite::{Point, enclose};
 use crate::exact::lanes::{Arith, Task};
-use crate::exact::phase::Exponentials;
+use crate::exact::panel::Amplitudes;
 
 /// Parts over which every lane is followed before a longer one is tried again.
 const PATIENCE: i32 = 4;
@@ -16,7 +16,7 @@ const GROWTH: f64 = 4.0;
 pub(super) struct Walk<'a> {
     pub(super) track: &'a mut Track,
     pub(super) scene: Scene<'a>,
-    pub(super) ends: [Point; 2],
+    pub(super) ends: (&'a Point, &'a Point),
 }
 
 impl Task for Walk<'_> {
@@ -40,25 +40,34 @@ impl Track {
     fn walk<A: Arith>(
         &mut self,
         scene: Scene,
-        (from, to): (&mut Exponentials, &mut Exponentials),
-        [a, b]: [Point; 2],
+        (from, to): (&mut Amplitudes, &mut Amplitudes),
+        (a, b): (&Point, &Point),
     ) {
-        scene.phase.exponentials::<A>(scene.basis, a.s, from);
-        let mut last = a;
+        if self.before.s == a.s {
+            from.copy(&self.before);
+        } else {
+            self.evaluate::<A>(scene, a.s, from);
+        }
+        let mut last = *a;
         let mut length = b.s - from.s;
         // Parts as short as the last before a longer one is tried again.
         let mut patience = 0;
-        while from.s < b.s {
+        loop {
             let next = (from.s + length).min(b.s);
-            scene.phase.exponentials::<A>(scene.basis, next, to);
+            let end = if next == self.now.s {
+                to.copy(&self.now);
+                *b
+            } else {
+                self.evaluate::<A>(scene, next, to);
+                self.state
+                    .point::<A>(scene.panel, scene.phase.active, to, &self.e)
+            };
             let h = to.s - from.s;
-            let end = self
-                .state
-                .point::<A>(scene.basis, scene.panel, scene.phase, to);
             let follow = scene.followed(h);
-            if follow < scene.lanes()
-                && !self.ruled_out::<A>(scene, (from, to), &[last, end], follow)
-            {
+            if follow == scene.lanes() {
+                let ahead = Ahead::Followed(last.fourth);
+                self.span::<A>(scene, ahead, &last, &end);
+            } else if !self.ruled_out::<A>(scene, (from, to), &[last, end], follow) {
                 let short = self.short(scene, from);
                 // Where the lanes that matter would bear a longer part (none is
                 // left, in the end) only the slow motion sets new records.
@@ -67,9 +76,11 @@ impl Track {
                     length = short.max(0.25 * h);
                     continue;
                 }
-                self.span::<A>(scene, Ahead::Mixed(from), &[last, end]);
-            } else if follow == scene.lanes() {
-                self.span::<A>(scene, Ahead::Mixed(from), &[last, end]);
+                self.span::<A>(scene, Ahead::Mixed(from), &last, &end);
+            }
+            // Most often the rest of a long step has nothing more to show.
+            if end.s >= b.s || self.rules_out::<A>(end.s, b.s, end.envelope) {
+                return;
             }
             last = end;
             std::mem::swap(from, to);
@@ -79,12 +90,19 @@ impl Track {
         }
     }
 
+    /// The lanes at a local time, at which the exponentials then stand.
+    #[inline(always)]
+    fn evaluate<A: Arith>(&mut self, scene: Scene, s: f64, out: &mut Amplitudes) {
+        scene.phase.exponentials::<A>(scene.basis, s, &mut self.e);
+        self.state.amplitudes::<A>(scene.phase, &self.e, out);
+    }
+
     /// Length over which the fastest lane that matters can be followed.
     #[inline(always)]
-    fn short(&self, scene: Scene, e: &Exponentials) -> f64 {
+    fn short(&self, scene: Scene, from: &Amplitudes) -> f64 {
         let level = self.high.map(f64::abs).max(self.low.map(f64::abs));
         let live = (0..scene.lanes()).rev().find(|&k| {
-            let size = self.state.lane_size(scene.panel, e, k);
+            let size = self.state.lane_size(scene.panel, from, k);
             (0..4).any(|f| size.0[f] > 1e-9 * level.0[f] && size.0[f] > 0.0)
         });
         live.map_or(f64::INFINITY, |k| 0.7 * FOLLOW / scene.basis.modulus[k])
@@ -97,30 +115,23 @@ impl Track {
     fn ruled_out<A: Arith>(
         &self,
         scene: Scene,
-        (from, to): (&Exponentials, &Exponentials),
+        (from, to): (&Amplitudes, &Amplitudes),
         ends: &[Point; 2],
         follow: usize,
     ) -> bool {
-        let Scene {
-            basis,
-            panel,
-            phase,
-        } = scene;
+        let Scene { basis, panel, .. } = scene;
         let [mut a, mut b] = *ends;
         let mut loss = self
             .state
             .loss::<A>(basis, panel, (Some(from), follow), b.s - a.s);
         for k in follow..scene.lanes() {
             loss.flat = loss.flat + self.state.lane_size(panel, from, k);
-            for (point, e) in [(&mut a, from), (&mut b, to)] {
-                let [value, slope] = panel.lane::<A>(phase, e, k);
+            for (point, lanes) in [(&mut a, from), (&mut b, to)] {
+                let [value, slope] = self.state.lane::<A>(panel, lanes, k);
                 point.value = point.value - value;
                 point.slope = point.slope - slope;
             }
         }
-        let bounds = enclose::<A>(&a, &b, &loss);
-        let worst = (bounds.high - self.high).max(self.low - bounds.low);
-        let margin = self.margin();
-        (0..4).all(|k| worst.0[k] <= margin.0[k]) && !self.may_turn(&bounds)
+        self.nothing_within(&enclose::<A>(&a, &b, &loss))
     }
 }

@@ -67,25 +67,38 @@ pub(super) fn travel(drawing: &Drawing<'_>, index: usize, extent: f64) -> [f64; 
     ]
 }
 
-/// Both ends of a guide's rails in the frame of the ground, at every position:
-/// none for a guide of the ground.
-pub(super) fn rail_ends(
+/// The corners of a guide's rails and of its block in the frame of the ground, at
+/// every position.
+pub(super) fn outline(
     drawing: &Drawing<'_>,
     index: usize,
     extent: f64,
 ) -> impl Iterator<Item = [f64; 2]> {
     let pair = &drawing.spec.pairs[index];
-    let moving = pair.on.link.zip(match pair.kind {
+    let sliding = match pair.kind {
         PairKind::Sliding { direction, .. } => Some(direction),
         PairKind::Revolute { .. } => None,
+    };
+    let parts = sliding.zip(shape::block(pair, extent));
+    let parts = parts.map(|(direction, block)| {
+        let [from, to] =
+            travel(drawing, index, extent).map(|along| on_axis(pair, direction, along));
+        let h = block.half_height;
+        let across = [-h * direction.sin(), h * direction.cos()];
+        let beside = |[x, y]: [f64; 2], side: f64| [x + side * across[0], y + side * across[1]];
+        let rails = [(from, -1.0), (from, 1.0), (to, -1.0), (to, 1.0)];
+        let rails = rails.map(|(end, side)| beside(end, side));
+        (rails, block.outline())
     });
-    let ends = moving.map(|(link, direction)| {
-        let span = travel(drawing, index, extent);
-        (link, span.map(|along| on_axis(pair, direction, along)))
-    });
-    ends.into_iter().flat_map(|(link, ends)| {
+    parts.into_iter().flat_map(move |(rails, block)| {
         let frames = drawing.frames.iter();
-        frames.flat_map(move |frame| ends.map(|end| frame[link].point(end)))
+        frames.flat_map(move |frame| {
+            let put = move |link: Option<usize>, at| place(frame, &PointOf { link, at });
+            let rails = rails.map(|at| put(pair.on.link, at));
+            rails
+                .into_iter()
+                .chain(block.map(|at| put(pair.link.link, at)))
+        })
     })
 }
 

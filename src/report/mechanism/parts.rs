@@ -4,7 +4,7 @@ use super::guides::{block_height, on_axis, place, rails, stem, travel, yoke};
 use super::shape::{self, Block};
 use super::view::View;
 use super::{Drawing, Placement};
-use crate::linkage::spec::{LinkageSpec, PairKind, PairSpec};
+use crate::linkage::spec::{LinkageSpec, PairKind, PairSpec, PointOf};
 use crate::report::quantity::escape;
 use crate::report::svg::coordinate;
 use std::fmt::Write as _;
@@ -12,6 +12,10 @@ use std::fmt::Write as _;
 /// Half the width of a bar and the radius of a pin (pixels).
 const BAR: f64 = 13.0;
 const PIN: f64 = 4.2;
+/// Where the name of a pin begins, right of it and above (pixels).
+const NAME: [f64; 2] = [8.0, 8.0];
+/// Width of a letter of it, about (pixels).
+const LETTER: f64 = 7.0;
 
 /// The picture of one position, between `<svg …>` and `</svg>`.
 pub(super) fn picture(drawing: &Drawing<'_>, view: &View, frame: usize) -> String {
@@ -189,25 +193,49 @@ fn pins(drawing: &Drawing<'_>, view: &View, frame: Option<&Vec<Placement>>) -> S
         let Some(names) = names(drawing.spec, index) else {
             continue;
         };
-        let end = match pair.link.link {
-            Some(_) => &pair.link,
-            None => &pair.on,
-        };
+        let end = shown_end(pair);
         let at = frame.map_or(end.at, |frame| place(frame, end));
         let [x, y] = view.pixel(at);
         let on = end.link.map_or(String::from("-1"), |link| link.to_string());
         let _ = writeln!(
             out,
             "<g class=\"pin\" data-on=\"{on}\" data-at=\"{} {}\" transform=\"translate({} {})\">\
-             <circle r=\"{PIN}\"/><text x=\"8\" y=\"-8\">{}</text></g>",
+             <circle r=\"{PIN}\"/><text x=\"{}\" y=\"-{}\">{}</text></g>",
             coordinate(end.at[0] * view.scale),
             coordinate(-end.at[1] * view.scale),
             coordinate(x),
             coordinate(y),
+            NAME[0],
+            NAME[1],
             escape(&names)
         );
     }
     out
+}
+
+/// Every pin in every position (m), and how far its name reaches to the right of
+/// it (pixels).
+pub(super) fn named_pins<'a>(
+    drawing: &'a Drawing<'_>,
+) -> impl Iterator<Item = ([f64; 2], f64)> + 'a {
+    let pairs = drawing.spec.pairs.iter().enumerate();
+    pairs.flat_map(move |(index, pair)| {
+        let names = names(drawing.spec, index);
+        let room = names.map(|names| NAME[0] + LETTER * names.chars().count() as f64);
+        room.into_iter().flat_map(move |room| {
+            let end = shown_end(pair);
+            let frames = drawing.frames.iter();
+            frames.map(move |frame| (place(frame, end), room))
+        })
+    })
+}
+
+/// The end of a pair that its pin is drawn at.
+fn shown_end(pair: &PairSpec) -> &PointOf {
+    match pair.link.link {
+        Some(_) => &pair.link,
+        None => &pair.on,
+    }
 }
 
 /// The names of all pins in the place of this one; `None` unless it is the

@@ -67,6 +67,21 @@ pub(super) struct Block {
     pub(super) half_height: f64,
 }
 
+impl Block {
+    /// Its corners, in the frame of its link.
+    pub(super) fn outline(&self) -> [[f64; 2]; 4] {
+        let (sin, cos) = self.angle.sin_cos();
+        let [low, high] = self.ends;
+        let h = self.half_height;
+        [[low, -h], [high, -h], [high, h], [low, h]].map(|[x, y]| {
+            [
+                self.at[0] + cos * x - sin * y,
+                self.at[1] + sin * x + cos * y,
+            ]
+        })
+    }
+}
+
 /// The block of a sliding pair; where the scene gives no size, one that can be
 /// seen in a mechanism of this extent.
 pub(super) fn block(pair: &PairSpec, extent: f64) -> Option<Block> {

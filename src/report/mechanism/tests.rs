@@ -1,6 +1,7 @@
 //! A slider-crank drawn in three positions.
 
-use super::{Arrow, ArrowSet, Axis, Drawing, Path, Placement};
+use super::view::View;
+use super::{Arrow, ArrowSet, Axis, Drawing, Path, Placement, guides, parts, shape};
 use crate::linkage::spec::{LinkSpec, LinkageSpec, NamedPoint, PairKind, PairSpec, PointOf};
 
 fn named(name: &str, at: [f64; 2]) -> NamedPoint {
@@ -231,5 +232,51 @@ fn a_moving_guide_hangs_on_its_pivot_and_pins_in_one_place_share_a_label() {
             assert!(0.0 < end[0] && end[0] < size[2], "{end:?} {size:?}");
             assert!(0.0 < end[1] && end[1] < size[3], "{end:?} {size:?}");
         }
+    }
+}
+
+/// Blocks, rails, and the names of pins stay within the picture in every position.
+#[test]
+fn nothing_is_cut_on_the_way() {
+    let mut spec = slider_crank();
+    spec.pairs[2].name = "gudgeon pin of the slider".to_owned();
+    let plain = View::of(&drawing(&spec)).width;
+    let PairKind::Sliding {
+        corners,
+        half_height,
+        ..
+    } = &mut spec.pairs[3].kind
+    else {
+        panic!("the fourth pair is the guide");
+    };
+    (*corners, *half_height) = ([0.3, -0.05], 0.2);
+    let drawing = drawing(&spec);
+    let view = View::of(&drawing);
+    let most = [860.0, 560.0].map(|size| size + 1e-9);
+    assert!(plain <= most[0] && view.width <= most[0] && view.height <= most[1]);
+    let inside = |at: [f64; 2], room: f64| {
+        let [x, y] = view.pixel(at);
+        let within = x > 0.0 && x + room < view.width && y > 0.0 && y < view.height;
+        assert!(
+            within,
+            "{x} + {room}, {y}: {} x {}",
+            view.width, view.height
+        );
+    };
+    let block = shape::block(&spec.pairs[3], view.extent).unwrap();
+    for frame in &drawing.frames {
+        for corner in block.outline() {
+            inside(frame[2].point(corner), 0.0);
+        }
+    }
+    for end in guides::travel(&drawing, 3, view.extent) {
+        // The hatches of the ground reach six pixels beyond.
+        inside([end, 0.2 + 8.0 / view.scale], 5.0);
+        inside([end, -0.2 - 8.0 / view.scale], 5.0);
+    }
+    let names: Vec<_> = parts::named_pins(&drawing).collect();
+    assert_eq!(names.len(), 3 * drawing.frames.len());
+    for (at, room) in names {
+        inside(at, room);
     }
 }

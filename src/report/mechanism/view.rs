@@ -1,12 +1,14 @@
 //! The part of the plane that is shown, and its scale.
 
-use super::{Drawing, Placement, arrows, guides, shape};
+use super::{Drawing, Placement, arrows, guides, parts, shape};
 
 /// Largest picture (pixels).
 const WIDEST: f64 = 860.0;
 const HIGHEST: f64 = 560.0;
 /// Margin around the mechanism (pixels).
 const MARGIN: f64 = 46.0;
+/// Least distance of a name from the edge of the picture (pixels).
+const EDGE: f64 = 6.0;
 
 /// From metres to pixels.
 #[derive(Clone, Copy, Debug)]
@@ -47,31 +49,32 @@ impl View {
         for point in drawing.paths.iter().flat_map(|path| &path.points) {
             area.take(*point);
         }
-        let extent = Self::around(&area).extent;
+        let extent = area.extent().unwrap_or(1.0);
         for pair in 0..drawing.spec.pairs.len() {
-            for end in guides::rail_ends(drawing, pair, extent) {
-                area.take(end);
+            for point in guides::outline(drawing, pair, extent) {
+                area.take(point);
             }
         }
         for set in &drawing.arrows {
             let scale = arrows::metres(set, extent);
             for arrow in &set.arrows {
                 for (at, vector) in arrow.at.iter().zip(&arrow.vector) {
+                    area.take(*at);
                     area.take([at[0] + scale * vector[0], at[1] + scale * vector[1]]);
                 }
             }
         }
+        let right = right_margin(drawing, &area, MARGIN);
+        let right = right_margin(drawing, &area, right);
         Self {
             extent,
-            ..Self::around(&area)
+            ..Self::around(&area, right)
         }
     }
 
-    fn around(area: &Area) -> Self {
-        let ([left, foot], [right, top]) = (area.low, area.high);
-        let (wide, high) = (right - left, top - foot);
-        let extent = wide.max(high);
-        if !(extent.is_finite() && extent > 0.0) {
+    /// A view of an area; margins are [`MARGIN`] wide but for that on the right.
+    fn around(area: &Area, right_margin: f64) -> Self {
+        let Some(extent) = area.extent() else {
             return Self {
                 width: 2.0 * MARGIN,
                 height: 2.0 * MARGIN,
@@ -79,11 +82,13 @@ impl View {
                 origin: [MARGIN, MARGIN],
                 extent: 1.0,
             };
-        }
-        let scale = ((WIDEST - 2.0 * MARGIN) / wide.max(1e-9 * extent))
+        };
+        let ([left, foot], [right, top]) = (area.low, area.high);
+        let (wide, high) = (right - left, top - foot);
+        let scale = ((WIDEST - MARGIN - right_margin) / wide.max(1e-9 * extent))
             .min((HIGHEST - 2.0 * MARGIN) / high.max(1e-9 * extent));
         Self {
-            width: wide * scale + 2.0 * MARGIN,
+            width: wide * scale + MARGIN + right_margin,
             height: high * scale + 2.0 * MARGIN,
             scale,
             origin: [MARGIN - left * scale, MARGIN + top * scale],
@@ -108,6 +113,15 @@ impl View {
     }
 }
 
+/// The margin on the right that the names of pins need, at the scale of a given one.
+fn right_margin(drawing: &Drawing<'_>, area: &Area, margin: f64) -> f64 {
+    let scale = View::around(area, margin).scale;
+    let beyond = |([x, _], room): ([f64; 2], f64)| EDGE + room - (area.high[0] - x) * scale;
+    let widest = parts::named_pins(drawing).map(beyond);
+    let widest = widest.filter(|room| room.is_finite());
+    widest.fold(MARGIN, f64::max).min(0.5 * WIDEST)
+}
+
 /// What has to be seen.
 #[derive(Clone, Copy, Debug)]
 struct Area {
@@ -125,6 +139,12 @@ impl Default for Area {
 }
 
 impl Area {
+    /// The larger of width and height; `None` of an area without any.
+    fn extent(&self) -> Option<f64> {
+        let extent = (self.high[0] - self.low[0]).max(self.high[1] - self.low[1]);
+        (extent.is_finite() && extent > 0.0).then_some(extent)
+    }
+
     fn take(&mut self, point: [f64; 2]) {
         if point.iter().all(|value| value.is_finite()) {
             for axis in 0..2 {

@@ -102,16 +102,26 @@ impl LogChart {
                 ));
             }
         }
-        for (value, name) in &self.rules {
+        for (value, _) in &self.rules {
             let y = coordinate(frame.y(Some(*value)));
             out.push_str(&format!(
-                "<path class=\"rule\" d=\"M{left} {y}H{right}\"/>\
-                 <text class=\"named\" x=\"{}\" y=\"{y}\" dy=\"-5\" text-anchor=\"end\">{}</text>\n",
-                coordinate(LEFT + frame.width - 4.0),
-                escape(name)
+                "<path class=\"rule\" d=\"M{left} {y}H{right}\"/>\n"
             ));
         }
         out
+    }
+
+    /// Names of the horizontal lines, above all marks.
+    pub(super) fn names(&self, frame: &Frame) -> String {
+        let name = |(value, name): &(f64, String)| {
+            format!(
+                "<text class=\"named\" x=\"{}\" y=\"{}\" dy=\"-5\" text-anchor=\"end\">{}</text>\n",
+                coordinate(LEFT + frame.width - 4.0),
+                coordinate(frame.y(Some(*value))),
+                escape(name)
+            )
+        };
+        self.rules.iter().map(name).collect()
     }
 }
 

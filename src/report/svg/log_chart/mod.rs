@@ -93,7 +93,7 @@ const STYLE: &str = ".lc text{font:12px system-ui,-apple-system,'Segoe UI',Robot
 fill:#4a5560}.lc .title{font-size:14px;font-weight:600;fill:#17202a}.lc .grid{stroke:#e3e7ec}\
 .lc .minor{stroke:#f1f3f6}.lc .axis{stroke:#5a6572;fill:none}.lc .curve{fill:none;stroke-width:1.6;\
 stroke-linejoin:round}.lc .rule{stroke:#8f1d3f;stroke-dasharray:6 4;stroke-width:1.2}\
-.lc .named{fill:#8f1d3f;font-size:11.5px}.lc .below{fill:#dfe4ea;fill-opacity:.55}\
+.lc .named{fill:#8f1d3f;font-size:11.5px;paint-order:stroke;stroke:#fff;stroke-width:3px}.lc .below{fill:#dfe4ea;fill-opacity:.55}\
 .lc .lane{fill:#fbeef1}.lc .small{font-size:11px}";
 
 /// Where values lie in the picture.
@@ -151,7 +151,7 @@ impl LogChart {
              width=\"{w}\" height=\"{h}\" role=\"img\" aria-label=\"{title}\">\n\
              <style>{STYLE}</style>\n<rect width=\"{w}\" height=\"{h}\" fill=\"#fff\"/>\n\
              <text class=\"title\" x=\"{LEFT}\" y=\"22\">{title}</text>\n\
-             {legend}{axes}{ground}{series}</svg>\n",
+             {legend}{axes}{ground}{series}{names}</svg>\n",
             title = escape(&self.title),
             axes = self.axes(&frame),
             ground = self.ground(&frame),
@@ -160,6 +160,7 @@ impl LogChart {
                 .iter()
                 .map(|s| draw(s, &frame))
                 .collect::<String>(),
+            names = self.names(&frame),
         )
     }
 

@@ -36,6 +36,10 @@ pub(super) const SHADES: usize = 96;
 /// is logarithmic.
 const WIDE: f64 = 30.0;
 
+/// Ratio of the greatest size to the middle one from which on a curve is
+/// logarithmic whatever its signs: half of it would lie on the axis otherwise.
+const BURIED: f64 = 1e3;
+
 /// Greatest such ratio that is shown.
 const MOST_WIDE: f64 = 1e9;
 
@@ -78,7 +82,9 @@ impl Values {
         let smallest = sizes().reduce(f64::min).unwrap_or(f64::INFINITY);
         let smallest = smallest.max(largest / MOST_WIDE);
         // A curve has an axis to read signs from; colours have none.
-        let log = largest > WIDE * smallest && (low > 0.0 || study.y.is_some());
+        let buried = || largest > BURIED * middle(sizes().collect());
+        let signless = low > 0.0 || study.y.is_some() || buried();
+        let log = largest > WIDE * smallest && signless;
         let range = if log {
             [smallest, largest]
         } else {
@@ -136,7 +142,11 @@ impl Values {
             } else {
                 format!(", {}", self.unit)
             };
-            return Scale::between(format!("{}{unit}", self.figure), range, true, 1.0);
+            let title = match self.sizes {
+                true => format!("|{}|{unit}", self.figure),
+                false => format!("{}{unit}", self.figure),
+            };
+            return Scale::between(title, range, true, 1.0);
         }
         let shown = scale(low.abs().max(high.abs()), self.unit);
         let margin = 0.06 * (high - low);
@@ -151,6 +161,12 @@ impl Values {
     pub(super) fn title(&self) -> &str {
         &self.figure
     }
+}
+
+/// The middle one of some sizes.
+fn middle(mut sizes: Vec<f64>) -> f64 {
+    sizes.sort_by(f64::total_cmp);
+    sizes.get(sizes.len() / 2).copied().unwrap_or(0.0)
 }
 
 /// A range that is never empty.

@@ -24,7 +24,8 @@ fn points<'a>(drawing: &'a Drawing<'_>) -> impl Iterator<Item = Option<(f64, f64
     (0..drawing.cells.len()).map(|column| {
         let cell = drawing.cell(column, 0)?;
         let x = drawing.frame.x(drawing.x.middles[column]);
-        let y = drawing.frame.y(drawing.y.share(cell.value?));
+        // On a logarithmic axis a zero stands on the floor.
+        let y = drawing.frame.y(drawing.y.share(cell.value?).max(0.0));
         Some((x, y, cell.verdict))
     })
 }
