@@ -45,8 +45,8 @@
 //!   no digits but time: its phases last a tenth of the harmonic's period.
 //! - The motion of a floating part that only a light damper to the ground drags, with
 //!   the decay ε, is right to some 10⁻¹³/ε of itself (ε in 1/s).
-//! - At most 256 combinations of engaged pairs are kept; at one more all are
-//!   forgotten and made again when met.
+//! - At most 256 combinations of engaged pairs are kept, fewer of many masses: as
+//!   many as take some 256 MB. At one more all are forgotten and made again when met.
 //! - Position functions that vary with the state, dry friction and anything
 //!   else that is not linear between switches cannot be stated.
 //! - A problem is not checked: inertias and stiffnesses must be positive,

@@ -3,9 +3,10 @@
 
 use super::audit::Forms;
 use super::basis::Basis;
-use super::functional::{Functional, Weights};
-use super::lanes::Plain;
+use super::functional::{Functional, ORDERS, Weights};
+use super::lanes::{Plain, V, WIDTH};
 use super::panel::Panel;
+use super::pencil::C;
 use super::polynomial::Steady;
 use super::problem::{PairState, Refusal, TreeObject, TreeProblem};
 use super::sample::Strides;
@@ -28,6 +29,21 @@ pub(crate) struct Regime {
 
 /// Most combinations kept.
 const REGIMES: usize = 256;
+
+/// What they may take up together (bytes): one grows with the square of the masses.
+const ROOM: usize = 256 << 20;
+
+/// Combinations kept of those like the one with `basis`: as many as there is room for.
+fn most(basis: &Basis, functionals: usize, audited: bool) -> usize {
+    let vector = size_of::<V>();
+    let lanes = basis.blocks * WIDTH;
+    // Shape and row as vectors, then by lane the shape and three rows.
+    let modes = basis.masses * (basis.blocks * 8 * vector + lanes * 4 * size_of::<C>());
+    let weights = functionals * basis.blocks * ORDERS * 2 * vector;
+    // Products of every two lanes: of the links, of the drive or the ground.
+    let forms = usize::from(audited) * 2 * lanes * basis.blocks * 4 * vector;
+    (ROOM / (modes + weights + forms).max(1)).clamp(1, REGIMES)
+}
 
 /// The functions of every pair: for flank f of mass i the clearance X at
 /// `first[i] + 2f` and the pull c·X + b·Ẋ after it.
@@ -135,10 +151,10 @@ impl Workspace<'_> {
 
     #[inline(never)]
     pub(super) fn make_regime(&mut self) -> Result<usize, Refusal> {
-        if self.regimes.len() >= REGIMES {
+        let basis = Basis::new(self.problem, &self.key).map_err(|e| Refusal::new("", e.0))?;
+        if self.regimes.len() >= most(&basis, self.functionals.len(), self.ledger.is_some()) {
             self.regimes.clear();
         }
-        let basis = Basis::new(self.problem, &self.key).map_err(|e| Refusal::new("", e.0))?;
         let weights = self
             .functionals
             .iter()
@@ -171,5 +187,36 @@ impl Workspace<'_> {
             panels,
         });
         Ok(self.regimes.len() - 1)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::exact::tests::chain;
+
+    #[test]
+    fn kept_combinations_of_many_masses_fit_into_their_room() {
+        let kept = |masses: usize, audited: bool| {
+            let problem = chain(0.1, 1e7, masses, 10.0, |_, _| 10.0);
+            let states = vec![PairState::Free; masses];
+            let basis = Basis::new(&problem, &states).expect("modes");
+            let most = most(&basis, 2, audited);
+            // What the greatest parts of one take, counted on themselves.
+            let rows = basis.shape.len() + basis.row.len();
+            let lanes = basis.lanes.len() * 4 * masses * size_of::<C>();
+            let forms = usize::from(audited) * basis.lanes.len().pow(2) * 4 * size_of::<f64>();
+            let bytes = rows * 4 * size_of::<V>() + lanes + forms;
+            assert!(most == 1 || most * bytes <= ROOM, "{masses} {most} {bytes}");
+            most
+        };
+        assert_eq!(kept(2, true), REGIMES);
+        assert_eq!(kept(20, true), REGIMES);
+        let [small, great] = [kept(50, true), kept(100, true)];
+        assert!(
+            great < REGIMES && 3 * great < small.max(4 * great),
+            "{small} {great}"
+        );
+        assert!(kept(100, false) > great);
     }
 }
