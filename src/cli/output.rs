@@ -4,7 +4,8 @@
 //! never meets half a file. `provenance.json` lists what dam wrote with its
 //! hash: such files of the same scene are replaced freely, anything else only
 //! with `--force`. While files are being replaced it lists the old hashes too, so
-//! that a program that is killed in between finds its own files again.
+//! that a program that is killed in between finds its own files again; what it
+//! left half written beside its place is cleared away before the next run.
 
 use super::args::OutArgs;
 use super::console;
@@ -117,6 +118,7 @@ impl OutputFolder {
                 ));
             }
         }
+        clear_left_parts(folder, names);
         Ok(Self {
             folder: folder.to_owned(),
             scene: scene.to_owned(),
@@ -162,9 +164,7 @@ impl OutputFolder {
 
     fn replace(&self, name: &str, content: &[u8]) -> Result<(), String> {
         let target = self.path(name);
-        let beside = self
-            .folder
-            .join(format!(".{name}.{}.part", std::process::id()));
+        let beside = self.folder.join(part_name(name, std::process::id()));
         let written = fs::File::create(&beside)
             .and_then(|mut file| file.write_all(content).and_then(|()| file.sync_all()))
             .and_then(|()| fs::rename(&beside, &target));
@@ -180,6 +180,46 @@ fn try_writing(folder: &Path) -> io::Result<()> {
     let probe = folder.join(format!(".dam.{}.probe", std::process::id()));
     fs::File::create(&probe)?;
     fs::remove_file(&probe)
+}
+
+/// What a file is called while the process `id` writes it.
+fn part_name(name: &str, id: u32) -> String {
+    format!(".{name}.{id}.part")
+}
+
+/// True for the part of one of dam's files of a process that is gone.
+fn is_left_part(found: &str, names: &[&str]) -> bool {
+    let part = found
+        .strip_prefix('.')
+        .and_then(|f| f.strip_suffix(".part"));
+    let Some((name, id)) = part.and_then(|part| part.rsplit_once('.')) else {
+        return false;
+    };
+    let own = name == PROVENANCE || names.contains(&name);
+    let id: Option<u32> = id.parse().ok();
+    own && id.is_some_and(|id| found == part_name(name, id) && !is_running(id))
+}
+
+/// True when a process may be alive; where that cannot be seen, one is not taken
+/// for alive (two programs that write into one folder at one time spoil it anyway).
+fn is_running(id: u32) -> bool {
+    Path::new("/proc").join(id.to_string()).exists()
+}
+
+/// Clears away what a program that was killed left half written: dam's own files
+/// by their names, and nothing else. Best effort: what stays is only in the way
+/// of the eye.
+fn clear_left_parts(folder: &Path, names: &[&str]) {
+    let entries = fs::read_dir(folder).into_iter().flatten().flatten();
+    for entry in entries {
+        let left = entry
+            .file_name()
+            .to_str()
+            .is_some_and(|f| is_left_part(f, names));
+        if left && entry.file_type().is_ok_and(|kind| kind.is_file()) {
+            let _ = fs::remove_file(entry.path());
+        }
+    }
 }
 
 fn read_provenance(folder: &Path) -> Option<Provenance> {
@@ -281,6 +321,30 @@ mod tests {
         assert!(!fs::read_to_string(path).unwrap().contains("before"));
         fs::write(folder.path().join("report.html"), "second").unwrap();
         assert!(prepare().is_err());
+    }
+
+    #[test]
+    fn parts_that_a_killed_program_left_are_cleared_away_and_nothing_else() {
+        let folder = tempfile::tempdir().unwrap();
+        // No process has this number: greater than the greatest that Linux gives.
+        let left = [
+            ".summary.json.4194999.part",
+            ".provenance.json.4194999.part",
+        ];
+        let own = format!(".summary.json.{}.part", std::process::id());
+        let foreign = [
+            ".notes.txt.4194999.part",
+            ".summary.json.part",
+            ".summary.json.x7.part",
+            ".summary.json.04194999.part",
+            "summary.json.4194999.part",
+        ];
+        for name in left.iter().chain(&foreign).chain([&own.as_str()]) {
+            fs::write(folder.path().join(name), "half").unwrap();
+        }
+        write(folder.path(), "one", false).unwrap();
+        assert!(left.iter().all(|name| !folder.path().join(name).exists()));
+        assert!(foreign.iter().all(|name| folder.path().join(name).exists()));
     }
 
     #[test]
