@@ -34,8 +34,11 @@ pub fn recommend(lines: &[MethodLine], accuracy: f64) -> Recommendation {
     let mut ranked: Vec<_> = fit.collect();
     ranked.sort_by(|a, b| seconds(a.1).total_cmp(&seconds(b.1)));
     let Some((line, point)) = ranked.first() else {
+        // The error of the reference is how far the next one is from it: no distance
+        // from the truth by which it could be the nearest.
+        let others = points().filter(|(_, point)| !point.is_reference);
         return none(
-            points().filter_map(|(line, p)| Some((line, p.error?))),
+            others.filter_map(|(line, p)| Some((line, p.error?))),
             accuracy,
         );
     };
@@ -89,5 +92,55 @@ fn none<'a>(points: impl Iterator<Item = (&'a MethodLine, f64)>, accuracy: f64) 
         error: None,
         measured_seconds: None,
         text: format!("no method is known to reach an error of {accuracy:.0e}; {nearest}"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::limit::StabilityLimit;
+    use super::super::{MethodLine, Point, Verdict};
+    use super::recommend;
+    use crate::integrate::Method;
+
+    fn line(method: Method, error: f64, is_reference: bool) -> MethodLine {
+        let point = Point {
+            tolerance: Some(1e-6),
+            step: None,
+            verdict: Verdict::Inaccurate,
+            cause: String::new(),
+            error: Some(error),
+            is_reference,
+            measured_seconds: Some(1e-3),
+            repetitions: 1,
+            evaluations: None,
+            steps: None,
+            rejected: None,
+            switches: None,
+            time: None,
+            longest_step: None,
+            rate_times_step: None,
+            growth: None,
+            energy_error: None,
+            worst_figure: None,
+            figures: Vec::new(),
+        };
+        MethodLine {
+            method,
+            fixed_step: false,
+            stability: StabilityLimit::by_theory(None, None),
+            points: vec![point],
+        }
+    }
+
+    #[test]
+    fn the_reference_is_never_the_nearest_to_itself() {
+        // Interrupted: the one other method that was run is rough, and the
+        // reference's own figure is the distance to it.
+        let reference = line(Method::Exact, 2e-4, true);
+        let text = |lines: &[MethodLine]| recommend(lines, 1e-9).text;
+        let both = text(&[reference.clone(), line(Method::Rk4, 3e-4, false)]);
+        assert!(both.ends_with("the nearest is rk4 with 3.0e-4"), "{both}");
+        let alone = text(&[reference]);
+        assert!(alone.ends_with("none can be judged"), "{alone}");
     }
 }

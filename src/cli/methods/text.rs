@@ -117,7 +117,7 @@ fn time(seconds: Option<f64>) -> String {
 fn limits(text: &mut String, study: &Study) {
     let _ = writeln!(
         text,
-        "\nstability: fastest rate |λ| = {:.3e} 1/s, all pairs engaged",
+        "\nstability: fastest rate |λ| = {:.3e} 1/s, all pairs engaged; measured on this motion",
         study.fastest_rate
     );
     for line in &study.methods {

@@ -1,6 +1,6 @@
 //! What is said beside the charts of methods.
 
-use crate::analysis::methods::{MethodLine, Study};
+use crate::analysis::methods::{GROWN, MethodLine, Study};
 use crate::report::html::facts;
 use crate::report::quantity::{escape, significant, with_unit};
 
@@ -85,7 +85,10 @@ pub(super) fn limits(study: &Study) -> String {
     format!(
         "<h2>Limits of stability</h2>\n<p class=\"soft\">Fastest rate |λ| of the system {} 1/s, \
          all pairs engaged. While a pair is open the motion is slower, so that a scene with \
-         contact may bear a longer step than theory says.</p>\n\
+         contact may bear a longer step than theory says. Measured is on this motion: the longest \
+         step with which this very run grows to no more than {GROWN} times what it should be; what \
+         would grow more slowly, or from another start, is not seen. Of power series: the longest \
+         step that multiplies no deviation.</p>\n\
          <div class=\"scroll\"><table>\n<thead><tr><th>Method</th><th>|λ|h in theory</th>\
          <th>step in theory</th><th>|λ|h measured</th><th>step measured</th>\
          <th class=\"left\">where λ lies</th></tr></thead>\n<tbody>\n{rows}</tbody></table></div>\n",
