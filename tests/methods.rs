@@ -459,7 +459,7 @@ fn a_fixed_step_fails_where_the_scene_gets_too_stiff() {
     assert_eq!(strips.rows.len(), 3);
     assert_ne!(strips.rows[1].1[0], strips.rows[1].1[4]);
     let csv = dam::report::methods::sweep_csv(&found).unwrap();
-    assert!(csv.starts_with("wheel.stiffness,method,tolerance"));
+    assert!(csv.starts_with("wheel.stiffness [N m/rad],method,tolerance"));
 }
 
 #[test]
@@ -613,6 +613,10 @@ fn the_command_goes_over_a_parameter() {
     let document: Value = serde_json::from_str(&document).unwrap();
     assert_eq!(document["slices"].as_array().unwrap().len(), 3);
     assert_eq!(document["axis"]["path"], "wheel.stiffness");
+    // The unit of the scene, as on a map, though none was given.
+    assert_eq!(document["axis"]["unit"], "N m/rad");
+    let report = std::fs::read_to_string(out.join("report.html")).unwrap();
+    assert!(report.contains("wheel.stiffness, N m/rad"));
 }
 
 #[test]

@@ -1,6 +1,7 @@
 //! An axis of a parameter study: `rocker.inertia=0.05:1:20`,
 //! `shaft.motion.speed=100 rpm:900 rpm:50`, `rocker.stiffness=1e6:1e9:40:log`.
 
+use crate::model::{Coordinate, Model};
 use crate::units;
 use serde::Serialize;
 
@@ -124,6 +125,15 @@ impl Axis {
             unit => format!("{number} {unit}"),
         }
     }
+
+    /// The unit to show the values with: the one they were given in, else the SI
+    /// unit of the parameter in a model where it is known, else none.
+    pub fn shown_unit(&self, model: &Model) -> String {
+        match self.unit.as_str() {
+            "" => parameter_unit(&self.path, model).to_owned(),
+            unit => unit.to_owned(),
+        }
+    }
 }
 
 /// A value to 15 significant digits: 0.1 instead of 0.09999999999999999.
@@ -161,6 +171,27 @@ fn number_and_unit(text: &str) -> Result<(f64, &str), String> {
         return Err(format!("`{unit}` is no unit"));
     }
     Ok((number, unit))
+}
+
+/// SI unit of a scene's parameter, by the name it ends with; empty when it has
+/// none or is not among the common ones.
+fn parameter_unit(path: &str, model: &Model) -> &'static str {
+    let (id, rest) = path.split_once('.').unwrap_or((path, ""));
+    let part = model.objects.iter().find(|part| part.id == id);
+    let turning = part.is_none_or(|part| part.coordinate == Coordinate::Turning);
+    let either = |turned, slid| if turning { turned } else { slid };
+    match rest.rsplit('.').next().unwrap_or(rest) {
+        "inertia" => either("kg m²", "kg"),
+        "mass" => "kg",
+        "moment" => "kg m²",
+        "stiffness" | "rate" => either("N m/rad", "N/m"),
+        "damping" => either("N m s/rad", "N s/m"),
+        "constant" | "preload" | "friction" => either("N m", "N"),
+        "gap" | "lift" => either("rad", "m"),
+        "speed" => either("rad/s", "m/s"),
+        "duration" => "s",
+        _ => "",
+    }
 }
 
 #[cfg(test)]

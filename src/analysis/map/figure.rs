@@ -55,27 +55,6 @@ pub(super) fn check_figure(figure: &str, model: &Model) -> Result<(), Fault> {
     ))
 }
 
-/// SI unit of a scene's parameter, by the name it ends with; empty when it has
-/// none or is not among the common ones.
-pub(super) fn parameter_unit(path: &str, model: &Model) -> &'static str {
-    let (id, rest) = path.split_once('.').unwrap_or((path, ""));
-    let part = model.objects.iter().find(|part| part.id == id);
-    let turning = part.is_none_or(|part| part.coordinate == Coordinate::Turning);
-    let either = |turned, slid| if turning { turned } else { slid };
-    match rest.rsplit('.').next().unwrap_or(rest) {
-        "inertia" => either("kg m²", "kg"),
-        "mass" => "kg",
-        "moment" => "kg m²",
-        "stiffness" | "rate" => either("N m/rad", "N/m"),
-        "damping" => either("N m s/rad", "N s/m"),
-        "constant" | "preload" | "friction" => either("N m", "N"),
-        "gap" | "lift" => either("rad", "m"),
-        "speed" => either("rad/s", "m/s"),
-        "duration" => "s",
-        _ => "",
-    }
-}
-
 /// A figure of an object that needs no document to be read, by its name.
 pub(super) fn quick_read(figures: &ObjectFigures, name: &str) -> Option<f64> {
     let pair = figures.pair.as_ref();

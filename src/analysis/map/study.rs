@@ -1,6 +1,6 @@
 //! What is asked: a scene, axes, panels and a figure, checked before any run.
 
-use super::figure::{check_figure, default_figure, nothing_elastic, parameter_unit, unit};
+use super::figure::{check_figure, default_figure, nothing_elastic, unit};
 use super::panels::Panels;
 use crate::analysis::RunSettings;
 use crate::analysis::axis::Axis;
@@ -189,10 +189,7 @@ impl<'a> Study<'a> {
             StudyFault::Question(format!("{}; {hint}", fault.message))
         })?;
         self.unit = unit(&self.figure, model);
-        let written = |axis: &Axis| match axis.unit.as_str() {
-            "" => parameter_unit(&axis.path, model).to_owned(),
-            unit => unit.to_owned(),
-        };
+        let written = |axis: &Axis| axis.shown_unit(model);
         self.parameter_units = [
             written(&self.x),
             self.y.as_ref().map(written).unwrap_or_default(),
