@@ -1,5 +1,12 @@
 //! Cells that are propagated exactly and without a recorder: some tens of
 //! microseconds each, where a recorded run takes milliseconds.
+//!
+//! Checked of such a cell is that its run came to the end within its limits,
+//! every state and the figure finite, and that no pair grazed (else the cause
+//! says so); unless told not to, that the figure hardly moves with the loads.
+//! The balance of its energies is not: the motion is a closed form between
+//! switches, with no step whose error it could show. A run of the same scene,
+//! `dam run`, adds them up.
 
 use super::cell::{Cell, mark, share};
 use super::figure::{quick_needs, quick_read, quick_scale};
@@ -223,7 +230,10 @@ fn failed(run: &QuickRun) -> Option<Option<Cell>> {
         Stop::WallClock { limit } => format!("it took longer than {limit:?}"),
         other => format!("{other:?}"),
     };
-    let cause = format!("exact gave up at {:.6e} s: {why}", run.time);
+    let cause = format!(
+        "exact gave up at {:.6e} s: {why}; no other method was tried",
+        run.time
+    );
     Some(Some(Cell::without_value(Verdict::NumericalFailure, cause)))
 }
 

@@ -55,7 +55,9 @@ pub enum Verdict {
     /// one part in 10⁷ of its scale.
     NotDetermined,
     /// The computation failed: the method gave up, a number was not finite, the
-    /// energies do not balance, or the budget of steps or switches was spent.
+    /// energies do not balance, or the budget of steps or switches was spent (no
+    /// other method is tried then). The energies of a cell that is propagated in
+    /// closed form without a recorder are not added up: `dam run` does it.
     NumericalFailure,
     /// There is no such mechanism: the scene is refused at these values.
     Refused,

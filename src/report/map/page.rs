@@ -162,8 +162,10 @@ fn meaning(verdict: Verdict) -> String {
         ),
         Verdict::NumericalFailure => format!(
             "The computation failed: the method gave up, a number was not finite, the energies do \
-             not balance, or more than {MOST_STEPS} steps were needed. It says nothing about the \
-             mechanism."
+             not balance, or more than {MOST_STEPS} steps or the switches allowed were needed (no other \
+             method is tried then). It says nothing about the mechanism. Cells whose motion \
+             between switches is known in closed form, and whose figure needs no record, are \
+             not audited: dam run audits such a scene."
         ),
         Verdict::Refused => "The scene is refused at these values.".to_owned(),
     }
