@@ -614,3 +614,53 @@ fn modes_that_are_never_excited_do_not_spoil_the_balance() {
         assert!(error < 1e-10, "{masses} masses: {error:e}");
     }
 }
+
+/// One mass on a very strongly damped link behind a sine.
+fn strongly_damped(inertia: f64, capacity: f64, start: &str) -> (Value, Value) {
+    let objects = json!({
+        "shaft": { "kind": "drive", "motion": { "speed": "10 rev/s" } },
+        "rocker": {
+            "kind": "rocker", "input": "shaft",
+            "position": { "sine": { "amplitude": "90 deg" } },
+            "inertia": inertia, "stiffness": 1.8e7, "damping_capacity": capacity, "masses": 1,
+            "pair": { "closure": "force" },
+            "loads": { "closing": { "mass": "last", "constant": -600 } }
+        }
+    });
+    let run = json!({ "duration": 0.5, "start": start, "tolerance": 1e-9 });
+    (objects, run)
+}
+
+#[test]
+fn very_strong_damping_is_played_as_it_is_integrated() {
+    for (inertia, capacity) in [
+        (0.006, 300.0),
+        (0.006, 1000.0),
+        (0.006, 16_000.0),
+        (0.06, 1000.0),
+    ] {
+        for start in ["static", "on_law"] {
+            let (objects, run) = strongly_damped(inertia, capacity, start);
+            let (system, settings) = prepare(&objects, &run).expect("a system");
+            let exact = solve(&system, &settings, Method::Exact, 1e-9).expect("runs");
+            let radau = solve(&system, &settings, Method::Radau, 1e-11).expect("runs");
+            assert!(
+                exact.warnings.iter().all(|w| !w.spoils_figures()),
+                "{capacity} {start}: {:?}",
+                exact.warnings
+            );
+            let [a, b] = [&exact, &radau].map(|run| &run.figures.objects["rocker"]);
+            for (x, y, scale) in [
+                (a.delta_max, b.delta_max, 3.3e-5),
+                (a.delta_min, b.delta_min, 3.3e-5),
+                (a.sigma, b.sigma, 3.3e-5),
+                (a.peak_acceleration, b.peak_acceleration, 6e3),
+            ] {
+                assert!(
+                    (x - y).abs() < 1e-7 * scale,
+                    "{inertia} {capacity} {start}: {x} {y}"
+                );
+            }
+        }
+    }
+}
