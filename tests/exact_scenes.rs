@@ -3,7 +3,7 @@
 
 use dam::analysis::exact::Quick;
 use dam::analysis::run::{RunResult, run};
-use dam::analysis::{Control, RunSettings};
+use dam::analysis::{Control, RunSettings, Warning};
 use dam::exact::{Asked, Parts, Request};
 use dam::fault::Fault;
 use dam::integrate::{Limits, Method};
@@ -662,5 +662,36 @@ fn very_strong_damping_is_played_as_it_is_integrated() {
                 );
             }
         }
+    }
+}
+
+#[test]
+fn counts_of_switches_that_rounding_decides_are_marked() {
+    // Rates 10¹⁰ apart: the pair opens more slowly than its damper's rounding tells.
+    let run_of = |capacity: f64, stiffness: f64| {
+        let (mut objects, mut run) = strongly_damped(0.12, capacity, "static");
+        objects["rocker"]["stiffness"] = json!(stiffness);
+        objects["rocker"]["masses"] = json!(5);
+        run["duration"] = json!(0.1);
+        let (system, settings) = prepare(&objects, &run).expect("a system");
+        [Method::Exact, Method::Radau]
+            .map(|method| solve(&system, &settings, method, 1e-9).expect("runs"))
+    };
+    let counts = |run: &RunResult| {
+        let figures = &run.figures.objects["rocker"];
+        let pair = figures.pair.as_ref().expect("a pair");
+        (pair.separations, pair.closures, figures.delta_max)
+    };
+    let marked = |run: &RunResult| {
+        let marks = |w: &Warning| matches!(w, Warning::SwitchesUndetermined { .. });
+        run.warnings.iter().any(marks)
+    };
+    for (capacity, stiffness) in [(0.4, 1e7), (100.0, 1e7), (1000.0, 1.8e7), (16_000.0, 1e9)] {
+        let [exact, radau] = run_of(capacity, stiffness);
+        let (a, b) = (counts(&exact), counts(&radau));
+        // The motion is right, and so are counts that are not marked.
+        assert!((a.2 - b.2).abs() < 1e-6 * b.2, "{a:?} {b:?}");
+        assert!((a.0, a.1) == (b.0, b.1) || marked(&exact), "{a:?} {b:?}");
+        assert!(!(marked(&exact) && capacity < 1e4), "{capacity}: marked");
     }
 }

@@ -117,6 +117,15 @@ pub(super) fn warnings_of(
     warnings
 }
 
+/// How often a pair that has just switched switches again at the same instant, to
+/// rounding, and when first. (One that falls through a gap takes longer than that.)
+fn returns(switch_times: &[f64]) -> Option<(usize, f64)> {
+    let same = |pair: &&[f64]| pair[1] - pair[0] <= 2.0 * f64::EPSILON * pair[1];
+    let mut returned = switch_times.windows(2).filter(same).map(|pair| pair[0]);
+    let first = returned.next()?;
+    Some((1 + returned.count(), first))
+}
+
 fn pair_warnings(model: &Model, object: usize, recorded: &Recorded, time: f64) -> Vec<Warning> {
     let mut warnings = Vec::new();
     let part = &model.objects[object];
@@ -129,6 +138,13 @@ fn pair_warnings(model: &Model, object: usize, recorded: &Recorded, time: f64) -
             separations: pair.separations,
             separated_time: pair.separated_time,
             share: pair.separated_time / time,
+        });
+    }
+    if let Some((returns, time)) = returns(&pair.switch_times) {
+        warnings.push(Warning::SwitchesUndetermined {
+            object: part.id.clone(),
+            returns,
+            time,
         });
     }
     if is_undamped(model, part) && pair.switch_times.len() >= MANY_SWITCHES {

@@ -43,6 +43,16 @@ pub enum Warning {
         /// Share of the run.
         share: f64,
     },
+    /// A pair switches and switches back at one instant, to rounding: whether it
+    /// does so at all is not determined, and so are the counts.
+    SwitchesUndetermined {
+        /// The object.
+        object: String,
+        /// How often.
+        returns: usize,
+        /// The first time (s).
+        time: f64,
+    },
     /// Contact without damping that switches often: the motion is chaotic.
     Undetermined {
         /// The object.
@@ -99,6 +109,18 @@ impl fmt::Display for Warning {
                  {separations} separations): loss of working order of the mechanism, \
                  not a failure of the computation",
                 100.0 * share
+            ),
+            Self::SwitchesUndetermined {
+                object,
+                returns,
+                time,
+            } => write!(
+                f,
+                "the counts of switches of {object} are not determined: its pair switches and \
+                 switches back at one instant {returns} times, first at {time:.6} s, where the \
+                 force that decides is smaller than rounding. The motion is not touched by it. \
+                 Compare with another method, or look at the damping: a pair that is damped \
+                 this strongly opens too slowly to be told from one that stays"
             ),
             Self::Undetermined { object, switches } => write!(
                 f,

@@ -107,6 +107,7 @@ pub struct ExactRun {
     pub evaluations: u64,
     /// Exponentials e^{λs} in all of them together, in whole vectors.
     pub exponentials: u64,
-    /// Steps over which a watched signal could not be told from zero.
+    /// Steps over which a watched signal could not be told from zero, and switches of a
+    /// pair that has just switched at the same instant.
     pub grazing: u64,
 }

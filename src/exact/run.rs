@@ -215,12 +215,23 @@ impl Workspace<'_> {
             } else {
                 self.stalled + 1
             };
+            self.search.grazing += u64::from(self.returns(number));
             if self.stalled > 8 * self.states.len() {
                 return Err(Refusal::new("", "pairs switch without end at one instant"));
             }
             self.switch(number, self.at.0);
         }
         Ok(())
+    }
+
+    /// True when the pair that is about to switch has just switched at this very
+    /// instant: what decides is lost in rounding.
+    fn returns(&self, number: usize) -> bool {
+        let last = self.out.switches.last();
+        self.stalled > 0
+            && last.is_some_and(|last| {
+                last.mass == self.watches[number].mass && last.time == self.at.0
+            })
     }
 
     /// Lets modes leave that have died away.
