@@ -177,7 +177,7 @@ const OTHERS: [(&str, &str); 3] = [
             "slot": { "sliding": { "guide": "yoke.origin", "direction": "80 deg", "block": "block.origin" } },
             "guide": { "sliding": { "guide": "ground.O", "direction": "10 deg", "block": "yoke.origin" } } },
         "forces": {
-            "spring": { "strut": { "from": "ground.P", "to": "yoke.E", "rate": 400, "free_length": 0.1, "damping": 3 } },
+            "spring": { "strut": { "from": "ground.P", "to": "yoke.E", "rate": 400, "free_length": 0.1, "damping": 3, "force": -25 } },
             "load": { "force": { "point": "yoke.E", "force": [-5, 2] } },
             "turning": { "force": { "point": "crank.A", "force": [3, 1], "follows": true } } }"#,
     ),
@@ -209,7 +209,7 @@ const OTHERS: [(&str, &str); 3] = [
             "sleeve": { "sliding": { "guide": "rod.origin", "direction": "70 deg", "block": "table.origin", "angle": "-60 deg" } },
             "guide": { "sliding": { "guide": "ground.P", "direction": "10 deg", "block": "table.origin" } } },
         "forces": {
-            "spring": { "strut": { "from": "ground.O", "to": "table.origin", "rate": 200, "free_length": 0.2, "damping": 2 } } }"#,
+            "spring": { "strut": { "from": "ground.O", "to": "table.origin", "damping": 2, "force": 15 } } }"#,
     ),
 ];
 
@@ -240,7 +240,7 @@ const ELASTIC: &str = r#"
     "shaft": { "kind": "shaft", "input": "motor", "inertia": 0.01, "stiffness": 3000, "damping_capacity": 0.2, "masses": 2 },
     "m": { "from": "linkage/slider-crank", "input": "shaft", "gravity": true, "position": { "ratio": 0.5 },
         "forces": {
-            "spring": { "strut": { "from": "ground.O", "to": "slide.origin", "rate": 900, "free_length": 0.15, "damping": 8 } },
+            "spring": { "strut": { "from": "ground.O", "to": "slide.origin", "rate": 900, "free_length": 0.15, "damping": 8, "force": -40 } },
             "cut": { "table": { "point": "slide.origin", "direction": "180 deg", "points": [[0, 0], [2, 60], [4, 0]], "period": 6.283185307179586 } } } },
     "tool": { "kind": "slider", "input": "m.slide", "position": { "ratio": 1.5 }, "inertia": 0.4, "stiffness": 2e5, "damping_capacity": 0.1, "masses": 2 }"#;
 
