@@ -60,6 +60,7 @@ fn linkage() -> Linkage {
         rate: 100.0,
         free_length: 0.2,
         damping: 3.0,
+        force: -20.0,
     };
     let follower = ForceLaw::Force {
         point: at(plate, o),

@@ -177,7 +177,7 @@ const OTHERS: [(&str, &str); 3] = [
             "slot": { "sliding": { "guide": "yoke.origin", "direction": "80 deg", "block": "block.origin" } },
             "guide": { "sliding": { "guide": "ground.O", "direction": "10 deg", "block": "yoke.origin" } } },
         "forces": {
-            "spring": { "strut": { "from": "ground.P", "to": "yoke.E", "rate": 400, "free_length": 0.1, "damping": 3 } },
+            "spring": { "strut": { "from": "ground.P", "to": "yoke.E", "rate": 400, "free_length": 0.1, "damping": 3, "force": -25 } },
             "load": { "force": { "point": "yoke.E", "force": [-5, 2] } },
             "turning": { "force": { "point": "crank.A", "force": [3, 1], "follows": true } } }"#,
     ),
@@ -209,7 +209,7 @@ const OTHERS: [(&str, &str); 3] = [
             "sleeve": { "sliding": { "guide": "rod.origin", "direction": "70 deg", "block": "table.origin", "angle": "-60 deg" } },
             "guide": { "sliding": { "guide": "ground.P", "direction": "10 deg", "block": "table.origin" } } },
         "forces": {
-            "spring": { "strut": { "from": "ground.O", "to": "table.origin", "rate": 200, "free_length": 0.2, "damping": 2 } } }"#,
+            "spring": { "strut": { "from": "ground.O", "to": "table.origin", "damping": 2, "force": 15 } } }"#,
     ),
 ];
 
@@ -240,7 +240,7 @@ const ELASTIC: &str = r#"
     "shaft": { "kind": "shaft", "input": "motor", "inertia": 0.01, "stiffness": 3000, "damping_capacity": 0.2, "masses": 2 },
     "m": { "from": "linkage/slider-crank", "input": "shaft", "gravity": true, "position": { "ratio": 0.5 },
         "forces": {
-            "spring": { "strut": { "from": "ground.O", "to": "slide.origin", "rate": 900, "free_length": 0.15, "damping": 8 } },
+            "spring": { "strut": { "from": "ground.O", "to": "slide.origin", "rate": 900, "free_length": 0.15, "damping": 8, "force": -40 } },
             "cut": { "table": { "point": "slide.origin", "direction": "180 deg", "points": [[0, 0], [2, 60], [4, 0]], "period": 6.283185307179586 } } } },
     "tool": { "kind": "slider", "input": "m.slide", "position": { "ratio": 1.5 }, "inertia": 0.4, "stiffness": 2e5, "damping_capacity": 0.1, "masses": 2 }"#;
 
@@ -302,4 +302,40 @@ fn energy_is_balanced_by_every_method_through_shaft_linkage_and_tool() {
     }
     approx::assert_abs_diff_eq!(found[0], found[1], epsilon = 1e-8);
     approx::assert_abs_diff_eq!(found[0], found[2], epsilon = 1e-8);
+}
+
+/// Forces of a given motion that overflow: the run is no success.
+#[test]
+fn forces_that_are_no_numbers_end_a_run_as_a_numerical_failure() {
+    let scene_with = |drive: &str, rate: &str, free: &str| {
+        scene_of(&format!(
+            r#""motor": {{ "kind": "drive", {drive} }},
+            "m": {{ "from": "linkage/slider-crank", "input": "motor", "forces": {{ "spring": {{
+                "strut": {{ "from": "ground.O", "to": "slide.origin", "rate": {rate}, "free_length": {free} }} }} }} }}"#
+        ))
+    };
+    let given = r#""motion": { "speed": 12 }"#;
+    let free = r#""motor": { "inertia": 0.05, "speed": 12, "torque": { "constant": 1 } }"#;
+    // At once; on the way, where the slide draws in; and with a motor.
+    for (drive, rate, length, at_start) in [
+        (given, "1e308", "100", true),
+        (given, "1e308", "2.03", false),
+        (free, "1e308", "100", true),
+    ] {
+        let scene = read(&scene_with(drive, rate, length), &[]);
+        let system = System::new(lower(&scene).expect("a model")).expect("a system");
+        let settings = RunSettings::of(&scene).expect("settings");
+        let result = run(&system, &settings, &Control::default(), &mut []).expect("a run");
+        let summary = &result.figures.run;
+        assert!(!result.is_complete() && !summary.complete && !result.is_trusted());
+        assert_eq!(summary.stopped.as_deref(), Some("not_finite"));
+        assert!(summary.energy_error.is_finite());
+        assert_eq!(summary.time == 0.0, at_start, "{}", summary.time);
+        assert_eq!(result.record.times.is_empty(), at_start);
+        let object = &result.figures.objects["m"];
+        approx::assert_relative_eq!(object.peak_speed, 12.0, max_relative = 1e-12);
+        assert_eq!(object.peak_reaction.is_finite(), !at_start);
+        let mut columns = result.record.columns.iter().flat_map(|c| &c.values);
+        assert!(columns.all(|value| value.is_finite()));
+    }
 }

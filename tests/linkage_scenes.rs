@@ -277,3 +277,35 @@ fn the_ends_of_a_travel_belong_to_it() {
         "{warning}"
     );
 }
+
+/// A piston that arrives at the end of its travel with hardly any speed: a
+/// tenth of a micrometre before the top of its 3-4-5 law. The stop lies where
+/// the law reaches it, not where a parabola from a little before would.
+#[test]
+fn an_end_of_travel_is_told_where_the_law_reaches_it() {
+    let plan = r#""motion": { "plan": { "stations": [
+        { "at": 0, "displacement": 0.9, "motion": "3-4-5" },
+        { "at": 1, "displacement": 1.4000001, "motion": "3-4-5" } ], "period": 3 } }"#;
+    let steady = r#""motion": { "speed": 0.05, "displacement": 0.9 }"#;
+    let text = BOOM.replace(steady, plan);
+    assert_ne!(text, BOOM);
+    // What is left of the way at u = 1 − t: 10u³ − 15u⁴ + 6u⁵ of 0.5000001 m.
+    let left = |u: f64| 0.500_000_1 * u.powi(3) * (10.0 - 15.0 * u + 6.0 * u * u) - 1e-7;
+    let (mut low, mut high) = (0.0, 0.1);
+    for _ in 0..60 {
+        let middle = 0.5 * (low + high);
+        if left(middle) < 0.0 {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    for tolerance in ["1e-4", "1e-6", "1e-9"] {
+        let result = solve(&read(&text, &[&format!("run.tolerance={tolerance}")]));
+        assert_eq!(result.figures.run.stopped.as_deref(), Some("end_of_travel"));
+        // The lengths of the law and the travel are known to 1e-16 m of 1e-7 m.
+        approx::assert_abs_diff_eq!(result.figures.run.time, 1.0 - high, epsilon = 1e-9);
+        let why = result.figures.run.stopped_because.as_deref().unwrap_or("");
+        assert!(why.contains("the end of its travel"), "{why}");
+    }
+}

@@ -86,7 +86,7 @@ pub(super) fn warnings_of(
     let mut warnings = Vec::new();
     // What locks at the very start has no accelerations there, and says so.
     let locks = run.time == 0.0 && run.stopped.as_deref() == Some("self_locking");
-    if (recorded.not_finite && !locks) || !recorded.audit.error().is_finite() {
+    if (recorded.failure.is_some() && !locks) || !recorded.audit.error().is_finite() {
         warnings.push(Warning::NotFinite);
     }
     let (error, bound) = (run.energy_error, EnergyAudit::bound(settings.tolerance));

@@ -190,6 +190,11 @@ impl Dynamics for Driven<'_> {
         self.system.stop_at(time, edge)
     }
 
+    fn given_signal(&self, signal: usize, time: f64) -> Option<[f64; 2]> {
+        let own = signal.checked_sub(usize::from(self.idle))?;
+        self.system.given_signal(own, time)
+    }
+
     fn switch(
         &self,
         time: f64,

@@ -9,7 +9,8 @@ use super::warning::Warning;
 use crate::fault::Fault;
 use crate::integrate::{Dynamics, Limits, Method, Outcome, Settings, Sink, Stop, integrate};
 use crate::record::{
-    EnergyAudit, Figures, Record, Recorder, RecorderSettings, Tee, choose_window, drive_cycle,
+    EnergyAudit, Figures, Record, Recorded, Recorder, RecorderSettings, Tee, choose_window,
+    drive_cycle,
 };
 use crate::system::{InitialState, System};
 
@@ -95,6 +96,10 @@ fn why_not(result: &RunResult) -> String {
                 result.outcome.time
             )
         }
+        Stop::NotFinite { what } => format!(
+            "exact propagation met what is no finite number at t = {} s ({what})",
+            result.outcome.time
+        ),
         _ => "the energies of exact propagation do not balance".to_owned(),
     }
 }
@@ -145,7 +150,8 @@ fn attempt(
         },
         None => follow(system, &initial, duration, &plan, &limits, sink),
     };
-    let recorded = recorder.finish();
+    let mut recorded = recorder.finish();
+    let outcome = stopped_at_failure(outcome, &mut recorded);
     let run = summary(settings, &outcome, choice, &recorded, window);
     let known_before = system.model().warnings.iter().cloned();
     let mut warnings: Vec<Warning> = known_before
@@ -163,6 +169,35 @@ fn attempt(
         audit: recorded.audit,
         warnings,
     })
+}
+
+/// A run ends where its forces stop being numbers, though its motion goes on:
+/// of a given motion they are only looked at. A mechanism that stops by itself,
+/// or a method that gave up, has its own reason.
+fn stopped_at_failure(outcome: Outcome, recorded: &mut Recorded) -> Outcome {
+    let Some(failure) = &recorded.failure else {
+        return outcome;
+    };
+    if failure.time == 0.0 && !matches!(outcome.stop, Stop::Physical(_)) {
+        // The motion at the start is known, what it takes is not.
+        for figures in &mut recorded.figures {
+            (figures.peak_acceleration, figures.peak_reaction) = (f64::NAN, f64::NAN);
+        }
+    }
+    match outcome.stop {
+        Stop::Complete
+        | Stop::WallClock { .. }
+        | Stop::Interrupted
+        | Stop::TooManySteps { .. }
+        | Stop::TooManySwitches { .. } => Outcome {
+            time: failure.time,
+            stop: Stop::NotFinite {
+                what: failure.what.clone(),
+            },
+            ..outcome
+        },
+        _ => outcome,
+    }
 }
 
 /// Integrates, or follows the drives when there is nothing to integrate.

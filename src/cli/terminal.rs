@@ -22,14 +22,14 @@ fn headline(text: &mut String, figures: &Figures) {
     let run = &figures.run;
     let _ = writeln!(
         text,
-        "{} s by {} at tolerance {:e}: {} steps, {} evaluations, {} switches, energy error {:.1e}",
+        "{} s by {} at tolerance {:e}: {} steps, {} evaluations, {} switches, energy error {}",
         number(run.time),
         run.method,
         run.tolerance,
         run.steps,
         run.evaluations,
         run.switches,
-        run.energy_error
+        share(run.energy_error)
     );
     let _ = writeln!(text, "method: {}", run.why);
     if !run.complete {
@@ -44,6 +44,15 @@ fn headline(text: &mut String, figures: &Figures) {
             let _ = writeln!(text, "window: none, {reason}");
         }
         (None, None) => {}
+    }
+}
+
+/// A share of something, to two digits.
+fn share(value: f64) -> String {
+    if value.is_finite() {
+        format!("{value:.1e}")
+    } else {
+        number(value)
     }
 }
 
@@ -121,7 +130,9 @@ fn pair_rows(
 /// A number as people read it: plain where it is short, else with a power of ten.
 pub(crate) fn number(value: f64) -> String {
     let magnitude = value.abs();
-    if value == 0.0 {
+    if !value.is_finite() {
+        "not a number".to_owned()
+    } else if value == 0.0 {
         "0".to_owned()
     } else if (1e-3..1e6).contains(&magnitude) {
         let leading = magnitude.log10().floor() as i32;
@@ -152,6 +163,8 @@ mod tests {
             (1e-4, "1.000000e-4"),
             (98.699696930596, "98.6997"),
             (1.2345e7, "1.234500e7"),
+            (f64::NAN, "not a number"),
+            (f64::INFINITY, "not a number"),
         ] {
             assert_eq!(number(value), text);
         }

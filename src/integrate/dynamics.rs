@@ -239,6 +239,12 @@ pub trait Dynamics: Sync {
         }
     }
 
+    /// Value and rate of a signal at `time` where it is a given function of time,
+    /// whatever the state; `None` (default) elsewhere.
+    fn given_signal(&self, _signal: usize, _time: f64) -> Option<[f64; 2]> {
+        None
+    }
+
     /// Changes the modes for a switch located at (`time`, `y`), and the state where
     /// the new modes bind it (by no more than it is uncertain by).
     ///

@@ -14,6 +14,8 @@
 //! extrapolated from there. On the way steps get shorter in proportion to z,
 //! whatever the method makes of its error.
 
+mod given;
+
 use super::continuous::End;
 use super::evaluator::Evaluator;
 use super::locate::Stretch;
@@ -270,7 +272,13 @@ impl<D: Dynamics> Run<'_, D> {
     pub(super) fn end_at(&mut self, edge: &Edge) -> Verdict {
         let approach = Approach::of(edge, &self.from);
         let even = -2.0 * approach.distance / approach.rate;
-        let time = self.from.time + approach.time_to(0.0).unwrap_or(even);
+        let expected = approach.time_to(0.0).unwrap_or(even);
+        let far = 2.0 * self.close(edge).max(approach.distance);
+        let span = [self.from.time, self.edges.end];
+        let given = self
+            .left_on_law(edge)
+            .and_then(|left| given::arrival(left, span, expected, far));
+        let time = given.unwrap_or(self.from.time + expected);
         if time > self.edges.end {
             // It is not reached any more.
             self.edges.list.retain(|other| other != edge);

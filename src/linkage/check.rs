@@ -216,12 +216,14 @@ fn law(spec: &LinkageSpec, path: &str, law: &ForceLaw, found: &mut Faults) {
             rate,
             free_length,
             damping,
+            force,
         } => {
             point(spec, &under("from"), from, found);
             point(spec, &under("to"), to, found);
             found.not_negative(&under("rate"), *rate);
             found.not_negative(&under("free_length"), *free_length);
             found.not_negative(&under("damping"), *damping);
+            found.finite(&under("force"), *force);
             if from.link == to.link {
                 found.add(
                     path,

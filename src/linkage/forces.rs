@@ -28,9 +28,11 @@ impl Linkage {
                 rate,
                 free_length,
                 damping,
+                force,
             } => {
                 let length = distance(*from, *to, workspace);
-                spring_and_damper(length, *rate, *free_length, *damping)
+                let part = spring_and_damper(length, *rate, *free_length, *damping);
+                with_tension(part, length, *force)
             }
             ForceLaw::Torsion {
                 pair,
@@ -99,6 +101,18 @@ fn spring_and_damper(x: Jet, rate: f64, free: f64, damping: f64) -> Part {
             2.0 * damping * x.first * x.second,
         ],
     }
+}
+
+/// Adds a constant tension over the length: V = force·length.
+fn with_tension(mut part: Part, length: Jet, force: f64) -> Part {
+    for (sum, order) in part
+        .potential
+        .iter_mut()
+        .zip([length.value, length.first, length.second])
+    {
+        *sum += force * order;
+    }
+    part
 }
 
 fn constant_force(point: PointOf, force: [f64; 2], follows: bool, workspace: &Workspace) -> Part {

@@ -146,8 +146,9 @@ pub struct ForceSpec {
 /// Laws of force of a linkage.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ForceLaw {
-    /// A spring and damper in parallel between two points: tension
-    /// N = rate·(l − free_length) + damping·l̇.
+    /// A spring, a damper and a constant force in parallel between two points:
+    /// tension N = rate·(l − free_length) + damping·l̇ + force, which pulls the
+    /// ends together. Where the ends meet it has no direction and is taken as zero.
     Strut {
         /// One end.
         from: PointOf,
@@ -159,6 +160,9 @@ pub enum ForceLaw {
         free_length: f64,
         /// Damping ≥ 0 (N·s/m).
         damping: f64,
+        /// Constant part of the tension (N): positive pulls the ends together,
+        /// negative presses them apart, as a gas spring does.
+        force: f64,
     },
     /// A constant force on a point.
     Force {

@@ -3,6 +3,9 @@
 use super::peaks::WEIGHTS;
 use crate::system::{Energy, Power};
 
+/// Places of a step whose powers count in the balance.
+pub(crate) const WEIGHTED: std::ops::RangeInclusive<usize> = 1..=5;
+
 /// The part of the greatest elastic energy that the balance is never measured
 /// against less than: a mechanism at rest under load has a balance of rounding
 /// errors only.

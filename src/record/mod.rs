@@ -21,7 +21,7 @@ pub use audit::EnergyAudit;
 pub use figures::{
     Figures, FinalState, JointFigures, ObjectFigures, PairFigures, RunSummary, Units,
 };
-pub use recorder::{Recorded, Recorder, RecorderSettings};
+pub use recorder::{Failure, Recorded, Recorder, RecorderSettings};
 pub use tee::Tee;
 pub use window::{choose_window, choose_window_of, drive_cycle};
 

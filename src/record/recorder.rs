@@ -1,6 +1,10 @@
 //! The listener that turns a run into a record and figures.
 
+mod failure;
 mod works;
+
+pub use failure::Failure;
+use failure::{is_sound, motion_of};
 
 use super::audit::{EnergyAudit, Ledger};
 use super::joints::JointTracker;
@@ -44,10 +48,10 @@ pub struct Recorded {
     pub audit: EnergyAudit,
     /// Rigid force-closed pairs: object, least contact force, when (s).
     pub margins: Vec<(usize, f64, f64)>,
-    /// True when a force or an acceleration was not a finite number at a state
-    /// that was. Nothing of such a step or sample is in the figures, the audit
+    /// The first force, acceleration or energy that was not a finite number at
+    /// a state that was. Nothing from that step on is in the figures, the audit
     /// and the record.
-    pub not_finite: bool,
+    pub failure: Option<Failure>,
 }
 
 /// Records a run of a system. Its memory is bounded by samples and switches.
@@ -72,7 +76,7 @@ pub struct Recorder<'s> {
     continues: bool,
     /// Ends of the parts of the present step between kinks of the powers.
     kinks: Vec<f64>,
-    not_finite: bool,
+    failure: Option<Failure>,
     /// Powers at the places of the present step, energies at its end.
     powers: [Power; 7],
     energy: Energy,
@@ -118,7 +122,7 @@ impl<'s> Recorder<'s> {
             states: vec![ObjectState::default(); 7 * count],
             continues: false,
             kinks: Vec::new(),
-            not_finite: false,
+            failure: None,
             powers: [Power::default(); 7],
             energy: Energy::default(),
             pieces: Pieces::default(),
@@ -163,6 +167,10 @@ impl<'s> Recorder<'s> {
                 .total_cmp(&b.from)
                 .then_with(|| a.object.cmp(&b.object))
         });
+        let audit = self.ledger.close();
+        if !audit.error().is_finite() {
+            self.fail(self.time, None);
+        }
         let (times, columns) = self.rows.into_columns();
         Recorded {
             record: Record {
@@ -172,9 +180,9 @@ impl<'s> Recorder<'s> {
                 separations: self.separations,
             },
             figures,
-            audit: self.ledger.close(),
+            audit,
             margins,
-            not_finite: self.not_finite,
+            failure: self.failure,
         }
     }
 
@@ -262,18 +270,21 @@ impl<'s> Recorder<'s> {
 
     /// Takes a step into account that has been observed.
     fn take_step(&mut self, step: &Step<'_>, modes: &Modes) {
+        if !self.observed_numbers(step.start) {
+            return;
+        }
         while let Some(time) = self.rows.due(step.end_time()) {
             let s = ((time - step.start) / step.length).clamp(0.0, step.end);
             let states = self.observer.at(step, s, modes);
-            self.not_finite |= !self.rows.sample_at(time, states);
+            let bad = states.iter().position(|state| !is_finite(state));
+            self.rows.sample_at(time, states);
+            if bad.is_some() {
+                return self.fail(step.start, bad);
+            }
         }
         let places = StepView::places(step.end);
         self.time = step.end_time();
-        self.continues = self.states.iter().all(is_finite);
-        if !self.continues {
-            self.not_finite = true;
-            return;
-        }
+        self.continues = true;
         self.see_window_edges(step, modes);
         self.balance_step(step, modes);
         let view = StepView {
@@ -303,11 +314,10 @@ impl Sink for Recorder<'_> {
         (self.start, self.time) = (time, time);
         let states = self.observer.state(time, y, modes);
         let finite = self.rows.sample_at(time, states);
-        self.not_finite |= !finite;
-        if finite {
-            for (tracker, state) in self.objects.iter_mut().zip(states) {
-                tracker.see(time, state);
-            }
+        let bad = states.iter().position(|state| !is_finite(state));
+        for (tracker, state) in self.objects.iter_mut().zip(states) {
+            let told = if finite { *state } else { motion_of(state) };
+            tracker.see(time, &told);
         }
         for pair in &mut self.pairs {
             pair.start(time, modes.0[pair.component]);
@@ -315,11 +325,18 @@ impl Sink for Recorder<'_> {
         for joints in &mut self.joints {
             joints.start(time, modes);
         }
-        self.ledger.open(self.observer.energy_of(time, y, modes));
+        let energy = self.observer.energy_of(time, y, modes);
+        if bad.is_some() {
+            self.fail(time, bad);
+        } else if !is_sound(&energy) {
+            self.fail(time, None);
+        } else {
+            self.ledger.open(energy);
+        }
     }
 
     fn step(&mut self, step: &Step<'_>, modes: &Modes) {
-        if step.end <= 0.0 {
+        if step.end <= 0.0 || self.failure.is_some() {
             return;
         }
         let (length, most) = (step.end * step.length, pieces::most(step.degree));
@@ -339,6 +356,9 @@ impl Sink for Recorder<'_> {
 
     fn switch(&mut self, event: &SwitchEvent<'_>) {
         self.continues = false;
+        if self.failure.is_some() {
+            return;
+        }
         for joints in &mut self.joints {
             joints.switch(event);
         }
@@ -364,7 +384,10 @@ impl Sink for Recorder<'_> {
         if any && self.settings.switch_rows {
             for modes in [event.before, event.after] {
                 let states = self.observer.state(event.time, event.y, modes);
-                self.not_finite |= !self.rows.push(event.time, states);
+                let bad = states.iter().position(|state| !is_finite(state));
+                if !self.rows.push(event.time, states) {
+                    self.fail(event.time, bad);
+                }
             }
         }
     }

@@ -276,6 +276,17 @@ impl Dynamics for System {
         self.end_of_reach(time, edge)
     }
 
+    fn given_signal(&self, signal: usize, time: f64) -> Option<[f64; 2]> {
+        let extra = signal.checked_sub(self.frozen.coordinates)?;
+        let node = *self.frozen.extra.get(extra)?;
+        let motion = self.frozen.steps.iter().find_map(|step| match step {
+            Step::Prescribed(drive) if drive.node == node => Some(&drive.motion),
+            _ => None,
+        })?;
+        let jet = motion.jet(motion.breaks().locate(time, 1.0), time);
+        Some([jet.value, jet.first])
+    }
+
     fn next_break(&self, time: f64, modes: &Modes) -> f64 {
         self.frozen.next_break(time, &modes.0)
     }

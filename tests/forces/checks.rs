@@ -35,6 +35,7 @@ fn springs() -> Vec<ForceSpec> {
             rate: 900.0,
             free_length: 0.2,
             damping: 15.0,
+            force: -70.0,
         },
         ForceLaw::Strut {
             from: point(Some(0), 0.02, 0.01),
@@ -42,6 +43,7 @@ fn springs() -> Vec<ForceSpec> {
             rate: 500.0,
             free_length: 0.0,
             damping: 0.0,
+            force: 0.0,
         },
         ForceLaw::Torsion {
             pair: 1,

@@ -6,6 +6,7 @@ mod jets;
 mod mechanisms;
 mod motion;
 mod scenes;
+mod struts;
 mod study;
 
 use dam::linkage::Linkage;

@@ -334,6 +334,7 @@ fn add_tool(spec: &mut LinkageSpec, slide: usize) {
         rate: 4000.0,
         free_length: 0.5,
         damping: 0.0,
+        force: 0.0,
     };
     spec.forces.push(ForceSpec {
         name: "spring".to_owned(),

@@ -204,13 +204,14 @@ impl Mechanism<'_> {
                     rate,
                     free_length,
                     damping,
+                    force,
                 } => {
                     let (from, to) = (self.point(from, state), self.point(to, state));
                     let span = minus(to.at, from.at);
                     let length = dot(span, span).sqrt();
                     let unit = span.map(|part| part / length);
                     let stretching = dot(unit, minus(to.speed, from.speed));
-                    let tension = rate * (length - free_length) + damping * stretching;
+                    let tension = rate * (length - free_length) + damping * stretching + force;
                     act(&from, unit.map(|part| part * tension));
                     act(&to, unit.map(|part| -part * tension));
                 }

@@ -31,8 +31,9 @@ pub struct CycleForces {
     pub loss: f64,
     /// Work lost in each pair (J).
     pub pair_losses: Vec<f64>,
-    /// 1 − loss over the work put in by the driver and the load, each if it
-    /// puts in any over the whole course; `None` where nothing is put in or the
+    /// 1 − loss over the work put in by the driver and by all that is applied
+    /// ([`Self::applied_work`]), each if it puts in any over the whole course;
+    /// `None` where nothing is put in or the
     /// course is no cycle.
     pub efficiency: Option<f64>,
     /// Mean driving force over time (N·m or N).

@@ -157,7 +157,7 @@ impl ForceStudy {
         let several = count(&|forces| forces.solved.solutions > 1);
         if several > 0 {
             warnings.push(format!(
-                "friction is so strong that {several} positions have more than one solution; the one reached from no friction is given"
+                "friction is so strong that {several} positions have more than one solution; the one reached from no friction is given, or, where that way leads to none, the one with the least friction"
             ));
         }
         let bad = count(&|forces| forces.solved.condition.is_some_and(|c| c > BAD_CONDITION));

@@ -133,26 +133,31 @@ impl Wrench {
     }
 }
 
-/// Pull of a strut on its start, towards its end.
+/// Pull of a strut on its start, towards its end; zero where both ends meet,
+/// which gives it no direction.
 fn strut(law: &ForceLaw, start: &PointPosition, end: &PointPosition, speed: f64) -> [f64; 2] {
     let &ForceLaw::Strut {
         rate,
         free_length,
         damping,
+        force,
         ..
     } = law
     else {
         return [0.0; 2];
     };
     let along = [end.place[0] - start.place[0], end.place[1] - start.place[1]];
-    if free_length == 0.0 && damping == 0.0 {
+    if free_length == 0.0 && damping == 0.0 && force == 0.0 {
         // Smooth where both ends meet: no direction is needed.
         return [rate * along[0], rate * along[1]];
     }
     let length = along[0].hypot(along[1]);
+    if length == 0.0 {
+        return [0.0; 2];
+    }
     let unit = [along[0] / length, along[1] / length];
     let lengthening = speed
         * (unit[0] * (end.first[0] - start.first[0]) + unit[1] * (end.first[1] - start.first[1]));
-    let tension = rate * (length - free_length) + damping * lengthening;
+    let tension = rate * (length - free_length) + damping * lengthening + force;
     [tension * unit[0], tension * unit[1]]
 }

@@ -21,6 +21,20 @@ pub struct Sensitivities {
     pub load: Vec<[f64; 3]>,
 }
 
+/// A sum of two terms that cancel but for rounding is zero below this share of them.
+const CANCELLED: f64 = 1e-13;
+
+/// The sum of two terms; zero where nothing but their rounding is left, as at a
+/// link whose mass does no work on the input.
+fn without_rounding([a, b]: [f64; 2]) -> f64 {
+    let sum = a + b;
+    if sum.abs() <= CANCELLED * (a.abs() + b.abs()) {
+        0.0
+    } else {
+        sum
+    }
+}
+
 impl Kinetostatics {
     /// Derivatives of the driving force at the position that
     /// [`Kinetostatics::solve`] solved last; `None` where the solution is not
@@ -43,7 +57,7 @@ impl Kinetostatics {
             let centre = &w.centres[link];
             let along =
                 |k: usize| centre.first[k] * a + centre.second[k] * v2 - self.spec.gravity[k];
-            row(link, 0) * along(0) + row(link, 1) * along(1)
+            without_rounding([row(link, 0) * along(0), row(link, 1) * along(1)])
         };
         let of_moment = |link: usize| {
             let frame = &w.links[link];
@@ -127,5 +141,19 @@ impl Kinetostatics {
         } else {
             error
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::without_rounding;
+
+    #[test]
+    fn what_cancels_but_for_rounding_is_zero() {
+        assert_eq!(without_rounding([0.1 + 0.2, -0.3]), 0.0);
+        assert_eq!(without_rounding([0.0, 0.0]), 0.0);
+        assert_eq!(without_rounding([1.0, -1.0 + 1e-12]), 1.0 + (-1.0 + 1e-12));
+        assert_eq!(without_rounding([0.0, 1e-30]), 1e-30);
+        assert!(without_rounding([f64::NAN, 1.0]).is_nan());
     }
 }

@@ -157,6 +157,7 @@ pub(super) fn andrews() -> Builder {
         rate: 4530.0,
         free_length: 0.07785,
         damping: 0.0,
+        force: 0.0,
     };
     Builder::new(&["k1", "k2", "k3", "k4", "k5", "k6", "k7"])
         .pin((GROUND, [0.0; 2]), (k[0], [0.0; 2]))

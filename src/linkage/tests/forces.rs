@@ -73,6 +73,7 @@ fn a_strut_pulls_towards_its_free_length_and_may_have_none() {
             rate: 8.0,
             free_length,
             damping: 2.0,
+            force: 0.0,
         })
     };
     // The chord 2·0.5·sin(q/2): V = 4·(sin(q/2) − l₀)², D = 2·cos²(q/2)/4.
@@ -97,6 +98,37 @@ fn a_strut_pulls_towards_its_free_length_and_may_have_none() {
             .chain(&folded.damping)
             .all(|x| x.is_finite())
     );
+}
+
+/// A constant force between the points: V = F·l, beside the spring's.
+#[test]
+fn a_strut_with_a_constant_force_has_the_potential_of_its_length() {
+    let strut = |rate, force| {
+        lever(ForceLaw::Strut {
+            from: at(GROUND, [0.5, 0.0]),
+            to: at(Some(0), [0.5, 0.0]),
+            rate,
+            free_length: 0.2,
+            damping: 0.0,
+            force,
+        })
+    };
+    for (rate, force) in [(0.0, 60.0), (0.0, -35.0), (8.0, -35.0)] {
+        for q in [0.3, 1.9, 3.0] {
+            let found = part(&strut(rate, force), q).potential;
+            // The chord l = sin(q/2), l′ = cos(q/2)/2, l″ = −l/4.
+            let (l, slope) = (f64::sin(0.5 * q), 0.5 * f64::cos(0.5 * q));
+            let stretch = l - 0.2;
+            let tension = rate * stretch + force;
+            let potential = 0.5 * rate * stretch * stretch + force * l;
+            approx::assert_abs_diff_eq!(found[0], potential, epsilon = 1e-13);
+            approx::assert_abs_diff_eq!(found[1], tension * slope, epsilon = 1e-13);
+            let second = rate * slope * slope - 0.25 * tension * l;
+            approx::assert_abs_diff_eq!(found[2], second, epsilon = 1e-13);
+        }
+    }
+    // Where the ends meet the force has no direction and does nothing.
+    assert_eq!(part(&strut(0.0, 60.0), 0.0).potential, [0.0; 3]);
 }
 
 #[test]

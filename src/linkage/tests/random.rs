@@ -176,6 +176,7 @@ pub(super) fn linkage(seed: u64, dyads: usize, forms: &[[bool; 3]]) -> Builder {
                 rate: 3.0,
                 free_length: 0.7,
                 damping: 0.4,
+                force: -1.7,
             })
             .force(ForceLaw::Force {
                 point: PointOf {

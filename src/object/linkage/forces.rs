@@ -73,7 +73,7 @@ fn law(
     let mut law = fields.one_of("its law");
     law.case(
         "strut",
-        "A spring and a damper between two points; positive force pulls them together.",
+        "A spring, a damper and a constant force between two points; tension pulls them together.",
         |slot| slot.record(|fields| strut(fields, names)),
     );
     law.case("force", "A constant force on a point.", |slot| {
@@ -110,6 +110,10 @@ fn strut(fields: &mut Fields<'_>, names: &Names) -> Option<ForceLaw> {
     let damping = fields.or("damping", "Damping", json!(0.0), |slot| {
         slot.quantity(q::LINEAR_DAMPING, Bounds::NOT_NEGATIVE)
     });
+    let doc = "Constant force besides, as of a gas spring or a cylinder: positive pulls the ends together, negative presses them apart";
+    let force = fields.or("force", doc, json!(0.0), |slot| {
+        slot.quantity(q::FORCE, Bounds::ANY)
+    });
     let (from, to) = (from?, to?);
     if from.link == to.link {
         let message = "both ends are on one link: the strut has a constant length";
@@ -122,6 +126,7 @@ fn strut(fields: &mut Fields<'_>, names: &Names) -> Option<ForceLaw> {
         rate: rate?,
         free_length: free?,
         damping: damping?,
+        force: force?,
     })
 }
 

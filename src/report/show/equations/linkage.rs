@@ -30,7 +30,16 @@ impl Parts {
         };
         for force in &spec.forces {
             match &force.law {
-                ForceLaw::Strut { rate, damping, .. } | ForceLaw::Torsion { rate, damping, .. } => {
+                ForceLaw::Strut {
+                    rate,
+                    damping,
+                    force,
+                    ..
+                } => {
+                    parts.potential |= *rate > 0.0 || *force != 0.0;
+                    parts.damping |= *damping > 0.0;
+                }
+                ForceLaw::Torsion { rate, damping, .. } => {
                     parts.potential |= *rate > 0.0;
                     parts.damping |= *damping > 0.0;
                 }
