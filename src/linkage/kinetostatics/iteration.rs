@@ -4,6 +4,7 @@
 //! returned where several exist. Where it cycles or runs away, it is damped,
 //! then Newton's method is tried with the present signs.
 
+use super::solve::TOO_GREAT;
 use super::workspace::ForceWorkspace;
 
 /// How the friction was found.
@@ -98,7 +99,7 @@ impl ForceWorkspace {
             let scale = self.scale();
             course.iterations += 1;
             course.change = if scale > 0.0 { change / scale } else { 0.0 };
-            if !change.is_finite() {
+            if !(change.is_finite() && scale < TOO_GREAT) {
                 return false;
             }
             // What is still to come, if every change is `ratio` times the last;
@@ -144,7 +145,7 @@ impl ForceWorkspace {
                     residual = self.next[a].abs();
                 }
             }
-            if !residual.is_finite() {
+            if !(residual.is_finite() && scale < TOO_GREAT) {
                 return false;
             }
             course.change = if scale > 0.0 { residual / scale } else { 0.0 };
