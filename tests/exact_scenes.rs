@@ -694,4 +694,12 @@ fn counts_of_switches_that_rounding_decides_are_marked() {
         assert!((a.0, a.1) == (b.0, b.1) || marked(&exact), "{a:?} {b:?}");
         assert!(!(marked(&exact) && capacity < 1e4), "{capacity}: marked");
     }
+    // Without a gap a pair goes from flank to flank at one instant: no such thing.
+    let (mut objects, mut run) = strongly_damped(0.1, 0.0, "static");
+    objects["rocker"]["stiffness"] = json!(1e7);
+    objects["rocker"]["pair"]["closure"] = json!("form");
+    run["duration"] = json!(0.1);
+    let (system, settings) = prepare(&objects, &run).expect("a system");
+    let exact = solve(&system, &settings, Method::Exact, 1e-9).expect("runs");
+    assert!(counts(&exact).0 > 3 && !marked(&exact));
 }

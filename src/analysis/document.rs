@@ -140,7 +140,10 @@ fn pair_warnings(model: &Model, object: usize, recorded: &Recorded, time: f64) -
             share: pair.separated_time / time,
         });
     }
-    if let Some((returns, time)) = returns(&pair.switch_times) {
+    // Without a gap a pair goes from flank to flank at one instant, and rightly.
+    let of_pair = model.pair(part);
+    let through = of_pair.is_some_and(|pair| pair.closure == Closure::Form && pair.gap == 0.0);
+    if let (false, Some((returns, time))) = (through, returns(&pair.switch_times)) {
         warnings.push(Warning::SwitchesUndetermined {
             object: part.id.clone(),
             returns,

@@ -4,7 +4,7 @@ use super::functional::Functional;
 use super::lanes::{Arith, Fused, Plain};
 use super::observe::Tracks;
 use super::problem::{Refusal, TreeProblem};
-use super::request::{ExactRun, Halt, Request};
+use super::request::{ExactRun, ExactSwitch, Halt, Request};
 use super::search::Step;
 use super::workspace::Workspace;
 
@@ -224,14 +224,13 @@ impl Workspace<'_> {
         Ok(())
     }
 
-    /// True when the pair that is about to switch has just switched at this very
-    /// instant: what decides is lost in rounding.
+    /// True when the pair that is about to switch back has just switched at this
+    /// very instant: what decides is lost in rounding.
     fn returns(&self, number: usize) -> bool {
+        let watch = self.watches[number];
+        let back = |last: &ExactSwitch| last.mass == watch.mass && last.before == watch.target;
         let last = self.out.switches.last();
-        self.stalled > 0
-            && last.is_some_and(|last| {
-                last.mass == self.watches[number].mass && last.time == self.at.0
-            })
+        self.stalled > 0 && last.is_some_and(|last| back(last) && last.time == self.at.0)
     }
 
     /// Lets modes leave that have died away.
