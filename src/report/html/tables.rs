@@ -6,6 +6,9 @@ use crate::report::quantity::{escape, scale, significant, with_unit};
 
 /// A value with its unit for reading, the full number on hover.
 fn cell(value: f64, unit: &str) -> String {
+    if value.is_nan() {
+        return format!("<td>{}</td>", significant(value, 6));
+    }
     let shown = scale(value, unit);
     let joint = if shown.unit.starts_with("10") {
         "·"
