@@ -132,7 +132,7 @@ fn methods(own: bool) -> Vec<Method> {
     let all = dam::analysis::methods::all_methods().into_iter();
     let fixed = |method| dam::analysis::methods::is_fixed_step(method);
     let foreign = |method| matches!(method, Method::Bdf | Method::TrBdf2 | Method::Esdirk34);
-    all.filter(|&method| !fixed(method) && !(own && foreign(method)))
+    all.filter(|&method| !(fixed(method) || own && foreign(method)))
         .collect()
 }
 
