@@ -24,7 +24,7 @@ const ABOUT: &str = "\
 From the model ready to 1000 samples of δ and all switch times (ode_solvers locates no
 switches), medians of repeated runs. Errors are the greatest of δ over the samples against
 a Taylor series of order 34 in quadruple precision, relative to max|δ|. Every solver has
-the loosest tolerance, in half decades from 1e-3 to 3e-13, that reaches the error; the
+the loosest tolerance, in half decades from 1e-2 to 3e-13, that reaches the error; the
 ratio is its time over `dam`'s: of medians, of least times, and in brackets what is aimed at.
 ";
 

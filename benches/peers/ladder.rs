@@ -39,7 +39,7 @@ pub(crate) struct Point {
 }
 
 /// The first and the last rung; rung r is the tolerance 10^(−r/2).
-const RUNGS: [u32; 2] = [6, 25];
+const RUNGS: [u32; 2] = [4, 25];
 
 /// Why a target is not reached.
 #[derive(Clone, Copy, Debug)]
