@@ -107,6 +107,7 @@ fn andrews() -> LinkageSpec {
             rate: 4530.0,
             free_length: 0.07785,
             damping: 0.0,
+            force: 0.0,
         },
     });
     spec

@@ -243,17 +243,22 @@ fn print_chart(found: &Study) {
     for line in &found.methods {
         for point in &line.points {
             println!(
-                "    {:9} {:8} {:28} error {:8.1e}, motion {:9.3} ms, {:8} evaluations, {:7} steps",
+                "    {:9} {:8} {:28} error {:>8}, motion {:>9} ms, {:8} evaluations, {:7} steps",
                 line.method.name(),
                 point.setting(),
                 format!("{:?}", point.verdict),
-                point.error.unwrap_or(f64::NAN),
-                1e3 * point.measured_seconds.unwrap_or(f64::NAN),
+                told(point.error, |error| format!("{error:.1e}")),
+                told(point.measured_seconds, |s| format!("{:.3}", 1e3 * s)),
                 point.evaluations.unwrap_or(0),
                 point.steps.unwrap_or(0),
             );
         }
     }
+}
+
+/// A number in words, or a dash where there is none.
+fn told(number: Option<f64>, words: impl Fn(f64) -> String) -> String {
+    number.map_or_else(|| "–".to_owned(), words)
 }
 
 impl Line {
@@ -300,10 +305,13 @@ impl Line {
         };
         let pair = |pair: &Pair| {
             let own = 1e3 * pair.auto;
-            let (name, best) = pair
-                .best
-                .map_or(("none", f64::NAN), |(method, s)| (method.name(), 1e3 * s));
-            let ratio = pair.ratio().unwrap_or(f64::NAN);
+            let Some((best, ratio)) = pair.best.zip(pair.ratio()) else {
+                return match markdown {
+                    true => format!("{own:.2} | none | –"),
+                    false => format!("{own:9.3} {:>9} {:9} {:>5}", "–", "none", "–"),
+                };
+            };
+            let (name, best) = (best.0.name(), 1e3 * best.1);
             match markdown {
                 true => format!("{own:.2} | {best:.2} {name} | {ratio:.2}"),
                 false => format!("{own:9.3} {best:9.3} {name:9} {ratio:5.2}"),
