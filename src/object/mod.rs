@@ -55,7 +55,7 @@ pub trait Object: fmt::Debug + Send + Sync {
         None
     }
 
-    /// Its chain, where [`numbers::set`] may set single numbers.
+    /// Its chain, where single numbers may be set in place.
     fn chain_mut(&mut self) -> Option<&mut ChainSpec> {
         None
     }
