@@ -213,10 +213,7 @@ mod tests {
         assert_eq!(kept(2, true), REGIMES);
         assert_eq!(kept(20, true), REGIMES);
         let [small, great] = [kept(50, true), kept(100, true)];
-        assert!(
-            great < REGIMES && 3 * great < small.max(4 * great),
-            "{small} {great}"
-        );
+        assert!(great < REGIMES && great < small, "{small} {great}");
         assert!(kept(100, false) > great);
     }
 }
