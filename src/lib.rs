@@ -5,6 +5,7 @@ pub mod breaks;
 pub mod cam;
 pub mod diagnostics;
 pub mod exact;
+pub mod expression;
 pub mod fault;
 pub mod graph;
 pub mod integrate;

@@ -55,6 +55,11 @@ impl Method {
         cfg!(feature = "diffsol") || !matches!(self, Self::Bdf | Self::TrBdf2 | Self::Esdirk34)
     }
 
+    /// Those of [`Method::ALL`] that this build has, in the same order.
+    pub fn available() -> impl Iterator<Item = Self> {
+        Self::ALL.into_iter().filter(|method| method.is_available())
+    }
+
     /// Name in scenes and results.
     pub fn name(self) -> &'static str {
         match self {
