@@ -1,157 +1,123 @@
 //! Linkages: an input node that carries the whole, and a node for each output.
 
-use super::Lowering;
 use super::reach::{DEAD, place, range};
+use super::spec::DrivenLinkage;
+use super::{Connected, ModelBuilder, Place};
 use crate::linkage::kinetostatics::Kinetostatics;
 use crate::linkage::spec::{PairKind, PairSpec};
 use crate::linkage::{Cause, Linkage, Reach};
-use crate::model::{Closure, DampingLaw, Law, LinkageBody, Node, NodeMotion, Pair};
-use crate::object::spec::DrivenLinkage;
+use crate::model::{Law, LinkageBody, NodeIndex, Pair};
 use crate::position::{LinkageOutput, Position, linkage_reach};
 use std::sync::Arc;
 
-impl Lowering<'_> {
-    /// Lowers a linkage: its structure is found here, and everything that is
-    /// wrong with it.
-    pub(super) fn linkage(&mut self, id: &str, spec: &DrivenLinkage) {
+impl ModelBuilder {
+    /// Lowers a linkage behind what an input hangs on (`None` where that has faults
+    /// of its own): its structure is found here, and everything that is wrong with it.
+    pub fn linkage(&mut self, at: &Place, input: Option<&Connected>, spec: &DrivenLinkage) {
         let position = Position::new(&spec.position);
         let linkage = Linkage::new(spec.linkage.clone());
         let (position, linkage) = match (position, linkage) {
             (Ok(position), Ok(linkage)) => (position, Arc::new(linkage)),
             (position, linkage) => {
                 if let Err(faults) = position {
-                    self.faults.absorb(&format!("{id}.position"), faults);
+                    self.faults(at, "position", faults);
                 }
                 if let Err(faults) = linkage {
-                    self.faults.absorb(id, faults);
+                    self.faults(at, "", faults);
                 }
                 return;
             }
         };
-        // Nothing to say about an object whose driver has faults itself.
-        let Some(input) = self.scene.objects[id].input.as_deref() else {
+        let Some(input) = input else {
             return;
         };
-        let Some(&driver) = self.outputs.get(input) else {
-            return;
-        };
-        if self.note_course(id, input, &position, 1.0).is_none() {
-            return;
-        }
-        let law = Law {
+        let law = |driver, position| Law {
             driver,
-            position: position.clone(),
+            position,
             lever: 1.0,
             track: None,
         };
-        self.within_reach(id, input, &position, &linkage);
+        let node = self.rigid(at, law(input.node, position.clone()), 0.0, Pair::default());
+        self.within_reach(at, node, input, &position, &linkage);
         let friction = match spec.joint_friction {
-            true => self.joint_friction(id, &linkage),
+            true => self.joint_friction(at, &linkage),
             false => None,
         };
-        let node = self.add_rigid(id, law);
-        let outputs = (0..spec.linkage.outputs.len())
-            .filter_map(|output| self.linkage_output(id, node, &linkage, output))
-            .collect();
-        let object = self.indices[id];
+        let outputs = spec.linkage.outputs.iter().enumerate();
+        let outputs = outputs.filter_map(|(index, output)| {
+            let position = Position::Linkage(LinkageOutput::new(&linkage, index));
+            self.output(at, &output.name, law(node, position))
+        });
+        let outputs = outputs.collect();
         self.model.linkages.push(LinkageBody {
             node,
             linkage,
             outputs,
             friction,
-            object,
+            object: at.object,
         });
     }
 
     /// The reactions that friction follows from; `None` where no pair rubs.
-    fn joint_friction(&mut self, id: &str, linkage: &Linkage) -> Option<Arc<Kinetostatics>> {
+    fn joint_friction(&mut self, at: &Place, linkage: &Linkage) -> Option<Arc<Kinetostatics>> {
         let kinetostatics = match Kinetostatics::new(linkage.spec()) {
             Ok(kinetostatics) => kinetostatics,
             Err(faults) => {
-                self.faults.absorb(id, faults);
+                self.faults(at, "", faults);
                 return None;
             }
         };
         for pair in linkage.spec().pairs.iter().filter(|pair| is_bare(pair)) {
-            self.model.warnings.push(format!(
-                "pin `{}` of `{id}` has a coefficient of friction and no `diameter`: it makes no \
+            self.warn(format!(
+                "pin `{}` of `{}` has a coefficient of friction and no `diameter`: it makes no \
                  moment",
-                pair.name
+                pair.name, at.id
             ));
         }
         if !kinetostatics.has_friction() {
-            self.model.warnings.push(format!(
-                "`joint_friction` of `{id}` does nothing: none of its pairs has friction"
+            self.warn(format!(
+                "`joint_friction` of `{}` does nothing: none of its pairs has friction",
+                at.id
             ));
             return None;
         }
         Some(Arc::new(kinetostatics))
     }
 
-    fn linkage_output(
-        &mut self,
-        id: &str,
-        driver: usize,
-        linkage: &Arc<Linkage>,
-        output: usize,
-    ) -> Option<usize> {
-        let position = Position::Linkage(LinkageOutput::new(linkage, output));
-        let name = format!("{id}.{}", linkage.spec().outputs[output].name);
-        self.note_course(&name, id, &position, 1.0)?;
-        let law = Law {
-            driver,
-            position,
-            lever: 1.0,
-            track: None,
-        };
-        Some(self.add_rigid(&name, law))
-    }
-
-    fn add_rigid(&mut self, id: &str, law: Law) -> usize {
-        self.model.objects[self.indices[id]].rigid_pair = Some(Pair {
-            closure: Closure::Bilateral,
-            gap: 0.0,
-            opens: 1.0,
-            law: DampingLaw::KelvinVoigt,
-        });
-        let motion = NodeMotion::Rigid { law };
-        self.add_output(
-            id,
-            Node {
-                inertia: 0.0,
-                motion,
-            },
-        )
-    }
-
     /// Checks that a linkage can be assembled at the start, and ends the run at
     /// its dead positions.
-    fn within_reach(&mut self, id: &str, input: &str, position: &Position, linkage: &Linkage) {
-        let (Some(start), Some(phi)) = (self.start_of(id), self.start_of(input)) else {
-            return;
-        };
+    fn within_reach(
+        &mut self,
+        at: &Place,
+        node: NodeIndex,
+        input: &Connected,
+        position: &Position,
+        linkage: &Linkage,
+    ) {
+        let (start, phi) = (self.start_of(node), self.start_of(input.node));
         let Some(reach) = linkage_reach(linkage) else {
             return;
         };
-        let own = self.model.objects[self.indices[id]].coordinate;
+        let own = self.owner(node).1;
         if !(reach.0 < start && start < reach.1) {
+            let driver = &input.output;
             let message = format!(
-                "it cannot be assembled at the start, with `{input}` at {}: its input coordinate \
+                "it cannot be assembled at the start, with `{driver}` at {}: its input coordinate \
                  would be {}",
-                place(phi, self.model.objects[self.indices[input]].coordinate),
+                place(phi, input.coordinate),
                 place(start, own)
             );
             let hint = format!(
-                "that must lie {}; start `{input}` elsewhere, or give another `assembly`",
+                "that must lie {}; start `{driver}` elsewhere, or give another `assembly`",
                 range(reach, own)
             );
-            self.faults.add(format!("{id}.start"), message, &hint);
+            self.fault(at, "start", message, &hint);
             return;
         }
         let jet = position.jet(0, 0.0);
         let ends = [reach.0, reach.1].map(|q| (q - jet.value) / jet.first);
         let of_driver = (ends[0].min(ends[1]), ends[0].max(ends[1]));
-        self.limit(id, input, of_driver, &ends_in_words(linkage));
+        self.limit(at, input.node, of_driver, &ends_in_words(linkage));
     }
 }
 

@@ -1,12 +1,12 @@
 //! Positions that cannot be assembled, found before the run.
 
-use super::Lowering;
+use super::{ModelBuilder, Place};
 use crate::breaks::Breaks;
+use crate::constraint::Constraint;
 use crate::jet::Jet;
-use crate::model::{Coordinate, Track, TrackSource};
+use crate::model::{Coordinate, Law, NodeIndex, Track, TrackSource};
 use crate::motion::DriveMotion;
-use crate::position::Position;
-use crate::scene::StartSpec;
+use crate::position::{OutOfReach, Position};
 
 /// What is at the ends of a reach.
 pub(super) const DEAD: &str = "in a dead position";
@@ -18,7 +18,7 @@ const MOST_INSTANTS: f64 = 200_000.0;
 #[derive(Clone, Debug)]
 pub(super) struct Course {
     /// Displacement at t = 0.
-    start: f64,
+    pub(super) start: f64,
     origin: Origin,
 }
 
@@ -28,8 +28,10 @@ enum Origin {
     Prescribed(DriveMotion),
     /// A motor: known at t = 0 only.
     Motor,
-    /// A law over the displacement of another object.
-    Follows(String, Step),
+    /// A law over the displacement of another node.
+    Follows(NodeIndex, Step),
+    /// A constraint over the displacements of several nodes.
+    Combines(Vec<NodeIndex>, Constraint),
 }
 
 /// One law on the way from the drive.
@@ -69,165 +71,182 @@ fn instant(motion: &DriveMotion, time: f64) -> Jet {
     motion.jet(motion.breaks().locate(time, 1.0), time)
 }
 
-/// The first time up to `duration` at which the displacement, from a drive's
-/// motion through the laws of `steps`, leaves an open interval; `None`: never.
-fn leaves(
-    motion: &DriveMotion,
-    steps: &[&Step],
-    (from, to): (f64, f64),
-    duration: f64,
-) -> Option<f64> {
-    if let (DriveMotion::Constant { speed, angle }, []) = (motion, steps) {
-        let edge = if *speed > 0.0 { to } else { from };
-        let time = (edge - angle) / speed;
-        return (time.is_finite() && time <= duration).then_some(time);
-    }
-    // One degree of the drive at a time, as far as that is affordable.
-    let speed = (0..=1000)
-        .map(|i| {
-            instant(motion, duration * f64::from(i) / 1000.0)
-                .first
-                .abs()
-        })
-        .fold(0.0, f64::max);
-    let most = (MOST_INSTANTS / (steps.len() + 1) as f64).max(1000.0);
-    let count = (speed * duration).to_degrees().clamp(1000.0, most) as u32;
-    let time = |index: u32| duration * f64::from(index) / f64::from(count);
-    // Beyond a dead position upstream the displacement is not a number, nor
-    // outside: that position is reported for the object upstream.
-    let outside = |time: f64| {
-        let drive = instant(motion, time).value;
-        let end = steps.iter().fold(drive, |at, step| step.displacement(at));
-        end <= from || end >= to
-    };
-    let index = (1..=count).find(|&index| outside(time(index)))?;
-    let (mut before, mut after) = (time(index - 1), time(index));
-    for _ in 0..60 {
-        let middle = 0.5 * (before + after);
-        if outside(middle) {
-            after = middle;
-        } else {
-            before = middle;
-        }
-    }
-    Some(after)
+/// A node's motion as far as it is prescribed.
+struct Way<'s> {
+    builder: &'s ModelBuilder,
+    node: NodeIndex,
+    /// The drives that it comes from.
+    drives: Vec<&'s DriveMotion>,
+    /// Number of laws on the way.
+    steps: usize,
 }
 
-impl<'a> Lowering<'a> {
-    /// Notes where an object will be on its law, and checks that its position
-    /// function exists there: at t = 0 (a fault), over the run where the motion
-    /// is known (a warning), and during the run (a stopping track).
-    pub(super) fn follow(
-        &mut self,
-        id: &str,
-        input: &str,
-        position: &Position,
-        lever: f64,
-    ) -> Option<()> {
-        let phi = self.start_of(input)?;
-        let coordinate = self.model.objects[self.indices[input]].coordinate;
-        match position.reach_from(phi) {
-            Ok(None) => {}
-            Ok(Some(reach)) => self.limit(id, input, reach, DEAD),
-            Err(outside) => {
-                let message = format!(
-                    "it cannot be assembled at the start, with `{input}` at {}",
-                    place(phi, coordinate)
-                );
-                let within: Vec<_> = outside
-                    .intervals
-                    .iter()
-                    .map(|&interval| range(interval, coordinate))
-                    .collect();
-                let hint = format!("start `{input}` {}", within.join(" or "));
-                self.faults.add(format!("{id}.position"), message, &hint);
-                return None;
+impl Way<'_> {
+    fn displacement(&self, time: f64) -> f64 {
+        self.builder.at(self.node, time)
+    }
+
+    /// The first time up to `duration` at which the displacement leaves an open
+    /// interval; `None`: never.
+    fn leaves(&self, (from, to): (f64, f64), duration: f64) -> Option<f64> {
+        if let ([DriveMotion::Constant { speed, angle }], 0) = (&self.drives[..], self.steps) {
+            let edge = if *speed > 0.0 { to } else { from };
+            let time = (edge - angle) / speed;
+            return (time.is_finite() && time <= duration).then_some(time);
+        }
+        // One degree of the fastest drive at a time, as far as that is affordable.
+        let speed = |time: f64| {
+            let speeds = self
+                .drives
+                .iter()
+                .map(|drive| instant(drive, time).first.abs());
+            speeds.fold(0.0, f64::max)
+        };
+        let speed = (0..=1000)
+            .map(|i| speed(duration * f64::from(i) / 1000.0))
+            .fold(0.0, f64::max);
+        let most = (MOST_INSTANTS / (self.steps + 1) as f64).max(1000.0);
+        let count = (speed * duration).to_degrees().clamp(1000.0, most) as u32;
+        let time = |index: u32| duration * f64::from(index) / f64::from(count);
+        // Beyond a dead position upstream the displacement is not a number, nor
+        // outside: that position is reported for the object upstream.
+        let outside = |time: f64| {
+            let end = self.displacement(time);
+            end <= from || end >= to
+        };
+        let index = (1..=count).find(|&index| outside(time(index)))?;
+        let (mut before, mut after) = (time(index - 1), time(index));
+        for _ in 0..60 {
+            let middle = 0.5 * (before + after);
+            if outside(middle) {
+                after = middle;
+            } else {
+                before = middle;
             }
         }
-        self.note_course(id, input, position, lever)
+        Some(after)
+    }
+}
+
+impl ModelBuilder {
+    /// Displacement of a node at t = 0.
+    pub fn start_of(&self, node: NodeIndex) -> f64 {
+        self.known[node].start
     }
 
-    /// Displacement at t = 0 of an object, or of an output of one.
-    pub(super) fn start_of(&self, input: &str) -> Option<f64> {
-        let on_law = self.courses.get(input)?.start;
-        Some(self.explicit_output(input).unwrap_or(on_law))
-    }
-
-    /// Notes where an object will be on its law.
-    pub(super) fn note_course(
-        &mut self,
-        id: &str,
-        input: &str,
-        position: &Position,
-        lever: f64,
-    ) -> Option<()> {
+    /// Where a node will be that follows a law.
+    pub(super) fn following(&self, law: &Law) -> Course {
         let step = Step {
-            position: position.clone(),
-            breaks: position.breaks(),
-            lever,
+            position: law.position.clone(),
+            breaks: law.position.breaks(),
+            lever: law.lever,
         };
-        let course = Course {
-            start: step.displacement(self.start_of(input)?),
-            origin: Origin::Follows(input.to_owned(), step),
-        };
-        self.courses.insert(id.to_owned(), Box::new(course));
-        Some(())
+        Course {
+            start: step.displacement(self.start_of(law.driver)),
+            origin: Origin::Follows(law.driver, step),
+        }
     }
 
-    /// The prescribed motion that an object follows, with the laws from there
-    /// to it in order; `None` behind a motor.
-    fn way<'s>(&'s self, mut id: &'s str) -> Option<(&'s DriveMotion, Vec<&'s Step>)> {
-        let mut steps = Vec::new();
-        loop {
-            match &self.courses.get(id)?.origin {
+    /// Notes that a position function does not exist where its driver starts.
+    pub(super) fn refuse_start(
+        &mut self,
+        at: &Place,
+        property: &str,
+        driver: NodeIndex,
+        outside: &OutOfReach,
+    ) {
+        let (input, coordinate) = self.owner(driver);
+        let message = format!(
+            "it cannot be assembled at the start, with `{input}` at {}",
+            place(self.start_of(driver), coordinate)
+        );
+        let within: Vec<_> = outside
+            .intervals
+            .iter()
+            .map(|&interval| range(interval, coordinate))
+            .collect();
+        let hint = format!("start `{input}` {}", within.join(" or "));
+        self.fault(at, property, message, &hint);
+    }
+
+    /// Where a node will be that several drive.
+    pub(super) fn combined(&self, drivers: &[NodeIndex], constraint: &Constraint) -> Course {
+        let starts: Vec<f64> = drivers.iter().map(|&node| self.start_of(node)).collect();
+        Course {
+            start: constraint.value(&starts),
+            origin: Origin::Combines(drivers.to_vec(), constraint.clone()),
+        }
+    }
+
+    fn origin(&self, node: NodeIndex) -> &Origin {
+        &self.courses[self.known[node].course].origin
+    }
+
+    /// Displacement at `time` of a node whose motion is prescribed; NaN of any other.
+    fn at(&self, node: NodeIndex, time: f64) -> f64 {
+        match self.origin(node) {
+            Origin::Prescribed(motion) => instant(motion, time).value,
+            Origin::Motor => f64::NAN,
+            Origin::Follows(driver, step) => step.displacement(self.at(*driver, time)),
+            Origin::Combines(drivers, constraint) => {
+                let places: Vec<f64> = drivers.iter().map(|&node| self.at(node, time)).collect();
+                constraint.value(&places)
+            }
+        }
+    }
+
+    /// The way to a node from the drives that prescribe its motion; `None` behind a
+    /// motor.
+    fn way(&self, node: NodeIndex) -> Option<Way<'_>> {
+        let (mut drives, mut steps) = (Vec::new(), 0);
+        let mut open = vec![node];
+        while let Some(node) = open.pop() {
+            match self.origin(node) {
                 Origin::Motor => return None,
-                Origin::Prescribed(motion) => {
-                    steps.reverse();
-                    return Some((motion, steps));
+                Origin::Prescribed(motion) => drives.push(motion),
+                Origin::Follows(driver, _) => {
+                    steps += 1;
+                    open.push(*driver);
                 }
-                Origin::Follows(input, step) => {
-                    steps.push(step);
-                    id = input;
+                Origin::Combines(drivers, _) => {
+                    steps += drivers.len();
+                    open.extend(drivers);
                 }
             }
         }
+        Some(Way {
+            builder: self,
+            node,
+            drives,
+            steps,
+        })
     }
 
     /// Ends the run where the driver leaves `reach`, and warns of it; `ends` says
     /// what is there.
-    pub(super) fn limit(&mut self, id: &str, input: &str, reach: (f64, f64), ends: &str) {
-        let object = self.indices[id];
-        let coordinate = self.model.objects[self.indices[input]].coordinate;
-        let duration = self.scene.run.duration;
+    pub(super) fn limit(&mut self, at: &Place, driver: NodeIndex, reach: (f64, f64), ends: &str) {
         let left = self
-            .way(input)
-            .and_then(|(motion, steps)| leaves(motion, &steps, reach, duration));
+            .way(driver)
+            .and_then(|way| way.leaves(reach, self.duration));
         if let Some(time) = left {
-            self.model.warnings.push(format!(
-                "`{id}` can be assembled only with `{input}` {}; its law leads out of that at \
+            let (input, coordinate) = self.owner(driver);
+            let warning = format!(
+                "`{}` can be assembled only with `{input}` {}; its law leads out of that at \
                  t = {time:.6} s, where the run stops {ends}",
+                at.id,
                 range(reach, coordinate)
-            ));
+            );
+            self.warn(warning);
         }
-        if let Some(&node) = self.outputs.get(input) {
-            self.model.tracks.push(Track {
-                source: TrackSource::Node(node),
-                breaks: Breaks {
-                    points: vec![reach.0, reach.1],
-                    period: None,
-                },
-                stops: true,
-                object,
-            });
-        }
-    }
-
-    /// Displacement of an object's last mass in an explicit start.
-    fn explicit_output(&self, id: &str) -> Option<f64> {
-        match &self.scene.run.start {
-            StartSpec::Explicit(states) => states.get(id)?.0.last().copied(),
-            _ => None,
-        }
+        self.model.tracks.push(Track {
+            source: TrackSource::Node(driver),
+            breaks: Breaks {
+                points: vec![reach.0, reach.1],
+                period: None,
+            },
+            stops: true,
+            object: at.object,
+        });
     }
 }
 
