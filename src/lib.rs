@@ -2,7 +2,9 @@
 
 pub mod analysis;
 pub mod breaks;
+pub mod builder;
 pub mod cam;
+pub mod constraint;
 pub mod diagnostics;
 pub mod exact;
 pub mod expression;

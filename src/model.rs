@@ -12,6 +12,7 @@
 //! rotor keeps its absolute angle.
 
 use crate::breaks::Breaks;
+use crate::constraint::Constraint;
 use crate::linkage::Linkage;
 use crate::linkage::kinetostatics::Kinetostatics;
 use crate::motion::DriveMotion;
@@ -107,6 +108,13 @@ pub enum NodeMotion {
         /// The constraint.
         law: Law,
     },
+    /// φ = G(φ₁, …, φₖ) of several drivers, no state of its own.
+    Constrained {
+        /// The drivers.
+        drivers: Vec<NodeIndex>,
+        /// G.
+        constraint: Constraint,
+    },
 }
 
 impl NodeMotion {
@@ -155,7 +163,7 @@ pub enum LinkBase {
     Mass(NodeIndex),
 }
 
-/// The kinematic pair of link 1.
+/// The kinematic pair of link 1; bilateral by default.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pair {
     /// How the pair is kept together.
@@ -166,6 +174,17 @@ pub struct Pair {
     pub opens: f64,
     /// Law of the contact force.
     pub law: DampingLaw,
+}
+
+impl Default for Pair {
+    fn default() -> Self {
+        Self {
+            closure: Closure::Bilateral,
+            gap: 0.0,
+            opens: 1.0,
+            law: DampingLaw::KelvinVoigt,
+        }
+    }
 }
 
 /// How a kinematic pair is kept together.
@@ -322,7 +341,7 @@ pub fn owner_of(address: &str, known: impl Fn(&str) -> bool) -> (&str, &str) {
 }
 
 /// What became of one of the scene's objects, or of an output of one.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct ObjectPart {
     /// Id in the scene; of an output `object.output`.
     pub id: String,
@@ -332,12 +351,55 @@ pub struct ObjectPart {
     pub coordinate: Coordinate,
     /// Its nodes, first mass first; one for a drive or a rigid object.
     pub nodes: Vec<NodeIndex>,
-    /// Index of the driving object in [`Model::objects`]; `None` for a drive.
-    pub driver: Option<usize>,
+    /// The node on which several inputs are combined, which its law follows.
+    pub combination: Option<NodeIndex>,
+    /// What drives it, in the order of its inputs; nothing drives a drive.
+    pub inputs: Vec<PartInput>,
     /// Its links, link 1 first; empty for a drive or a rigid object.
     pub links: Vec<usize>,
     /// The pair of a rigid object (an elastic object's is in its link 1).
     pub rigid_pair: Option<Pair>,
+}
+
+/// An input of an object part.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct PartInput {
+    /// Name of the port; empty of an output, which its own object drives.
+    pub port: String,
+    /// The driving object or output, index into [`Model::objects`].
+    pub driver: usize,
+}
+
+impl PartInput {
+    /// The inputs of an object behind one driver, or of a drive (`None`).
+    pub fn only(driver: Option<usize>) -> Vec<Self> {
+        let port = String::new();
+        driver
+            .map(|driver| Self { port, driver })
+            .into_iter()
+            .collect()
+    }
+}
+
+impl ObjectPart {
+    /// True of a drive, prescribed or with a motor: nothing drives it.
+    pub fn is_drive(&self) -> bool {
+        self.inputs.is_empty()
+    }
+
+    /// What drives an object with one input, index into [`Model::objects`]; `None` for
+    /// a drive, and where there are several.
+    pub fn driver(&self) -> Option<usize> {
+        match self.inputs[..] {
+            [ref only] => Some(only.driver),
+            _ => None,
+        }
+    }
+
+    /// True when one of the inputs hangs on that object part.
+    pub fn is_driven_by(&self, other: usize) -> bool {
+        self.inputs.iter().any(|input| input.driver == other)
+    }
 }
 
 /// The kind of an object part that is an output of another one.

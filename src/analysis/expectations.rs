@@ -184,7 +184,7 @@ mod tests {
     use crate::analysis::run::RunResult;
     use crate::analysis::testing::result_with;
     use crate::integrate::{PhysicalStop, Stop};
-    use crate::model::{Coordinate, Model, ObjectPart};
+    use crate::model::{Coordinate, Model, ObjectPart, PartInput};
     use crate::scene::{Expectation, Expected};
 
     fn judge(what: Expected, result: &RunResult) -> Verdict {
@@ -240,7 +240,8 @@ mod tests {
                 kind: "drive",
                 coordinate: Coordinate::Turning,
                 nodes: vec![0],
-                driver: None,
+                inputs: PartInput::only(None),
+                combination: None,
                 links: Vec::new(),
                 rigid_pair: None,
             }],

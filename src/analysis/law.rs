@@ -55,7 +55,7 @@ const STILL: f64 = 1e-12;
 /// The law that an object follows, and the index of its driver.
 fn followed(model: &Model, object: usize) -> Option<(&Law, usize)> {
     let part = &model.objects[object];
-    let driver = part.driver?;
+    let driver = part.driver()?;
     match &model.nodes[*part.nodes.first()?].motion {
         NodeMotion::Mass { law } | NodeMotion::Rigid { law } => Some((law, driver)),
         _ => None,

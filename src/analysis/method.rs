@@ -137,7 +137,7 @@ fn choose_beside(system: &System, settings: &RunSettings, mixed: Mixed) -> Choic
     held.sort();
     let others = own.model().objects.iter().enumerate();
     let moves = |object: usize| own.last_coordinate(object).is_some();
-    let others = others.filter(|(object, part)| part.driver.is_some() || moves(*object));
+    let others = others.filter(|(object, part)| !part.is_drive() || moves(*object));
     let because: Vec<String> = parts
         .refusals
         .iter()
@@ -229,7 +229,7 @@ fn driving_speeds(system: &System, duration: f64) -> impl Iterator<Item = f64> {
     let model = system.model();
     let drives = model.objects.iter().enumerate();
     drives
-        .filter(|(_, part)| part.driver.is_none())
+        .filter(|(_, part)| part.is_drive())
         .map(
             move |(object, part)| match &model.nodes[part.nodes[0]].motion {
                 NodeMotion::Prescribed { motion, .. } => {
@@ -245,6 +245,8 @@ fn driving_speeds(system: &System, duration: f64) -> impl Iterator<Item = f64> {
                     .map_or(0.0, |rotor| system.scales()[system.coordinates() + rotor]),
             },
         )
+        // A drive that is held has none.
+        .filter(|speed| *speed > 0.0)
 }
 
 /// Base frequencies √(c/J) (rad/s) of the objects whose vibration is part of

@@ -8,7 +8,6 @@ mod document;
 pub mod exact;
 pub mod expectations;
 pub mod forces;
-mod kinematic;
 pub mod kinematics;
 pub mod law;
 pub mod map;

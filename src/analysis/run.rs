@@ -2,7 +2,6 @@
 
 use super::document::{document, summary, warnings_of};
 use super::exact::follow_beside;
-use super::kinematic::{Driven, WithoutIdle, greatest_step};
 use super::method::{Choice, choose_general, choose_method};
 use super::settings::{Control, RunSettings};
 use super::warning::Warning;
@@ -200,7 +199,13 @@ fn stopped_at_failure(outcome: Outcome, recorded: &mut Recorded) -> Outcome {
     }
 }
 
-/// Integrates, or follows the drives when there is nothing to integrate.
+/// Steps in a turn of the drive where every motion is given: continuous output of
+/// order 6 is then exact to rounding for smooth laws.
+const STEPS_IN_CYCLE: f64 = 256.0;
+/// Steps in such a run at least.
+const STEPS_IN_RUN: f64 = 1024.0;
+
+/// Integrates; follows the drives, finely enough, when there is nothing to integrate.
 fn follow(
     system: &System,
     initial: &InitialState,
@@ -209,19 +214,12 @@ fn follow(
     limits: &Limits<'_>,
     sink: &mut dyn Sink,
 ) -> Outcome {
-    let (driven, modes) = (Driven::new(system), &initial.modes);
-    if system.coordinates() > 0 {
-        return integrate(
-            &driven, 0.0, duration, &initial.y, modes, plan, limits, sink,
-        );
+    let mut plan = plan.clone();
+    if system.coordinates() == 0 {
+        let cycle = drive_cycle(system.model()).map_or(f64::INFINITY, |c| c / STEPS_IN_CYCLE);
+        let greatest = cycle.min(duration / STEPS_IN_RUN);
+        plan.step = Some(plan.step.map_or(greatest, |step| step.min(greatest)));
     }
-    let greatest = greatest_step(duration, drive_cycle(system.model()).ok());
-    let plan = Settings {
-        step: Some(plan.step.map_or(greatest, |step| step.min(greatest))),
-        ..plan.clone()
-    };
-    let mut sink = WithoutIdle(sink);
-    integrate(
-        &driven, 0.0, duration, &[0.0; 2], modes, &plan, limits, &mut sink,
-    )
+    let InitialState { y, modes, .. } = initial;
+    integrate(system, 0.0, duration, y, modes, &plan, limits, sink)
 }

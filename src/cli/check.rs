@@ -52,6 +52,6 @@ pub(crate) fn command(args: &CheckArgs) -> Result<Status, Failure> {
 
 /// Prints the JSON Schema of scenes.
 pub(crate) fn schema() -> Status {
-    console::data(&dam::scene::schema_text());
+    console::data(&dam::scene::schema_text(&dam::object::Registry::standard()));
     Status::Answered
 }

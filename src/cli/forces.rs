@@ -299,10 +299,7 @@ fn behind<'m>(model: &'m Model, object: &str) -> Vec<&'m str> {
     let parts = model.objects.iter();
     parts
         .filter(|part| {
-            !own(&part.id)
-                && part
-                    .driver
-                    .is_some_and(|driver| own(&model.objects[driver].id))
+            !own(&part.id) && (part.inputs.iter()).any(|input| own(&model.objects[input.driver].id))
         })
         .map(|part| part.id.as_str())
         .collect()

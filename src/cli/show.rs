@@ -105,7 +105,7 @@ fn integrated(mixed: &Mixed) -> Vec<String> {
     let own = &mixed.rest.system;
     let parts = own.model().objects.iter().enumerate();
     let moves = |object: usize| own.last_coordinate(object).is_some();
-    let ids = parts.filter(|(object, part)| part.driver.is_some() || moves(*object));
+    let ids = parts.filter(|(object, part)| !part.is_drive() || moves(*object));
     ids.map(|(_, part)| part.id.clone()).collect()
 }
 
@@ -143,7 +143,10 @@ fn document(scene: &str, system: &System) -> serde_json::Value {
                 "id": object.id,
                 "kind": object.kind,
                 "coordinate": object.coordinate,
-                "driver": object.driver.map(|driver| &model.objects[driver].id),
+                "driver": object.driver().map(|driver| &model.objects[driver].id),
+                "drivers": (object.inputs.iter())
+                    .map(|input| &model.objects[input.driver].id)
+                    .collect::<Vec<_>>(),
                 "inertias": object.nodes.iter().map(|&node| model.nodes[node].inertia).collect::<Vec<_>>(),
                 "stiffnesses": object.links.iter().map(|&link| model.links[link].stiffness).collect::<Vec<_>>(),
                 "dampings": object.links.iter().map(|&link| model.links[link].damping).collect::<Vec<_>>(),

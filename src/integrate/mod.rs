@@ -12,6 +12,7 @@ mod diffsol_adapter;
 mod dynamics;
 mod edges;
 mod evaluator;
+mod given_motion;
 mod linear;
 mod locate;
 mod ode_solvers_adapter;
@@ -51,7 +52,8 @@ const EXACT_IS_NO_INTEGRATION: &str = "it propagates whole scenes and integrates
 ///
 /// `modes` are those just after `start`; breaks in time at `start` itself have
 /// been passed. Ends exactly at `end`, or earlier for the reason given in the
-/// outcome; what was computed up to then has reached the sink. Nothing panics:
+/// outcome; what was computed up to then has reached the sink. A system without
+/// coordinates is followed in equal steps, whatever the method. Nothing panics:
 /// a bad setting is a [`Stop::Method`], a state that is not a number a
 /// [`Stop::NotFinite`]. The same input gives the same calls of the sink, bit by
 /// bit, unless a wall-clock limit or an interrupt ends the run.
@@ -93,6 +95,7 @@ pub fn integrate<D: Dynamics>(
             run.skip_to_target();
         } else {
             match settings.method {
+                _ if y0.is_empty() => given_motion::leg(&mut run),
                 Method::Rk4 | Method::Dopri5 | Method::Dop853 => ode_solvers_adapter::leg(&mut run),
                 Method::Taylor => taylor::leg(&mut run),
                 Method::Rodas5p => rosenbrock::leg(&mut run),

@@ -1,31 +1,21 @@
-//! From objects to the model.
+//! From a scene to the model.
 //!
 //! Objects are taken drivers first, ids breaking ties, so that the model
 //! depends on the objects and their ids alone, not on their order in a file.
 
-mod chain;
-mod drive;
-mod linkage;
-mod load;
 mod order;
-mod pieces;
-mod reach;
+mod start;
 #[cfg(test)]
 mod tests;
 
-pub use chain::ChainParameters;
+pub use crate::builder::{ChainParameters, FREE_FALL};
 
-use crate::breaks::Breaks;
-use crate::fault::{Fault, Faults};
-use crate::model::{
-    ExplicitStart, Model, NodeIndex, OUTPUT, ObjectPart, Start, Track, TrackSource,
-};
-use crate::object::Description;
-use crate::scene::{Scene, StartSpec};
+use crate::builder::ModelBuilder;
+use crate::fault::Fault;
+use crate::graph::MechanismGraph;
+use crate::model::{Model, OUTPUT, ObjectPart, PartInput};
+use crate::scene::Scene;
 use std::collections::BTreeMap;
-
-/// Standard acceleration of free fall (m/s²), for weights.
-pub const FREE_FALL: f64 = 9.80665;
 
 /// Lowers a scene's objects to a model.
 ///
@@ -37,156 +27,70 @@ pub const FREE_FALL: f64 = 9.80665;
 /// # Errors
 /// Every fault found, with the property it lies in.
 pub fn lower(scene: &Scene) -> Result<Model, Vec<Fault>> {
-    let order = order::drivers_first(scene)?;
-    let mut lowering = Lowering::new(scene);
+    let graph = scene.graph();
+    let order = order::drivers_first(scene, &graph)?;
+    let explicit = start::displacements(scene);
+    let mut builder = ModelBuilder::new(parts(&graph), scene.run.duration, explicit);
     for id in order {
-        match scene.objects[id].object.description() {
-            Description::Drive(spec) => lowering.drive(id, spec),
-            Description::Chain(spec) => lowering.chain(id, spec),
-            Description::Linkage(spec) => lowering.linkage(id, spec),
+        let entry = &scene.objects[id];
+        let inputs = entry.connections.iter();
+        let inputs = inputs.map(|one| (one.port.as_str(), one.output.as_str()));
+        if let Some(place) = builder.place(id, inputs) {
+            entry.object.lower(&place, &mut builder);
         }
     }
-    lowering.start();
-    lowering.finish()
+    start::set(scene, &mut builder);
+    builder.finish()
 }
 
-/// The objects of a scene and their outputs, without nodes and drivers.
-fn parts(scene: &Scene) -> Vec<ObjectPart> {
+/// The objects of a mechanism and their outputs, without nodes, in the order of their
+/// ids.
+fn parts(graph: &MechanismGraph<'_>) -> Vec<ObjectPart> {
     let part = |id: String, kind, coordinate| ObjectPart {
         id,
         kind,
         coordinate,
         nodes: Vec::new(),
-        driver: None,
+        inputs: Vec::new(),
+        combination: None,
         links: Vec::new(),
         rigid_pair: None,
     };
     let mut parts = Vec::new();
-    for (id, entry) in &scene.objects {
-        let object = &entry.object;
-        parts.push(part(id.clone(), object.kind(), object.coordinate()));
-        if let Description::Linkage(spec) = object.description() {
-            for output in &spec.linkage.outputs {
-                let coordinate = spec.output_coordinate(&output.kind);
-                parts.push(part(format!("{id}.{}", output.name), OUTPUT, coordinate));
-            }
+    for vertex in graph.objects() {
+        let Some(object) = vertex.object else {
+            continue;
+        };
+        parts.push(part(
+            vertex.id.to_owned(),
+            object.kind(),
+            object.coordinate(),
+        ));
+        for port in object.ports().outputs.into_iter().skip(1) {
+            let id = format!("{}.{}", vertex.id, port.name);
+            parts.push(part(id, OUTPUT, port.coordinate.unwrap_or_default()));
         }
     }
-    parts
-}
-
-/// A model under construction.
-struct Lowering<'a> {
-    scene: &'a Scene,
-    model: Model,
-    faults: Faults,
-    /// Places of the objects and of their outputs in the order of their ids.
-    indices: BTreeMap<String, usize>,
-    /// Nodes of the last masses of the objects lowered so far, and of their
-    /// outputs.
-    outputs: BTreeMap<String, NodeIndex>,
-    /// The objects' motions as long as every mass follows its law, as far as
-    /// they are known beforehand; boxed, since a tree keeps room for several.
-    courses: BTreeMap<String, Box<reach::Course>>,
-}
-
-impl<'a> Lowering<'a> {
-    fn new(scene: &'a Scene) -> Self {
-        let mut parts = parts(scene);
-        parts.sort_by(|one, other| one.id.cmp(&other.id));
-        let indices: BTreeMap<String, usize> = (parts.iter().enumerate())
-            .map(|(index, part)| (part.id.clone(), index))
-            .collect();
-        for part in &mut parts {
-            let input = match scene.objects.get(&part.id) {
-                Some(entry) => entry.input.as_deref(),
-                // An output is driven by its own object.
-                None => part.id.split_once('.').map(|(id, _)| id),
-            };
-            part.driver = input.and_then(|input| indices.get(input)).copied();
-        }
-        Self {
-            scene,
-            model: Model {
-                objects: parts,
-                ..Model::default()
-            },
-            faults: Faults::default(),
-            indices,
-            outputs: BTreeMap::new(),
-            courses: BTreeMap::new(),
-        }
-    }
-
-    /// The track over these breaks, made when there is none yet; `None`: no breaks.
-    fn track(&mut self, source: TrackSource, breaks: Breaks, object: usize) -> Option<usize> {
-        if breaks.is_empty() {
-            return None;
-        }
-        let same = |track: &Track| track.source == source && track.breaks == breaks && !track.stops;
-        if let Some(found) = self.model.tracks.iter().position(same) {
-            return Some(found);
-        }
-        self.model.tracks.push(Track {
-            source,
-            breaks,
-            stops: false,
-            object,
-        });
-        Some(self.model.tracks.len() - 1)
-    }
-
-    /// Explicit starts, checked and by index.
-    fn start(&mut self) {
-        self.model.start = match &self.scene.run.start {
-            StartSpec::Kinetostatic => Start::Kinetostatic,
-            StartSpec::Static => Start::Static,
-            StartSpec::OnLaw => Start::OnLaw,
-            StartSpec::Explicit(states) => {
-                let mut explicit = Vec::new();
-                for (id, (displacement, speed)) in states {
-                    let path = format!("run.start.{id}");
-                    let Some(&object) = self.indices.get(id.as_str()) else {
-                        let message = format!("there is no object `{id}`");
-                        self.faults.add(path, message, "");
-                        continue;
-                    };
-                    self.check_start(object, &path, displacement, speed);
-                    explicit.push(ExplicitStart {
-                        object,
-                        displacement: displacement.clone(),
-                        speed: speed.clone(),
-                    });
-                }
-                Start::Explicit(explicit)
+    parts.sort_by(|one, other| one.id.cmp(&other.id));
+    let indices: BTreeMap<String, usize> = (parts.iter().enumerate())
+        .map(|(index, part)| (part.id.clone(), index))
+        .collect();
+    let input = |port: &str, output: &str| {
+        let driver = *indices.get(output)?;
+        let port = port.to_owned();
+        Some(PartInput { port, driver })
+    };
+    for part in &mut parts {
+        part.inputs = match part.id.split_once('.') {
+            // An output is driven by its own object.
+            Some((id, _)) => input("", id).into_iter().collect(),
+            None => {
+                let joints = graph.inputs(&part.id).into_iter();
+                joints
+                    .filter_map(|(_, joint)| input(joint.input, joint.output))
+                    .collect()
             }
         };
     }
-
-    fn check_start(&mut self, object: usize, path: &str, displacement: &[f64], speed: &[f64]) {
-        let nodes = &self.model.objects[object].nodes;
-        let free = |&&node: &&NodeIndex| self.model.nodes[node].motion.is_free();
-        let masses = nodes.iter().filter(free).count();
-        // An object with faults of its own has no nodes to compare with.
-        if masses == 0 && !nodes.is_empty() {
-            let message = "it has no masses of its own: its motion follows from its driver";
-            self.faults.add(path, message, "leave it out of the start");
-            return;
-        }
-        for (name, values) in [("displacement", displacement), ("speed", speed)] {
-            let path = format!("{path}.{name}");
-            if values.len() != masses && !nodes.is_empty() {
-                let message = format!("{} values for {masses} masses", values.len());
-                self.faults.add(&*path, message, "give one value a mass");
-            }
-            for (index, &value) in values.iter().enumerate() {
-                self.faults.finite(&format!("{path}[{index}]"), value);
-            }
-        }
-    }
-
-    fn finish(mut self) -> Result<Model, Vec<Fault>> {
-        self.faults.check()?;
-        Ok(self.model)
-    }
+    parts
 }

@@ -1,60 +1,74 @@
-//! The order in which objects are lowered.
+//! Whether every input of a scene's objects is connected, and the order in which the
+//! objects are lowered.
 
 use crate::fault::{Fault, Faults};
-use crate::object::Description;
+use crate::graph::MechanismGraph;
+use crate::object::{INPUT, object_of};
 use crate::scene::Scene;
-use std::collections::{BTreeMap, BTreeSet};
 
 /// The objects' ids, drivers before driven, the smallest id first among those
 /// that could come next.
 ///
 /// # Errors
-/// Inputs that name nothing, drives with and other objects without input, and
-/// circles. Scenes that were read have none of these.
-pub(super) fn drivers_first(scene: &Scene) -> Result<Vec<&str>, Vec<Fault>> {
-    check_inputs(scene)?;
-    let mut order = Vec::with_capacity(scene.objects.len());
-    let mut ready: BTreeSet<&str> = BTreeSet::new();
-    let mut followers: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
-    for (id, entry) in &scene.objects {
-        match entry.driver() {
-            None => {
-                ready.insert(id);
-            }
-            Some(input) => followers.entry(input).or_default().push(id),
-        }
-    }
-    while let Some(id) = ready.pop_first() {
-        order.push(id);
-        ready.extend(followers.remove(id).unwrap_or_default());
-    }
-    // Whoever waits for an object that was never taken is left over.
-    let left: BTreeSet<&str> = followers.into_values().flatten().collect();
-    let mut faults = Faults::default();
-    for id in left {
-        let message = format!("no drive moves `{id}`: its inputs run in a circle");
-        let hint = "let the chain of inputs begin at a drive";
-        faults.add(format!("{id}.input"), message, hint);
-    }
-    faults.check()?;
-    Ok(order)
+/// Inputs that name nothing, connections without an input and inputs without a
+/// connection, and circles. Scenes that were read have none of these.
+pub(super) fn drivers_first<'s>(
+    scene: &'s Scene,
+    graph: &MechanismGraph<'s>,
+) -> Result<Vec<&'s str>, Vec<Fault>> {
+    check_inputs(scene, graph)?;
+    graph.order().map_err(|left| {
+        let fault = |id: &str| {
+            let message = format!("no drive moves `{id}`: its inputs run in a circle");
+            let hint = "let the chain of inputs begin at a drive";
+            let ports = scene.objects[id].object.ports().inputs;
+            let first = ports.first().map_or(INPUT, |port| &port.name);
+            Fault::new(property(id, first), message, hint)
+        };
+        left.into_iter().map(fault).collect()
+    })
 }
 
-fn check_inputs(scene: &Scene) -> Result<(), Vec<Fault>> {
+/// Address of the property that connects an input port.
+fn property(id: &str, port: &str) -> String {
+    match port {
+        INPUT => format!("{id}.{INPUT}"),
+        _ => format!("{id}.inputs.{port}.object"),
+    }
+}
+
+fn check_inputs(scene: &Scene, graph: &MechanismGraph<'_>) -> Result<(), Vec<Fault>> {
     let mut faults = Faults::default();
     for (id, entry) in &scene.objects {
-        let path = format!("{id}.input");
-        match (entry.object.description(), entry.driver()) {
-            (Description::Drive(_), Some(_)) => {
-                faults.add(path, "a drive has no input", "leave `input` out");
+        let ports = entry.object.ports().inputs;
+        for port in &ports {
+            if entry.connection(&port.name).is_none() {
+                let message = "it is driven by nothing";
+                faults.add(property(id, &port.name), message, "name its driver");
             }
-            (Description::Chain(_) | Description::Linkage(_), None) => {
-                faults.add(path, "it is driven by nothing", "name its driver");
+        }
+        for connection in &entry.connections {
+            if !ports.iter().any(|port| port.name == connection.port) {
+                let (message, hint) = match ports.is_empty() {
+                    true => ("a drive has no input".to_owned(), "leave `input` out"),
+                    false => (format!("it has no input `{}`", connection.port), ""),
+                };
+                faults.add(property(id, &connection.port), message, hint);
             }
-            (_, Some(input)) if !scene.objects.contains_key(input) => {
-                faults.add(path, format!("there is no object `{input}`"), "");
+        }
+        for end in graph.dangling().iter().filter(|end| end.id == id) {
+            if ports.is_empty() {
+                continue; // said already
             }
-            _ => {}
+            let object = object_of(end.output);
+            let message = match scene.objects.contains_key(object) {
+                true => format!(
+                    "`{object}` has no output `{}`",
+                    &end.output[object.len() + 1..]
+                ),
+                false => format!("there is no object `{object}`"),
+            };
+            faults.add(property(id, end.input), message, "");
         }
     }
     faults.check()

@@ -21,7 +21,7 @@ const SURFACES: [(&str, Surface); 3] = [
 pub(super) fn read(
     fields: &mut Fields<'_>,
     coordinate: Option<Coordinate>,
-    context: &Context,
+    context: &Context<'_>,
 ) -> Option<Option<CamGeometry>> {
     // An arm turns the angle of a cam lever into a length.
     let follower = match fields.has("lever_arm") {

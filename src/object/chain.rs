@@ -1,44 +1,161 @@
-//! What every driven object is underneath: a chain of masses behind a pair.
+//! What most driven objects are underneath: a chain of masses behind a pair.
+//!
+//! ```text
+//! driver ──U(φ), pair──○─/\/\─○─/\/\─○ ◄── loads
+//! ```
+//!
+//! A kind states what differs in its [`Rules`]; [`object`] reads the rest.
 
-use super::Context;
 use super::body;
+use super::cam_geometry;
 use super::geometry::Beam;
 use super::load::{self, On};
 use super::measures::Measures;
 use super::pair;
 use super::position::{self, Ends};
-use super::spec::{BodySpec, ChainSpec, InertiaSplit, LoadLawSpec, LoadSpec, PairSpec};
+use super::spec::{ChainSpec, InertiaSplit, LoadLawSpec, LoadSpec, PairSpec};
+use super::{Context, INPUT, Inputs, Kind, ModelBuilder, Object, Place, Ports};
+use crate::cam::CamGeometry;
 use crate::model::{Closure, Coordinate, DampingLaw};
 use crate::position::PositionSpec;
 use crate::read::{Bounds, Fields};
 use crate::units::quantities as q;
 use serde_json::json;
 
-/// What a kind states of itself.
-#[derive(Clone, Debug)]
-pub(super) struct Rules {
-    /// Turning or sliding; `None`: the text says so.
-    pub(super) coordinate: Option<Coordinate>,
-    /// How inertia is split unless said otherwise.
-    pub(super) split: InertiaSplit,
-    /// The pair's closure unless said otherwise.
-    pub(super) closure: Closure,
-    /// What `geometry` describes.
-    pub(super) beam: Beam,
-    /// Position functions it may have.
-    pub(super) positions: &'static [&'static str],
-    /// Whether the position defaults to the ratio 1, and `backlash` is taken.
-    pub(super) geared: bool,
+/// An object behind one driver that is a chain of masses, or rigid.
+#[derive(Debug)]
+pub struct ChainObject {
+    kind: &'static str,
+    chain: ChainSpec,
+    cam: Option<CamGeometry>,
 }
 
-/// Reads a chain.
-pub(super) fn read(fields: &mut Fields<'_>, context: &Context, rules: &Rules) -> Option<ChainSpec> {
+impl ChainObject {
+    /// An object of a kind, from plain numbers.
+    pub fn new(kind: &'static str, chain: ChainSpec) -> Self {
+        Self {
+            kind,
+            chain,
+            cam: None,
+        }
+    }
+}
+
+impl Object for ChainObject {
+    fn kind(&self) -> &'static str {
+        self.kind
+    }
+
+    fn ports(&self) -> Ports {
+        Ports::driven(self.chain.coordinate)
+    }
+
+    fn lower(&self, at: &Place, into: &mut ModelBuilder) {
+        into.chain(at, at.input(INPUT), &self.chain);
+    }
+
+    fn chain(&self) -> Option<&ChainSpec> {
+        Some(&self.chain)
+    }
+
+    fn chain_mut(&mut self) -> Option<&mut ChainSpec> {
+        Some(&mut self.chain)
+    }
+
+    fn cam(&self) -> Option<&CamGeometry> {
+        self.cam.as_ref()
+    }
+}
+
+/// What a kind states of itself.
+#[derive(Clone, Debug)]
+pub struct Rules {
+    /// Turning or sliding; `None`: the text says so.
+    pub coordinate: Option<Coordinate>,
+    /// How inertia is split unless said otherwise.
+    pub split: InertiaSplit,
+    /// The pair's closure unless said otherwise.
+    pub closure: Closure,
+    /// What `geometry` describes.
+    pub beam: Beam,
+    /// Position functions that the property `position` may have.
+    pub positions: &'static [&'static str],
+    /// Whether the position defaults to the ratio 1, and `backlash` is taken.
+    pub geared: bool,
+    /// Whether the property `cam` describes a disc cam that moves it.
+    pub cam: bool,
+}
+
+impl Rules {
+    /// Those of an object that turns or slides: inertia split evenly over a rod, a
+    /// bilateral pair, any position function.
+    pub const fn of(coordinate: Coordinate) -> Self {
+        Self {
+            coordinate: Some(coordinate),
+            split: InertiaSplit::Equal,
+            closure: Closure::Bilateral,
+            beam: Beam::Rod,
+            positions: position::ALL,
+            geared: false,
+            cam: false,
+        }
+    }
+}
+
+/// A kind of turning chains; it cannot be read yet.
+pub(super) const fn turning(name: &'static str, doc: &'static str) -> Kind {
+    Kind {
+        name,
+        doc,
+        inputs: Inputs::One,
+        outputs: Kind::no_outputs,
+        coordinate: |_| Some(Coordinate::Turning),
+        read: |_, _| None,
+    }
+}
+
+/// Reads an object of a kind.
+pub(super) fn object(
+    kind: &'static str,
+    fields: &mut Fields<'_>,
+    context: &Context<'_>,
+    rules: &Rules,
+) -> Option<Box<dyn Object>> {
+    let chain = read(fields, context, rules);
+    let cam = match rules.cam {
+        true => cam_geometry::read(fields, rules.coordinate, context),
+        false => Some(None),
+    };
+    let (chain, cam) = (chain?, cam?);
+    Some(Box::new(ChainObject { kind, chain, cam }))
+}
+
+/// Reads a chain with the property `position`.
+pub fn read(fields: &mut Fields<'_>, context: &Context<'_>, rules: &Rules) -> Option<ChainSpec> {
     let own = Measures(rules.coordinate);
     let driver = Measures(context.driver);
     let lever = lever(fields, own);
     let position = position(fields, own, driver, rules);
+    let chain = read_behind(fields, context.driver, rules, position);
+    Some(ChainSpec {
+        lever: lever?,
+        ..chain?
+    })
+}
+
+/// Reads a chain behind a position function that the kind itself has read (`None`: it
+/// is faulty): inertia, stiffness, damping and number of masses, pair, loads.
+/// `driver`: whether that turns or slides over whose displacement loads may run.
+pub fn read_behind(
+    fields: &mut Fields<'_>,
+    driver: Option<Coordinate>,
+    rules: &Rules,
+    position: Option<PositionSpec>,
+) -> Option<ChainSpec> {
+    let own = Measures(rules.coordinate);
+    let driver = Measures(driver);
     let body = body::read(fields, own, rules.beam, rules.split.clone());
-    let masses = body.as_ref().map(number_of_masses);
+    let masses = body.as_ref().map(|body| body.masses());
     let pair = read_pair(fields, own, rules, masses);
     let loads = load::read_all(
         fields,
@@ -51,7 +168,7 @@ pub(super) fn read(fields: &mut Fields<'_>, context: &Context, rules: &Rules) ->
     let chain = ChainSpec {
         coordinate: rules.coordinate?,
         position: position?,
-        lever: lever?,
+        lever: 1.0,
         body: body?,
         pair: pair?,
         loads: loads?,
@@ -153,14 +270,6 @@ fn read_pair(
         return None;
     }
     (!clash).then_some(pair)
-}
-
-fn number_of_masses(body: &BodySpec) -> usize {
-    match body {
-        BodySpec::Rigid { .. } => 0,
-        BodySpec::Uniform { masses, .. } => *masses,
-        BodySpec::Lists { inertias, .. } => inertias.len(),
-    }
 }
 
 /// A force closure whose only loads are constant and pull it open.

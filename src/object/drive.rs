@@ -6,7 +6,7 @@ use super::measures::Measures;
 use super::motor;
 use super::plan;
 use super::spec::{DriveMotionSpec, DriveSpec};
-use super::{Description, Kind, Object, no_outputs};
+use super::{Inputs, Kind, ModelBuilder, Object, Place, Ports};
 use crate::model::Coordinate;
 use crate::read::{Bounds, Fields, Node, Slot};
 use crate::units::quantities as q;
@@ -15,7 +15,7 @@ use serde_json::json;
 /// A drive: prescribed motion, or a motor.
 ///
 /// ```text
-/// (~)── φ(t)      prescribed: speed, acceleration, run-up, plan, table
+/// (~)── φ(t)      prescribed: speed, held, acceleration, run-up, plan, table
 /// (M)── φ̈ = ΣM/J  motor: rotor inertia and torque over speed
 /// ```
 ///
@@ -31,8 +31,8 @@ pub struct Drive {
 pub(super) const KIND: Kind = Kind {
     name: "drive",
     doc: "A drive: prescribed motion, or a motor.",
-    driven: false,
-    outputs: no_outputs,
+    inputs: Inputs::None,
+    outputs: Kind::no_outputs,
     coordinate: |node| match node.get("coordinate").map(Node::text) {
         None => Some(Coordinate::Turning),
         Some(name) => COORDINATES
@@ -56,12 +56,16 @@ impl Object for Drive {
         KIND.name
     }
 
-    fn coordinate(&self) -> Coordinate {
-        self.coordinate
+    fn ports(&self) -> Ports {
+        Ports::source(self.coordinate)
     }
 
-    fn description(&self) -> Description<'_> {
-        Description::Drive(&self.spec)
+    fn lower(&self, at: &Place, into: &mut ModelBuilder) {
+        into.drive(at, &self.spec);
+    }
+
+    fn masses(&self) -> usize {
+        usize::from(matches!(self.spec, DriveSpec::Motor(_)))
     }
 }
 
@@ -109,6 +113,10 @@ fn motion(slot: Slot<'_>, own: Measures) -> Option<DriveMotionSpec> {
         motion.case("speed", "Constant speed", |slot| {
             let speed = slot.quantity(own.speed(), Bounds::NOT_ZERO)?;
             Some(DriveMotionSpec::Constant { speed, angle: 0.0 })
+        });
+        motion.case("fixed", "Held at this displacement.", |slot| {
+            let angle = slot.quantity(own.displacement(), Bounds::ANY)?;
+            Some(DriveMotionSpec::Constant { speed: 0.0, angle })
         });
         motion.case("acceleration", "Constant acceleration", |slot| {
             let acceleration = slot.quantity(own.acceleration(), Bounds::NOT_ZERO)?;
@@ -178,6 +186,8 @@ fn place(
 ) -> Option<DriveMotionSpec> {
     let (mut has_start, mut has_speed) = (false, false);
     match &mut motion {
+        // Held where it is, or turning from there.
+        DriveMotionSpec::Constant { speed: 0.0, .. } => {}
         DriveMotionSpec::Constant { angle, .. } => {
             *angle = start.unwrap_or(0.0);
             has_start = true;

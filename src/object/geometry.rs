@@ -6,7 +6,7 @@ use std::f64::consts::PI;
 
 /// What an elastic object is made of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Beam {
+pub enum Beam {
     /// A uniform lever of rectangular section, turning about its end and bent
     /// by a force at its tip.
     Lever,

@@ -1,15 +1,21 @@
 //! The objects of a scene: one file a kind.
 //!
-//! A new kind is one file and one line in [`KINDS`].
+//! An [`Object`] has [`Ports`] and lowers itself to nodes, links, laws and loads of
+//! the model, through a [`ModelBuilder`]. Its [`Kind`] says how it is read from a
+//! scene; kinds live in a [`Registry`]. A new kind of this library is one file and
+//! one line in [`STANDARD`]; one of another crate is added with [`Registry::with`].
 
 mod body;
 mod cam;
 mod cam_follower;
 mod cam_geometry;
-mod chain;
+pub mod chain;
+mod context;
 mod crank;
+mod differential;
 mod drive;
-mod geometry;
+pub mod geometry;
+mod kind;
 pub mod law;
 mod linkage;
 mod load;
@@ -18,100 +24,81 @@ mod motor;
 pub(crate) mod numbers;
 mod pair;
 mod plan;
+mod ports;
 mod position;
 mod rocker;
 mod shaft;
 mod slider;
-pub mod spec;
 
 use crate::cam::CamGeometry;
 use crate::model::Coordinate;
-use crate::read::{Fields, Node};
-use spec::{ChainSpec, DriveSpec, DrivenLinkage};
+use spec::{ChainSpec, DrivenLinkage};
 use std::fmt;
 
-pub use cam_follower::CamFollower;
-pub use crank::Crank;
+pub use crate::builder::{ModelBuilder, Place, spec};
+pub use chain::ChainObject;
+pub use context::{Connection, Context, KnownObject, object_of};
+pub use differential::Differential;
 pub use drive::Drive;
+pub use kind::{Inputs, Kind, Outputs, Registry};
 pub use linkage::Linkage;
 pub use measures::Measures;
-pub use rocker::Rocker;
-pub use shaft::Shaft;
-pub use slider::Slider;
+pub use ports::{INPUT, OWN, Port, Ports};
 
-/// An object as described in a scene.
+/// An object of a mechanism.
 pub trait Object: fmt::Debug + Send + Sync {
     /// Its `kind`.
     fn kind(&self) -> &'static str;
 
-    /// Whether its displacement is an angle or a length.
-    fn coordinate(&self) -> Coordinate;
+    /// Its inputs and outputs; the first output is its own displacement.
+    fn ports(&self) -> Ports;
 
-    /// What it lowers to.
-    fn description(&self) -> Description<'_>;
+    /// Adds what it is made of to the model: nodes, links, laws, loads. Faults are
+    /// noted in the builder; every output must have its node, unless there are faults.
+    fn lower(&self, at: &Place, into: &mut ModelBuilder);
+
+    /// Whether its displacement is an angle or a length.
+    fn coordinate(&self) -> Coordinate {
+        let own = self.ports().outputs.into_iter().next();
+        own.and_then(|port| port.coordinate).unwrap_or_default()
+    }
+
+    /// Number of coordinates that a start state has: its masses, 1 for a motor's
+    /// rotor, 0 for what follows rigidly and for a prescribed drive. Default: those of
+    /// its chain.
+    fn masses(&self) -> usize {
+        self.chain().map_or(0, |chain| chain.body.masses())
+    }
+
+    /// The chain of masses, or rigid object, that it is; `None`: something else.
+    fn chain(&self) -> Option<&ChainSpec> {
+        None
+    }
+
+    /// The same, where single numbers may be set in place.
+    fn chain_mut(&mut self) -> Option<&mut ChainSpec> {
+        None
+    }
+
+    /// The linkage of rigid links that it is; `None`: something else.
+    fn linkage(&self) -> Option<&DrivenLinkage> {
+        None
+    }
 
     /// The disc cam that realises its position function, if the scene tells of one.
     fn cam(&self) -> Option<&CamGeometry> {
         None
     }
-
-    /// Its chain, where single numbers may be set in place.
-    fn chain_mut(&mut self) -> Option<&mut ChainSpec> {
-        None
-    }
 }
 
-/// The things an object can be underneath.
-#[derive(Clone, Copy, Debug)]
-pub enum Description<'a> {
-    /// A source of motion, without input.
-    Drive(&'a DriveSpec),
-    /// A chain of masses (or a rigid object) behind a driving pair.
-    Chain(&'a ChainSpec),
-    /// A planar linkage of rigid links, with outputs of its own.
-    Linkage(&'a DrivenLinkage),
-}
-
-/// Outputs by name, with whether they turn or slide; `None`: not known.
-pub type Outputs = Vec<(String, Option<Coordinate>)>;
-
-/// A kind of object: how it is read from a scene.
-#[derive(Clone, Copy, Debug)]
-pub struct Kind {
-    /// The value of the property `kind`.
-    pub name: &'static str,
-    /// What it is, in one line.
-    pub doc: &'static str,
-    /// Whether it has an `input`.
-    pub driven: bool,
-    /// Its outputs besides its own displacement, as far as the text tells: their
-    /// names, and whether they turn or slide.
-    pub outputs: fn(&Node) -> Outputs,
-    /// Whether it turns or slides, as far as the text tells.
-    pub coordinate: fn(&Node) -> Option<Coordinate>,
-    /// Reads its properties, those common to all kinds excepted.
-    pub read: fn(&mut Fields<'_>, &Context) -> Option<Box<dyn Object>>,
-}
-
-/// Most kinds have no outputs but their own displacement.
-fn no_outputs(_: &Node) -> Outputs {
-    Vec::new()
-}
-
-/// What an object's reading knows of its surroundings.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Context {
-    /// Whether the driver turns or slides; `None`: not known.
-    pub driver: Option<Coordinate>,
-}
-
-/// All kinds, in the order they are presented.
-pub const KINDS: &[Kind] = &[
+/// The kinds of this library, in the order they are presented.
+const STANDARD: &[Kind] = &[
     drive::KIND,
     shaft::KIND,
     crank::KIND,
     rocker::KIND,
     slider::KIND,
     cam_follower::KIND,
+    differential::KIND,
     linkage::KIND,
 ];

@@ -1,73 +1,32 @@
 //! Rockers: turning levers that swing.
+//!
+//! ```text
+//! driver ──U(φ), pair──○─/\/\─○ tip      (○ the fragments of the lever)
+//! ```
+//!
+//! Parameters: inertia about the axis (kg·m²), stiffness at the tip (N·m/rad), `cam`,
+//! the geometry of a disc cam that moves it, for `dam cam`, and the rest of a chain.
+//! Equation: the chain's. Limits: small deflections about the law of motion.
 
-use super::cam_geometry;
+use super::Kind;
 use super::chain::{self, Rules};
 use super::geometry::Beam;
-use super::position;
-use super::spec::{ChainSpec, InertiaSplit};
-use super::{Description, Kind, Object, no_outputs};
-use crate::cam::CamGeometry;
-use crate::model::{Closure, Coordinate};
+use super::spec::InertiaSplit;
+use crate::model::Coordinate;
 
-/// A rocker: a lever that swings about a fixed axis, as far as its position
-/// function takes it.
-///
-/// ```text
-/// driver ──U(φ), pair──○─/\/\─○ tip      (○ the fragments of the lever)
-/// ```
-///
-/// Parameters: inertia about the axis (kg·m²), stiffness at the tip
-/// (N·m/rad) and the rest of a chain. Equation: the chain's. Limits: small
-/// deflections about the law of motion.
-#[derive(Debug)]
-pub struct Rocker {
-    chain: ChainSpec,
-    cam: Option<CamGeometry>,
+fn rules() -> Rules {
+    Rules {
+        split: InertiaSplit::Cubes,
+        beam: Beam::Lever,
+        cam: true,
+        ..Rules::of(Coordinate::Turning)
+    }
 }
-
-const RULES: Rules = Rules {
-    coordinate: Some(Coordinate::Turning),
-    split: InertiaSplit::Cubes,
-    closure: Closure::Bilateral,
-    beam: Beam::Lever,
-    positions: position::ALL,
-    geared: false,
-};
 
 pub(super) const KIND: Kind = Kind {
-    name: "rocker",
-    doc: "A rocker: a lever that swings about a fixed axis.",
-    driven: true,
-    outputs: no_outputs,
-    coordinate: |_| Some(Coordinate::Turning),
-    read: |fields, context| {
-        let chain = chain::read(fields, context, &RULES);
-        let cam = cam_geometry::read(fields, RULES.coordinate, context);
-        Some(Box::new(Rocker {
-            chain: chain?,
-            cam: cam?,
-        }))
-    },
+    read: |fields, context| chain::object(KIND.name, fields, context, &rules()),
+    ..chain::turning(
+        "rocker",
+        "A rocker: a lever that swings about a fixed axis.",
+    )
 };
-
-impl Object for Rocker {
-    fn kind(&self) -> &'static str {
-        KIND.name
-    }
-
-    fn coordinate(&self) -> Coordinate {
-        self.chain.coordinate
-    }
-
-    fn description(&self) -> Description<'_> {
-        Description::Chain(&self.chain)
-    }
-
-    fn chain_mut(&mut self) -> Option<&mut ChainSpec> {
-        Some(&mut self.chain)
-    }
-
-    fn cam(&self) -> Option<&CamGeometry> {
-        self.cam.as_ref()
-    }
-}

@@ -123,7 +123,7 @@ fn values(state: &ObjectState) -> [f64; 6] {
 #[cfg(test)]
 mod tests {
     use super::Rows;
-    use crate::model::{Coordinate, Model, ObjectPart};
+    use crate::model::{Coordinate, Model, ObjectPart, PartInput};
     use crate::system::ObjectState;
 
     fn one_slider() -> Model {
@@ -133,7 +133,8 @@ mod tests {
                 kind: "slider",
                 coordinate: Coordinate::Sliding,
                 nodes: vec![0],
-                driver: None,
+                inputs: PartInput::only(None),
+                combination: None,
                 links: Vec::new(),
                 rigid_pair: None,
             }],

@@ -81,9 +81,8 @@ impl ObjectTracker {
     pub(crate) fn new(system: &System, object: usize, window: Option<[f64; 2]>) -> Self {
         let model: &Model = system.model();
         let part = &model.objects[object];
-        let deviation = part
-            .driver
-            .and_then(|_| system.last_coordinate(object))
+        let deviation = (system.last_coordinate(object))
+            .filter(|_| !part.is_drive())
             .map(|coordinate| Deviation {
                 coordinate,
                 greatest: f64::NEG_INFINITY,

@@ -60,7 +60,7 @@ fn last_cycle(duration: f64, cycle: f64) -> Result<[f64; 2], String> {
 /// Why there is none, in words.
 pub fn drive_cycle(model: &Model) -> Result<f64, String> {
     let mut cycle = None;
-    for object in model.objects.iter().filter(|part| part.driver.is_none()) {
+    for object in model.objects.iter().filter(|part| part.is_drive()) {
         let NodeMotion::Prescribed {
             motion: DriveMotion::Constant { speed, .. },
             ..
@@ -68,6 +68,9 @@ pub fn drive_cycle(model: &Model) -> Result<f64, String> {
         else {
             return Err(format!("the speed of drive {} is not constant", object.id));
         };
+        if *speed == 0.0 {
+            continue; // held
+        }
         if object.coordinate == Coordinate::Sliding {
             return Err(format!("drive {} slides and has no turns", object.id));
         }
@@ -87,7 +90,7 @@ pub fn drive_cycle(model: &Model) -> Result<f64, String> {
 #[cfg(test)]
 mod tests {
     use super::choose_window;
-    use crate::model::{Model, Node, NodeMotion, ObjectPart};
+    use crate::model::{Model, Node, NodeMotion, ObjectPart, PartInput};
     use crate::motion::DriveMotion;
     use std::f64::consts::TAU;
 
@@ -106,7 +109,8 @@ mod tests {
                 kind: "drive",
                 coordinate: crate::model::Coordinate::Turning,
                 nodes: vec![index],
-                driver: None,
+                inputs: PartInput::only(None),
+                combination: None,
                 links: Vec::new(),
                 rigid_pair: None,
             });

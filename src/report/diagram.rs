@@ -1,7 +1,9 @@
 //! The object graph as it is drawn: boxes, edges, and where they stand.
 
-use crate::model::{Closure, Coordinate, LinkageBody, Model, NodeMotion, ObjectPart, Pair};
-use crate::report::show::{motion, position};
+use crate::model::{
+    Closure, Coordinate, LinkageBody, Model, NodeMotion, ObjectPart, Pair, PartInput,
+};
+use crate::report::show::{equations, motion, position};
 
 /// The object graph of a model, for pictures and texts.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -19,8 +21,8 @@ pub struct ObjectBox {
     pub kind: String,
     /// `rigid`, `2 masses`, `20π rad/s`, `motor`.
     pub detail: String,
-    /// Place of the driving object in [`Diagram::boxes`]; `None` for a drive.
-    pub driver: Option<usize>,
+    /// What drives it, in the order of its inputs; empty for a drive.
+    pub inputs: Vec<BoxInput>,
     /// Short text of the position function: `U = (π/2)·sin φ`, `cam, lift 8 mm`.
     pub position: String,
     /// How the driving pair is kept together.
@@ -29,6 +31,23 @@ pub struct ObjectBox {
     pub gap: f64,
     /// Turning or sliding.
     pub coordinate: Coordinate,
+}
+
+/// An input of a box.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct BoxInput {
+    /// Place of the driving object in [`Diagram::boxes`].
+    pub driver: usize,
+    /// What the connection is called: of an object with several inputs the port;
+    /// empty otherwise.
+    pub name: String,
+}
+
+impl ObjectBox {
+    /// True of a drive: nothing drives it.
+    pub fn is_drive(&self) -> bool {
+        self.inputs.is_empty()
+    }
 }
 
 /// Where a box stands on the grid: columns follow the flow of motion, rows
@@ -55,8 +74,8 @@ impl Diagram {
                     id: object.id.clone(),
                     kind: object.kind.to_owned(),
                     detail: detail(model, object),
-                    driver: object.driver.and_then(place),
-                    position: law_text(model, object),
+                    inputs: inputs(object, place),
+                    position: law_text(model, index),
                     closure: pair.map_or(Closure::Bilateral, |pair| pair.closure),
                     gap: pair.map_or(0.0, |pair| pair.gap),
                     coordinate: object.coordinate,
@@ -66,9 +85,10 @@ impl Diagram {
         Self { boxes }
     }
 
-    /// Followers of a box, in their order.
+    /// Followers of a box, in their order; what has several inputs follows the first.
     pub fn followers(&self, index: usize) -> impl Iterator<Item = usize> + '_ {
-        let drives = move |other: &usize| self.boxes[*other].driver == Some(index);
+        let first = |other: usize| self.boxes[other].inputs.first();
+        let drives = move |other: &usize| first(*other).is_some_and(|one| one.driver == index);
         (0..self.boxes.len()).filter(drives)
     }
 
@@ -82,13 +102,14 @@ impl Diagram {
         let mut places = vec![origin; self.boxes.len()];
         // Drivers stand before what they drive: forwards for the columns …
         for index in 0..self.boxes.len() {
-            if let Some(driver) = self.boxes[index].driver {
-                places[index].column = places[driver].column + 1;
+            for input in &self.boxes[index].inputs {
+                let behind = places[input.driver].column + 1;
+                places[index].column = places[index].column.max(behind);
             }
         }
         let mut next_row = 0.0;
         for (index, one) in self.boxes.iter().enumerate() {
-            if one.driver.is_none() {
+            if one.is_drive() {
                 self.assign_leaf_rows(index, &mut places, &mut next_row);
             }
         }
@@ -117,15 +138,35 @@ impl Diagram {
     }
 }
 
-/// Indices of the objects, each after its driver; among equals by their order.
+/// The inputs of an object, given the place of each object among the boxes.
+fn inputs(object: &ObjectPart, place: impl Fn(usize) -> Option<usize>) -> Vec<BoxInput> {
+    let several = object.inputs.len() > 1;
+    let input = |input: &PartInput| {
+        let name = if several {
+            input.port.clone()
+        } else {
+            String::new()
+        };
+        let driver = place(input.driver)?;
+        Some(BoxInput { driver, name })
+    };
+    object.inputs.iter().filter_map(input).collect()
+}
+
+/// Indices of the objects, each after its drivers; among equals by their order.
 pub fn drivers_first(model: &Model) -> Vec<usize> {
     let mut order: Vec<usize> = Vec::with_capacity(model.objects.len());
-    let roots = (0..model.objects.len()).filter(|&o| model.objects[o].driver.is_none());
+    let roots = (0..model.objects.len()).filter(|&o| model.objects[o].is_drive());
     order.extend(roots);
     let mut next = 0;
     while next < order.len() {
         let driver = order[next];
-        let driven = |&o: &usize| model.objects[o].driver == Some(driver);
+        let placed = |input: &PartInput| order.contains(&input.driver);
+        let driven = |&o: &usize| {
+            let object = &model.objects[o];
+            let waits = object.is_driven_by(driver) && !order.contains(&o);
+            waits && object.inputs.iter().all(placed)
+        };
         let followers: Vec<usize> = (0..model.objects.len()).filter(driven).collect();
         order.extend(followers);
         next += 1;
@@ -164,7 +205,11 @@ fn rigid(model: &Model, object: &ObjectPart) -> String {
 }
 
 /// The position function of a driven object; empty for a drive.
-fn law_text(model: &Model, object: &ObjectPart) -> String {
+fn law_text(model: &Model, index: usize) -> String {
+    if let Some(sum) = equations::inputs_summary(model, index) {
+        return sum;
+    }
+    let object = &model.objects[index];
     let motion = object.nodes.first().map(|&node| &model.nodes[node].motion);
     match motion {
         Some(NodeMotion::Mass { law } | NodeMotion::Rigid { law }) => {

@@ -4,15 +4,17 @@ use super::overrides::{self, Overrides};
 use super::{Catalogue, Scene, address, root};
 use crate::diagnostics::{Diagnostic, Diagnostics, Place, Sources};
 use crate::fault::Fault;
+use crate::object::Registry;
 use crate::read::{self, Member, Node, Reader, Value, did_you_mean};
 use sha2::{Digest, Sha256};
 use std::fmt::Write;
 
-/// A scene's text as a tree.
+/// A scene's text as a tree, and the kinds of objects that it may name.
 #[derive(Clone, Debug)]
 pub struct Document {
     sources: Sources,
     root: Node,
+    registry: Registry,
 }
 
 /// A scene, read and checked, with what reading it left behind.
@@ -36,7 +38,8 @@ pub struct Places {
 }
 
 impl Document {
-    /// Reads a scene's text. `name` is shown in diagnostics.
+    /// Reads a scene's text, with the standard kinds of objects. `name` is shown in
+    /// diagnostics.
     ///
     /// # Errors
     /// Not UTF-8, larger than 4 MiB, nested deeper than 64, not strict JSON,
@@ -44,9 +47,24 @@ impl Document {
     pub fn parse(name: &str, bytes: &[u8]) -> Result<Self, Diagnostics> {
         let mut sources = Sources::default();
         match read::parse(name, bytes, &mut sources) {
-            Ok(root) => Ok(Self { sources, root }),
+            Ok(root) => Ok(Self {
+                sources,
+                root,
+                registry: Registry::standard(),
+            }),
             Err(faults) => Err(Diagnostics::new(sources, faults)),
         }
+    }
+
+    /// The same with the kinds of objects of a registry.
+    #[must_use]
+    pub fn with_kinds(self, registry: Registry) -> Self {
+        Self { registry, ..self }
+    }
+
+    /// The kinds of objects that it may name.
+    pub fn kinds(&self) -> &Registry {
+        &self.registry
     }
 
     /// The same without what it expects of a run and without remarks: quicker to
@@ -81,7 +99,8 @@ impl Document {
         let mut faults = Vec::new();
         let tree = self.tree(catalogue, overrides, &mut sources, &mut faults);
         let mut reader = Reader::new();
-        let (read, canonical) = reader.read(Some(&tree), "", root::read);
+        let (read, canonical) =
+            reader.read(Some(&tree), "", |slot| root::read(slot, &self.registry));
         faults.append(&mut reader.diagnostics);
         let diagnostics = Diagnostics::new(sources.clone(), faults);
         match read {

@@ -19,7 +19,7 @@ pub use schema::{schema, schema_text};
 pub use variation::Variation;
 
 use crate::graph::MechanismGraph;
-use crate::object::Object;
+use crate::object::{Connection, Object};
 use crate::steady::Mean;
 use std::collections::BTreeMap;
 
@@ -41,17 +41,19 @@ pub struct Scene {
 }
 
 impl Scene {
-    /// Who drives whom.
-    pub fn graph(&self) -> MechanismGraph {
-        let pairs = self.objects.iter();
-        MechanismGraph::new(pairs.map(|(id, object)| (id.as_str(), object.driver())))
+    /// The mechanism: objects, joined by their ports.
+    pub fn graph(&self) -> MechanismGraph<'_> {
+        MechanismGraph::new(self.objects.iter().map(|(id, entry)| {
+            let connections = entry.connections.iter();
+            let inputs = connections.map(|one| (one.port.as_str(), one.output.as_str()));
+            (id.as_str(), Some(&*entry.object), inputs.collect())
+        }))
     }
 
     /// Ids of all objects, every driver before what it drives, otherwise in
     /// the order of the ids. A scene that was read has no cycles.
     pub fn order(&self) -> Vec<String> {
-        let graph = self.graph();
-        let order = graph.order().unwrap_or_default();
+        let order = self.graph().order().unwrap_or_default();
         order.into_iter().map(str::to_owned).collect()
     }
 }
@@ -59,23 +61,18 @@ impl Scene {
 /// An object of a scene.
 #[derive(Debug)]
 pub struct SceneObject {
-    /// Id of the driving object, or one of its outputs (`press.ram`); `None`
-    /// for a drive.
-    pub input: Option<String>,
+    /// What its inputs hang on; empty for a drive.
+    pub connections: Vec<Connection>,
     /// The object itself.
     pub object: Box<dyn Object>,
 }
 
 impl SceneObject {
-    /// Id of the driving object; `None` for a drive.
-    pub fn driver(&self) -> Option<&str> {
-        self.input.as_deref().map(driver_of)
+    /// The output that an input hangs on: `press`, `press.ram`; `None`: nothing.
+    pub fn connection(&self, port: &str) -> Option<&str> {
+        let found = self.connections.iter().find(|one| one.port == port);
+        found.map(|one| one.output.as_str())
     }
-}
-
-/// Id of the object that an input names, without its output.
-fn driver_of(input: &str) -> &str {
-    input.split_once('.').map_or(input, |(id, _)| id)
 }
 
 /// The `run` block.

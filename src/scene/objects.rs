@@ -1,41 +1,46 @@
 //! The objects of a scene, and who drives whom.
 
+use super::SceneObject;
 use super::address::RESERVED;
-use super::{SceneObject, driver_of};
 use crate::diagnostics::{Diagnostic, Related};
 use crate::graph::MechanismGraph;
-use crate::model::Coordinate;
-use crate::object::spec::{BodySpec, DriveSpec};
-use crate::object::{Context, Description, KINDS, Kind};
-use crate::read::{Fields, Node, Slot, did_you_mean, is_name, quoted_list};
+use crate::object::{Context, Inputs, Kind, KnownObject, Registry};
+use crate::read::{Fields, Node, Slot, is_name};
 use serde_json::{Value as Json, json};
 use std::collections::BTreeMap;
 
 /// What the rest of the scene must know of the objects, also of faulty ones.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(super) struct Known {
+    /// The kinds that they may be of.
+    pub(super) registry: Registry,
     /// By id; outputs of objects as `object.output`.
     pub(super) objects: BTreeMap<String, KnownObject>,
 }
 
-/// What is known of one object; `None`: not known.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct KnownObject {
-    pub(super) coordinate: Option<Coordinate>,
-    /// Number of coordinates that a start state has: its masses, 1 for a
-    /// motor, 0 for a rigid object or a prescribed drive.
-    pub(super) masses: Option<usize>,
+impl Known {
+    /// Nothing yet.
+    pub(super) fn new(registry: &Registry) -> Self {
+        Self {
+            registry: registry.clone(),
+            objects: BTreeMap::new(),
+        }
+    }
+
+    fn kind_of(&self, node: &Node) -> Option<&Kind> {
+        self.registry.kind(node.get("kind")?.text()?)
+    }
 }
 
 /// Reads the objects; fills in `known` on the way.
 pub(super) fn read(mut slot: Slot<'_>, known: &mut Known) -> Option<BTreeMap<String, SceneObject>> {
     if slot.describing() {
-        describe(slot);
+        describe(slot, &known.registry);
         return None;
     }
     let node = slot.node()?;
     for member in node.members() {
-        let kind = kind_of(&member.value);
+        let kind = known.kind_of(&member.value).copied();
         let object = KnownObject {
             coordinate: kind.and_then(|kind| (kind.coordinate)(&member.value)),
             masses: None,
@@ -49,17 +54,14 @@ pub(super) fn read(mut slot: Slot<'_>, known: &mut Known) -> Option<BTreeMap<Str
         }
     }
     let objects = slot.look(|slot| slot.map(|id, slot| object(slot, id, known)));
-    let sound = check_graph(&mut slot, node);
+    let sound = check_graph(&mut slot, node, known);
     objects.filter(|_| sound)
 }
 
-fn kind_of(node: &Node) -> Option<Kind> {
-    let name = node.get("kind")?.text()?;
-    KINDS.iter().find(|kind| kind.name == name).copied()
-}
-
-fn kind(fields: &mut Fields<'_>) -> Option<Kind> {
-    let kinds: Vec<(&'static str, Kind)> = KINDS.iter().map(|kind| (kind.name, *kind)).collect();
+fn kind(fields: &mut Fields<'_>, registry: &Registry) -> Option<Kind> {
+    let kinds: Vec<(&'static str, Kind)> = (registry.kinds().iter())
+        .map(|kind| (kind.name, *kind))
+        .collect();
     fields.need("kind", "What the object is.", |slot| slot.choice(&kinds))
 }
 
@@ -71,44 +73,33 @@ pub(super) fn object(mut slot: Slot<'_>, id: &str, known: &mut Known) -> Option<
         // A `from` is still there only when nothing could be copied.
         let kind = match fields.has("from") {
             true => None,
-            false => kind(fields),
+            false => kind(fields, &known.registry),
         };
         let Some(kind) = kind else {
             fields.ignore_others();
             return None;
         };
-        let input = match kind.driven {
-            true => read_input(fields, known).map(Some),
-            false => {
+        let mut context = Context::among(&known.objects);
+        let connected = match kind.inputs {
+            Inputs::None => {
                 let message = "a drive has no `input`: it is where motion comes from";
                 let hint = "remove `input`, or choose another `kind`";
-                (!fields.forbid("input", message, hint)).then_some(None)
+                (!fields.forbid("input", message, hint)).then_some(())
             }
+            Inputs::One => context.input(fields),
+            Inputs::Several => Some(()),
         };
-        let driver = input.clone().flatten();
-        let driver = driver.and_then(|id| known.objects.get(&id)?.coordinate);
-        let object = (kind.read)(fields, &Context { driver });
+        let object = (kind.read)(fields, &context);
+        connected?;
         Some(SceneObject {
-            input: input?,
             object: object?,
+            connections: context.into_connections(),
         })
     })?;
     if let Some(entry) = known.objects.get_mut(id) {
-        entry.masses = Some(start_size(object.object.description()));
+        entry.masses = Some(object.object.masses());
     }
     sound.then_some(object)
-}
-
-fn start_size(description: Description<'_>) -> usize {
-    match description {
-        Description::Drive(DriveSpec::Prescribed(_)) | Description::Linkage(_) => 0,
-        Description::Drive(DriveSpec::Motor(_)) => 1,
-        Description::Chain(chain) => match &chain.body {
-            BodySpec::Rigid { .. } => 0,
-            BodySpec::Uniform { masses, .. } => *masses,
-            BodySpec::Lists { inertias, .. } => inertias.len(),
-        },
-    }
 }
 
 fn check_id(slot: &mut Slot<'_>, id: &str) -> bool {
@@ -132,73 +123,26 @@ fn check_id(slot: &mut Slot<'_>, id: &str) -> bool {
     false
 }
 
-const INPUT: &str =
-    "Id of the object that drives this one, or one of its outputs: `press`, `press.ram`.";
-
-/// The id of the driver, which must exist.
-fn read_input(fields: &mut Fields<'_>, known: &Known) -> Option<String> {
-    let input = fields.maybe("input", INPUT, |mut slot| {
-        let input = slot.look(|slot| slot.text())?;
-        if known.objects.contains_key(&input) {
-            return Some(input);
-        }
-        match input.split_once('.') {
-            Some((id, output)) if known.objects.contains_key(id) => {
-                unknown_output(&mut slot, id, output, known);
-            }
-            _ => {
-                let id = driver_of(&input);
-                let ids = || known.objects.keys().map(String::as_str);
-                let guess = did_you_mean(id, ids());
-                let all = format!("the objects are {}", quoted_list(ids().take(20), "and"));
-                let fault = slot.refuse("unknown-object", format!("unknown object `{id}`"));
-                fault.hints.push(guess.unwrap_or(all));
-            }
-        }
-        None
-    })?;
-    if input.is_none() {
-        let ids = known.objects.keys().map(String::as_str);
-        let others = ids.filter(|id| fields.path().rsplit('.').next() != Some(id));
-        let hint = format!(
-            "name what drives it: {}",
-            quoted_list(others.take(20), "or")
-        );
-        fields.lack("input", Some(hint));
-    }
-    input
-}
-
-fn unknown_output(slot: &mut Slot<'_>, id: &str, output: &str, known: &Known) {
-    let outputs: Vec<&str> = (known.objects.keys())
-        .filter_map(|known| known.strip_prefix(id)?.strip_prefix('.'))
-        .collect();
-    let hint = match did_you_mean(output, outputs.iter().copied()) {
-        Some(guess) => guess,
-        None if outputs.is_empty() => format!("it has one output: write \"{id}\""),
-        None => format!("its outputs are {}", quoted_list(outputs, "and")),
-    };
-    let fault = slot.refuse("unknown-object", format!("`{id}` has no output `{output}`"));
-    fault.hints.push(hint);
-}
-
 /// Cycles, and whether there is a drive at all.
-fn check_graph(slot: &mut Slot<'_>, node: &Node) -> bool {
-    let inputs = node.members().iter().map(|member| {
-        let input = member.value.get("input").and_then(Node::text);
-        let drive = kind_of(&member.value).is_some_and(|kind| !kind.driven);
-        (
-            member.name.as_str(),
-            input.filter(|_| !drive).map(driver_of),
-        )
-    });
-    let graph = MechanismGraph::new(inputs);
+fn check_graph(slot: &mut Slot<'_>, node: &Node, known: &Known) -> bool {
+    let graph = MechanismGraph::new(node.members().iter().map(|member| {
+        let kind = known.kind_of(&member.value);
+        // Without a kind it may yet become one with an input.
+        let inputs = match kind {
+            Some(kind) => kind.references(&member.value),
+            None => Kind::of_one_input(&member.value),
+        };
+        (member.name.as_str(), None, inputs)
+    }));
     let cycles = graph.cycles();
     for cycle in &cycles {
-        report_cycle(slot, node, cycle);
+        report_cycle(slot, node, known, cycle);
     }
     let is_drive = |node: &Node| match node.get("kind").and_then(Node::text) {
-        Some(name) => KINDS.iter().all(|kind| kind.name != name || !kind.driven),
+        Some(name) => {
+            let kind = known.registry.kind(name);
+            kind.is_none_or(|kind| kind.inputs == Inputs::None)
+        }
         // Without a kind it may yet become one.
         None => true,
     };
@@ -215,8 +159,15 @@ fn check_graph(slot: &mut Slot<'_>, node: &Node) -> bool {
     drive && cycles.is_empty()
 }
 
-fn report_cycle(slot: &mut Slot<'_>, node: &Node, cycle: &[&str]) {
-    let place = |id: &str| Some(node.get(id)?.get("input")?.place.clone());
+fn report_cycle(slot: &mut Slot<'_>, node: &Node, known: &Known, cycle: &[&str]) {
+    let place = |id: &str| {
+        let object = node.get(id)?;
+        let input = match known.kind_of(object).map(|kind| kind.inputs) {
+            Some(Inputs::Several) => "inputs",
+            _ => "input",
+        };
+        Some(object.get(input)?.place.clone())
+    };
     let mut path = cycle.join(" → ");
     path.push_str(" → ");
     path.push_str(cycle[0]);
@@ -241,9 +192,9 @@ fn report_cycle(slot: &mut Slot<'_>, node: &Node, cycle: &[&str]) {
 }
 
 /// The schema of all objects: one definition a kind.
-fn describe(mut slot: Slot<'_>) {
+fn describe(mut slot: Slot<'_>, registry: &Registry) {
     let mut by_kind = Vec::new();
-    for kind in KINDS {
+    for kind in registry.kinds() {
         slot.look(|slot| slot.defined(kind.name, |slot| describe_kind(slot, kind)));
         if let Some(schema) = slot.definition(kind.name) {
             allow_from(schema, kind);
@@ -253,7 +204,7 @@ fn describe(mut slot: Slot<'_>) {
             "then": { "$ref": format!("#/$defs/{}", kind.name) },
         }));
     }
-    let names: Vec<&str> = KINDS.iter().map(|kind| kind.name).collect();
+    let names: Vec<&str> = registry.kinds().iter().map(|kind| kind.name).collect();
     slot.describe(json!({
         "type": "object",
         "minProperties": 1,
@@ -279,10 +230,12 @@ fn describe_kind(slot: Slot<'_>, kind: &Kind) -> Option<()> {
             "Catalogue object to copy, as in `rocker/steel-lever-205mm`; properties given here replace its own.",
             |slot| slot.text(),
         );
-        if kind.driven {
-            fields.need("input", INPUT, |slot| slot.text());
+        let others = BTreeMap::new();
+        let mut context = Context::among(&others);
+        if kind.inputs == Inputs::One {
+            context.input(fields);
         }
-        (kind.read)(fields, &Context::default());
+        (kind.read)(fields, &context);
         None
     })
 }

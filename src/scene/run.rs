@@ -1,8 +1,9 @@
 //! The `run` block.
 
-use super::objects::{Known, KnownObject};
+use super::objects::Known;
 use super::{RunSpec, StartSpec};
 use crate::integrate::Method;
+use crate::object::KnownObject;
 use crate::object::Measures;
 use crate::read::{Bounds, Fields, Slot, did_you_mean, quoted_list};
 use crate::units::quantities as q;

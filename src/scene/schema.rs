@@ -1,13 +1,14 @@
 //! The JSON Schema of scenes, written by the code that reads them.
 
 use super::root;
+use crate::object::Registry;
 use crate::read::Reader;
 use serde_json::{Value, json};
 
-/// The schema (draft 2020-12) of a scene.
-pub fn schema() -> Value {
+/// The schema (draft 2020-12) of a scene whose objects are of the kinds of a registry.
+pub fn schema(registry: &Registry) -> Value {
     let mut reader = Reader::describing();
-    let (_, mut schema) = reader.read(None, "", root::read);
+    let (_, mut schema) = reader.read(None, "", |slot| root::read(slot, registry));
     schema["$schema"] = json!("https://json-schema.org/draft/2020-12/schema");
     schema["title"] = json!("Scene of dam, version 1");
     schema["description"] = json!(
@@ -18,6 +19,6 @@ pub fn schema() -> Value {
 }
 
 /// The schema as a file's text.
-pub fn schema_text() -> String {
-    format!("{:#}\n", schema())
+pub fn schema_text(registry: &Registry) -> String {
+    format!("{:#}\n", schema(registry))
 }

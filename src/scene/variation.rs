@@ -39,7 +39,7 @@ impl Variation {
         let mut scene = reading.scene;
         scene.hash.clear();
         // What objects know of each other is not kept by a reading.
-        let mut known = Known::default();
+        let mut known = Known::new(document.kinds());
         Reader::new().read(root.get("objects"), "objects", |slot| {
             objects::read(slot, &mut known)
         });
@@ -142,7 +142,7 @@ impl Variation {
         let place = self.scene.objects.get_mut(id)?;
         // What others see of it must not have changed.
         let same =
-            place.input == found.input && place.object.coordinate() == found.object.coordinate();
+            place.connections == found.connections && place.object.ports() == found.object.ports();
         same.then(|| *place = found)
     }
 }

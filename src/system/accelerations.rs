@@ -38,6 +38,10 @@ impl Frozen {
                     let reaction = work.reaction[*index];
                     self.accelerate_chain(chain, state, [base, reaction], work, out);
                 }
+                Step::Constrained(index) => {
+                    let node = self.constraints[*index].node;
+                    work.acceleration[node] = self.constrained_acceleration(*index, work);
+                }
             }
         }
     }
@@ -61,6 +65,10 @@ impl Frozen {
                     for (node, coordinate) in chain.nodes().zip(chain.coordinates()) {
                         work.acceleration[node] = deviations[coordinate] + base;
                     }
+                }
+                Step::Constrained(index) => {
+                    let node = self.constraints[*index].node;
+                    work.acceleration[node] = self.constrained_acceleration(*index, work);
                 }
             }
         }

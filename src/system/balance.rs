@@ -6,6 +6,7 @@
 //! (springs, weights over a lever, followers on a curved law), so u is found
 //! by Newton's method with exact derivatives.
 
+use super::constraints::Chains;
 use super::frozen::{Chain, Frozen, Step};
 use super::pairs::OPEN;
 use super::passes::{Extent, Work};
@@ -200,6 +201,10 @@ impl Frozen {
                     work.force[self.laws[rigid.law].driver] += force;
                 }
                 Step::Chain(index) => self.deflect(*index, state, modes, work, miss),
+                Step::Constrained(index) => {
+                    let force = work.force[self.constraints[*index].node];
+                    self.load_drivers(*index, force, work);
+                }
             }
         }
     }
@@ -268,6 +273,15 @@ impl Frozen {
     fn law_accelerations<N: Quantity>(&self, time: N, modes: &[i64], work: &mut Work<N>) {
         self.apply_loads(time, modes, Extent::Full, work);
         self.own_masses(Extent::Full, work);
+        self.reduce_to_rotors(work);
+        self.follow_rotors(work);
+        if self.couple(Extent::Full, Chains::Rigid, work) {
+            self.follow_rotors(work);
+        }
+    }
+
+    /// Hands inertia and forces of all nodes to the rotors, chains like rigid bodies.
+    fn reduce_to_rotors<N: Quantity>(&self, work: &mut Work<N>) {
         for step in self.steps.iter().rev() {
             match step {
                 Step::Prescribed(_) | Step::Rotor(_) => {}
@@ -281,8 +295,17 @@ impl Frozen {
                         self.reduce_node(chain.law, node, work);
                     }
                 }
+                Step::Constrained(index) => {
+                    let force = work.force[self.constraints[*index].node];
+                    self.load_drivers(*index, force, work);
+                }
             }
         }
+    }
+
+    /// Accelerations of the rotors from what has been handed to them, and of all that
+    /// follows.
+    fn follow_rotors<N: Quantity>(&self, work: &mut Work<N>) {
         for step in &self.steps {
             match step {
                 Step::Prescribed(_) => {}
@@ -297,6 +320,10 @@ impl Frozen {
                     let chain = &self.chains[*index];
                     let base = self.law_acceleration(chain.law, work);
                     work.acceleration[chain.nodes()].fill(base);
+                }
+                Step::Constrained(index) => {
+                    let node = self.constraints[*index].node;
+                    work.acceleration[node] = self.constrained_acceleration(*index, work);
                 }
             }
         }

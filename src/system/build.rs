@@ -1,5 +1,6 @@
 //! From the model to the frozen layout, with every check on its numbers.
 
+use super::constraints::Constrained;
 use super::frozen::{Chain, Frozen, FrozenLaw, FrozenTrack, Prescribed, Rigid, Rotor, Step};
 use super::linkages::{FrozenLinkage, OutputPlace};
 use super::loads::{Argument, FrozenLoad};
@@ -21,6 +22,8 @@ pub(super) fn freeze(model: &Model) -> Result<Frozen, Vec<Fault>> {
     builder.place_tracks();
     builder.place_friction();
     builder.place_loads();
+    builder.frozen.mark_heavy();
+    builder.refuse_coupled_friction();
     builder.frozen.mark_chains();
     builder.frozen.separate();
     if builder.faults.is_empty() {
@@ -100,6 +103,23 @@ impl<'a> Builder<'a> {
             NodeMotion::Mass { law } => {
                 let law = self.add_law(law);
                 self.place_chain(node, law);
+            }
+            NodeMotion::Constrained {
+                drivers,
+                constraint,
+            } => {
+                let internal = |&driver: &usize| self.frozen.internal[driver];
+                let drivers = drivers.iter().map(internal).collect();
+                let constraint = constraint.clone();
+                let node = self.add_node(node, false);
+                let index = self.frozen.constraints.len();
+                self.frozen.steps.push(Step::Constrained(index));
+                self.frozen.constraints.push(Constrained {
+                    node,
+                    drivers,
+                    constraint,
+                    heavy: false,
+                });
             }
         }
     }
@@ -226,6 +246,25 @@ impl<'a> Builder<'a> {
             self.frozen.place_friction(linkage, body);
         }
         self.frozen.number_directions();
+    }
+
+    /// Friction of joints is found from the acceleration of one coordinate.
+    fn refuse_coupled_friction(&mut self) {
+        for group in &self.frozen.groups {
+            let combined = (self.frozen.constraints.iter()).any(|one| one.node == group.root);
+            if !(combined || self.frozen.is_coupled(group.root)) {
+                continue;
+            }
+            for member in &group.members {
+                let id = &self.model.objects[member.object].id;
+                self.faults.push(Fault::new(
+                    format!("{id}.joint_friction"),
+                    "it moves as one with an object that has several inputs and inertia: joint \
+                     friction is found for one coordinate alone",
+                    "leave `joint_friction` out, or give one of the objects between masses",
+                ));
+            }
+        }
     }
 
     fn place_loads(&mut self) {

@@ -20,7 +20,9 @@ pub(super) fn faults(model: &Model) -> Vec<Fault> {
 
 /// Id of the object that a node belongs to; `node k` when to none.
 pub(super) fn object_of(model: &Model, node: usize) -> String {
-    let holds = |part: &&crate::model::ObjectPart| part.nodes.contains(&node);
+    let holds = |part: &&crate::model::ObjectPart| {
+        part.nodes.contains(&node) || part.combination == Some(node)
+    };
     match model.objects.iter().find(holds) {
         Some(part) => part.id.clone(),
         None => format!("node {node}"),
@@ -30,7 +32,9 @@ pub(super) fn object_of(model: &Model, node: usize) -> String {
 fn law_of(motion: &NodeMotion) -> Option<&Law> {
     match motion {
         NodeMotion::Mass { law } | NodeMotion::Rigid { law } => Some(law),
-        NodeMotion::Prescribed { .. } | NodeMotion::Rotor { .. } => None,
+        NodeMotion::Prescribed { .. }
+        | NodeMotion::Rotor { .. }
+        | NodeMotion::Constrained { .. } => None,
     }
 }
 
@@ -53,6 +57,18 @@ fn check_indices(model: &Model, faults: &mut Vec<Fault>) {
         };
         if law.is_some_and(|law| law.driver >= index) {
             refuse(path(), "its driver does not come before it");
+        }
+        if let NodeMotion::Constrained {
+            drivers,
+            constraint,
+        } = &node.motion
+        {
+            if drivers.iter().any(|&driver| driver >= index) {
+                refuse(path(), "a driver does not come before it");
+            }
+            if drivers.len() != constraint.drivers() {
+                refuse(path(), "a constraint of another number of drivers");
+            }
         }
         if track.is_some_and(|track| track >= tracks) {
             refuse(path(), "a track that does not exist");
@@ -86,9 +102,7 @@ fn check_indices(model: &Model, faults: &mut Vec<Fault>) {
         }
     }
     for part in &model.objects {
-        let driver = part
-            .driver
-            .is_some_and(|driver| driver >= model.objects.len());
+        let driver = (part.inputs.iter()).any(|input| input.driver >= model.objects.len());
         let node = part.nodes.iter().any(|&node| node >= nodes);
         let link = part.links.iter().any(|&link| link >= model.links.len());
         if driver || node || link || part.nodes.is_empty() {

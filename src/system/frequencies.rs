@@ -48,9 +48,25 @@ impl System {
         if n == 0 {
             return Vec::new();
         }
-        let (mass, stiffness) = self.frozen.linearised(regime, &self.start_modes());
+        let Linearised {
+            mass,
+            coupled,
+            stiffness,
+        } = self.frozen.linearised(regime, &self.start_modes());
         let root: Vec<f64> = mass.iter().map(|mass| mass.sqrt()).collect();
-        let scaled = DMatrix::from_fn(n, n, |i, j| stiffness[(i, j)] / (root[i] * root[j]));
+        let mut scaled = DMatrix::from_fn(n, n, |i, j| stiffness[(i, j)] / (root[i] * root[j]));
+        // What makes the masses unit ones: 1/√J, and where constraints couple them the
+        // inverse of the lower factor of the scaled mass matrix.
+        let mut unit = None;
+        if let Some(coupled) = coupled {
+            let matrix = DMatrix::from_fn(n, n, |i, j| coupled[(i, j)] / (root[i] * root[j]));
+            let factor = matrix.cholesky().map(|factor| factor.unpack());
+            let Some(inverse) = factor.and_then(|lower| lower.try_inverse()) else {
+                return Vec::new();
+            };
+            scaled = &inverse * scaled * inverse.transpose();
+            unit = Some(inverse.transpose());
+        }
         if scaled.iter().any(|entry| !entry.is_finite()) {
             return Vec::new();
         }
@@ -63,7 +79,12 @@ impl System {
             .map(|k| {
                 let square = eigen.eigenvalues[k];
                 let free = square <= FREE * FREE * highest;
-                let shape = DVector::from_fn(n, |i, _| eigen.eigenvectors[(i, k)] / root[i]);
+                let vector = eigen.eigenvectors.column(k).clone_owned();
+                let vector = match &unit {
+                    Some(unit) => unit * vector,
+                    None => vector,
+                };
+                let shape = DVector::from_fn(n, |i, _| vector[i] / root[i]);
                 VibrationMode {
                     frequency: if free { 0.0 } else { square.sqrt() },
                     shape: normalised(&shape),
@@ -185,68 +206,112 @@ fn normalised(shape: &DVector<f64>) -> Vec<f64> {
 }
 
 impl Frozen {
-    /// Diagonal mass and stiffness at the position at t = 0, on the law.
-    fn linearised(&self, regime: Regime, modes: &[i64]) -> (Vec<f64>, DMatrix<f64>) {
+    /// Mass and stiffness at the position at t = 0, on the law.
+    fn linearised(&self, regime: Regime, modes: &[i64]) -> Linearised {
         let n = self.coordinates;
         let mut work = Work::new(self);
         self.motion(0.0, &self.law_state(), modes, Extent::Full, &mut work);
         self.reduce_rigid(Extent::Full, &mut work);
-        // Every node's displacement is a factor times one free coordinate, or
-        // none: it is prescribed.
-        let mut moves: Vec<Option<(usize, f64)>> = vec![None; self.inertia.len()];
+        // Every node's displacement is a sum of factors times free coordinates: none,
+        // where it is prescribed, and more than one only behind a constraint.
+        let mut moves: Vec<Vec<(usize, f64)>> = vec![Vec::new(); self.inertia.len()];
+        let through = |moves: &[(usize, f64)], slope: f64| -> Vec<(usize, f64)> {
+            moves.iter().map(|&(c, f)| (c, f * slope)).collect()
+        };
         let mut mass = vec![1.0; n];
         let mut stiffness = DMatrix::zeros(n, n);
         for step in &self.steps {
             match step {
                 Step::Prescribed(_) => {}
                 Step::Rotor(rotor) => {
-                    moves[rotor.node] = Some((rotor.coordinate, 1.0));
+                    moves[rotor.node] = vec![(rotor.coordinate, 1.0)];
                     mass[rotor.coordinate] = work.mass[rotor.node];
                 }
                 Step::Rigid(index) => {
                     let rigid = self.rigids[*index];
                     let slope = work.laws[rigid.law].first;
-                    moves[rigid.node] =
-                        moves[self.laws[rigid.law].driver].map(|(c, f)| (c, f * slope));
+                    moves[rigid.node] = through(&moves[self.laws[rigid.law].driver], slope);
                 }
                 Step::Chain(index) => {
                     let chain = &self.chains[*index];
                     let slope = work.laws[chain.law].first;
                     for (node, coordinate) in chain.nodes().zip(chain.coordinates()) {
-                        moves[node] = Some((coordinate, 1.0));
+                        moves[node] = vec![(coordinate, 1.0)];
                         mass[coordinate] = work.mass[node];
                     }
-                    let base = moves[self.laws[chain.law].driver].map(|(c, f)| (c, f * slope));
+                    let base = through(&moves[self.laws[chain.law].driver], slope);
                     let first = chain.first_coordinate;
                     if regime == Regime::Engaged || !chain.contact.can_open() {
-                        add_link(&mut stiffness, self.stiffness[first], first, base);
+                        add_link(&mut stiffness, self.stiffness[first], first, &base);
                     }
                     for c in chain.coordinates().skip(1) {
-                        add_link(&mut stiffness, self.stiffness[c], c, Some((c - 1, 1.0)));
+                        add_link(&mut stiffness, self.stiffness[c], c, &[(c - 1, 1.0)]);
                     }
+                }
+                Step::Constrained(index) => {
+                    let constrained = &self.constraints[*index];
+                    let first = &work.constraints[*index].first;
+                    let mut sum: Vec<(usize, f64)> = Vec::new();
+                    for (&driver, &slope) in constrained.drivers.iter().zip(first) {
+                        for (c, f) in through(&moves[driver], slope) {
+                            match sum.iter_mut().find(|term| term.0 == c) {
+                                Some(term) => term.1 += f,
+                                None => sum.push((c, f)),
+                            }
+                        }
+                    }
+                    moves[constrained.node] = sum;
                 }
             }
         }
         for load in &self.loads {
-            if let (LoadLaw::Spring { rate, .. }, Some((c, factor))) = (&load.law, moves[load.node])
-            {
-                stiffness[(c, c)] += rate * factor * factor;
+            if let LoadLaw::Spring { rate, .. } = &load.law {
+                add_square(&mut stiffness, *rate, &moves[load.node]);
             }
         }
         for (index, linkage) in self.linkages.iter().enumerate() {
-            if let Some((c, factor)) = moves[linkage.node] {
-                stiffness[(c, c)] += self.potential_stiffness(index, &work) * factor * factor;
-            }
+            let own = self.potential_stiffness(index, &work);
+            add_square(&mut stiffness, own, &moves[linkage.node]);
         }
-        (mass, stiffness)
+        let coupled = (!self.heavy.is_empty()).then(|| {
+            let mut matrix = DMatrix::from_diagonal(&DVector::from_column_slice(&mass));
+            for &index in &self.heavy {
+                let node = self.constraints[index].node;
+                add_square(&mut matrix, work.mass[node], &moves[node]);
+            }
+            matrix
+        });
+        Linearised {
+            mass,
+            coupled,
+            stiffness,
+        }
     }
 }
 
-/// A spring between coordinate `end` and a factor times another.
-fn add_link(stiffness: &mut DMatrix<f64>, c: f64, end: usize, base: Option<(usize, f64)>) {
+/// The equations of small vibrations.
+struct Linearised {
+    /// The mass of every coordinate by itself.
+    mass: Vec<f64>,
+    /// The mass matrix, where inertia on constrained nodes couples the coordinates.
+    coupled: Option<DMatrix<f64>>,
+    stiffness: DMatrix<f64>,
+}
+
+/// Adds a·x², x a sum of factors times coordinates.
+fn add_square(matrix: &mut DMatrix<f64>, a: f64, x: &[(usize, f64)]) {
+    for &(i, f) in x {
+        for &(j, g) in x {
+            matrix[(i, j)] += a * f * g;
+        }
+    }
+}
+
+/// A spring between coordinate `end` and a sum of factors times others.
+fn add_link(stiffness: &mut DMatrix<f64>, c: f64, end: usize, base: &[(usize, f64)]) {
     stiffness[(end, end)] += c;
-    if let Some((base, factor)) = base {
-        stiffness[(base, base)] += c * factor * factor;
+    add_square(stiffness, c, base);
+    for &(base, factor) in base {
         stiffness[(end, base)] -= c * factor;
         stiffness[(base, end)] -= c * factor;
     }

@@ -5,6 +5,7 @@
 //! order, so that a chain is one contiguous range of nodes, of coordinates and
 //! of links.
 
+use super::constraints::Constrained;
 use super::friction::Group;
 use super::linkages::{FrozenLinkage, OutputPlace};
 use super::loads::FrozenLoad;
@@ -40,6 +41,10 @@ pub(super) struct Frozen {
     pub(super) rigids: Vec<Rigid>,
     /// Those of them that the right-hand side needs.
     pub(super) needed_rigids: Vec<Rigid>,
+    /// Nodes with several drivers, drivers before driven.
+    pub(super) constraints: Vec<Constrained>,
+    /// Those of them that inertia is on, indices into `constraints`.
+    pub(super) heavy: Vec<usize>,
     /// Linkages, drivers before driven.
     pub(super) linkages: Vec<FrozenLinkage>,
     /// Constant inertia of each node (k, kg·m² or kg).
@@ -77,6 +82,8 @@ pub(super) enum Step {
     Rigid(usize),
     /// A chain, index into [`Frozen::chains`].
     Chain(usize),
+    /// A node with several drivers, index into [`Frozen::constraints`].
+    Constrained(usize),
 }
 
 /// A node with given motion.
@@ -226,14 +233,8 @@ impl Frozen {
 
     /// True when the motion of a node hangs on a free coordinate.
     pub(super) fn moves_freely(&self, node: usize) -> bool {
-        let mut node = node;
-        while self.coordinate[node].is_none() {
-            let Some(rigid) = self.rigids.iter().find(|rigid| rigid.node == node) else {
-                return false;
-            };
-            node = self.laws[rigid.law].driver;
-        }
-        true
+        let mut roots = self.roots(node).into_iter();
+        roots.any(|root| self.coordinate[root].is_some())
     }
 
     /// Component of the modes of a track.

@@ -3,7 +3,7 @@
 //! Immutable and `Sync`. State enters as slices, results leave through
 //! `&mut` slices; nothing here allocates, hashes or walks a graph once built.
 //!
-//! `check` and `build` make the `frozen` layout of a model; `passes` and
+//! `check` and `build` make the `frozen` layout of a model; `passes`, `constraints` and
 //! `links` are the equations of motion; `pairs`, `loads`, `linkages` and
 //! `switches` what enters them; `balance`, `placing`, `start` and `onset` the state at t = 0;
 //! `observe`, `energy` and `reduce` what is read off; `scales` and `frequencies` what the
@@ -13,6 +13,7 @@ mod accelerations;
 mod balance;
 mod build;
 mod check;
+mod constraints;
 mod dynamics;
 mod energy;
 mod frequencies;

@@ -46,7 +46,7 @@ impl ObjectPlace {
                 Step::Rotor(rotor) if rotor.node == node => Some(motor(frozen, model, part, node)),
                 Step::Rigid(index) if frozen.rigids[*index].node == node => Some(Body::Rigid(
                     frozen.rigids[*index],
-                    part.rigid_pair.unwrap_or(BILATERAL),
+                    part.rigid_pair.unwrap_or_default(),
                 )),
                 Step::Chain(index) if frozen.chains[*index].nodes().contains(&node) => {
                     Some(Body::Chain(*index))
@@ -58,13 +58,6 @@ impl ObjectPlace {
         Self { node, body }
     }
 }
-
-const BILATERAL: Pair = Pair {
-    closure: Closure::Bilateral,
-    gap: 0.0,
-    opens: 1.0,
-    law: crate::model::DampingLaw::KelvinVoigt,
-};
 
 /// The torque of a motor: its characteristic over speed, or the constant load
 /// that bears the torque's own address.

@@ -4,6 +4,7 @@ use super::System;
 use super::frozen::{Frozen, FrozenLaw, Step};
 use super::taylor::way_of_law;
 use crate::breaks::Breaks;
+use crate::constraint::Constraint;
 use crate::model::LoadLaw;
 use crate::position::Position;
 use std::f64::consts::TAU;
@@ -88,6 +89,15 @@ impl System {
                 Step::Chain(chain) => {
                     let chain = &frozen.chains[*chain];
                     (chain.law, chain.nodes().start, chain.nodes().len())
+                }
+                Step::Constrained(index) => {
+                    let own = &frozen.constraints[*index];
+                    let Constraint::Linear { ratios, .. } = &own.constraint else {
+                        continue; // such a system does not expand
+                    };
+                    let terms = own.drivers.iter().zip(ratios);
+                    slopes[own.node] = terms.map(|(&d, ratio)| slopes[d] * ratio.abs()).sum();
+                    continue;
                 }
             };
             let law = &frozen.laws[index];

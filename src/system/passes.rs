@@ -8,6 +8,7 @@
 //!
 //! Written once for every kind of number.
 
+use super::constraints::{Chains, ConstraintValues, Coupling};
 use super::friction::Rubbing;
 use super::frozen::{Chain, Frozen, Step, segment};
 use super::linkages::{Cursor, Solved};
@@ -45,6 +46,10 @@ pub(super) struct Work<N> {
     pub(super) laws: Vec<LawValues<N>>,
     /// F of link 1 (one for each chain).
     pub(super) reaction: Vec<N>,
+    /// The constraints with several drivers.
+    pub(super) constraints: Vec<ConstraintValues<N>>,
+    /// Room for the inertia forces on them.
+    pub(super) coupling: Coupling<N>,
     /// J of the linkages, for the right-hand side.
     pub(super) reduced_inertia: Vec<N>,
     /// The linkages, solved once for all that looks at them.
@@ -74,6 +79,10 @@ impl<N: Quantity> Work<N> {
             mass: vec![zero; nodes],
             laws: vec![law; frozen.laws.len()],
             reaction: vec![zero; frozen.chains.len()],
+            constraints: (frozen.constraints.iter())
+                .map(ConstraintValues::new)
+                .collect(),
+            coupling: Coupling::new(frozen),
             reduced_inertia: vec![zero; frozen.linkages.len()],
             linkages: frozen.linkage_memory(),
             rubbing: frozen.rubbing_memory(),
@@ -122,6 +131,9 @@ impl Frozen {
             self.rub(state, modes, extent, work);
         }
         self.accelerate(state, extent, work, out);
+        if !self.heavy.is_empty() && self.couple(extent, Chains::Free, work) {
+            self.accelerate(state, extent, work, out);
+        }
     }
 
     /// The steps that an evaluation goes through.
@@ -172,6 +184,7 @@ impl Frozen {
                         }
                     }
                 }
+                Step::Constrained(index) => self.constrain(*index, work),
             }
         }
     }
@@ -271,6 +284,9 @@ impl Frozen {
     /// Hands the inertia and the forces of rigid nodes to their drivers, the
     /// last driven first.
     pub(super) fn reduce_rigid<N: Quantity>(&self, extent: Extent, work: &mut Work<N>) {
+        if !self.constraints.is_empty() {
+            return self.reduce_constrained(extent, work);
+        }
         let rigids = match extent {
             Extent::Needed => &self.needed_rigids,
             Extent::Full => &self.rigids,

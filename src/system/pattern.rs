@@ -4,6 +4,7 @@
 //! all modes and at every state. Laws of constant ratio hand on nothing: U′ is a
 //! number and U″ is zero.
 
+use super::constraints::Constrained;
 use super::frozen::{Chain, Frozen, Step};
 use crate::model::LoadLaw;
 use crate::position::Position;
@@ -37,6 +38,7 @@ impl Frozen {
         self.collect_loads(&mut of);
         self.collect_reactions(&mut of);
         self.collect_rigids(&mut of);
+        self.couple_sets(&mut of);
         let mut rows = vec![Set::new(); self.coordinates];
         for step in &self.steps {
             match step {
@@ -52,6 +54,14 @@ impl Frozen {
                 }
                 Step::Chain(index) => {
                     self.chain_rows(&self.chains[*index], &mut of, &mut rows);
+                }
+                Step::Constrained(index) => {
+                    let one = &self.constraints[*index];
+                    let mut set = self.gradient(one, &of.place);
+                    for &driver in &one.drivers {
+                        set.extend(&of.acceleration[driver]);
+                    }
+                    of.acceleration[one.node] = set;
                 }
             }
         }
@@ -92,6 +102,11 @@ impl Frozen {
                         place[node].insert(coordinate);
                     }
                 }
+                Step::Constrained(index) => {
+                    let one = &self.constraints[*index];
+                    let all = one.drivers.iter().flat_map(|&driver| place[driver].clone());
+                    place[one.node] = all.collect();
+                }
             }
         }
         place
@@ -125,7 +140,19 @@ impl Frozen {
             of.force[linkage.node].extend(&place);
             of.mass[linkage.node].extend(place);
         }
-        for rigid in self.rigids.iter().rev() {
+        for step in self.steps.iter().rev() {
+            let rigid = match *step {
+                Step::Rigid(index) => self.rigids[index],
+                Step::Constrained(index) => {
+                    let one = &self.constraints[index];
+                    let force = &self.gradient(one, &of.place) | &of.force[one.node];
+                    for &driver in &one.drivers {
+                        of.force[driver].extend(&force);
+                    }
+                    continue;
+                }
+                _ => continue,
+            };
             let driver = self.laws[rigid.law].driver;
             let slope = self.slope(rigid.law, &of.place);
             let mass = &slope | &of.mass[rigid.node];
@@ -138,6 +165,40 @@ impl Frozen {
             };
             of.mass[driver].extend(mass);
             of.force[driver].extend(force);
+        }
+    }
+
+    /// What the gradient of a constraint and its bias depend on.
+    fn gradient(&self, one: &Constrained, place: &[Set]) -> Set {
+        match one.constraint.is_linear() {
+            true => Set::new(),
+            false => place[one.node].clone(),
+        }
+    }
+
+    /// The inertia forces of constrained nodes depend on all that moves their roots, and
+    /// act on all of these.
+    fn couple_sets(&self, of: &mut Dependences) {
+        let mut all = Set::new();
+        let mut roots = Set::new();
+        for &index in &self.heavy {
+            let node = self.constraints[index].node;
+            all.extend(&of.place[node]);
+            all.extend(&of.mass[node]);
+            all.extend(&of.force[node]);
+            roots.extend(self.roots(node));
+        }
+        for &root in &roots {
+            all.extend(&of.force[root]);
+            all.extend(&of.mass[root]);
+            // The links of a chain's mass pull at it too.
+            let around = |chain: &&Chain| chain.nodes().contains(&root);
+            for chain in self.chains.iter().filter(around) {
+                all.extend(chain.coordinates());
+            }
+        }
+        for root in roots {
+            of.force[root].extend(&all);
         }
     }
 

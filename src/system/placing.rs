@@ -64,7 +64,7 @@ impl Frozen {
         for step in &self.steps {
             // Everything before this step is in its place by now.
             match step {
-                Step::Prescribed(_) | Step::Rigid(_) => {}
+                Step::Prescribed(_) | Step::Rigid(_) | Step::Constrained(_) => {}
                 Step::Rotor(rotor) => {
                     if let Some((displacement, speed)) = given[rotor.node] {
                         state[rotor.coordinate] = displacement;

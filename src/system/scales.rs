@@ -8,6 +8,7 @@
 //! The greatest accelerations are those of the mechanism on its laws, sampled
 //! along the drive's motion; a motor is taken at its no-load speed.
 
+use super::constraints::ConstraintValues;
 use super::frozen::{Chain, Frozen, FrozenLaw, Step};
 use super::loads::FrozenLoad;
 use super::passes::{Extent, Work};
@@ -42,7 +43,7 @@ pub(super) fn scales(frozen: &Frozen, sampled: &Sampled) -> Vec<f64> {
     let carried = carried_loads(frozen, sampled);
     for step in &frozen.steps {
         match step {
-            Step::Prescribed(_) | Step::Rigid(_) => {}
+            Step::Prescribed(_) | Step::Rigid(_) | Step::Constrained(_) => {}
             Step::Rotor(rotor) => {
                 let speed = nominal_speed(frozen, rotor.node, rotor.speed);
                 scales[rotor.coordinate] = ROTOR_ANGLE;
@@ -102,6 +103,7 @@ fn carried_loads(frozen: &Frozen, sampled: &Sampled) -> Vec<f64> {
     let Sampled {
         ranges,
         slopes,
+        gradients,
         linkages,
     } = sampled;
     let mut carried: Vec<f64> = frozen
@@ -131,6 +133,13 @@ fn carried_loads(frozen: &Frozen, sampled: &Sampled) -> Vec<f64> {
                 let total = carried[chain.nodes()].iter().sum();
                 carried[chain.first_node] = total;
                 carried[frozen.laws[chain.law].driver] += slopes[chain.law] * total;
+            }
+            Step::Constrained(index) => {
+                let constrained = &frozen.constraints[*index];
+                let force = carried[constrained.node];
+                for (&driver, slope) in constrained.drivers.iter().zip(&gradients[*index]) {
+                    carried[driver] += slope * force;
+                }
             }
         }
     }
@@ -202,6 +211,8 @@ pub(crate) struct Sampled {
     ranges: Vec<Range>,
     /// |U′| of every law.
     slopes: Vec<f64>,
+    /// |∂G/∂φᵢ| of every constraint.
+    gradients: Vec<Vec<f64>>,
     /// Force magnitudes that each linkage takes at its input.
     linkages: Vec<f64>,
 }
@@ -210,6 +221,12 @@ pub(crate) struct Sampled {
 pub(super) fn sample(frozen: &Frozen) -> Sampled {
     let mut ranges = vec![Range::default(); frozen.inertia.len()];
     let mut slopes = vec![0.0; frozen.laws.len()];
+    let mut constraints: Vec<ConstraintValues<f64>> = (frozen.constraints.iter())
+        .map(ConstraintValues::new)
+        .collect();
+    let mut gradients: Vec<Vec<f64>> = (frozen.constraints.iter())
+        .map(|one| vec![0.0; one.drivers.len()])
+        .collect();
     let mut linkages = vec![0.0f64; frozen.linkages.len()];
     let memory = frozen.linkage_memory();
     let mut motion = vec![[0.0; 3]; frozen.inertia.len()];
@@ -235,6 +252,13 @@ pub(super) fn sample(frozen: &Frozen) -> Sampled {
                     motion[chain.nodes()].fill(at);
                     slopes[chain.law] = slope.max(slopes[chain.law]);
                 }
+                Step::Constrained(index) => {
+                    let (own, values) = (&frozen.constraints[*index], &mut constraints[*index]);
+                    motion[own.node] = values.sample(own, &motion);
+                    for (slope, first) in gradients[*index].iter_mut().zip(&values.first) {
+                        *slope = slope.max(first.abs());
+                    }
+                }
             }
         }
         for (index, solved) in memory.iter().enumerate() {
@@ -253,6 +277,7 @@ pub(super) fn sample(frozen: &Frozen) -> Sampled {
     Sampled {
         ranges,
         slopes,
+        gradients,
         linkages,
     }
 }

@@ -9,6 +9,12 @@ impl Frozen {
     pub(super) fn mark_chains(&mut self) {
         let frozen = self;
         let watched: Vec<usize> = (frozen.laws.iter().map(|law| law.driver))
+            .chain(
+                frozen
+                    .constraints
+                    .iter()
+                    .flat_map(|one| one.drivers.clone()),
+            )
             .chain(frozen.loads.iter().map(|load| load.node))
             .chain(frozen.tracks.iter().filter_map(|track| track.node))
             .collect();
@@ -26,6 +32,12 @@ impl Frozen {
     fn idle_outputs(&self) -> Vec<usize> {
         let frozen = self;
         let watched: Vec<usize> = (frozen.laws.iter().map(|law| law.driver))
+            .chain(
+                frozen
+                    .constraints
+                    .iter()
+                    .flat_map(|one| one.drivers.clone()),
+            )
             .chain(frozen.loads.iter().map(|load| load.node))
             .chain(frozen.tracks.iter().filter_map(|track| track.node))
             .collect();

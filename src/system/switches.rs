@@ -153,7 +153,7 @@ impl System {
     pub(super) fn end_of_reach(&self, time: f64, edge: &Edge) -> PhysicalStop {
         let track = &self.frozen.tracks[edge.component - self.frozen.pairs.len()];
         let part = &self.model.objects[track.object];
-        let driver = part.driver.map(|driver| &self.model.objects[driver]);
+        let driver = part.driver().map(|driver| &self.model.objects[driver]);
         let place = match driver.map(|driver| driver.coordinate) {
             Some(Coordinate::Sliding) => format!("{:.9} m", edge.place),
             _ => format!("{:.6}°", edge.place.to_degrees()),

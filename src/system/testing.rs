@@ -141,8 +141,9 @@ fn add_part(
         kind,
         coordinate: Coordinate::Turning,
         nodes,
-        driver,
+        inputs: PartInput::only(driver),
         links,
+        combination: None,
         rigid_pair: None,
     });
     model.objects.len() - 1

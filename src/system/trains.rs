@@ -73,7 +73,7 @@ fn of_trains(frozen: &Frozen) -> Option<Vec<Train>> {
                 let (own, shift) = (law.lever * own, law.lever * shift);
                 (rigid.node, (train, own * ratio, own * offset + shift))
             }
-            Step::Prescribed(_) | Step::Chain(_) => return None,
+            Step::Prescribed(_) | Step::Chain(_) | Step::Constrained(_) => return None,
         };
         places[node] = Some(place);
         let train = &mut trains[place.0];

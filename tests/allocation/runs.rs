@@ -22,8 +22,9 @@ fn part(id: &str, nodes: Vec<usize>, driver: Option<usize>, links: Vec<usize>) -
         kind: "rocker",
         coordinate: Coordinate::Turning,
         nodes,
-        driver,
+        inputs: PartInput::only(driver),
         links,
+        combination: None,
         rigid_pair: None,
     }
 }

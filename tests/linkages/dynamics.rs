@@ -8,7 +8,6 @@ use dam::integrate::Dynamics;
 use dam::linkage::Linkage;
 use dam::linkage::spec::OutputKind;
 use dam::lower::lower;
-use dam::object::Description;
 use dam::scene::{BuiltIn, Document, Overrides, Scene};
 use dam::system::System;
 
@@ -40,7 +39,7 @@ fn read(text: &str, overrides: &[String]) -> Scene {
 /// absolute coordinates: the angle of the motor and every output must agree.
 fn compare(name: &str, text: &str, overrides: &[String]) {
     let scene = read(text, overrides);
-    let Description::Linkage(driven) = scene.objects["m"].object.description() else {
+    let Some(driven) = scene.objects["m"].object.linkage() else {
         panic!("{name}: m is a linkage");
     };
     let spec = driven.linkage.clone();

@@ -5,7 +5,6 @@ use dam::analysis::run::{RunResult, run};
 use dam::analysis::{Control, RunSettings};
 use dam::integrate::Dynamics;
 use dam::lower::lower;
-use dam::object::Description;
 use dam::scene::{BuiltIn, Document, Overrides, Scene};
 use dam::system::{ObjectState, System};
 use std::path::Path;
@@ -118,7 +117,7 @@ const PRESS: &str = r#"{ "dam": 1, "name": "press", "objects": {
 #[test]
 fn dimensions_of_a_catalogue_object_are_replaced_one_by_one() {
     let scene = read(PRESS, &["press.dimensions.offset=\"5 mm\""]);
-    let Description::Linkage(press) = scene.objects["press"].object.description() else {
+    let Some(press) = scene.objects["press"].object.linkage() else {
         panic!("a linkage");
     };
     let links = &press.linkage.links;
@@ -131,8 +130,11 @@ fn dimensions_of_a_catalogue_object_are_replaced_one_by_one() {
         7850.0 * 0.02 * 0.03 * 0.04,
         max_relative = 1e-14
     );
-    assert_eq!(scene.objects["tool"].input.as_deref(), Some("press.slide"));
-    assert_eq!(scene.objects["tool"].driver(), Some("press"));
+    assert_eq!(
+        scene.objects["tool"].connection("input"),
+        Some("press.slide")
+    );
+    assert_eq!(scene.graph().inputs("tool")[0].0, "press");
 }
 
 #[test]

@@ -1,5 +1,6 @@
 //! The JSON Schema is fresh, and says yes and no where the reading does.
 
+use dam::object::Registry;
 use dam::scene::{BuiltIn, Document, Overrides, schema, schema_text};
 use std::path::{Path, PathBuf};
 use std::{env, fs};
@@ -35,11 +36,11 @@ fn files(folder: &Path) -> Vec<PathBuf> {
 fn the_committed_schema_is_fresh() {
     let path = root().join("scenarios/scene.schema.json");
     if env::var_os("DAM_BLESS").is_some() {
-        fs::write(&path, schema_text()).expect("writing");
+        fs::write(&path, schema_text(&Registry::standard())).expect("writing");
     }
     let committed = fs::read_to_string(&path).unwrap_or_default();
     assert!(
-        committed == schema_text(),
+        committed == schema_text(&Registry::standard()),
         "scenarios/scene.schema.json is stale: run DAM_BLESS=1 cargo test --test schema"
     );
 }
@@ -52,7 +53,8 @@ fn a_scene_with_every_property_is_read_and_valid() {
         panic!("{diagnostics}");
     }
     let scene: serde_json::Value = serde_json::from_str(EVERYTHING).expect("JSON");
-    let validator = jsonschema::draft202012::new(&schema()).expect("a sound schema");
+    let validator =
+        jsonschema::draft202012::new(&schema(&Registry::standard())).expect("a sound schema");
     let errors: Vec<String> = validator
         .iter_errors(&scene)
         .map(|e| format!("{}: {e}", e.instance_path()))
@@ -65,7 +67,7 @@ fn a_scene_with_every_property_is_read_and_valid() {
 #[test]
 fn every_described_property_is_exercised() {
     let mut described = Vec::new();
-    names(&schema(), &mut described);
+    names(&schema(&Registry::standard()), &mut described);
     described.sort();
     described.dedup();
     assert!(described.len() > 80, "{} properties", described.len());
@@ -99,7 +101,8 @@ fn names(schema: &serde_json::Value, found: &mut Vec<String>) {
 /// refuses the reading must refuse too, and plain slips it must refuse itself.
 #[test]
 fn the_schema_refuses_plain_slips() {
-    let validator = jsonschema::draft202012::new(&schema()).expect("a sound schema");
+    let validator =
+        jsonschema::draft202012::new(&schema(&Registry::standard())).expect("a sound schema");
     let sound: serde_json::Value =
         serde_json::from_str(include_str!("../rocker_scene.json")).expect("JSON");
     assert!(validator.is_valid(&sound));
@@ -152,7 +155,8 @@ fn the_schema_refuses_plain_slips() {
 
 #[test]
 fn the_committed_scenes_are_valid_and_name_the_schema() {
-    let validator = jsonschema::draft202012::new(&schema()).expect("a sound schema");
+    let validator =
+        jsonschema::draft202012::new(&schema(&Registry::standard())).expect("a sound schema");
     for path in files(&root().join("scenarios")) {
         if path.ends_with("scene.schema.json") {
             continue;

@@ -7,7 +7,7 @@ use dam::analysis::{Control, RunSettings, Warning};
 use dam::integrate::Method;
 use dam::model::{
     Closure, Coordinate, DampingLaw, ExplicitStart, Law, Link, LinkBase, Load, LoadLaw, Model,
-    Node, NodeMotion, ObjectPart, Pair, Start,
+    Node, NodeMotion, ObjectPart, Pair, PartInput, Start,
 };
 use dam::motion::DriveMotion;
 use dam::position::Position;
@@ -48,8 +48,9 @@ fn one_object(position: Position, motion: fn(Law) -> NodeMotion, load: f64) -> M
         kind,
         coordinate: Coordinate::Turning,
         nodes: vec![node],
-        driver,
+        inputs: PartInput::only(driver),
         links: Vec::new(),
+        combination: None,
         rigid_pair: None,
     };
     Model {

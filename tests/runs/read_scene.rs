@@ -1,7 +1,6 @@
 //! Correct scenes are read into the right numbers.
 
 use dam::model::{Closure, Coordinate, DampingLaw};
-use dam::object::Description;
 use dam::object::spec::{BodySpec, ChainSpec, InertiaSplit, LoadLawSpec, MassChoice};
 use dam::position::PositionSpec;
 use dam::scene::{BuiltIn, Document, Expected, Overrides, Reading, StartSpec};
@@ -18,10 +17,8 @@ fn read(text: &str, overrides: &[&str]) -> Reading {
 }
 
 fn chain<'a>(reading: &'a Reading, id: &str) -> &'a ChainSpec {
-    match reading.scene.objects[id].object.description() {
-        Description::Chain(chain) => chain,
-        Description::Drive(_) | Description::Linkage(_) => panic!("{id} is no chain"),
-    }
+    let chain = reading.scene.objects[id].object.chain();
+    chain.unwrap_or_else(|| panic!("{id} is no chain"))
 }
 
 #[test]
@@ -33,7 +30,7 @@ fn the_two_mass_rocker_is_read() {
     assert_eq!(scene.run.duration, 0.5);
     assert_eq!(scene.run.start, StartSpec::Static);
     assert_eq!(scene.run.samples, 1000);
-    assert_eq!(scene.objects["rocker"].input.as_deref(), Some("shaft"));
+    assert_eq!(scene.objects["rocker"].connection("input"), Some("shaft"));
     let rocker = chain(&reading, "rocker");
     assert_eq!(rocker.coordinate, Coordinate::Turning);
     assert_eq!(rocker.pair.closure, Closure::Force);

@@ -5,7 +5,7 @@ use dam::analysis::{Control, RunSettings};
 use dam::integrate::Method;
 use dam::model::{
     Closure, Coordinate, DampingLaw, Link, LinkBase, Load, LoadLaw, Model, Node, NodeMotion,
-    ObjectPart, Pair, Start,
+    ObjectPart, Pair, PartInput, Start,
 };
 use dam::motion::DriveMotion;
 use dam::position::Position;
@@ -152,8 +152,9 @@ fn objects(masses: usize) -> Vec<ObjectPart> {
         kind,
         coordinate: Coordinate::Turning,
         nodes,
-        driver,
+        inputs: PartInput::only(driver),
         links,
+        combination: None,
         rigid_pair: None,
     };
     vec![

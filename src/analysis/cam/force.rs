@@ -112,7 +112,7 @@ impl<'m> CamForce<'m> {
         speed: Option<f64>,
     ) -> Result<Self, String> {
         let reduction = Reduction::new(model, object, cam)?;
-        let driver = model.objects[object].driver;
+        let driver = model.objects[object].driver();
         let node = driver.and_then(|driver| model.objects[driver].nodes.last());
         let speed = speed.or_else(|| constant_speed(model, *node?));
         let speed = speed.ok_or("the cam has no constant speed: give one")?;

@@ -13,7 +13,6 @@ pub use result::{Answer, CamFigures, FaceFigures, Question, Radii, figures};
 use crate::cam::DiscCam;
 use crate::fault::{Fault, Faults};
 use crate::model::{Closure, Model, NodeMotion};
-use crate::object::Description;
 use crate::position::Position;
 use crate::scene::Scene;
 
@@ -57,7 +56,7 @@ pub fn disc_cam(scene: &Scene, model: &Model, id: &str) -> Result<DiscCam, Vec<F
     let Some(position) = position else {
         return Err(vec![Fault::new(id, "it follows no law", "")]);
     };
-    if let Description::Chain(chain) = object.object.description() {
+    if let Some(chain) = object.object.chain() {
         let away = chain.pair.opens * chain.lever.signum() * geometry.outward;
         let wanted = match geometry.surface {
             crate::cam::Surface::Hollow => -1.0,

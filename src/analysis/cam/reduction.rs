@@ -63,10 +63,16 @@ impl<'m> Reduction<'m> {
         // A follower may stand before what drives it in the list of objects.
         for _ in 0..model.objects.len() {
             for (index, one) in model.objects.iter().enumerate() {
-                members[index] |= one.driver.is_some_and(|driver| members[driver]);
+                members[index] |= one.inputs.iter().any(|input| members[input.driver]);
             }
         }
         let parts = model.objects.iter().zip(&members);
+        if let Some((several, _)) = (parts.clone()).find(|(one, is)| **is && one.inputs.len() > 1) {
+            let id = &several.id;
+            return Err(format!(
+                "`{id}` has several inputs: what it loads the cam with is not told"
+            ));
+        }
         let mut nodes: Vec<usize> = parts
             .filter(|(_, member)| **member)
             .flat_map(|(part, _)| part.nodes.iter().copied())
@@ -271,7 +277,9 @@ impl<'m> Reduction<'m> {
 fn law_of(model: &Model, node: usize) -> Option<&Law> {
     match &model.nodes[node].motion {
         NodeMotion::Mass { law } | NodeMotion::Rigid { law } => Some(law),
-        NodeMotion::Prescribed { .. } | NodeMotion::Rotor { .. } => None,
+        NodeMotion::Prescribed { .. }
+        | NodeMotion::Rotor { .. }
+        | NodeMotion::Constrained { .. } => None,
     }
 }
 

@@ -128,7 +128,9 @@ fn short<'m>(model: &'m Model, part: &ObjectPart) -> Option<&'m Law> {
 fn law_of(model: &Model, node: NodeIndex) -> Option<&Law> {
     match &model.nodes[node].motion {
         NodeMotion::Mass { law } | NodeMotion::Rigid { law } => Some(law),
-        NodeMotion::Prescribed { .. } | NodeMotion::Rotor { .. } => None,
+        NodeMotion::Prescribed { .. }
+        | NodeMotion::Rotor { .. }
+        | NodeMotion::Constrained { .. } => None,
     }
 }
 
@@ -143,6 +145,13 @@ fn start_of(model: &Model, node: NodeIndex) -> f64 {
             let driver = start_of(model, law.driver);
             let segment = law.position.breaks().locate(driver, 1.0);
             law.lever * law.position.jet(segment, driver).value
+        }
+        NodeMotion::Constrained {
+            drivers,
+            constraint,
+        } => {
+            let starts: Vec<f64> = drivers.iter().map(|&d| start_of(model, d)).collect();
+            constraint.value(&starts)
         }
     }
 }

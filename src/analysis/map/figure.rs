@@ -20,11 +20,7 @@ pub(super) fn default_figure(model: &Model, order: &[String]) -> Option<String> 
 /// Why there is no figure to begin with, and which there are in every cell: those
 /// of an object's whole motion, which rigid objects and drives have as well.
 pub(super) fn nothing_elastic(model: &Model) -> String {
-    let driven = model
-        .objects
-        .iter()
-        .rev()
-        .find(|part| part.driver.is_some());
+    let driven = model.objects.iter().rev().find(|part| !part.is_drive());
     let id = driven.or(model.objects.last());
     let id = id.map_or("object", |part| part.id.as_str());
     let all = ["peak_speed", "peak_acceleration", "peak_reaction"];

@@ -81,8 +81,15 @@ impl Path {
             times: Vec::new(),
             amplitude: vec![None; model.objects.len()],
         };
-        let motor = |node: &Node| matches!(node.motion, NodeMotion::Rotor { .. });
-        if model.nodes.iter().any(motor) {
+        // What a motor turns is not known beforehand; sums of several inputs are left to
+        // the run.
+        let unknown = |node: &Node| {
+            matches!(
+                node.motion,
+                NodeMotion::Rotor { .. } | NodeMotion::Constrained { .. }
+            )
+        };
+        if model.nodes.iter().any(unknown) {
             return path;
         }
         let span = span(model, duration);
@@ -114,7 +121,7 @@ impl Path {
                 let jet = motion.jet(segment(*track, time, 1.0), time);
                 [jet.value, jet.first, jet.second, 0.0]
             }
-            NodeMotion::Rotor { .. } => [f64::NAN; 4],
+            NodeMotion::Rotor { .. } | NodeMotion::Constrained { .. } => [f64::NAN; 4],
             NodeMotion::Mass { law } | NodeMotion::Rigid { law } => {
                 let driver = &self.motions[self.places[law.driver]];
                 let (phi, speed) = (driver.displacement[instant], driver.speed[instant]);
@@ -294,6 +301,9 @@ fn oscillates(model: &Model, node: NodeIndex) -> bool {
             !matches!(law.position, Position::Ratio { .. }) || oscillates(model, law.driver)
         }
         NodeMotion::Prescribed { .. } | NodeMotion::Rotor { .. } => false,
+        NodeMotion::Constrained { drivers, .. } => {
+            drivers.iter().any(|&driver| oscillates(model, driver))
+        }
     }
 }
 

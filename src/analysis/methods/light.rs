@@ -1,7 +1,6 @@
 //! The lightest run that answers the question: samples of the deviations and
 //! the times of the switches, nothing else. This is what is timed.
 
-use crate::analysis::kinematic::Driven;
 use crate::analysis::{Control, RunSettings, exact};
 use crate::exact::Asked;
 use crate::fault::Fault;
@@ -178,7 +177,7 @@ pub(super) fn light_run(
     let begun = Instant::now();
     let mut listener = Listener::new(system, tracks, settings);
     let outcome = integrate(
-        &Driven::new(system),
+        system,
         0.0,
         settings.duration,
         &initial.y,

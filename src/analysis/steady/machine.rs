@@ -41,10 +41,10 @@ const NONE: f64 = 1e-290;
 /// # Errors
 /// There are several and none is named; there is none of that name.
 pub fn drive_of(model: &Model, named: Option<&str>) -> Result<usize, Vec<Fault>> {
-    let is_drive = |&(_, part): &(usize, &crate::model::ObjectPart)| part.driver.is_none();
+    let is_drive = |&(_, part): &(usize, &crate::model::ObjectPart)| part.is_drive();
     let mut drives = model.objects.iter().enumerate().filter(is_drive);
     let ids = || -> Vec<String> {
-        let parts = model.objects.iter().filter(|part| part.driver.is_none());
+        let parts = model.objects.iter().filter(|part| part.is_drive());
         parts.map(|part| format!("`{}`", part.id)).collect()
     };
     let found = match named {
@@ -94,8 +94,14 @@ fn behind(model: &Model, node: usize) -> Vec<bool> {
     moved[node] = true;
     // Drivers stand before what they drive.
     for index in 0..model.nodes.len() {
-        if let NodeMotion::Mass { law } | NodeMotion::Rigid { law } = &model.nodes[index].motion {
-            moved[index] |= moved[law.driver];
+        match &model.nodes[index].motion {
+            NodeMotion::Mass { law } | NodeMotion::Rigid { law } => {
+                moved[index] |= moved[law.driver];
+            }
+            NodeMotion::Constrained { drivers, .. } => {
+                moved[index] |= drivers.iter().any(|&driver| moved[driver]);
+            }
+            NodeMotion::Prescribed { .. } | NodeMotion::Rotor { .. } => {}
         }
     }
     moved
@@ -126,7 +132,13 @@ fn obstacles(model: &Model, moved: &[bool]) -> Vec<Fault> {
     let mut faults = Vec::new();
     for part in &model.objects {
         let node = part.nodes[0];
-        if moved[node] && matches!(model.nodes[node].motion, NodeMotion::Mass { .. }) {
+        if part.combination.is_some_and(|node| moved[node]) {
+            let id = &part.id;
+            let message =
+                format!("`{id}` has several inputs: its steady motion is not asked of one drive");
+            let hint = "follow it with `dam run`";
+            faults.push(Fault::new(format!("{id}.inputs"), message, hint));
+        } else if moved[node] && matches!(model.nodes[node].motion, NodeMotion::Mass { .. }) {
             let message = format!("`{}` is elastic, and its drive is not prescribed", part.id);
             let hint = "\"masses\": 0 for the energy-mass method; or a drive with a `motion`";
             faults.push(Fault::new(format!("{}.masses", part.id), message, hint));

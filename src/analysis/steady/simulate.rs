@@ -39,7 +39,7 @@ pub(super) fn simulate(
     answer: &RigidAnswer,
     added: [f64; 2],
 ) -> Result<Simulation, String> {
-    let drives = model.objects.iter().filter(|part| part.driver.is_none());
+    let drives = model.objects.iter().filter(|part| part.is_drive());
     if drives.count() > 1 {
         return Err("the scene has other drives".to_owned());
     }

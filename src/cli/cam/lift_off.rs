@@ -40,7 +40,7 @@ pub(super) fn search(
         return refuse("only a pair that is closed by force lifts off");
     }
     let mut root = object;
-    while let Some(driver) = model.objects[root].driver {
+    while let Some(driver) = model.objects[root].driver() {
         root = driver;
     }
     let drive = &model.objects[root];

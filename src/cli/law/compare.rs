@@ -180,7 +180,7 @@ impl Comparison<'_> {
             Failure::Other(message)
         })?;
         let mut root = object;
-        while let Some(driver) = model.objects[root].driver {
+        while let Some(driver) = model.objects[root].driver() {
             root = driver;
         }
         let part = &model.objects[root];

@@ -16,7 +16,11 @@ pub(super) fn command(args: &CycleArgs) -> Result<(), Failure> {
     let wrong = |what: &str| Failure::Other(format!("--of {}: {what}", args.of));
     let part = model.objects.iter().find(|part| part.id == args.of);
     let part = part.ok_or_else(|| wrong("there is no such object"))?;
-    let driver = part.driver.ok_or_else(|| wrong("a drive follows no law"))?;
+    if part.is_drive() {
+        return Err(wrong("a drive follows no law"));
+    }
+    let driver = part.driver();
+    let driver = driver.ok_or_else(|| wrong("it follows several inputs, not one"))?;
     let law = match &model.nodes[part.nodes[0]].motion {
         NodeMotion::Mass { law } | NodeMotion::Rigid { law } => law,
         _ => return Err(wrong("it follows no law")),

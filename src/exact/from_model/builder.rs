@@ -4,6 +4,7 @@ mod loads;
 
 use super::course::{Course, straight};
 use super::{Holder, KeptLaws, MassPlace, Part, Parts, law, load};
+use crate::constraint::Constraint;
 use crate::exact::{Law, Refusal, TreeMass, TreeObject, TreePair, TreeProblem};
 use crate::model::{
     Closure, DampingLaw, Law as ModelLaw, LinkBase, Model, NodeMotion, ObjectPart, Pair,
@@ -97,6 +98,9 @@ impl<'m> Builder<'m> {
     fn object(&mut self, object: usize) {
         let part = &self.model.objects[object];
         let node = part.nodes[0];
+        if let Some(combination) = part.combination {
+            self.combine(object, combination);
+        }
         match &self.model.nodes[node].motion {
             NodeMotion::Prescribed { motion, .. } => {
                 self.roles[node] = Role::Prescribed(Course::new(motion), Vec::new());
@@ -107,7 +111,50 @@ impl<'m> Builder<'m> {
             ),
             NodeMotion::Rigid { law } => self.rigid(object, law),
             NodeMotion::Mass { law } => self.chain(object, law),
+            NodeMotion::Constrained { .. } => {
+                self.refuse(object, "it is the sum of its inputs itself");
+            }
         }
+    }
+
+    /// What the node is on which an object's inputs are combined.
+    fn combine(&mut self, object: usize, node: usize) {
+        let NodeMotion::Constrained {
+            drivers,
+            constraint,
+        } = &self.model.nodes[node].motion
+        else {
+            return;
+        };
+        let mut courses = Vec::with_capacity(drivers.len());
+        let roles: Vec<Role<'m>> = drivers.iter().map(|&d| self.roles[d].clone()).collect();
+        for role in &roles {
+            match role {
+                Role::Prescribed(course, _) => courses.push(course.clone()),
+                // Said of the driver already.
+                Role::Unfit => return,
+                Role::Moved(_) => {}
+            }
+        }
+        let reason = if courses.len() < drivers.len() {
+            "one of its inputs moves elastically"
+        } else {
+            match constraint {
+                Constraint::Linear { ratios, offset } => {
+                    let terms = ratios.iter().copied().zip(courses).collect();
+                    let sum = Course::sum(terms, *offset);
+                    self.roles[node] = Role::Prescribed(sum, Vec::new());
+                    return;
+                }
+                Constraint::Custom(_) => "its inputs are combined by no linear function",
+            }
+        };
+        for role in &roles {
+            if let Role::Moved(moved) = role {
+                self.spoiled[moved.tree] = true;
+            }
+        }
+        self.refuse(object, reason);
     }
 
     /// What drives an object, with its id.
@@ -119,7 +166,7 @@ impl<'m> Builder<'m> {
     fn line(&mut self, object: usize, law: &ModelLaw, role: &Role<'_>) -> Option<(f64, f64)> {
         let line = straight(&law.position).map(|(r, o)| (law.lever * r, law.lever * o));
         if line.is_none() {
-            let driver = self.model.objects[object].driver;
+            let driver = self.model.objects[object].driver();
             let driver = driver.map_or("its driver", |driver| &self.model.objects[driver].id);
             let reason = format!(
                 "its position function is not a straight line, and `{driver}`, which drives it, \
@@ -288,10 +335,12 @@ impl<'m> Builder<'m> {
 
     fn finish(self) -> Parts {
         let spans = self.roles.iter().filter_map(|role| match role {
-            Role::Prescribed(course, laws) if !laws.is_empty() => match law::law(course, laws) {
-                Law::Spans(source) => Some(source),
-                Law::Harmonic { .. } => None,
-            },
+            Role::Prescribed(course, laws) if !laws.is_empty() || course.is_sum() => {
+                match law::law(course, laws) {
+                    Law::Spans(source) => Some(source),
+                    Law::Harmonic { .. } => None,
+                }
+            }
             _ => None,
         });
         let spans = spans.collect();

@@ -38,11 +38,25 @@ impl Stage {
 /// The prescribed motion of a node.
 #[derive(Clone, Debug)]
 pub(crate) struct Course {
-    pub(crate) motion: DriveMotion,
+    source: Source,
     pub(crate) stages: Vec<Stage>,
-    /// Breaks and joints of the motion over time.
-    breaks: Breaks,
-    joints: Breaks,
+}
+
+/// Where a prescribed motion comes from.
+#[derive(Clone, Debug)]
+enum Source {
+    /// A drive.
+    Drive {
+        motion: DriveMotion,
+        /// Breaks and joints of the motion over time.
+        breaks: Breaks,
+        joints: Breaks,
+    },
+    /// Σ ratio·φ + offset of several prescribed motions.
+    Sum {
+        terms: Vec<(f64, Course)>,
+        offset: f64,
+    },
 }
 
 /// The formulas in force just after an instant.
@@ -50,6 +64,8 @@ pub(crate) struct Course {
 pub(crate) struct Formulas {
     /// Piece of the drive's motion.
     piece: i64,
+    /// Those of the terms of a sum.
+    pub(crate) terms: Vec<Formulas>,
     /// When the motion's formula changes (s).
     pub(crate) until: f64,
     /// For each stage its segment, and the limits of its argument.
@@ -85,13 +101,67 @@ impl Course {
     pub(crate) fn new(motion: &DriveMotion) -> Self {
         let breaks = motion.breaks();
         Self {
-            motion: motion.clone(),
             stages: Vec::new(),
-            joints: Breaks {
-                points: motion.joints(),
-                period: breaks.period,
+            source: Source::Drive {
+                motion: motion.clone(),
+                joints: Breaks {
+                    points: motion.joints(),
+                    period: breaks.period,
+                },
+                breaks,
             },
-            breaks,
+        }
+    }
+
+    /// Σ ratio·φ + offset of prescribed motions; of uniform ones again a uniform one.
+    pub(crate) fn sum(terms: Vec<(f64, Self)>, offset: f64) -> Self {
+        let lines = terms.iter().map(|(ratio, term)| {
+            let (speed, angle) = term.line()?;
+            Some((ratio * speed, ratio * angle))
+        });
+        if let Some(lines) = lines.collect::<Option<Vec<(f64, f64)>>>() {
+            return Self::new(&DriveMotion::Constant {
+                speed: lines.iter().map(|line| line.0).sum(),
+                angle: lines.iter().map(|line| line.1).sum::<f64>() + offset,
+            });
+        }
+        Self {
+            source: Source::Sum { terms, offset },
+            stages: Vec::new(),
+        }
+    }
+
+    /// Speed and displacement at t = 0 of a motion of constant speed.
+    fn line(&self) -> Option<(f64, f64)> {
+        let Some(&DriveMotion::Constant { speed, angle }) = self.drive() else {
+            return None;
+        };
+        let through = |(speed, angle): (f64, f64), stage: &Stage| {
+            let (ratio, offset) = straight(&stage.position)?;
+            let slope = stage.lever * ratio;
+            Some((slope * speed, slope * angle + stage.lever * offset))
+        };
+        self.stages.iter().try_fold((speed, angle), through)
+    }
+
+    /// The motion of the drive that it comes from; `None`: from several.
+    pub(crate) fn drive(&self) -> Option<&DriveMotion> {
+        match &self.source {
+            Source::Drive { motion, .. } => Some(motion),
+            Source::Sum { .. } => None,
+        }
+    }
+
+    /// True when it comes from several drives, or from one in several ways.
+    pub(crate) fn is_sum(&self) -> bool {
+        self.drive().is_none()
+    }
+
+    /// The motions that it is the sum of; none where it comes from one drive.
+    pub(crate) fn terms(&self) -> &[(f64, Self)] {
+        match &self.source {
+            Source::Drive { .. } => &[],
+            Source::Sum { terms, .. } => terms,
         }
     }
 
@@ -113,7 +183,14 @@ impl Course {
     /// Time from which on the drive turns uniformly, or goes on by one formula,
     /// or repeats itself (s).
     pub(crate) fn settled(&self) -> f64 {
-        match (self.joints.period, self.joints.points.last()) {
+        let joints = match &self.source {
+            Source::Drive { joints, .. } => joints,
+            Source::Sum { terms, .. } => {
+                let settled = terms.iter().map(|(_, term)| term.settled());
+                return settled.fold(0.0, f64::max);
+            }
+        };
+        match (joints.period, joints.points.last()) {
             (None, Some(last)) => last.max(0.0),
             _ => 0.0,
         }
@@ -121,13 +198,17 @@ impl Course {
 
     /// The first joint of the motion over time after `time`; +∞: there is none.
     fn joint_after(&self, time: f64) -> f64 {
+        let Source::Drive { joints, .. } = &self.source else {
+            let next = self.terms().iter().map(|(_, term)| term.joint_after(time));
+            return next.fold(f64::INFINITY, f64::min);
+        };
         let later = |joint: &f64| *joint > time + near(time, *joint);
-        let found = match self.joints.period {
-            None => self.joints.points.iter().copied().find(later),
+        let found = match joints.period {
+            None => joints.points.iter().copied().find(later),
             Some(_) => {
-                let now = self.joints.locate(time, 1.0);
-                let ahead = now..=now + self.joints.points.len() as i64 + 1;
-                let mut ends = ahead.map(|segment| self.joints.edges(segment).1);
+                let now = joints.locate(time, 1.0);
+                let ahead = now..=now + joints.points.len() as i64 + 1;
+                let mut ends = ahead.map(|segment| joints.edges(segment).1);
                 ends.find(later)
             }
         };
@@ -137,15 +218,24 @@ impl Course {
     /// About the time that the drive takes for its next turn from `time` on
     /// (s); +∞ at rest.
     pub(crate) fn turn(&self, time: f64) -> f64 {
+        if self.is_sum() {
+            let turns = self.terms().iter().map(|(_, term)| term.turn(time));
+            return turns.fold(f64::INFINITY, f64::min);
+        }
         let now = self.at(&self.formulas(time), 0, time);
         TAU / (now.speed.abs() + (TAU * now.acceleration.abs()).sqrt())
     }
 
     /// The formulas in force just after `time`.
     pub(crate) fn formulas(&self, time: f64) -> Formulas {
-        let piece = self.breaks.locate(time + near(time, 0.0), 1.0);
+        let piece = match &self.source {
+            Source::Drive { breaks, .. } => breaks.locate(time + near(time, 0.0), 1.0),
+            Source::Sum { .. } => 0,
+        };
+        let terms = self.terms().iter().map(|(_, term)| term.formulas(time));
         let mut formulas = Formulas {
             piece,
+            terms: terms.collect(),
             until: self.joint_after(time),
             segments: Vec::with_capacity(self.stages.len()),
             limits: Vec::with_capacity(self.stages.len()),
@@ -181,14 +271,7 @@ impl Course {
 
     /// The motion after its first `depth` stages at `time`.
     pub(crate) fn at(&self, formulas: &Formulas, depth: usize, time: f64) -> Instant {
-        let jet = self.motion.jet(formulas.piece, time);
-        let mut now = Instant {
-            value: jet.value,
-            speed: jet.first,
-            acceleration: jet.second,
-            span: jet.value.abs() + (jet.first * time).abs(),
-            size: jet.second.abs() + (jet.third * time).abs(),
-        };
+        let mut now = self.source.at(formulas, time);
         for (stage, &segment) in self.stages.iter().zip(&formulas.segments).take(depth) {
             let jet = stage.position.jet(segment, now.value).scaled(stage.lever);
             let square = now.speed * now.speed;
@@ -210,19 +293,93 @@ impl Course {
         let settled = self.settled();
         let formulas = self.formulas(settled);
         let speed = self.at(&formulas, 0, settled).speed;
-        let mut rhythm = match &self.motion {
-            DriveMotion::Accelerated { acceleration, .. } if *acceleration != 0.0 => Rhythm::None,
-            DriveMotion::Plan(plan) => {
+        let mut rhythm = match self.drive() {
+            None => {
+                let terms = self.terms().iter();
+                let terms = terms.map(|(ratio, term)| term.rhythm().scaled(*ratio));
+                terms.fold(Rhythm::Uniform(0.0), Rhythm::with)
+            }
+            Some(DriveMotion::Accelerated { acceleration, .. }) if *acceleration != 0.0 => {
+                Rhythm::None
+            }
+            Some(DriveMotion::Plan(plan)) => {
                 let spec = plan.spec();
                 let repeats = |period| Rhythm::Periodic(period, spec.advance);
                 spec.period.map_or(Rhythm::Uniform(speed), repeats)
             }
-            _ => Rhythm::Uniform(speed),
+            Some(_) => Rhythm::Uniform(speed),
         };
         for stage in &self.stages {
             rhythm = stage.rhythm(rhythm);
         }
         rhythm
+    }
+}
+
+impl Source {
+    /// The motion at `time`.
+    fn at(&self, formulas: &Formulas, time: f64) -> Instant {
+        match self {
+            Self::Drive { motion, .. } => {
+                let jet = motion.jet(formulas.piece, time);
+                Instant {
+                    value: jet.value,
+                    speed: jet.first,
+                    acceleration: jet.second,
+                    span: jet.value.abs() + (jet.first * time).abs(),
+                    size: jet.second.abs() + (jet.third * time).abs(),
+                }
+            }
+            Self::Sum { terms, offset } => {
+                let mut sum = Instant {
+                    value: *offset,
+                    span: offset.abs(),
+                    ..Instant::default()
+                };
+                for ((ratio, term), formulas) in terms.iter().zip(&formulas.terms) {
+                    let now = term.at(formulas, term.stages.len(), time);
+                    sum.value += ratio * now.value;
+                    sum.speed += ratio * now.speed;
+                    sum.acceleration += ratio * now.acceleration;
+                    sum.span += ratio.abs() * now.span;
+                    sum.size += ratio.abs() * now.size;
+                }
+                sum
+            }
+        }
+    }
+}
+
+impl Rhythm {
+    /// That of a motion times a ratio.
+    fn scaled(self, ratio: f64) -> Self {
+        match self {
+            Self::Uniform(speed) => Self::Uniform(ratio * speed),
+            Self::Periodic(period, advance) => Self::Periodic(period, ratio * advance),
+            Self::None => Self::None,
+        }
+    }
+
+    /// That of the sum of two motions.
+    fn with(self, other: Self) -> Self {
+        match (self, other) {
+            (Self::Uniform(one), Self::Uniform(other)) => Self::Uniform(one + other),
+            (Self::Uniform(speed), Self::Periodic(period, advance))
+            | (Self::Periodic(period, advance), Self::Uniform(speed)) => {
+                Self::Periodic(period, advance + speed * period)
+            }
+            (Self::Periodic(one, advance), Self::Periodic(other, gained)) => {
+                // The longer period, of which the other is a whole fraction.
+                if let Some(turns) = whole(one / other) {
+                    Self::Periodic(one, advance + turns * gained)
+                } else if let Some(turns) = whole(other / one) {
+                    Self::Periodic(other, turns * advance + gained)
+                } else {
+                    Self::None
+                }
+            }
+            _ => Self::None,
+        }
     }
 }
 

@@ -174,14 +174,10 @@ fn attempt(
     tail: f64,
 ) -> Trial {
     let depth = course.stages.len();
-    for (index, &limits) in formulas.limits.iter().chain([&last]).enumerate() {
-        if limits.0.is_finite() || limits.1.is_finite() {
-            match leaves(course, formulas, index, limits, time, length) {
-                Ok(None) => {}
-                Ok(Some(after)) => return Trial::Leaves(after),
-                Err(()) => return Trial::Long,
-            }
-        }
+    match leaves_any(course, formulas, last, time, length) {
+        Ok(None) => {}
+        Ok(Some(after)) => return Trial::Leaves(after),
+        Err(()) => return Trial::Long,
     }
     let mut size = 0.0f64;
     let values = TABLES.places.map(|place| {
@@ -225,6 +221,37 @@ fn attempt(
         coefficients: powers,
         limits: last,
     })
+}
+
+/// When the motion, or a term of it, leaves the limits of one of its formulas within
+/// `length`, or its displacement leaves `last`; `Err`: the interval is too long to tell.
+fn leaves_any(
+    course: &Course,
+    formulas: &Formulas,
+    last: (f64, f64),
+    time: f64,
+    length: f64,
+) -> Result<Option<f64>, ()> {
+    let everywhere = (f64::NEG_INFINITY, f64::INFINITY);
+    let mut first: Option<f64> = None;
+    let mut note = |after: Option<f64>| {
+        first = match (first, after) {
+            (Some(one), Some(other)) => Some(one.min(other)),
+            (one, other) => one.or(other),
+        };
+    };
+    for ((_, term), formulas) in course.terms().iter().zip(&formulas.terms) {
+        note(leaves_any(term, formulas, everywhere, time, length)?);
+    }
+    for (index, &limits) in formulas.limits.iter().chain([&last]).enumerate() {
+        if limits.0.is_finite() || limits.1.is_finite() {
+            if let Some(after) = leaves(course, formulas, index, limits, time, length)? {
+                note(Some(after));
+                break;
+            }
+        }
+    }
+    Ok(first)
 }
 
 /// When the displacement after `depth` stages leaves `limits` within `length`;

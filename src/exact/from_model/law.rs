@@ -22,7 +22,7 @@ struct Line {
 
 /// The law of a course through the given position functions, drive first.
 pub(super) fn law(course: &Course, laws: &[&ModelLaw]) -> Law {
-    closed_form(&course.motion, laws)
+    (course.drive().and_then(|motion| closed_form(motion, laws)))
         .unwrap_or_else(|| Law::Spans(Arc::new(CourseLaw::new(course.clone()))))
 }
 

@@ -81,7 +81,7 @@ fn needed(model: &Model, parts: &Parts) -> Option<Vec<usize>> {
         let mut wanted = Vec::new();
         for (object, part) in model.objects.iter().enumerate() {
             if kept[object] {
-                wanted.extend(part.driver);
+                wanted.extend(part.inputs.iter().map(|input| input.driver));
             }
         }
         for load in &model.loads {
@@ -120,8 +120,10 @@ fn cut_out(model: &Model, kept: &[usize]) -> Option<(Model, Vec<usize>)> {
         links: vec![None; model.links.len()],
     };
     let owned = |node: &usize| {
-        kept.iter()
-            .any(|&object| model.objects[object].nodes.contains(node))
+        kept.iter().any(|&object| {
+            let part = &model.objects[object];
+            part.nodes.contains(node) || part.combination == Some(*node)
+        })
     };
     let nodes: Vec<usize> = (0..model.nodes.len()).filter(owned).collect();
     number(&mut numbers.nodes, &nodes);
@@ -174,7 +176,7 @@ fn tracks(model: &Model, kept: &[usize], nodes: &[usize], loads: &[&Load]) -> Ve
         .filter_map(|&node| match &model.nodes[node].motion {
             NodeMotion::Prescribed { track, .. } => *track,
             NodeMotion::Mass { law } | NodeMotion::Rigid { law } => law.track,
-            NodeMotion::Rotor { .. } => None,
+            NodeMotion::Rotor { .. } | NodeMotion::Constrained { .. } => None,
         });
     let by_loads = loads.iter().filter_map(|load| match load.law {
         LoadLaw::Pieces { track, .. } => Some(track),
@@ -202,6 +204,15 @@ impl Numbers {
             },
             NodeMotion::Rigid { law } => NodeMotion::Rigid {
                 law: self.law(law)?,
+            },
+            NodeMotion::Constrained {
+                drivers,
+                constraint,
+            } => NodeMotion::Constrained {
+                drivers: (drivers.iter())
+                    .map(|&driver| self.nodes[driver])
+                    .collect::<Option<_>>()?,
+                constraint: constraint.clone(),
             },
         };
         Some(Node { motion, ..*node })
@@ -246,16 +257,15 @@ impl Numbers {
 
     fn object(&self, part: &ObjectPart, kept: &[usize]) -> Option<ObjectPart> {
         let mut copy = part.clone();
-        for node in &mut copy.nodes {
+        for node in copy.nodes.iter_mut().chain(&mut copy.combination) {
             *node = self.nodes[*node]?;
         }
         for link in &mut copy.links {
             *link = self.links[*link]?;
         }
-        copy.driver = match part.driver {
-            Some(driver) => Some(kept.iter().position(|&own| own == driver)?),
-            None => None,
-        };
+        for input in &mut copy.inputs {
+            input.driver = kept.iter().position(|&own| own == input.driver)?;
+        }
         Some(copy)
     }
 }

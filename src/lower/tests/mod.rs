@@ -4,11 +4,11 @@ mod reach;
 mod structure;
 
 use super::{FREE_FALL, lower};
+use crate::builder::spec::*;
 use crate::model::{
     Closure, Coordinate, DampingLaw, LinkBase, LoadLaw, Model, NodeMotion, Start, TrackSource,
 };
-use crate::object::spec::*;
-use crate::object::{Description, Object};
+use crate::object::{Connection, INPUT, ModelBuilder, Object, Place, Ports};
 use crate::position::PositionSpec;
 use crate::scene::{RunSpec, Scene, SceneObject, StartSpec};
 use std::collections::BTreeMap;
@@ -28,14 +28,17 @@ impl Object for Part {
         "part"
     }
 
-    fn coordinate(&self) -> Coordinate {
-        self.0
+    fn ports(&self) -> Ports {
+        match &self.1 {
+            Spec::Drive(_) => Ports::source(self.0),
+            Spec::Chain(_) => Ports::driven(self.0),
+        }
     }
 
-    fn description(&self) -> Description<'_> {
+    fn lower(&self, at: &Place, into: &mut ModelBuilder) {
         match &self.1 {
-            Spec::Drive(spec) => Description::Drive(spec),
-            Spec::Chain(spec) => Description::Chain(spec),
+            Spec::Drive(spec) => into.drive(at, spec),
+            Spec::Chain(spec) => into.chain(at, at.input(INPUT), spec),
         }
     }
 }
@@ -44,8 +47,12 @@ fn scene(parts: Vec<(&str, Option<&str>, Part)>) -> Scene {
     let objects = parts
         .into_iter()
         .map(|(id, input, part)| {
+            let connection = |input: &str| Connection {
+                port: INPUT.to_owned(),
+                output: input.to_owned(),
+            };
             let entry = SceneObject {
-                input: input.map(str::to_owned),
+                connections: input.map(connection).into_iter().collect(),
                 object: Box::new(part),
             };
             (id.to_owned(), entry)

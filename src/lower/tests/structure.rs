@@ -30,8 +30,8 @@ fn drivers_come_before_what_they_drive_and_ids_decide_the_rest() {
             ("zeta", vec![2]),
         ]
     );
-    assert_eq!(model.objects[0].driver, Some(4));
-    assert_eq!(model.objects[1].driver, Some(0));
+    assert_eq!(model.objects[0].driver(), Some(4));
+    assert_eq!(model.objects[1].driver(), Some(0));
     let NodeMotion::Mass { law } = &model.nodes[5].motion else {
         panic!()
     };

@@ -8,9 +8,8 @@ mod pairs;
 
 use super::position::{self, Ends};
 use super::spec::DrivenLinkage;
-use super::{Description, Kind, Measures, Object};
-use crate::linkage::spec::{LinkageSpec, OutputKind};
-use crate::model::Coordinate;
+use super::{INPUT, Inputs, Kind, Measures, ModelBuilder, Object, Place, Port, Ports};
+use crate::linkage::spec::LinkageSpec;
 use crate::read::{Bounds, Fields, Slot};
 use names::Names;
 use serde_json::json;
@@ -44,7 +43,7 @@ pub struct Linkage {
 pub(super) const KIND: Kind = Kind {
     name: "linkage",
     doc: "A planar linkage of rigid links with one degree of freedom.",
-    driven: true,
+    inputs: Inputs::One,
     outputs: outputs::in_text,
     coordinate: |node| outputs::of_pair(node, node.get("driver")?.text()?),
     read: |fields, context| {
@@ -58,19 +57,22 @@ impl Object for Linkage {
         KIND.name
     }
 
-    fn coordinate(&self) -> Coordinate {
-        self.spec.coordinate
+    fn ports(&self) -> Ports {
+        let mut ports = Ports::driven(self.spec.coordinate);
+        let further = self.spec.linkage.outputs.iter().map(|output| {
+            let coordinate = outputs::coordinate(&output.kind, &self.spec.linkage.pairs);
+            Port::output(output.name.clone(), coordinate)
+        });
+        ports.outputs.extend(further);
+        ports
     }
 
-    fn description(&self) -> Description<'_> {
-        Description::Linkage(&self.spec)
+    fn lower(&self, at: &Place, into: &mut ModelBuilder) {
+        into.linkage(at, at.input(INPUT), &self.spec);
     }
-}
 
-impl DrivenLinkage {
-    /// Whether an output turns or slides.
-    pub fn output_coordinate(&self, output: &OutputKind) -> Coordinate {
-        outputs::coordinate(output, &self.linkage.pairs)
+    fn linkage(&self) -> Option<&DrivenLinkage> {
+        Some(&self.spec)
     }
 }
 

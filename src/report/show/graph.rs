@@ -16,7 +16,7 @@ pub fn tree(diagram: &Diagram) -> String {
     // (box, prefix of its own line, prefix of its followers' lines)
     let mut stack: Vec<(usize, String, String)> = (0..diagram.boxes.len())
         .rev()
-        .filter(|&index| diagram.boxes[index].driver.is_none())
+        .filter(|&index| diagram.boxes[index].is_drive())
         .map(|index| (index, String::new(), String::new()))
         .collect();
     while let Some((index, own, below)) = stack.pop() {
@@ -68,7 +68,7 @@ pub fn dot(diagram: &Diagram) -> String {
          edge [fontname=\"sans-serif\", fontsize=10];\n",
     );
     for one in &diagram.boxes {
-        let style = if one.driver.is_none() {
+        let style = if one.is_drive() {
             ", style=rounded"
         } else {
             ""
@@ -81,16 +81,19 @@ pub fn dot(diagram: &Diagram) -> String {
         ));
     }
     for one in &diagram.boxes {
-        let Some(driver) = one.driver else { continue };
-        let (from, to) = (quoted(&diagram.boxes[driver].id), quoted(&one.id));
         let pair = pair_words(one).map_or(String::new(), |words| format!("\\n{}", quoted(&words)));
-        let law = quoted(&one.position);
-        out.push_str(&format!(
-            "  \"{from}\" -> \"{to}\" [label=\"{law}{pair}\"];\n"
-        ));
-        out.push_str(&format!(
-            "  \"{to}\" -> \"{from}\" [label=\"Ω\", style=dashed, constraint=false];\n"
-        ));
+        for input in &one.inputs {
+            let (from, to) = (&diagram.boxes[input.driver].id, quoted(&one.id));
+            let from = quoted(from);
+            let label = match input.name.as_str() {
+                "" => format!("{}{pair}", quoted(&one.position)),
+                port => quoted(port),
+            };
+            out.push_str(&format!("  \"{from}\" -> \"{to}\" [label=\"{label}\"];\n"));
+            out.push_str(&format!(
+                "  \"{to}\" -> \"{from}\" [label=\"Ω\", style=dashed, constraint=false];\n"
+            ));
+        }
     }
     out + "}\n"
 }

@@ -57,7 +57,11 @@ fn masses(model: &Model) -> Table {
         &[2, 3],
     );
     for object in objects(model).filter(|object| object.kind != OUTPUT) {
-        let driver = object.driver.map_or("", |driver| &model.objects[driver].id);
+        let drivers = object.inputs.iter();
+        let drivers: Vec<&str> = drivers
+            .map(|input| model.objects[input.driver].id.as_str())
+            .collect();
+        let drivers = drivers.join(" and ");
         for (place, &index) in object.nodes.iter().enumerate() {
             let node = &model.nodes[index];
             let (mass, motion) = match &node.motion {
@@ -66,7 +70,9 @@ fn masses(model: &Model) -> Table {
                     ("–".to_owned(), "free, turned by its torque".to_owned())
                 }
                 NodeMotion::Mass { .. } => ((place + 1).to_string(), "free".to_owned()),
-                NodeMotion::Rigid { .. } => ("–".to_owned(), format!("rigid, follows {driver}")),
+                NodeMotion::Rigid { .. } | NodeMotion::Constrained { .. } => {
+                    ("–".to_owned(), format!("rigid, follows {drivers}"))
+                }
             };
             let reduced = model.linkages.iter().any(|body| body.node == index);
             let inertia = match reduced {
@@ -102,7 +108,7 @@ fn linkages(model: &Model) -> String {
         let outputs = model
             .objects
             .iter()
-            .filter(|one| one.driver == Some(body.object));
+            .filter(|one| one.is_driven_by(body.object));
         let outputs: Vec<String> = (outputs.filter(|one| one.kind == OUTPUT))
             .map(|one| format!("{} ({})", one.id, units(one.coordinate).displacement))
             .collect();
@@ -182,7 +188,7 @@ fn pairs(model: &Model) -> Table {
         let mut bodies = model.linkages.iter();
         object.kind == OUTPUT || bodies.any(|body| object.nodes.contains(&body.node))
     };
-    for object in objects(model).filter(|one| one.driver.is_some() && !linkage(one)) {
+    for object in objects(model).filter(|one| !one.is_drive() && !linkage(one)) {
         let bilateral = Pair {
             closure: Closure::Bilateral,
             gap: 0.0,

@@ -16,6 +16,7 @@ pub fn formula(motion: &DriveMotion, coordinate: Coordinate) -> Expr {
         false => Expr::Number(value),
     };
     match motion {
+        DriveMotion::Constant { speed: 0.0, angle } => amount(*angle),
         DriveMotion::Constant { speed, angle } => {
             Expr::sum(vec![amount(*speed).times(time()), amount(*angle)])
         }
@@ -78,6 +79,7 @@ pub fn summary(motion: &DriveMotion, coordinate: Coordinate) -> String {
         Coordinate::Sliding => with_unit(speed, "m/s", 4),
     };
     match motion {
+        DriveMotion::Constant { speed: 0.0, .. } => "held".into(),
         DriveMotion::Constant { speed, .. } => speed_words(*speed),
         DriveMotion::Accelerated { acceleration, .. } => {
             format!("{}²", speed_words(*acceleration))

@@ -45,8 +45,8 @@ pub fn svg(diagram: &Diagram, links: bool) -> String {
         h = coordinate(height),
     );
     for (index, one) in diagram.boxes.iter().enumerate() {
-        if let Some(driver) = one.driver {
-            out.push_str(&edge(one, places[driver], places[index]));
+        for input in &one.inputs {
+            out.push_str(&edge(one, &input.name, places[input.driver], places[index]));
         }
     }
     for (one, place) in diagram.boxes.iter().zip(&places) {
@@ -78,9 +78,9 @@ fn object_box(one: &ObjectBox, place: Place, links: bool) -> String {
             escape(&shortened(text, fits(BOX_WIDTH - 12.0, size)))
         )
     };
-    let detail = match one.driver {
-        None => one.detail.clone(),
-        Some(_) => format!("{turning}, {}", one.detail),
+    let detail = match one.is_drive() {
+        true => one.detail.clone(),
+        false => format!("{turning}, {}", one.detail),
     };
     let body = format!(
         "<title>{title}</title><rect class=\"frame\" x=\"{x}\" y=\"{y}\" width=\"{BOX_WIDTH}\" \
@@ -91,16 +91,12 @@ fn object_box(one: &ObjectBox, place: Place, links: bool) -> String {
         )),
         x = coordinate(x),
         y = coordinate(y),
-        radius = if one.driver.is_none() { 22 } else { 5 },
+        radius = if one.is_drive() { 22 } else { 5 },
         id = text("id", 26.0, &one.id, 15.5),
         kind = text("kind", 45.0, &one.kind.replace('_', " "), 12.5),
         detail = text("kind", 62.0, &detail, 12.5),
     );
-    let class = if one.driver.is_none() {
-        "drive"
-    } else {
-        "driven"
-    };
+    let class = if one.is_drive() { "drive" } else { "driven" };
     let group = format!("<g class=\"{class}\">{body}</g>");
     if links {
         format!("<a href=\"#object-{}\">{group}</a>\n", escape(&one.id))
@@ -110,7 +106,9 @@ fn object_box(one: &ObjectBox, place: Place, links: bool) -> String {
 }
 
 /// The two arrows between a driver and what it drives: motion forward, force back.
-fn edge(one: &ObjectBox, from: Place, to: Place) -> String {
+/// `name`: what the connection is called; empty: by its position function.
+fn edge(one: &ObjectBox, name: &str, from: Place, to: Place) -> String {
+    let law = if name.is_empty() { &one.position } else { name };
     let (x1, y1) = corner(from);
     let (x2, y2) = corner(to);
     let (start, end) = (x1 + BOX_WIDTH, x2);
@@ -146,8 +144,8 @@ fn edge(one: &ObjectBox, from: Place, to: Place) -> String {
         arrow("head-back", start, back_from, -1.0),
         coordinate((bend + 10.0 + end) / 2.0),
         coordinate(forward_to - 9.0),
-        escape(&one.position),
-        escape(&cut(&one.position, room.min(26))),
+        escape(law),
+        escape(&cut(law, room.min(26))),
         coordinate(label_x),
         coordinate(back_to - 6.0),
         pair_symbol(one, label_x - 40.0, back_to + 16.0),

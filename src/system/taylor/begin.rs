@@ -53,6 +53,14 @@ impl Frozen {
                     }
                 }
                 Step::Chain(index) => self.begin_chain(&self.chains[*index], modes, work, taylor),
+                Step::Constrained(index) => {
+                    let own = &self.constraints[*index];
+                    for order in 0..2 {
+                        let sum = own.sum(|driver| taylor.displacement[driver][order]);
+                        let offset = if order == 0 { own.offset() } else { 0.0 };
+                        taylor.place(own.node, order, sum + offset);
+                    }
+                }
             }
         }
     }

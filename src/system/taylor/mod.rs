@@ -20,7 +20,8 @@ mod tests;
 pub(crate) use law::HIGHEST;
 pub(super) use law::way as way_of_law;
 
-use super::frozen::{Chain, Frozen, Step};
+use super::constraints::Constrained;
+use super::frozen::{Chain, Frozen, Rigid, Step};
 use super::pairs::OPEN;
 use super::passes::Work;
 use crate::model::{Closure, LoadLaw};
@@ -113,7 +114,10 @@ impl Frozen {
     /// True when motions can be expanded.
     pub(super) fn expands(&self) -> bool {
         let known = |law: &LoadLaw| !matches!(law, LoadLaw::SpeedTable(_));
-        self.linkages.is_empty() && self.loads.iter().all(|load| known(&load.law))
+        // Inertia on a node with several drivers couples coordinates.
+        let linear = |one: &Constrained| one.constraint.is_linear();
+        let sums = self.heavy.is_empty() && self.constraints.iter().all(linear);
+        sums && self.linkages.is_empty() && self.loads.iter().all(|load| known(&load.law))
     }
 
     /// Series to the power `degree` over the time `length`: coefficients of all
@@ -219,29 +223,49 @@ impl Frozen {
 
     /// Rigid nodes hand inertia and forces of an order to their drivers.
     fn reduce_of(&self, order: usize, taylor: &mut Taylor) {
-        if self.rigids.is_empty() {
+        if self.rigids.is_empty() && self.constraints.is_empty() {
             return;
         }
         for (mass, &inertia) in taylor.mass.iter_mut().zip(&self.inertia) {
             mass[order] = if order == 0 { inertia } else { 0.0 };
         }
-        for rigid in self.rigids.iter().rev() {
-            let driver = self.laws[rigid.law].driver;
-            let law = rigid.law;
-            let speed = &taylor.speed[driver];
-            taylor.square[law][order] = product(speed, speed, order);
-            let series = &taylor.laws[law];
-            let mass = &taylor.mass[rigid.node];
-            taylor.bias[law][order] = product(&series.second, &taylor.square[law], order);
-            // U′·M and F − M·bias, then both times U′ to the driver.
-            taylor.slope[law][order] = product(&series.first, mass, order);
-            let carried = product(mass, &taylor.bias[law], order);
-            taylor.rest[law][order] = taylor.force[rigid.node][order] - carried;
-            let inertia = product(&series.first, &taylor.slope[law], order);
-            let force = product(&series.first, &taylor.rest[law], order);
-            taylor.mass[driver][order] += inertia;
-            taylor.force[driver][order] += force;
+        if self.constraints.is_empty() {
+            for rigid in self.rigids.iter().rev() {
+                self.reduce_rigid_of(rigid, order, taylor);
+            }
+            return;
         }
+        for step in self.steps.iter().rev() {
+            match *step {
+                Step::Rigid(index) => self.reduce_rigid_of(&self.rigids[index], order, taylor),
+                Step::Constrained(index) => {
+                    let own = &self.constraints[index];
+                    let force = taylor.force[own.node][order];
+                    for (driver, ratio) in own.terms() {
+                        taylor.force[driver][order] += ratio * force;
+                    }
+                }
+                _ => {}
+            }
+        }
+    }
+
+    fn reduce_rigid_of(&self, rigid: &Rigid, order: usize, taylor: &mut Taylor) {
+        let driver = self.laws[rigid.law].driver;
+        let law = rigid.law;
+        let speed = &taylor.speed[driver];
+        taylor.square[law][order] = product(speed, speed, order);
+        let series = &taylor.laws[law];
+        let mass = &taylor.mass[rigid.node];
+        taylor.bias[law][order] = product(&series.second, &taylor.square[law], order);
+        // U′·M and F − M·bias, then both times U′ to the driver.
+        taylor.slope[law][order] = product(&series.first, mass, order);
+        let carried = product(mass, &taylor.bias[law], order);
+        taylor.rest[law][order] = taylor.force[rigid.node][order] - carried;
+        let inertia = product(&series.first, &taylor.slope[law], order);
+        let force = product(&series.first, &taylor.rest[law], order);
+        taylor.mass[driver][order] += inertia;
+        taylor.force[driver][order] += force;
     }
 
     /// Accelerations of an order, drivers before driven, and the displacements
@@ -265,6 +289,12 @@ impl Frozen {
                     taylor.acceleration[rigid.node][order] = place / taylor.twice(order);
                 }
                 Step::Chain(index) => self.accelerate_of(*index, order, taylor),
+                Step::Constrained(index) => {
+                    let own = &self.constraints[*index];
+                    let place = own.sum(|driver| taylor.displacement[driver][order + 2]);
+                    taylor.place(own.node, order + 2, place);
+                    taylor.acceleration[own.node][order] = place / taylor.twice(order);
+                }
             }
         }
     }
@@ -272,7 +302,7 @@ impl Frozen {
     /// Coefficient `order` of φ̈ of a node from its forces and the links'.
     fn quotient(&self, node: usize, links: f64, order: usize, taylor: &Taylor) -> f64 {
         let force = taylor.force[node][order] + links;
-        if self.rigids.is_empty() {
+        if self.rigids.is_empty() && self.constraints.is_empty() {
             return force / self.inertia[node];
         }
         let (mass, known) = (&taylor.mass[node], &taylor.acceleration[node]);

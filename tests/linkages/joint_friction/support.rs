@@ -4,7 +4,6 @@ use dam::analysis::run::{RunResult, run};
 use dam::analysis::{Control, RunSettings};
 use dam::linkage::spec::LinkageSpec;
 use dam::lower::lower;
-use dam::object::Description;
 use dam::scene::{BuiltIn, Document, Overrides, Scene};
 use dam::system::System;
 
@@ -18,10 +17,8 @@ pub(crate) fn read(text: &str, overrides: &[&str]) -> Scene {
 
 /// The linkage of an object.
 pub(crate) fn linkage_of(scene: &Scene, id: &str) -> LinkageSpec {
-    match scene.objects[id].object.description() {
-        Description::Linkage(driven) => driven.linkage.clone(),
-        _ => panic!("{id} is a linkage"),
-    }
+    let driven = scene.objects[id].object.linkage();
+    driven.expect("a linkage").linkage.clone()
 }
 
 pub(crate) fn scene_of(objects: &str, run: &str) -> String {

@@ -1,8 +1,8 @@
 //! Equations of a chain of masses behind its driving pair.
 
 use super::{
-    Entry, LONGEST_WRITTEN_OUT, Section, inertia_side, loads, of_mass, of_object, output_name,
-    reflected,
+    Entry, LONGEST_WRITTEN_OUT, Section, inertia_side, inputs, loads, of_mass, of_object,
+    output_name, reflected,
 };
 use crate::model::{Closure, DampingLaw, LinkBase, Model, NodeMotion, ObjectPart, Pair};
 use crate::report::math::{Expr, Index, Relation, Symbol, symbol};
@@ -12,7 +12,8 @@ use crate::report::show::{position, units};
 pub(super) fn section(model: &Model, object: usize) -> Section {
     let part = &model.objects[object];
     let count = part.nodes.len();
-    let driver = part.driver.unwrap_or(object);
+    let driver = part.driver().unwrap_or(object);
+    let asked = inputs::asked(model, object);
     let masses = if count == 1 {
         "1 mass".into()
     } else {
@@ -22,11 +23,18 @@ pub(super) fn section(model: &Model, object: usize) -> Section {
         object: part.id.clone(),
         heading: format!(
             "{}, {masses}, driven by {}",
-            part.kind, model.objects[driver].id
+            part.kind,
+            match &asked {
+                Some(asked) => &asked.drivers,
+                None => &model.objects[driver].id,
+            }
         ),
         ..Section::default()
     };
-    law_lines(model, part, driver, &mut section);
+    match asked {
+        Some(asked) => sum_lines(asked, &mut section),
+        None => law_lines(model, part, driver, &mut section),
+    }
     pair_line(model, part, &mut section);
     let mut numbers: Vec<usize> = (1..=count).collect();
     if count > LONGEST_WRITTEN_OUT {
@@ -40,6 +48,7 @@ pub(super) fn section(model: &Model, object: usize) -> Section {
         }
     }
     output_name(model, object, &mut section, of_mass("φ", count));
+    inputs::legend(model, object, &mut section);
     legend(model, part, &mut section);
     loads::write(model, object, &mut section);
     section
@@ -66,6 +75,14 @@ fn law_lines(model: &Model, part: &ObjectPart, driver: usize, section: &mut Sect
             "position function",
         );
     }
+}
+
+/// x and ẋ behind several inputs.
+fn sum_lines(asked: inputs::Asked, section: &mut Section) {
+    let (x, phi) = (symbol("x", Index::None), of_mass("φ", 1));
+    let place = phi.clone().expr().minus(asked.place);
+    section.line(x.clone(), place, "deformation of link 1");
+    section.line(x.rate(), phi.rate().expr().minus(asked.rate), "");
 }
 
 /// F of link 1 by the pair's closure and law.

@@ -6,12 +6,14 @@
 //! `shaft`. Long chains are abbreviated: first, generic and last mass.
 
 mod chain;
+mod inputs;
 mod latex;
 mod linkage;
 mod loads;
 mod sources;
 mod text;
 
+pub(crate) use inputs::summary as inputs_summary;
 pub use latex::latex;
 pub use loads::summary as load_summary;
 pub use text::text;
@@ -123,7 +125,8 @@ pub fn equations(model: &Model) -> Equations {
             Some(NodeMotion::Prescribed { motion, .. }) => {
                 sources::prescribed(model, object, motion)
             }
-            None => Section::default(),
+            // The node on which inputs are combined is no object by itself.
+            Some(NodeMotion::Constrained { .. }) | None => Section::default(),
         }
     });
     Equations {
@@ -134,7 +137,7 @@ pub fn equations(model: &Model) -> Equations {
 /// True for an output of a linkage on which nothing hangs.
 fn only_looked_at(model: &Model, object: usize) -> bool {
     let part = &model.objects[object];
-    let drives = |other: &crate::model::ObjectPart| other.driver == Some(object);
+    let drives = |other: &crate::model::ObjectPart| other.is_driven_by(object);
     part.kind == OUTPUT && !model.objects.iter().any(drives)
 }
 
@@ -183,9 +186,19 @@ struct Transfer {
 }
 
 fn descend(model: &Model, driver: usize, above: Option<&Transfer>, out: &mut Reflected) {
-    let followers = (0..model.objects.len()).filter(|&o| model.objects[o].driver == Some(driver));
+    let followers = (0..model.objects.len()).filter(|&o| model.objects[o].is_driven_by(driver));
     for follower in followers {
         let object = &model.objects[follower];
+        if object.inputs.len() > 1 {
+            // It has a force of its own, however many coordinates its inertia couples.
+            for pull in inputs::pulls(model, follower, driver) {
+                out.force.push(match above {
+                    Some(transfer) => pull.times(transfer.first.clone()),
+                    None => pull,
+                });
+            }
+            continue;
+        }
         let function = of_object("U", model, follower);
         let (prime, double) = (function.clone().prime(), function.prime().prime());
         let Some(NodeMotion::Rigid { .. }) = object.nodes.first().map(|&n| &model.nodes[n].motion)
@@ -254,11 +267,7 @@ fn inertia_side(own: Expr, displacement: &Symbol, reflected: &Reflected) -> Expr
 
 /// A line that says which name the object's output has.
 fn output_name(model: &Model, object: usize, section: &mut Section, last: Symbol) {
-    if model
-        .objects
-        .iter()
-        .any(|other| other.driver == Some(object))
-    {
+    if model.objects.iter().any(|other| other.is_driven_by(object)) {
         section.line(
             of_object("φ", model, object),
             last,

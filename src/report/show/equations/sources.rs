@@ -1,12 +1,12 @@
 //! Equations of drives and of rigid objects.
 
 use super::{
-    Section, inertia_side, linkage, linkage_of, loads, of_object, only_looked_at, output_name,
-    reflected,
+    Section, inertia_side, inputs, linkage, linkage_of, loads, of_object, only_looked_at,
+    output_name, reflected,
 };
 use crate::model::{Closure, Law, Model, NodeMotion, OUTPUT, ObjectPart};
 use crate::motion::DriveMotion;
-use crate::report::math::{Expr, Index, Relation, symbol};
+use crate::report::math::{Expr, Index, Relation, Symbol, symbol};
 use crate::report::show::{motion, position, units};
 
 /// A drive whose motion is prescribed, and the moment that this takes.
@@ -61,31 +61,11 @@ pub(super) fn rotor(model: &Model, object: usize) -> Section {
 /// A rigid object: no equation of its own, but a motion and a force.
 pub(super) fn rigid(model: &Model, object: usize, law: &Law) -> Section {
     let part = &model.objects[object];
-    let driver = part.driver.unwrap_or(object);
-    let mut section = Section {
-        object: part.id.clone(),
-        heading: format!(
-            "{}, rigid, driven by {}",
-            part.kind, model.objects[driver].id
-        ),
-        ..Section::default()
+    let phi = of_object("φ", model, object);
+    let mut section = match inputs::asked(model, object) {
+        Some(asked) => sum_lines(part, phi.clone(), asked),
+        None => law_lines(model, object, phi.clone(), law),
     };
-    let function = symbol("U", Index::None);
-    let (phi, input) = (of_object("φ", model, object), of_object("φ", model, driver));
-    let prime = function.clone().prime();
-    let asked = Expr::At(function.clone(), Box::new(input.clone().expr()));
-    section.line(phi.clone(), asked, "");
-    let speed = prime.clone().expr().times(input.clone().rate());
-    section.line(phi.clone().rate(), speed, "");
-    let acceleration = Expr::sum(vec![
-        prime.clone().expr().times(input.clone().rate().rate()),
-        prime.prime().expr().times(input.rate().expr().squared()),
-    ]);
-    section.line(phi.clone().rate().rate(), acceleration, "");
-    let argument = symbol("φ", Index::None).expr();
-    let left = Expr::At(function, Box::new(argument.clone()));
-    section.line(left, position::formula(law, argument), "position function");
-
     let own = loads::terms(model, part, 1);
     let mut pull = Vec::new();
     if !own.is_empty() {
@@ -103,7 +83,10 @@ pub(super) fn rigid(model: &Model, object: usize, law: &Law) -> Section {
     section.line(
         of_object("F", model, object),
         Expr::sum(pull),
-        "force of the constraint; the driver receives F·U′",
+        match part.inputs.len() {
+            0 | 1 => "force of the constraint; the driver receives F·U′",
+            _ => "force of the constraint; each input receives F times its ratio",
+        },
     );
     lift_off(part, of_object("F", model, object).expr(), &mut section);
     match body {
@@ -111,18 +94,65 @@ pub(super) fn rigid(model: &Model, object: usize, law: &Law) -> Section {
         None if part.kind == OUTPUT => {}
         None => inertia_entry_of(model, object, &mut section),
     }
+    inputs::legend(model, object, &mut section);
     loads::write(model, object, &mut section);
+    section
+}
+
+/// The motion of a rigid object behind one driver.
+fn law_lines(model: &Model, object: usize, phi: Symbol, law: &Law) -> Section {
+    let part = &model.objects[object];
+    let driver = part.driver().unwrap_or(object);
+    let mut section = Section {
+        object: part.id.clone(),
+        heading: format!(
+            "{}, rigid, driven by {}",
+            part.kind, model.objects[driver].id
+        ),
+        ..Section::default()
+    };
+    let function = symbol("U", Index::None);
+    let input = of_object("φ", model, driver);
+    let prime = function.clone().prime();
+    let asked = Expr::At(function.clone(), Box::new(input.clone().expr()));
+    section.line(phi.clone(), asked, "");
+    let speed = prime.clone().expr().times(input.clone().rate());
+    section.line(phi.clone().rate(), speed, "");
+    let acceleration = Expr::sum(vec![
+        prime.clone().expr().times(input.clone().rate().rate()),
+        prime.prime().expr().times(input.rate().expr().squared()),
+    ]);
+    section.line(phi.rate().rate(), acceleration, "");
+    let argument = symbol("φ", Index::None).expr();
+    let left = Expr::At(function, Box::new(argument.clone()));
+    section.line(left, position::formula(law, argument), "position function");
+    section
+}
+
+/// The motion of a rigid object behind several drivers.
+fn sum_lines(part: &ObjectPart, phi: Symbol, asked: inputs::Asked) -> Section {
+    let mut section = Section {
+        object: part.id.clone(),
+        heading: format!("{}, rigid, driven by {}", part.kind, asked.drivers),
+        ..Section::default()
+    };
+    section.line(phi.clone(), asked.place, "");
+    section.line(phi.clone().rate(), asked.rate, "");
+    section.line(phi.rate().rate(), asked.acceleration, "");
     section
 }
 
 /// F·U′ of every follower, rigid ones with the force of their constraint.
 fn direct_pulls(model: &Model, object: usize) -> Vec<Expr> {
     (0..model.objects.len())
-        .filter(|&other| model.objects[other].driver == Some(object))
+        .filter(|&other| model.objects[other].is_driven_by(object))
         .filter(|&other| !only_looked_at(model, other))
-        .map(|other| {
-            let prime = of_object("U", model, other).prime();
-            of_object("F", model, other).expr().times(prime)
+        .flat_map(|other| match model.objects[other].inputs.len() {
+            0 | 1 => {
+                let prime = of_object("U", model, other).prime();
+                vec![of_object("F", model, other).expr().times(prime)]
+            }
+            _ => inputs::pulls(model, other, object),
         })
         .collect()
 }

@@ -1,5 +1,5 @@
 use super::{Index, equations, inertia_side, latex, reflected, symbol, text};
-use crate::model::{Coordinate, Law, LoadLaw, Model, Node, NodeMotion, ObjectPart};
+use crate::model::{Coordinate, Law, LoadLaw, Model, Node, NodeMotion, ObjectPart, PartInput};
 use crate::position::Position;
 use crate::report::fixture;
 use crate::report::math::{Expr, Symbol};
@@ -105,7 +105,8 @@ fn rigid_chain() -> Model {
             kind: "rocker",
             coordinate: Coordinate::Turning,
             nodes: vec![index],
-            driver: index.checked_sub(1),
+            inputs: PartInput::only(index.checked_sub(1)),
+            combination: None,
             links: vec![],
             rigid_pair: None,
         });

@@ -1,6 +1,6 @@
 //! What a scene says of each object, in plain numbers and SI units.
 //!
-//! The kinds' files read these from the scene; `lower` turns them into the
+//! The kinds' files read these from the scene; the builder turns them into the
 //! model. Angles in radians; for sliding objects read m for rad, kg for kg·m²,
 //! N for N·m.
 
@@ -120,6 +120,17 @@ pub enum BodySpec {
         /// b_m.
         dampings: Vec<f64>,
     },
+}
+
+impl BodySpec {
+    /// Number of masses; 0 of a rigid object.
+    pub fn masses(&self) -> usize {
+        match self {
+            Self::Rigid { .. } => 0,
+            Self::Uniform { masses, .. } => *masses,
+            Self::Lists { inertias, .. } => inertias.len(),
+        }
+    }
 }
 
 /// How a chain's total inertia is split over its masses.

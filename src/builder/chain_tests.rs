@@ -1,5 +1,5 @@
 use super::ChainParameters;
-use crate::object::spec::{BodySpec, InertiaSplit};
+use crate::builder::spec::{BodySpec, InertiaSplit};
 use std::f64::consts::{PI, TAU};
 
 fn body(masses: usize, split: InertiaSplit) -> BodySpec {

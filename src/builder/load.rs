@@ -1,16 +1,16 @@
 //! Loads on the masses of an object.
 
 use super::pieces::{self, Pieces};
-use super::{FREE_FALL, Lowering};
+use super::spec::{LoadLawSpec, LoadSpec, MassChoice};
+use super::{FREE_FALL, ModelBuilder, Place};
 use crate::fault::Faults;
 use crate::model::{Coordinate, Load, LoadLaw, NodeIndex, TrackSource};
-use crate::object::spec::{LoadLawSpec, LoadSpec, MassChoice};
 
-impl<'a> Lowering<'a> {
+impl ModelBuilder {
     /// Lowers a load on an object with the given nodes; `driver` is the node
     /// over whose displacement windows and position tables run.
-    pub(super) fn load(&mut self, id: &str, spec: &LoadSpec, nodes: &[NodeIndex], driver: usize) {
-        let path = format!("{id}.loads.{}", spec.name);
+    pub fn load(&mut self, at: &Place, spec: &LoadSpec, nodes: &[NodeIndex], driver: NodeIndex) {
+        let path = at.path(&format!("loads.{}", spec.name));
         let Some(chosen) = chosen(spec.mass, nodes) else {
             if let MassChoice::Number(number) = spec.mass {
                 let message = format!(
@@ -22,7 +22,7 @@ impl<'a> Lowering<'a> {
             }
             return;
         };
-        let object = self.indices[id];
+        let object = at.object;
         for &node in chosen {
             // Faults of the law are the same for every mass: say them once.
             let Some(law) = self.load_law(&path, &spec.law, object, node, driver) else {

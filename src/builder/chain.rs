@@ -1,12 +1,9 @@
 //! Chains of masses, and rigid objects.
 
-use super::Lowering;
+use super::spec::{BodySpec, ChainSpec, InertiaSplit, PairSpec};
+use super::{Connected, ModelBuilder, Place};
 use crate::fault::{Fault, Faults};
-use crate::model::{
-    Closure, Coordinate, DampingLaw, Law, Link, LinkBase, Node, NodeIndex, NodeMotion, Pair,
-    TrackSource,
-};
-use crate::object::spec::{BodySpec, ChainSpec, InertiaSplit, PairSpec};
+use crate::model::{Closure, Coordinate, DampingLaw, Law, Pair};
 use crate::position::Position;
 use std::f64::consts::TAU;
 
@@ -133,55 +130,30 @@ fn shares(faults: &mut Faults, split: &InertiaSplit, masses: usize) -> Vec<f64> 
     }
 }
 
-impl<'a> Lowering<'a> {
-    /// Lowers a chain or a rigid object to its nodes, links and loads.
-    pub(super) fn chain(&mut self, id: &'a str, spec: &ChainSpec) {
-        let law = self.law(id, spec);
+impl ModelBuilder {
+    /// Lowers a chain of masses, or a rigid object, behind what an input hangs on, to
+    /// its nodes, links and loads. `input`: `None` where that has faults of its own.
+    pub fn chain(&mut self, at: &Place, input: Option<&Connected>, spec: &ChainSpec) {
+        let law = self.law_of(at, input, spec);
         let parameters = ChainParameters::new(&spec.body);
-        let pair = self.pair(id, spec);
+        let pair = self.pair(at, spec);
         let (law, parameters) = match (law, parameters) {
             (Some(law), Ok(parameters)) => (law, parameters),
-            (_, Err(faults)) => return self.faults.absorb(id, faults),
+            (_, Err(faults)) => return self.faults(at, "", faults),
             _ => return,
         };
         let driver = law.driver;
-        if let BodySpec::Rigid { inertia } = spec.body {
-            self.model.objects[self.indices[id]].rigid_pair = Some(pair);
-            let motion = NodeMotion::Rigid { law };
-            self.add_output(id, Node { inertia, motion });
-        } else {
-            self.masses(id, &parameters, &law, pair);
-        }
-        let nodes = self.model.objects[self.indices[id]].nodes.clone();
+        let nodes = match spec.body {
+            BodySpec::Rigid { inertia } => vec![self.rigid(at, law, inertia, pair)],
+            _ => self.masses(at, &law, &parameters, pair),
+        };
         for load in &spec.loads {
-            self.load(id, load, &nodes, driver);
+            self.load(at, load, &nodes, driver);
         }
     }
 
-    fn masses(&mut self, id: &'a str, parameters: &ChainParameters, law: &Law, pair: Pair) {
-        let mut before: Option<NodeIndex> = None;
-        for (index, &inertia) in parameters.inertias.iter().enumerate() {
-            let motion = NodeMotion::Mass { law: law.clone() };
-            let mass = self.add_output(id, Node { inertia, motion });
-            let base = match before {
-                None => LinkBase::Law { pair },
-                Some(node) => LinkBase::Mass(node),
-            };
-            self.model.links.push(Link {
-                mass,
-                base,
-                stiffness: parameters.stiffnesses[index],
-                damping: parameters.dampings[index],
-            });
-            let link = self.model.links.len() - 1;
-            self.model.objects[self.indices[id]].links.push(link);
-            before = Some(mass);
-        }
-    }
-
-    /// The law that the driver asks for, with its tracks.
-    fn law(&mut self, id: &'a str, spec: &ChainSpec) -> Option<Law> {
-        let path = format!("{id}.position");
+    /// The law that the driver asks for.
+    fn law_of(&mut self, at: &Place, input: Option<&Connected>, spec: &ChainSpec) -> Option<Law> {
         if !spec.lever.is_finite() || spec.lever == 0.0 {
             let message = format!("{} is no lever", spec.lever);
             let hint = "give a number other than zero";
@@ -189,56 +161,41 @@ impl<'a> Lowering<'a> {
                 Coordinate::Turning => "lever_ratio",
                 Coordinate::Sliding => "lever_arm",
             };
-            self.faults.add(format!("{id}.{property}"), message, hint);
+            self.fault(at, property, message, hint);
         }
-        let position = match Position::new(&spec.position) {
-            Ok(position) => position,
+        match Position::new(&spec.position) {
+            Ok(position) => self.law(at, "position", input?, position, spec.lever),
             Err(faults) => {
-                self.faults.absorb(&path, faults);
-                return None;
+                self.faults(at, "position", faults);
+                None
             }
-        };
-        // Nothing to say about an object whose driver has faults itself.
-        let input = self.scene.objects[id].input.as_deref()?;
-        let driver = *self.outputs.get(input)?;
-        let object = self.indices[id];
-        let track = self.track(TrackSource::Node(driver), position.breaks(), object);
-        self.follow(id, input, &position, spec.lever)?;
-        Some(Law {
-            driver,
-            position,
-            lever: spec.lever,
-            track,
-        })
+        }
     }
 
-    fn pair(&mut self, id: &str, spec: &ChainSpec) -> Pair {
+    fn pair(&mut self, at: &Place, spec: &ChainSpec) -> Pair {
         let PairSpec {
             closure,
             gap,
             opens,
             law,
         } = spec.pair;
-        let path = format!("{id}.pair");
-        self.faults.not_negative(&format!("{path}.gap"), gap);
+        self.faults.not_negative(&at.path("pair.gap"), gap);
         if gap > 0.0 && matches!(spec.body, BodySpec::Rigid { .. }) {
             let message = "a rigid object cannot have a gap: nothing would hold it in between";
             let hint = "give it at least one mass, or no gap";
-            self.faults.add(format!("{path}.gap"), message, hint);
+            self.fault(at, "pair.gap", message, hint);
         }
         if gap > 0.0 && closure != Closure::Form {
             let message = "only a form-closed pair has a gap";
-            self.faults
-                .add(format!("{path}.gap"), message, "set `closure` to `form`");
+            self.fault(at, "pair.gap", message, "set `closure` to `form`");
         }
         if opens != 1.0 && opens != -1.0 {
             let message = format!("{opens} is no side");
-            self.faults
-                .add(format!("{path}.opens"), message, "give + or -");
+            self.fault(at, "pair.opens", message, "give + or -");
         }
         if let DampingLaw::HuntCrossley { kappa: Some(kappa) } = law {
-            self.faults
-                .not_negative(&format!("{path}.law.hunt_crossley.kappa"), kappa);
+            let path = at.path("pair.law.hunt_crossley.kappa");
+            self.faults.not_negative(&path, kappa);
         }
         Pair {
             closure,

@@ -1,0 +1,33 @@
+//! Legs of systems without coordinates: every motion is given, so that there is
+//! nothing to integrate. Breaks and switches are still to be found, and listeners
+//! still want steps: the leg is walked in steps of equal length.
+
+use super::run::{Run, Verdict};
+use super::{Dynamics, Stop};
+
+/// Steps in a leg where the settings name no longest one.
+const STEPS: f64 = 1024.0;
+
+/// Takes the run to its target, or to a switch.
+pub(super) fn leg<D: Dynamics>(run: &mut Run<'_, D>) {
+    let (start, span) = (run.from.time, run.target - run.from.time);
+    let step = run.settings.step.unwrap_or(span / STEPS);
+    // A whole number of steps; a rest below a millionth of one is rounding.
+    let count = (span / step - 1e-6).ceil().max(run.fewest_steps());
+    let step = span / count;
+    if step <= 4.0 * f64::EPSILON * start.abs().max(run.target.abs()) {
+        run.end(Stop::StepFloor { step });
+        return;
+    }
+    let mut taken = 0.0;
+    while taken < count {
+        taken += 1.0;
+        let time = match taken < count {
+            true => start + taken * step,
+            false => run.target,
+        };
+        if run.accept(time, &[], &[], None) != Verdict::Continue {
+            return;
+        }
+    }
+}
