@@ -2,6 +2,7 @@
 
 pub mod analysis;
 pub mod breaks;
+pub mod budget;
 pub mod cam;
 pub mod diagnostics;
 pub mod exact;

@@ -61,7 +61,7 @@ pub fn compare<E>(
     let mut runs = Vec::with_capacity(labels.len());
     for label in labels {
         let result = run(label)?;
-        let interrupted = result.outcome.stop == Stop::Interrupted;
+        let interrupted = result.outcome.stop.is_from_outside();
         runs.push(ComparedRun {
             label: label.clone(),
             result,
@@ -143,7 +143,7 @@ mod tests {
     use super::compare;
     use crate::analysis::run::RunResult;
     use crate::analysis::testing::result_with;
-    use crate::integrate::Stop;
+
 
     fn labels(values: &[&str]) -> Vec<String> {
         values.iter().map(|value| (*value).to_owned()).collect()

@@ -2,6 +2,7 @@
 
 use super::sink::{Grid, Last};
 use crate::exact::{Cursor, PairState, Part, Request, TreeProblem};
+use crate::budget::Budget;
 use crate::integrate::{Dynamics, Limits, Method, Settings, Sink, Stop, integrate};
 use crate::system::System;
 use nalgebra::DMatrix;
@@ -255,8 +256,7 @@ impl SystemMap<'_> {
         let limits = Limits {
             switches: 1_000_000,
             steps: 10_000_000,
-            wall_clock: None,
-            interrupt: None,
+            budget: Budget::FREE,
         };
         let outcome = integrate(
             self.system,
