@@ -1,7 +1,6 @@
 //! The same scene for several values of a parameter, figures side by side.
 
 use super::run::RunResult;
-use crate::integrate::Stop;
 use serde::Serialize;
 
 /// Runs for several values of a parameter.
@@ -140,6 +139,7 @@ fn errors(figure: &str, values: &[Option<f64>], runs: &[ComparedRun]) -> Vec<Opt
 
 #[cfg(test)]
 mod tests {
+    use crate::integrate::Stop;
     use super::compare;
     use crate::analysis::run::RunResult;
     use crate::analysis::testing::result_with;

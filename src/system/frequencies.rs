@@ -7,6 +7,7 @@
 //! and damping are left out of the natural frequencies.
 
 use super::System;
+use super::forest::Forest;
 use super::frozen::{Frozen, Step};
 use super::pairs::OPEN;
 use super::passes::{Extent, Work};
@@ -48,11 +49,17 @@ impl System {
         if n == 0 {
             return Vec::new();
         }
-        let (mass, stiffness) = self.frozen.linearised(regime, &self.start_modes());
-        let root: Vec<f64> = mass.iter().map(|mass| mass.sqrt()).collect();
-        let scaled = DMatrix::from_fn(n, n, |i, j| stiffness[(i, j)] / (root[i] * root[j]));
-        if scaled.iter().any(|entry| !entry.is_finite()) {
+        let (mass, matrix) = self.scaled(regime);
+        if !matrix.is_finite() {
             return Vec::new();
+        }
+        let root: Vec<f64> = mass.iter().map(|mass| mass.sqrt()).collect();
+        let mut scaled = DMatrix::from_diagonal(&DVector::from_column_slice(&matrix.diagonal));
+        for (index, parent) in matrix.parent.iter().enumerate() {
+            if let Some((parent, entry)) = *parent {
+                scaled[(index, parent)] = entry;
+                scaled[(parent, index)] = entry;
+            }
         }
         let eigen = SymmetricEigen::new(scaled);
         let highest = eigen
@@ -74,20 +81,44 @@ impl System {
         modes
     }
 
+    /// The natural frequencies alone (rad/s), lowest first: of many masses in a small
+    /// part of the time that their shapes take.
+    pub fn natural_frequencies(&self, regime: Regime) -> Vec<f64> {
+        let (_, matrix) = self.scaled(regime);
+        if !matrix.is_finite() {
+            return Vec::new();
+        }
+        let squares = matrix.eigenvalues();
+        let highest = squares.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
+        let each = squares.into_iter().map(|square| {
+            let free = square <= FREE * FREE * highest;
+            if free { 0.0 } else { square.sqrt() }
+        });
+        each.collect()
+    }
+
+    /// Masses, and the stiffness matrix scaled by their roots on both sides.
+    fn scaled(&self, regime: Regime) -> (Vec<f64>, Forest) {
+        let (mass, mut matrix) = self.frozen.linearised(regime, &self.start_modes());
+        let factors: Vec<f64> = mass.iter().map(|mass| 1.0 / mass.sqrt()).collect();
+        matrix.scale(&factors);
+        (mass, matrix)
+    }
+
     /// The highest natural frequency with all pairs engaged (rad/s); 0 for a
     /// model without elastic objects.
     pub fn fastest_frequency(&self) -> f64 {
-        let modes = self.modes_of_vibration(Regime::Engaged);
-        modes.last().map_or(0.0, |mode| mode.frequency)
+        let all = self.natural_frequencies(Regime::Engaged);
+        all.last().copied().unwrap_or(0.0)
     }
 
     /// Highest natural frequency over the lowest that is not a free motion,
     /// all pairs engaged; 1 without elastic objects.
     pub fn stiffness_ratio(&self) -> f64 {
-        let modes = self.modes_of_vibration(Regime::Engaged);
-        let slowest = modes.iter().map(|mode| mode.frequency).find(|&w| w > 0.0);
-        match (slowest, modes.last()) {
-            (Some(slowest), Some(fastest)) => fastest.frequency / slowest,
+        let all = self.natural_frequencies(Regime::Engaged);
+        let slowest = all.iter().find(|&&frequency| frequency > 0.0);
+        match (slowest, all.last()) {
+            (Some(slowest), Some(fastest)) => fastest / slowest,
             _ => 1.0,
         }
     }
@@ -186,7 +217,8 @@ fn normalised(shape: &DVector<f64>) -> Vec<f64> {
 
 impl Frozen {
     /// Diagonal mass and stiffness at the position at t = 0, on the law.
-    fn linearised(&self, regime: Regime, modes: &[i64]) -> (Vec<f64>, DMatrix<f64>) {
+    /// Of each coordinate there is one at most that it hangs on, and that comes before it.
+    fn linearised(&self, regime: Regime, modes: &[i64]) -> (Vec<f64>, Forest) {
         let n = self.coordinates;
         let mut work = Work::new(self);
         self.motion(0.0, &self.law_state(), modes, Extent::Full, &mut work);
@@ -195,7 +227,7 @@ impl Frozen {
         // none: it is prescribed.
         let mut moves: Vec<Option<(usize, f64)>> = vec![None; self.inertia.len()];
         let mut mass = vec![1.0; n];
-        let mut stiffness = DMatrix::zeros(n, n);
+        let mut stiffness = Forest::new(n);
         for step in &self.steps {
             match step {
                 Step::Prescribed(_) => {}
@@ -230,12 +262,12 @@ impl Frozen {
         for load in &self.loads {
             if let (LoadLaw::Spring { rate, .. }, Some((c, factor))) = (&load.law, moves[load.node])
             {
-                stiffness[(c, c)] += rate * factor * factor;
+                stiffness.diagonal[c] += rate * factor * factor;
             }
         }
         for (index, linkage) in self.linkages.iter().enumerate() {
             if let Some((c, factor)) = moves[linkage.node] {
-                stiffness[(c, c)] += self.potential_stiffness(index, &work) * factor * factor;
+                stiffness.diagonal[c] += self.potential_stiffness(index, &work) * factor * factor;
             }
         }
         (mass, stiffness)
@@ -243,12 +275,11 @@ impl Frozen {
 }
 
 /// A spring between coordinate `end` and a factor times another.
-fn add_link(stiffness: &mut DMatrix<f64>, c: f64, end: usize, base: Option<(usize, f64)>) {
-    stiffness[(end, end)] += c;
+fn add_link(stiffness: &mut Forest, c: f64, end: usize, base: Option<(usize, f64)>) {
+    stiffness.diagonal[end] += c;
     if let Some((base, factor)) = base {
-        stiffness[(base, base)] += c * factor * factor;
-        stiffness[(end, base)] -= c * factor;
-        stiffness[(base, end)] -= c * factor;
+        stiffness.diagonal[base] += c * factor * factor;
+        stiffness.parent[end] = Some((base, -c * factor));
     }
 }
 
@@ -287,8 +318,11 @@ mod tests {
             let exact = |k: usize| {
                 2.0 * n * 1e4 * ((2 * k - 1) as f64 * PI / (2.0 * (2.0 * n + 1.0))).sin()
             };
+            let alone = system.natural_frequencies(Regime::Engaged);
+            assert_eq!(alone.len(), modes.len());
             for (k, mode) in modes.iter().enumerate() {
                 approx::assert_relative_eq!(mode.frequency, exact(k + 1), max_relative = 1e-12);
+                approx::assert_relative_eq!(alone[k], exact(k + 1), max_relative = 1e-12);
             }
             approx::assert_relative_eq!(
                 system.fastest_rate(),

@@ -16,6 +16,7 @@ mod check;
 mod dynamics;
 mod energy;
 mod frequencies;
+mod forest;
 mod friction;
 mod frozen;
 mod growth;
