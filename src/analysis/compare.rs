@@ -139,11 +139,10 @@ fn errors(figure: &str, values: &[Option<f64>], runs: &[ComparedRun]) -> Vec<Opt
 
 #[cfg(test)]
 mod tests {
-    use crate::integrate::Stop;
     use super::compare;
     use crate::analysis::run::RunResult;
     use crate::analysis::testing::result_with;
-
+    use crate::integrate::Stop;
 
     fn labels(values: &[&str]) -> Vec<String> {
         values.iter().map(|value| (*value).to_owned()).collect()

@@ -40,7 +40,9 @@ fn group<'a>(diagnostics: &'a Diagnostics, item: &'a Diagnostic) -> Group<'a> {
         Severity::Error => Level::ERROR,
         Severity::Warning => Level::WARNING,
     };
-    let title = level.primary_title(in_one_line(&item.message)).id(item.code);
+    let title = level
+        .primary_title(in_one_line(&item.message))
+        .id(item.code);
     let mut group = Group::with_title(title);
     for excerpt in excerpts(item) {
         if let Some(source) = diagnostics.sources.get(excerpt.source) {

@@ -18,6 +18,9 @@ pub(super) struct Forest {
     pub(super) parent: Vec<Option<(usize, f64)>>,
 }
 
+/// An eigenvalue below this share of the greatest is zero to rounding.
+const NOTHING: f64 = 1e-16;
+
 /// Shifts whose counts are taken side by side.
 const LANES: usize = 8;
 
@@ -47,33 +50,41 @@ impl Forest {
         all.all(f64::is_finite)
     }
 
-    /// All eigenvalues, ascending, to rounding of the greatest; the entries are
-    /// finite.
+    /// All eigenvalues, ascending, each to its own rounding as far as the elimination
+    /// knows it; the entries are finite.
     pub(super) fn eigenvalues(&self) -> Vec<f64> {
         let order = self.diagonal.len();
         let [low, high] = self.bounds();
-        let mut work = vec![[0.0; LANES]; order];
+        let least = NOTHING * low.abs().max(high.abs());
+        let mut pivots = vec![[0.0; LANES]; order];
         let mut found = vec![0.0; order];
-        // Intervals with the numbers of the eigenvalues in them.
-        let mut open = vec![([low, high], [0, order])];
-        while let Some(([low, high], [first, end])) = open.pop() {
-            let width = (high - low) / (LANES + 1) as f64;
-            let shift = |lane: usize| low + width * (lane + 1) as f64;
-            let smallest = f64::EPSILON * low.abs().max(high.abs());
-            if width <= smallest || first == end {
-                found[first..end].fill(0.5 * (low + high));
-                continue;
+        // Intervals, and which eigenvalues lie in them.
+        let mut open = vec![([low, high], 0..order)];
+        while !open.is_empty() {
+            let halved = open.split_off(open.len().saturating_sub(LANES));
+            let middle = |[low, high]: [f64; 2]| 0.5 * (low + high);
+            let mut shifts = [0.0; LANES];
+            for (shift, (interval, _)) in shifts.iter_mut().zip(&halved) {
+                *shift = middle(*interval);
             }
-            let shifts: [f64; LANES] = std::array::from_fn(shift);
-            let counts = self.counts(&shifts, &mut work);
-            let mut below = (low, first);
-            for (at, count) in shifts.into_iter().zip(counts).chain([(high, end)]) {
+            let counts = self.counts(&shifts, &mut pivots);
+            for ((ends, numbers), (shift, count)) in
+                halved.into_iter().zip(shifts.into_iter().zip(counts))
+            {
                 // Rounding may disturb the order of counts that are nearly equal.
-                let count = count.clamp(below.1, end);
-                if count > below.1 {
-                    open.push(([below.0, at], [below.1, count]));
+                let count = count.clamp(numbers.start, numbers.end);
+                let halves = [
+                    ([ends[0], shift], numbers.start..count),
+                    ([shift, ends[1]], count..numbers.end),
+                ];
+                for (ends, numbers) in halves {
+                    let [low, high] = ends;
+                    if high - low <= 2.0 * f64::EPSILON * low.abs().max(high.abs()).max(least) {
+                        found[numbers].fill(middle(ends));
+                    } else if !numbers.is_empty() {
+                        open.push((ends, numbers));
+                    }
                 }
-                below = (at, count);
             }
         }
         found
@@ -113,7 +124,11 @@ impl Forest {
             let square = entry * entry;
             for (above, pivot) in pivots[parent].iter_mut().zip(own) {
                 // A pivot of zero counts as the smallest there is.
-                let pivot = if pivot == 0.0 { f64::MIN_POSITIVE } else { pivot };
+                let pivot = if pivot == 0.0 {
+                    f64::MIN_POSITIVE
+                } else {
+                    pivot
+                };
                 *above -= square / pivot;
             }
         }
@@ -161,7 +176,10 @@ mod tests {
                 };
                 let mut expected: Vec<f64> = match order {
                     0 => Vec::new(),
-                    _ => SymmetricEigen::new(dense(&forest)).eigenvalues.as_slice().to_vec(),
+                    _ => SymmetricEigen::new(dense(&forest))
+                        .eigenvalues
+                        .as_slice()
+                        .to_vec(),
                 };
                 expected.sort_by(f64::total_cmp);
                 let found = forest.eigenvalues();

@@ -202,10 +202,7 @@ impl Task<'_> {
             };
             task.propagate(0)?.ok()
         });
-        if run
-            .as_ref()
-            .is_some_and(|run| run.stop.is_from_outside())
-        {
+        if run.as_ref().is_some_and(|run| run.stop.is_from_outside()) {
             return None;
         }
         let nothing = ObjectFigures::default();

@@ -206,17 +206,13 @@ fn show(args: &SteadyArgs, answered: &Answered<'_>, csv: &str) -> Result<(), Fai
     }
     match (args.form, &answered.rigid, answered.periodic) {
         (Form::Csv, ..) => console::data(csv),
-        (Form::Svg, Some(shown), _) => {
-            console::data(&wittenbauer(shown).svg(PICTURE.0, PICTURE.1))
-        }
+        (Form::Svg, Some(shown), _) => console::data(&wittenbauer(shown).svg(PICTURE.0, PICTURE.1)),
         (Form::Svg, None, _) => {
             let why = "only machines with rigid objects have an energy-mass diagram";
             Err(Failure::Other(why.to_owned()))
         }
         (Form::Text, Some(shown), _) => console::data(&rigid_text(shown)),
-        (Form::Text, None, Some(answer)) => {
-            console::data(&periodic_text(answered.title, answer))
-        }
+        (Form::Text, None, Some(answer)) => console::data(&periodic_text(answered.title, answer)),
         (Form::Text, None, None) => Ok(()),
     }
 }
