@@ -2,6 +2,7 @@
 
 pub mod analysis;
 pub mod breaks;
+pub mod budget;
 pub mod builder;
 pub mod cam;
 pub mod constraint;

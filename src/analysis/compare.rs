@@ -1,7 +1,6 @@
 //! The same scene for several values of a parameter, figures side by side.
 
 use super::run::RunResult;
-use crate::integrate::Stop;
 use serde::Serialize;
 
 /// Runs for several values of a parameter.
@@ -61,7 +60,7 @@ pub fn compare<E>(
     let mut runs = Vec::with_capacity(labels.len());
     for label in labels {
         let result = run(label)?;
-        let interrupted = result.outcome.stop == Stop::Interrupted;
+        let interrupted = result.outcome.stop.is_from_outside();
         runs.push(ComparedRun {
             label: label.clone(),
             result,

@@ -1,11 +1,10 @@
 //! How to run a system.
 
+pub use crate::budget::Budget as Control;
 use crate::fault::Fault;
 use crate::integrate::{Limits, Method};
 use crate::scene::Scene;
 use serde::Serialize;
-use std::sync::atomic::AtomicBool;
-use std::time::Duration;
 
 /// Most steps of a run; a bound against runs that would never end.
 const MOST_STEPS: u64 = 1_000_000_000;
@@ -78,23 +77,13 @@ impl RunSettings {
     }
 }
 
-/// What may end a run from outside; results do not depend on it, except by
-/// being incomplete.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Control<'a> {
-    /// Longest wall-clock time.
-    pub wall_clock: Option<Duration>,
-    /// Set (by Ctrl-C) to end the run.
-    pub interrupt: Option<&'a AtomicBool>,
-}
-
 impl<'a> Control<'a> {
+    /// The bounds on a run with these settings.
     pub(crate) fn limits(&self, settings: &RunSettings) -> Limits<'a> {
         Limits {
             switches: settings.max_switches,
             steps: settings.max_steps,
-            wall_clock: self.wall_clock,
-            interrupt: self.interrupt,
+            budget: *self,
         }
     }
 }

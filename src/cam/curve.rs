@@ -51,6 +51,12 @@ impl DiscCam {
             angles: Vec::new(),
             points: Vec::new(),
         };
+        // Told before hours are spent on it.
+        let pieces = self.motion().pieces().iter();
+        let fewest: f64 = pieces.map(|piece| tracer.fewest(piece)).sum();
+        if !(fewest <= MOST_POINTS as f64) {
+            return Err(tracer.too_many());
+        }
         let mut before: Option<&Piece> = None;
         for piece in self.motion().pieces() {
             if let Some(before) = before {
@@ -114,6 +120,22 @@ impl Tracer<'_> {
             }
         }
         Ok(())
+    }
+
+    /// A number of sides that a piece takes at least: the bend is taken at its least
+    /// in each interval, by half, as it is looked at in places.
+    fn fewest(&self, piece: &Piece) -> f64 {
+        let sides = |step: usize| {
+            let (from, to) = (piece.place(step - 1), piece.place(step));
+            let bend = |share: usize| {
+                let phi = from + (to - from) * share as f64 / 4.0;
+                let touch = self.cam.touch(piece, phi);
+                self.cam.curve_rates(&touch, self.offset).1.abs()
+            };
+            let least = (0..=4).map(bend).fold(f64::INFINITY, f64::min);
+            (to - from) * (0.5 * least / (8.0 * SHARE * self.tolerance)).sqrt()
+        };
+        (1..=piece.intervals).map(sides).sum()
     }
 
     /// Whether one side may span from … to.

@@ -22,6 +22,9 @@ use std::path::PathBuf;
 #[derive(Debug, Parser)]
 #[command(name = "dam", version, about, max_term_width = 100)]
 pub(crate) struct Cli {
+    /// End after this much wall-clock time, keeping what was computed (seconds)
+    #[arg(long, value_name = "SECONDS", value_parser = positive_seconds, global = true)]
+    pub(crate) time_limit: Option<f64>,
     /// What to do.
     #[command(subcommand)]
     pub(crate) command: Command,
@@ -58,10 +61,30 @@ pub(crate) enum Command {
     Forces(ForcesArgs),
 }
 
+impl Command {
+    /// True when standard output is to be one JSON document.
+    pub(crate) fn json(&self) -> bool {
+        match self {
+            Self::Schema => false,
+            Self::Law(args) => args.json(),
+            Self::Steady(args) => args.json,
+            Self::Run(RunArgs { scene, .. })
+            | Self::Check(CheckArgs { scene })
+            | Self::Show(ShowArgs { scene, .. })
+            | Self::Compare(CompareArgs { scene, .. })
+            | Self::Cam(CamArgs { scene, .. })
+            | Self::Map(MapArgs { scene, .. })
+            | Self::Methods(MethodsArgs { scene, .. })
+            | Self::Kinematics(KinematicsArgs { scene, .. })
+            | Self::Forces(ForcesArgs { scene, .. }) => scene.json,
+        }
+    }
+}
+
 /// What every command on a scene takes.
 #[derive(Debug, Args)]
 pub(crate) struct SceneArgs {
-    /// The scene: a JSON file
+    /// The scene: a JSON file; - reads it from standard input
     pub(crate) scene: PathBuf,
     /// Set a property before anything else: rocker.masses=10
     #[arg(long = "set", value_name = "PATH=VALUE")]
@@ -95,9 +118,6 @@ pub(crate) struct RunArgs {
     /// Also run with loads changed by one part in 10¹⁰ and show how far each figure moves
     #[arg(long)]
     pub(crate) spread: bool,
-    /// End the run after this much wall-clock time, keeping what was computed (seconds)
-    #[arg(long, value_name = "SECONDS", value_parser = positive_seconds)]
-    pub(crate) time_limit: Option<f64>,
 }
 
 /// Arguments of `dam check`.
@@ -156,9 +176,6 @@ pub(crate) struct CompareArgs {
     pub(crate) over: String,
     #[command(flatten)]
     pub(crate) out: OutArgs,
-    /// End each run after this much wall-clock time (seconds)
-    #[arg(long, value_name = "SECONDS", value_parser = positive_seconds)]
-    pub(crate) time_limit: Option<f64>,
 }
 
 /// Arguments of `dam map`.

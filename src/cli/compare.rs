@@ -4,9 +4,9 @@ use super::args::CompareArgs;
 use super::console;
 use super::failure::{Failure, Status};
 use super::input::{Input, Ready};
-use super::output::{OutputFolder, ResultFile};
-use super::run::{control, run_with_progress};
-use super::tables;
+use super::output::{self, OutputFolder, ResultFile};
+use super::run::run_with_progress;
+use super::{interrupt, tables};
 use dam::analysis::compare::{Comparison, compare};
 use dam::integrate::Stop;
 use dam::report::compare::{CompareReport, ComparedRun, chart, page};
@@ -32,23 +32,24 @@ pub(crate) fn command(args: &CompareArgs) -> Result<Status, Failure> {
     let ready = prepare_all(&input, &path, &labels)?;
     let scene = ready[0].scene().name.clone();
     let folder = prepare_folder(args, &ready, labels.len())?;
-    let control = control(args.time_limit);
     let mut next = ready.iter();
+    let mut keeping = None;
     let comparison = compare(&path, &labels, |_| {
         let Some(ready) = next.next() else {
             return Err(Failure::Other("fewer systems than values".to_owned()));
         };
-        run_with_progress(ready, &ready.settings, &control, args.scene.quiet)
+        let budget = interrupt::budget();
+        let found = run_with_progress(ready, &ready.settings, budget, args.scene.quiet);
+        keeping.get_or_insert_with(interrupt::keep);
+        found
     })?;
-    if let Some(folder) = &folder {
-        let files = files(&input, &ready, &comparison)?;
-        folder.write("compare", &ready[0].scene().hash, &files)?;
-    }
-    if args.scene.json {
-        console::json(&tables::comparison_document(&scene, &comparison))?;
-    } else {
-        console::data(&tables::comparison(&scene, &comparison.table));
-    }
+    let files = || files(&input, &ready, &comparison);
+    let show = || match args.scene.json {
+        true => console::json(&tables::comparison_document(&scene, &comparison)),
+        false => console::data(&tables::comparison(&scene, &comparison.table)),
+    };
+    let hash = &ready[0].scene().hash;
+    output::deliver(folder.as_ref(), "compare", hash, files, show)?;
     if !args.scene.quiet {
         for run in &comparison.runs {
             for warning in &run.result.figures.warnings {

@@ -6,7 +6,7 @@ use super::expected;
 use super::failure::{Failure, Status};
 use super::input::{Input, Ready};
 use super::kinematics::{asked_over, quantity};
-use super::output::{OutputFolder, ResultFile};
+use super::output::{self, OutputFolder, ResultFile};
 use dam::analysis::expectations::Verdict;
 use dam::analysis::forces::{
     Course, ForceSettings, ForceStudy, LinkagePositions, compare_massless, course_of,
@@ -80,10 +80,9 @@ pub(crate) fn command(args: &ForcesArgs) -> Result<Status, Failure> {
         version: env!("CARGO_PKG_VERSION"),
     };
     let verdicts = verdicts(args, &ready, object, &found);
-    if let Some(folder) = &folder {
-        folder.write("forces", report.hash, &files(&report, &verdicts)?)?;
-    }
-    show(args, &report, &verdicts)?;
+    let files = || files(&report, &verdicts);
+    let show = || show(args, &report, &verdicts);
+    output::deliver(folder.as_ref(), "forces", report.hash, files, show)?;
     talk(args, &found, behind(model, object));
     if !args.scene.quiet {
         expected::talk(&verdicts);
@@ -281,9 +280,9 @@ fn show(args: &ForcesArgs, report: &ForcesReport<'_>, verdicts: &[Verdict]) -> R
     if args.scene.json {
         console::json(&expected::beside(document(report), verdicts))?;
     } else if args.csv {
-        console::data(&forces_csv(report.study).map_err(|error| error.to_string())?);
+        console::data(&forces_csv(report.study).map_err(|error| error.to_string())?)?;
     } else {
-        console::data(&text(report));
+        console::data(&text(report))?;
     }
     Ok(())
 }

@@ -41,11 +41,19 @@ impl Ready {
 }
 
 impl Input {
-    /// Reads and parses the scene's file.
+    /// Reads and parses the scene: a file, or standard input for `-`.
     pub(crate) fn load(args: &SceneArgs) -> Result<Self, Failure> {
-        let shown = args.scene.display().to_string();
-        let bytes = read_bounded(&args.scene)
-            .map_err(|error| format!("cannot read the scene `{shown}`: {error}"))?;
+        let (shown, read) = match args.scene.as_os_str() == STANDARD_INPUT {
+            true => (
+                "standard input".to_owned(),
+                read_bounded(std::io::stdin().lock()),
+            ),
+            false => (
+                args.scene.display().to_string(),
+                fs::File::open(&args.scene).and_then(read_bounded),
+            ),
+        };
+        let bytes = read.map_err(|error| format!("cannot read the scene `{shown}`: {error}"))?;
         let beside = args.scene.parent().unwrap_or(Path::new("."));
         Ok(Self {
             document: Document::parse(&shown, &bytes)?,
@@ -103,11 +111,12 @@ impl Input {
 /// its own message about size is the one that is seen.
 const LARGEST: u64 = 64 << 20;
 
-fn read_bounded(path: &Path) -> std::io::Result<Vec<u8>> {
+/// Stands for standard input in place of a file.
+const STANDARD_INPUT: &str = "-";
+
+fn read_bounded(from: impl Read) -> std::io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
-    fs::File::open(path)?
-        .take(LARGEST)
-        .read_to_end(&mut bytes)?;
+    from.take(LARGEST).read_to_end(&mut bytes)?;
     Ok(bytes)
 }
 
@@ -115,6 +124,42 @@ fn read_bounded(path: &Path) -> std::io::Result<Vec<u8>> {
 #[derive(Debug)]
 struct Folder {
     path: PathBuf,
+}
+
+impl Folder {
+    /// A file or folder below this one, links followed; `None` where links lead out.
+    fn within(&self, path: &Path) -> Option<PathBuf> {
+        let root = self.path.canonicalize().ok()?;
+        let real = path.canonicalize().ok()?;
+        real.starts_with(root).then_some(real)
+    }
+
+    /// True for a plain file below this folder: reading a pipe might never end.
+    fn is_file(&self, path: &Path) -> bool {
+        let real = self.within(path);
+        real.is_some_and(|real| real.is_file())
+    }
+
+    /// Names of the JSON files below a folder, a few levels deep.
+    fn collect(&self, folder: &Path, prefix: &str, depth: usize, names: &mut Vec<String>) {
+        let Ok(entries) = fs::read_dir(folder) else {
+            return;
+        };
+        for entry in entries.flatten() {
+            let path = entry.path();
+            let Some(stem) = path.file_stem().and_then(|stem| stem.to_str()) else {
+                continue;
+            };
+            let is_json = path.extension().is_some_and(|found| found == "json");
+            if path.is_dir() {
+                if depth < 3 && self.within(&path).is_some() {
+                    self.collect(&path, &format!("{prefix}{stem}/"), depth + 1, names);
+                }
+            } else if is_json && self.is_file(&path) {
+                names.push(format!("{prefix}{stem}"));
+            }
+        }
+    }
 }
 
 impl Catalogue for Folder {
@@ -125,35 +170,18 @@ impl Catalogue for Folder {
             return None;
         }
         let file = self.path.join(format!("{name}.json"));
-        let text = String::from_utf8(read_bounded(&file).ok()?).ok()?;
+        if !self.is_file(&file) {
+            return None;
+        }
+        let bytes = fs::File::open(&file).and_then(read_bounded).ok()?;
+        let text = String::from_utf8(bytes).ok()?;
         Some((file.display().to_string(), Cow::Owned(text)))
     }
 
     fn names(&self) -> Vec<String> {
         let mut names = Vec::new();
-        collect(&self.path, "", 0, &mut names);
+        self.collect(&self.path, "", 0, &mut names);
         names.sort();
         names
-    }
-}
-
-/// Names of the JSON files below a folder, a few levels deep.
-fn collect(folder: &Path, prefix: &str, depth: usize, names: &mut Vec<String>) {
-    let Ok(entries) = fs::read_dir(folder) else {
-        return;
-    };
-    for entry in entries.flatten() {
-        let path = entry.path();
-        let Some(stem) = path.file_stem().and_then(|stem| stem.to_str()) else {
-            continue;
-        };
-        if path.is_dir() && depth < 3 {
-            collect(&path, &format!("{prefix}{stem}/"), depth + 1, names);
-        } else if path
-            .extension()
-            .is_some_and(|extension| extension == "json")
-        {
-            names.push(format!("{prefix}{stem}"));
-        }
     }
 }

@@ -4,7 +4,7 @@ use super::args::RunArgs;
 use super::console;
 use super::failure::{Failure, Status};
 use super::input::{Input, Ready};
-use super::output::{OutputFolder, ResultFile};
+use super::output::{self, OutputFolder, ResultFile};
 use super::progress::Progress;
 use super::{interrupt, tables, terminal};
 use dam::analysis::expectations::{Verdict, check, of_run};
@@ -17,7 +17,7 @@ use dam::report::csv::record_csv;
 use dam::report::diagram::Diagram;
 use dam::report::html::{RunReport, page};
 use serde::Serialize;
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 const FILES: [&str; 4] = ["summary.json", "record.csv", "report.html", "timing.json"];
 
@@ -39,7 +39,7 @@ pub(crate) fn command(args: &RunArgs) -> Result<Status, Failure> {
     let folder = OutputFolder::asked(&args.out, &ready.scene().name, &FILES)?;
     let quiet = args.scene.quiet;
     if !quiet && !ready.reading.warnings.is_empty() {
-        console::talk(&ready.reading.warnings.render(console::colour()));
+        console::diagnose(&ready.reading.warnings);
     }
     let known_before = &ready.system.model().warnings;
     if !quiet {
@@ -47,12 +47,12 @@ pub(crate) fn command(args: &RunArgs) -> Result<Status, Failure> {
             console::talk(&format!("warning: {warning}"));
         }
     }
-    let control = control(args.time_limit);
+    let control = interrupt::budget();
     let begun = Instant::now();
-    let result = run_with_progress(&ready, &ready.settings, &control, quiet)?;
+    let result = run_with_progress(&ready, &ready.settings, control, quiet)?;
     let seconds = begun.elapsed().as_secs_f64();
     let spread = if args.spread {
-        let found = spread(&ready.system, &ready.settings, &result, &control)
+        let found = spread(&ready.system, &ready.settings, &result, control)
             .map_err(|faults| ready.reading.places.diagnose(&faults))?;
         Some(found)
     } else {
@@ -70,18 +70,15 @@ pub(crate) fn command(args: &RunArgs) -> Result<Status, Failure> {
         spread: spread.as_ref(),
         expect: &verdicts,
     };
-    if let Some(folder) = &folder {
-        let files = files(&input, &ready, &result, &document, seconds)?;
-        folder.write("run", &ready.scene().hash, &files)?;
-    }
-    if args.scene.json {
-        console::json(&document)?;
-    } else {
-        console::data(&terminal::summary(&result.figures));
-        if let Some(spread) = &spread {
-            console::data(&tables::spread(spread));
+    let files = || files(&input, &ready, &result, &document, seconds);
+    let show = || match args.scene.json {
+        true => console::json(&document),
+        false => {
+            let spread = spread.as_ref().map_or(String::new(), tables::spread);
+            console::data(&(terminal::summary(&result.figures) + &spread))
         }
-    }
+    };
+    output::deliver(folder.as_ref(), "run", &ready.scene().hash, files, show)?;
     if !quiet {
         talk(&ready, &result, &verdicts, seconds);
         if let Some(folder) = &folder {
@@ -89,14 +86,6 @@ pub(crate) fn command(args: &RunArgs) -> Result<Status, Failure> {
         }
     }
     Ok(status(&result, &verdicts))
-}
-
-/// What may end a run from outside.
-pub(crate) fn control(time_limit: Option<f64>) -> Control<'static> {
-    Control {
-        wall_clock: time_limit.map(Duration::from_secs_f64),
-        interrupt: Some(interrupt::listen()),
-    }
 }
 
 /// A run with a progress bar.

@@ -7,6 +7,7 @@
 mod render;
 mod source;
 
+pub use render::printable;
 pub use source::{Place, Position, Source, SourceId, Sources};
 
 use std::fmt;

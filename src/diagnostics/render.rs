@@ -40,7 +40,9 @@ fn group<'a>(diagnostics: &'a Diagnostics, item: &'a Diagnostic) -> Group<'a> {
         Severity::Error => Level::ERROR,
         Severity::Warning => Level::WARNING,
     };
-    let title = level.primary_title(printable(&item.message)).id(item.code);
+    let title = level
+        .primary_title(in_one_line(&item.message))
+        .id(item.code);
     let mut group = Group::with_title(title);
     for excerpt in excerpts(item) {
         if let Some(source) = diagnostics.sources.get(excerpt.source) {
@@ -48,7 +50,7 @@ fn group<'a>(diagnostics: &'a Diagnostics, item: &'a Diagnostic) -> Group<'a> {
         }
     }
     for hint in &item.hints {
-        group = group.element(Level::HELP.message(printable(hint)));
+        group = group.element(Level::HELP.message(in_one_line(hint)));
     }
     group
 }
@@ -121,16 +123,16 @@ fn show<'a>(group: Group<'a>, source: &'a Source, excerpt: &Excerpt<'_>) -> Grou
         let annotation = mark.kind.span(fit(text, window.start, &mark.range));
         snippet = snippet.annotation(match mark.label.is_empty() {
             true => annotation,
-            false => annotation.label(printable(mark.label)),
+            false => annotation.label(in_one_line(mark.label)),
         });
     }
     let cut = window.start > 0 && source.text.as_bytes()[window.start - 1] != b'\n';
     if !cut {
-        return group.element(snippet.path(printable(&source.name)));
+        return group.element(snippet.path(in_one_line(&source.name)));
     }
     // The excerpt begins inside a line: its columns are not the file's.
     let at = source.position(excerpt.marks.first().map_or(range.start, |m| m.range.start));
-    let origin = Origin::path(printable(&source.name))
+    let origin = Origin::path(in_one_line(&source.name))
         .line(at.line)
         .char_column(at.column);
     group.element(origin).element(snippet)
@@ -179,15 +181,26 @@ fn fit(excerpt: &str, from: usize, range: &Range<usize>) -> Range<usize> {
     start..end
 }
 
-/// Text from a file, safe to show in a terminal.
-fn printable(text: &str) -> String {
-    text.chars()
-        .map(|c| match c {
-            '\n' => ' ',
-            c if c.is_control() => '\u{FFFD}',
+/// Text from a file in one line, safe to show in a terminal.
+fn in_one_line(text: &str) -> String {
+    printable(&text.replace('\n', " "))
+}
+
+/// Text that is safe to show in a terminal: control characters, and those that turn
+/// the direction of writing, are replaced; ends of lines and tabs stay.
+pub fn printable(text: &str) -> String {
+    let turns = |c| matches!(c, '\u{202A}'..='\u{202E}' | '\u{2066}'..='\u{2069}');
+    let mut chars = text.chars().peekable();
+    let mut safe = String::with_capacity(text.len());
+    while let Some(c) = chars.next() {
+        safe.push(match c {
+            '\n' | '\t' => c,
+            '\r' if chars.peek() == Some(&'\n') => c,
+            c if c.is_control() || turns(c) => '\u{FFFD}',
             c => c,
-        })
-        .collect()
+        });
+    }
+    safe
 }
 
 fn count(diagnostics: &Diagnostics) -> String {

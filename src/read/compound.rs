@@ -57,7 +57,9 @@ impl Slot<'_> {
     /// value is sound; whether all are.
     fn members(mut self, read: &mut dyn FnMut(&str, Slot<'_>) -> bool) -> bool {
         if self.describing() {
-            let schema = self.inner("*", None, &mut |slot| drop(read("*", slot)));
+            let schema = self.inner("*", None, &mut |slot| {
+                read("*", slot);
+            });
             *self.out = json!({ "type": "object", "additionalProperties": schema });
             return false;
         }
@@ -130,7 +132,9 @@ impl Slot<'_> {
         read: &mut dyn FnMut(Slot<'_>) -> bool,
     ) -> bool {
         if self.describing() {
-            let items = self.inner("[]", None, &mut |slot| drop(read(slot)));
+            let items = self.inner("[]", None, &mut |slot| {
+                read(slot);
+            });
             let mut schema = json!({ "type": "array", "items": items, "minItems": length.start() });
             if *length.end() < usize::MAX {
                 schema["maxItems"] = json!(length.end());

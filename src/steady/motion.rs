@@ -63,6 +63,7 @@ pub fn steady(profile: &Profile, question: &Question) -> Result<SteadyMotion, Re
     let level = find(&profile, question)?;
     let mut motion = SteadyMotion::at(profile, level.level, question);
     motion.tell(&level, question, surplus, balance);
+    motion.figures.check()?;
     Ok(motion)
 }
 

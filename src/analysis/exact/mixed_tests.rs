@@ -219,10 +219,7 @@ fn a_motor_beside_a_drive_is_a_rest_too() {
 fn limits_and_interrupts_reach_both() {
     let (system, settings) = prepare(&text(&objects()));
     let told = AtomicBool::new(true);
-    let control = Control {
-        interrupt: Some(&told),
-        ..Control::default()
-    };
+    let control = Control::interrupted_by(&told);
     let result = run(&system, &settings, &control, &mut []).unwrap();
     assert_eq!(result.outcome.stop, Stop::Interrupted);
     let few = RunSettings {

@@ -16,7 +16,6 @@ use crate::lower::lower;
 use crate::record::{Record, drive_cycle};
 use crate::scene::Scene;
 use crate::system::System;
-use std::sync::atomic::Ordering::Relaxed;
 
 /// Most steps of the run of one cell: where a general method would crawl, a
 /// map says so and goes on.
@@ -137,7 +136,7 @@ fn answer(
     control: &Control<'_>,
 ) -> Result<Option<Cell>, Vec<Fault>> {
     let result = run(system, settings, control, &mut [])?;
-    if result.outcome.stop == Stop::Interrupted {
+    if result.outcome.stop.is_from_outside() {
         return Ok(None);
     }
     if let Some(cell) = failed(&result) {
@@ -167,7 +166,7 @@ fn answer(
         steady: &mut again,
     });
     // What was interrupted in between may have been judged by half of it.
-    if control.interrupt.is_some_and(|flag| flag.load(Relaxed)) {
+    if control.is_spent() {
         return Ok(None);
     }
     let value = read(&result.figures, &study.figure).filter(|value| value.is_finite());
@@ -252,7 +251,7 @@ fn moves(
     let changed = changed_loads(system.model().clone(), 1.0 + CHANGE);
     let changed = System::new(changed)?;
     let other = run(&changed, &same_method, control, &mut [])?;
-    if other.outcome.stop == Stop::Interrupted {
+    if other.outcome.stop.is_from_outside() {
         return Ok(None);
     }
     let scale = base.figures.scale(&study.figure);

@@ -143,11 +143,7 @@ impl<'w> Work<'w> {
     fn go(&self) {
         let mut scenes = Scenes::new(self.study);
         loop {
-            let interrupted = self
-                .control
-                .interrupt
-                .is_some_and(|flag| flag.load(Relaxed));
-            if interrupted || self.stop.load(Relaxed) {
+            if self.control.is_spent() || self.stop.load(Relaxed) {
                 return;
             }
             let number = self.next.fetch_add(1, Relaxed);
@@ -258,10 +254,7 @@ mod tests {
         let study = Study::new(&document, &BuiltIn, question(&endless)).unwrap();
         for threads in [1, 2] {
             let told = AtomicBool::new(false);
-            let control = Control {
-                interrupt: Some(&told),
-                ..Control::default()
-            };
+            let control = Control::interrupted_by(&told);
             let begun = Instant::now();
             let found = std::thread::scope(|scope| {
                 scope.spawn(|| {

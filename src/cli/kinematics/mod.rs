@@ -6,7 +6,7 @@ use super::console;
 use super::expected;
 use super::failure::{Failure, Status};
 use super::input::{Input, Ready};
-use super::output::{OutputFolder, ResultFile};
+use super::output::{self, OutputFolder, ResultFile};
 use dam::analysis::expectations::Verdict;
 use dam::analysis::kinematics::{
     Asked, Kinematics, Over, Question, Subject, kinematics, whole_travel,
@@ -43,11 +43,10 @@ pub(crate) fn command(args: &KinematicsArgs) -> Result<Status, Failure> {
     let folder = OutputFolder::asked(&args.out, &ready.scene().name, &FILES)?;
     let found = kinematics(&asked);
     let verdicts = verdicts(args, &ready, &found);
-    if let Some(folder) = &folder {
-        let files = files(&input, &ready, &found, &verdicts)?;
-        folder.write("kinematics", &ready.scene().hash, &files)?;
-    }
-    show(args, &ready, &found, &verdicts, question.also)?;
+    let files = || files(&input, &ready, &found, &verdicts);
+    let show = || show(args, &ready, &found, &verdicts, question.also);
+    let hash = &ready.scene().hash;
+    output::deliver(folder.as_ref(), "kinematics", hash, files, show)?;
     if !args.scene.quiet {
         for warning in &found.warnings {
             console::talk(&format!("warning: {warning}"));
@@ -92,7 +91,7 @@ fn show(
     if let Some(at) = also {
         let row = found.axis.values.iter().position(|&place| place == at);
         match row {
-            Some(row) => console::data(&picture(found, row)),
+            Some(row) => console::data(&picture(found, row))?,
             None => {
                 return Err("the linkage cannot be assembled at that place"
                     .to_owned()
@@ -103,9 +102,9 @@ fn show(
         let document = document(&scene.name, &scene.hash, found);
         console::json(&expected::beside(document, verdicts))?;
     } else if args.csv {
-        console::data(&kinematics_csv(found).map_err(|error| error.to_string())?);
+        console::data(&kinematics_csv(found).map_err(|error| error.to_string())?)?;
     } else {
-        console::data(&text(&scene.name, found));
+        console::data(&text(&scene.name, found))?;
     }
     Ok(())
 }

@@ -197,8 +197,8 @@ fn limited(method: Method, limits: &Limits<'_>) -> Outcome {
 fn limits_end_every_method_and_keep_what_was_computed() {
     let raised = AtomicBool::new(true);
     for method in Method::available() {
-        let interrupt = Some(&raised);
-        let outcome = limited(method, &Limits { interrupt, ..FREE });
+        let budget = Budget::interrupted_by(&raised);
+        let outcome = limited(method, &Limits { budget, ..FREE });
         assert_eq!(outcome.stop, Stop::Interrupted, "{method}");
         assert!(outcome.time < 0.1);
         let outcome = limited(method, &Limits { steps: 20, ..FREE });
@@ -214,13 +214,13 @@ fn limits_end_every_method_and_keep_what_was_computed() {
         assert_eq!(outcome.stop, Stop::TooManySwitches { bound: 0 });
         assert!((outcome.time - 0.5).abs() < 1e-9);
         let limit = Duration::ZERO;
-        let wall_clock = Some(limit);
-        let outcome = limited(method, &Limits { wall_clock, ..FREE });
+        let budget = Budget::FREE.within(limit);
+        let outcome = limited(method, &Limits { budget, ..FREE });
         assert_eq!(outcome.stop, Stop::WallClock { limit });
     }
     raised.store(false, Ordering::Relaxed);
-    let interrupt = Some(&raised);
-    let outcome = limited(Method::Dopri5, &Limits { interrupt, ..FREE });
+    let budget = Budget::interrupted_by(&raised);
+    let outcome = limited(Method::Dopri5, &Limits { budget, ..FREE });
     assert_eq!(outcome.stop, Stop::Complete);
 }
 
