@@ -123,6 +123,12 @@ impl Linkage {
         &self.core.spec
     }
 
+    /// A length typical of it: the greatest distance between points of its pairs that
+    /// belong to one link (m).
+    pub fn size(&self) -> f64 {
+        self.core.plan.size
+    }
+
     /// Mobility and groups.
     pub fn structure(&self) -> &Structure {
         &self.core.structure
