@@ -4,8 +4,9 @@ use super::assemble::short;
 use super::spec::{AssemblyChoice, ForceLaw, LinkageSpec, OutputKind, PairKind, PairSpec, PointOf};
 use crate::fault::{Fault, Faults};
 
-/// Most links: the tables of larger ones would fill the memory.
-const MOST_LINKS: usize = 100;
+/// Most links: what is dense in their number (a larger group, the equations of all
+/// forces) still fits into the memory and is factorised within a second.
+const MOST_LINKS: usize = 500;
 /// Longest distance of a point from its frame (m), so that squares stay numbers.
 const FARTHEST: f64 = 1e9;
 /// Least size of a whole linkage (m), so that squares stay numbers.

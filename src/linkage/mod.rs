@@ -34,6 +34,7 @@ mod newton;
 mod plan;
 mod range;
 mod reduced;
+mod rounding;
 pub(crate) mod series;
 mod solve;
 pub mod spec;
@@ -48,6 +49,7 @@ mod workspace;
 pub use forces::Part as ForcePart;
 pub use range::{Cause, ChangePoint, End, OutOfReach, Period, Range, Reach};
 pub use reduced::Reduced;
+pub use rounding::Rounding;
 pub use structure::{Group, GroupKind, Structure};
 pub use workspace::{Pose, Workspace};
 
@@ -119,6 +121,12 @@ impl Linkage {
     /// The numbers it was made of.
     pub fn spec(&self) -> &LinkageSpec {
         &self.core.spec
+    }
+
+    /// A length typical of it: the greatest distance between points of its pairs that
+    /// belong to one link (m).
+    pub fn size(&self) -> f64 {
+        self.core.plan.size
     }
 
     /// Mobility and groups.

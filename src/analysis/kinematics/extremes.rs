@@ -23,6 +23,10 @@ pub(super) fn extremes(asked: &Asked<'_>, places: &[f64], columns: &[Column]) ->
         let mut find = |sign: f64| {
             let best = greatest_row(&column.values, sign);
             best.map_or((f64::NAN, f64::NAN), |row| {
+                // Between rows that are not all determined, nothing is looked for.
+                if column.undetermined > 0 {
+                    return (places[row], column.values[row]);
+                }
                 let mut at = |place: f64| seeker.at(place, index);
                 located(places, &column.values, row, sign, &mut at)
             })

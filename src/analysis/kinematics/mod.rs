@@ -76,8 +76,13 @@ pub struct Column {
     pub quantity: Quantity,
     /// SI unit.
     pub unit: String,
-    /// A value a row.
+    /// A value a row; not a number where it is infinite or not determined.
     pub values: Vec<f64>,
+    /// Greatest estimated error of the values that are determined: what the rounding of
+    /// the linkage's numbers leaves open, much near singular positions.
+    pub error: f64,
+    /// Rows at which the error is so great that the value is not determined.
+    pub undetermined: usize,
 }
 
 impl Column {

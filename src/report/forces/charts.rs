@@ -137,22 +137,11 @@ fn over_course(
     }
 }
 
-/// The zones; one that goes on from the beginning of a closed course in two.
+/// The zones.
 fn shaded(report: &ForcesReport<'_>) -> Vec<[f64; 2]> {
-    let course = &report.study.course;
-    let mut list = Vec::new();
-    for zone in &report.study.zones {
-        match (course.period(), course.len()) {
-            (Some(period), 1..) if zone.to > course.parameter(0) + period => {
-                let (first, last) = (course.parameter(0), course.parameter(0) + period);
-                list.push([zone.from.min(last), last]);
-                list.push([first, zone.to - period]);
-            }
-            _ => list.push([zone.from, zone.to]),
-        }
-    }
-    let ends = list.into_iter();
-    ends.map(|ends| ends.map(|at| report.axis_value(at)))
+    let zones = report.study.zones.iter();
+    zones
+        .map(|zone| [zone.from, zone.to].map(|at| report.axis_value(at)))
         .collect()
 }
 

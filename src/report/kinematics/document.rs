@@ -18,6 +18,8 @@ pub fn document(scene: &str, hash: &str, found: &Kinematics) -> Value {
                 "unit": column.unit,
                 "least": end(extremes.least),
                 "greatest": end(extremes.greatest),
+                "error": column.error,
+                "undetermined": column.undetermined,
                 "values": column.values,
             }),
         );

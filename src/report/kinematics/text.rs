@@ -5,6 +5,9 @@ use crate::analysis::kinematics::{Column, Extremes, Kinematics, Quantity};
 use crate::report::quantity::{significant, with_unit};
 use std::fmt::Write as _;
 
+/// An error above this share of a quantity would be seen in its digits.
+const SHOWN: f64 = 1e-8;
+
 /// Structure, extremes, strokes, transmission angles, limits.
 pub fn text(scene: &str, found: &Kinematics) -> String {
     let mut out = format!("{scene}\n{}\n", headline(found));
@@ -74,9 +77,15 @@ fn row(out: &mut String, found: &Kinematics, column: &Column, extremes: &Extreme
     let ((least, at_least), (greatest, at_greatest)) =
         (end(extremes.least), end(extremes.greatest));
     let name = column.name();
+    let size = extremes.least.1.abs().max(extremes.greatest.1.abs());
+    let doubt = match (column.undetermined, column.error > SHOWN * size.max(1.0)) {
+        (0, false) => String::new(),
+        (0, true) => format!("  ± {}", angle_or(column.error, &column.unit)),
+        (count, _) => format!("  not determined at {count} positions"),
+    };
     let _ = writeln!(
         out,
-        "  {name:<34} {least:>22} at {at_least:<16} {greatest:>22} at {at_greatest}"
+        "  {name:<34} {least:>22} at {at_least:<16} {greatest:>22} at {at_greatest}{doubt}"
     );
 }
 
