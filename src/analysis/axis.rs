@@ -69,7 +69,45 @@ impl Axis {
         Ok(axis)
     }
 
-    fn check(&self) -> Result<(), String> {
+    /// Values with equal differences, from the first to the last.
+    pub fn linear(path: &str, from: f64, to: f64, count: usize) -> Self {
+        Self {
+            path: path.to_owned(),
+            unit: String::new(),
+            from,
+            to,
+            count,
+            log: false,
+        }
+    }
+
+    /// Values with equal ratios.
+    pub fn log(path: &str, from: f64, to: f64, count: usize) -> Self {
+        Self {
+            log: true,
+            ..Self::linear(path, from, to, count)
+        }
+    }
+
+    /// With the unit in which its values are written; without it they are in the
+    /// parameter's SI unit.
+    #[must_use]
+    pub fn unit(mut self, unit: &str) -> Self {
+        unit.clone_into(&mut self.unit);
+        self
+    }
+
+    /// Whether its values are numbers that differ from each other.
+    ///
+    /// # Errors
+    /// What is wrong, in words.
+    pub fn check(&self) -> Result<(), String> {
+        if !(2..=MOST_VALUES).contains(&self.count) {
+            let count = self.count;
+            return Err(format!(
+                "{count} values are wanted, and an axis has 2 to {MOST_VALUES}"
+            ));
+        }
         if self.log && (self.from == 0.0 || self.from.signum() * self.to <= 0.0) {
             return Err("a log axis needs both ends on the same side of zero".to_owned());
         }
@@ -142,13 +180,8 @@ fn rounded(value: f64) -> f64 {
 }
 
 fn parse_count(text: &str) -> Result<usize, String> {
-    match text.parse::<usize>() {
-        Ok(count) if (2..=MOST_VALUES).contains(&count) => Ok(count),
-        Ok(count) => Err(format!(
-            "{count} values are wanted, and an axis has 2 to {MOST_VALUES}"
-        )),
-        Err(_) => Err(format!("`{text}` is no number of values")),
-    }
+    let count = text.parse::<usize>();
+    count.map_err(|_| format!("`{text}` is no number of values"))
 }
 
 /// Splits `100 rpm` into its number and its unit, both checked.

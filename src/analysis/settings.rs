@@ -3,7 +3,7 @@
 pub use crate::budget::Budget as Control;
 use crate::fault::Fault;
 use crate::integrate::{Limits, Method};
-use crate::scene::Scene;
+use crate::scene::TypedScene;
 use serde::Serialize;
 
 /// Most steps of a run; a bound against runs that would never end.
@@ -41,7 +41,7 @@ impl RunSettings {
     ///
     /// # Errors
     /// The scene's method is not known.
-    pub fn of(scene: &Scene) -> Result<Self, Fault> {
+    pub fn of(scene: &TypedScene) -> Result<Self, Fault> {
         let run = &scene.run;
         Ok(Self {
             scene: scene.name.clone(),

@@ -9,6 +9,7 @@ use super::run::run_with_progress;
 use super::{interrupt, tables};
 use dam::analysis::compare::{Comparison, compare};
 use dam::integrate::Stop;
+use dam::record::Quantity;
 use dam::report::compare::{CompareReport, ComparedRun, chart, page};
 use dam::report::csv::{record_csv, table_csv};
 use dam::report::diagram::Diagram;
@@ -17,12 +18,12 @@ use dam::report::diagram::Diagram;
 const MOST: usize = 50;
 
 /// Quantities drawn over each other.
-const DRAWN: [&str; 5] = [
-    "displacement",
-    "speed",
-    "acceleration",
-    "delta",
-    "contact_force",
+const DRAWN: [Quantity; 5] = [
+    Quantity::Displacement,
+    Quantity::Speed,
+    Quantity::Acceleration,
+    Quantity::Delta,
+    Quantity::ContactForce,
 ];
 
 /// Runs the command.
@@ -109,8 +110,8 @@ fn record_name(index: usize) -> String {
     format!("record-{}.csv", index + 1)
 }
 
-fn chart_name(object: &str, quantity: &str) -> String {
-    format!("{object}-{}.svg", quantity.replace('_', "-"))
+fn chart_name(object: &str, quantity: Quantity) -> String {
+    format!("{object}-{}.svg", quantity.name().replace('_', "-"))
 }
 
 fn prepare_folder(

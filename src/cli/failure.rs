@@ -78,6 +78,12 @@ impl From<Diagnostics> for Failure {
     }
 }
 
+impl From<dam::Error> for Failure {
+    fn from(error: dam::Error) -> Self {
+        error.into_diagnostics().into()
+    }
+}
+
 impl From<String> for Failure {
     fn from(message: String) -> Self {
         Self::Other(message)

@@ -1,6 +1,6 @@
 //! Diagnostics as text, with excerpts.
 
-use super::{Diagnostic, Diagnostics, Severity, Source, SourceId};
+use super::{Diagnostic, Diagnostics, Place, Severity, Source, SourceId};
 use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet};
 use std::ops::Range;
 
@@ -44,6 +44,10 @@ fn group<'a>(diagnostics: &'a Diagnostics, item: &'a Diagnostic) -> Group<'a> {
         .primary_title(in_one_line(&item.message))
         .id(item.code);
     let mut group = Group::with_title(title);
+    let in_code = item.place.as_ref().is_none_or(Place::is_nowhere);
+    if in_code && !item.path.is_empty() {
+        group = group.element(Origin::path(in_one_line(&item.path)));
+    }
     for excerpt in excerpts(item) {
         if let Some(source) = diagnostics.sources.get(excerpt.source) {
             group = show(group, source, &excerpt);
@@ -93,7 +97,8 @@ fn excerpts(item: &Diagnostic) -> Vec<Excerpt<'_>> {
         .take(MOST_RELATED)
         .map(|other| (&other.place, other.label.as_str()));
     let mut excerpts: Vec<Excerpt<'_>> = Vec::new();
-    for (number, (place, label)) in primary.chain(related).enumerate() {
+    let shown = primary.chain(related).enumerate();
+    for (number, (place, label)) in shown.filter(|(_, (place, _))| !place.is_nowhere()) {
         let kind = match number {
             0 => AnnotationKind::Primary,
             _ => AnnotationKind::Context,

@@ -14,7 +14,7 @@ use crate::builder::ModelBuilder;
 use crate::fault::Fault;
 use crate::graph::MechanismGraph;
 use crate::model::{Model, OUTPUT, ObjectPart, PartInput};
-use crate::scene::Scene;
+use crate::scene::TypedScene;
 use std::collections::BTreeMap;
 
 /// Lowers a scene's objects to a model.
@@ -26,7 +26,7 @@ use std::collections::BTreeMap;
 ///
 /// # Errors
 /// Every fault found, with the property it lies in.
-pub fn lower(scene: &Scene) -> Result<Model, Vec<Fault>> {
+pub fn lower(scene: &TypedScene) -> Result<Model, Vec<Fault>> {
     let graph = scene.graph();
     let order = order::drivers_first(scene, &graph)?;
     let explicit = start::displacements(scene);

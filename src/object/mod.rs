@@ -22,6 +22,7 @@ mod load;
 mod measures;
 mod motor;
 pub(crate) mod numbers;
+mod own;
 mod pair;
 mod plan;
 mod ports;
@@ -43,6 +44,7 @@ pub use drive::Drive;
 pub use kind::{Inputs, Kind, Outputs, Registry};
 pub use linkage::Linkage;
 pub use measures::Measures;
+pub(crate) use own::{OWN_OBJECT, OwnObject};
 pub use ports::{INPUT, OWN, Port, Ports};
 
 /// An object of a mechanism.

@@ -1,6 +1,8 @@
 //! Position functions as a scene states them: plain numbers in SI units.
 
+use super::PositionFunction;
 use crate::motion::{CycleSpec, LawSpec};
+use std::sync::Arc;
 
 /// A position function as described in a scene.
 #[derive(Clone, Debug, PartialEq)]
@@ -79,6 +81,8 @@ pub enum PositionSpec {
     /// `{ "plan": { "stations", "period", "advance" = 0, "phase" = 0 } }`: any
     /// number of rises, dwells and returns.
     Plan(CycleSpec),
+    /// A position function of the library's user; no text can state one.
+    Custom(OwnFunction),
 }
 
 /// A crank whose end carries a block that slides along a slotted link; crank and
@@ -122,6 +126,24 @@ pub enum SlottedOutput {
     Crank,
     /// Distance S of the block from the pivot of the slotted link (m).
     Block,
+}
+
+/// A position function of the library's user, as a scene holds it; equal only to
+/// itself and its clones.
+#[derive(Clone, Debug)]
+pub struct OwnFunction(pub Arc<dyn PositionFunction>);
+
+impl PositionSpec {
+    /// A position function of your own.
+    pub fn own(function: impl PositionFunction + 'static) -> Self {
+        Self::Custom(OwnFunction(Arc::new(function)))
+    }
+}
+
+impl PartialEq for OwnFunction {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.0, &other.0)
+    }
 }
 
 /// A cam with one rise and one return per turn.

@@ -171,6 +171,16 @@ impl<'a> Slot<'a> {
         fault
     }
 
+    /// The value, where it was given in code and is of this type.
+    pub fn own<T: Clone + 'static>(&mut self) -> Option<T> {
+        let Value::Own(own) = &self.node?.value else {
+            return None;
+        };
+        let found = own.get::<T>()?.clone();
+        *self.out = json!({ "own": own.words() });
+        Some(found)
+    }
+
     /// Reads `true` or `false`.
     pub fn flag(mut self) -> Option<bool> {
         if self.describing() {

@@ -8,6 +8,7 @@ use dam::exact::{Asked, Parts, Request};
 use dam::fault::Fault;
 use dam::integrate::{Limits, Method};
 use dam::lower::lower;
+use dam::record::Quantity;
 use dam::scene::{BuiltIn, Document, Overrides};
 use dam::system::System;
 use serde_json::{Value, json};
@@ -194,7 +195,7 @@ fn scene(random: &mut Random) -> Value {
 fn delta_columns(result: &RunResult) -> Vec<(&str, &[f64])> {
     let columns = result.record.columns.iter();
     columns
-        .filter(|column| column.quantity == "delta")
+        .filter(|column| column.quantity == Quantity::Delta)
         .map(|column| (column.object.as_str(), column.values.as_slice()))
         .collect()
 }

@@ -8,7 +8,7 @@ use dam::integrate::Dynamics;
 use dam::linkage::Linkage;
 use dam::linkage::spec::OutputKind;
 use dam::lower::lower;
-use dam::scene::{BuiltIn, Document, Overrides, Scene};
+use dam::scene::{BuiltIn, Document, Overrides, TypedScene};
 use dam::system::System;
 
 /// A motor of 0.02 kg m² with a torque of 4 N m that starts at 3 rad/s.
@@ -26,7 +26,7 @@ fn scene_of(objects: &str) -> String {
     )
 }
 
-fn read(text: &str, overrides: &[String]) -> Scene {
+fn read(text: &str, overrides: &[String]) -> TypedScene {
     let document = Document::parse("scene", text.as_bytes()).expect("JSON");
     let overrides = Overrides::new(overrides.to_vec());
     match document.scene(&BuiltIn, &overrides) {

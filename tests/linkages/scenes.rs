@@ -5,7 +5,8 @@ use dam::analysis::run::{RunResult, run};
 use dam::analysis::{Control, RunSettings};
 use dam::integrate::Dynamics;
 use dam::lower::lower;
-use dam::scene::{BuiltIn, Document, Overrides, Scene};
+use dam::record::Quantity;
+use dam::scene::{BuiltIn, Document, Overrides, TypedScene};
 use dam::system::{ObjectState, System};
 use std::path::Path;
 
@@ -13,7 +14,7 @@ fn file(path: &str) -> String {
     std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(path)).expect("a file")
 }
 
-fn read(text: &str, overrides: &[&str]) -> Scene {
+fn read(text: &str, overrides: &[&str]) -> TypedScene {
     let document = Document::parse("scene", text.as_bytes()).expect("JSON");
     let overrides = Overrides::new(overrides.iter().map(|one| (*one).to_owned()));
     match document.scene(&BuiltIn, &overrides) {
@@ -22,11 +23,11 @@ fn read(text: &str, overrides: &[&str]) -> Scene {
     }
 }
 
-fn system(scene: &Scene) -> System {
+fn system(scene: &TypedScene) -> System {
     System::new(lower(scene).expect("a model")).expect("a system")
 }
 
-fn solve(scene: &Scene) -> RunResult {
+fn solve(scene: &TypedScene) -> RunResult {
     let settings = RunSettings::of(scene).expect("settings");
     run(&system(scene), &settings, &Control::default(), &mut []).expect("a start")
 }
@@ -71,9 +72,8 @@ fn rows_before_the_dead_position(scenario: &str, case: &str, end: f64) {
         .iter()
         .find(|one| one["id"] == case)
         .expect("the case");
-    let column = |object: &str, quantity: &str| {
-        let mut columns = result.record.columns.iter();
-        let found = columns.find(|one| one.object == object && one.quantity == quantity);
+    let column = |object: &str, quantity: Quantity| {
+        let found = result.record.column(object, quantity);
         &found
             .unwrap_or_else(|| panic!("no {quantity} of {object}"))
             .values

@@ -11,6 +11,7 @@ use dam::model::{
 };
 use dam::motion::DriveMotion;
 use dam::position::Position;
+use dam::record::Quantity;
 use dam::system::System;
 use std::f64::consts::TAU;
 
@@ -263,18 +264,15 @@ fn switches_have_rows_before_and_after_when_asked_for() {
         .iter()
         .position(|&time| time == result.record.switches[0].time)
         .expect("a row at the switch");
-    let column = |quantity: &str| {
-        let mut columns = result.record.columns.iter();
-        &columns
-            .find(|column| column.object == "output" && column.quantity == quantity)
-            .expect("a column")
-            .values
+    let column = |quantity| {
+        let column = result.record.column("output", quantity);
+        &column.expect("a column").values
     };
     // The damper makes the force jump from 0 to b·|v|; the displacement stays.
-    let (force, speed) = (column("contact_force"), column("speed"));
+    let (force, speed) = (column(Quantity::ContactForce), column(Quantity::Speed));
     assert_eq!(force[row], 0.0);
     assert_relative_eq!(force[row + 1], 20.0 * speed[row].abs(), max_relative = 1e-9);
-    let place = column("displacement");
+    let place = column(Quantity::Displacement);
     assert_eq!(place[row], place[row + 1]);
 }
 

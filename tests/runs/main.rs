@@ -3,8 +3,10 @@
 mod auto;
 mod bad_input;
 mod dead_positions;
+mod examples;
 mod figures;
 mod lagrange;
+mod library;
 mod long_chains;
 mod methods;
 mod random_scenes;

@@ -9,7 +9,7 @@ use dam::model::{
 };
 use dam::motion::DriveMotion;
 use dam::position::Position;
-use dam::record::ObjectFigures;
+use dam::record::{ObjectFigures, Quantity};
 use dam::system::System;
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -263,14 +263,13 @@ fn compare_samples(
     (delta, speed): (f64, f64),
     near: &impl Fn(&str, f64, f64, f64),
 ) {
-    let column = |quantity: &str| {
-        let mut columns = result.record.columns.iter();
-        columns
-            .find(|column| column.object == "rocker" && column.quantity == quantity)
-            .expect("the column exists")
+    let column = |quantity| {
+        let column = result.record.column("rocker", quantity);
+        column.expect("the column exists")
     };
     assert_eq!(result.record.times.len(), case.samples.len());
-    let (displacements, speeds) = (&column("displacement").values, &column("speed").values);
+    let displacements = &column(Quantity::Displacement).values;
+    let speeds = &column(Quantity::Speed).values;
     for (row, sample) in case.samples.iter().enumerate() {
         assert!((result.record.times[row] - sample.t).abs() < 1e-12);
         near("sample", displacements[row], sample.phi_n, delta);

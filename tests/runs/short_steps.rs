@@ -5,6 +5,7 @@ use dam::analysis::run::{RunResult, run};
 use dam::analysis::{Control, RunSettings};
 use dam::integrate::Method;
 use dam::lower::lower;
+use dam::record::Quantity;
 use dam::scene::{BuiltIn, Document, Overrides};
 use dam::system::System;
 use serde_json::json;
@@ -61,10 +62,9 @@ fn ended(method: Method, rest: f64) -> Option<(RunResult, f64)> {
 
 /// Speed and acceleration of an object in a row counted from the end.
 fn late(result: &RunResult, object: &str, before: usize) -> [f64; 2] {
-    ["speed", "acceleration"].map(|quantity| {
-        let columns = result.record.columns.iter();
-        let mut columns = columns.filter(|c| c.object == object && c.quantity == quantity);
-        let values = &columns.next().expect("a column").values;
+    [Quantity::Speed, Quantity::Acceleration].map(|quantity| {
+        let column = result.record.column(object, quantity);
+        let values = &column.expect("a column").values;
         values[values.len() - 1 - before]
     })
 }

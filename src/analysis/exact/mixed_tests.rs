@@ -135,7 +135,7 @@ fn a_mixed_run_is_the_run_of_a_general_method() {
         approx::assert_abs_diff_eq!(own.time, other.time, epsilon = 1e-8 * DURATION);
     }
     for (own, other) in result.record.columns.iter().zip(&general.record.columns) {
-        if own.quantity != "delta" {
+        if own.quantity != crate::record::Quantity::Delta {
             continue;
         }
         let size = other.values.iter().fold(0.0f64, |a, b| a.max(b.abs()));

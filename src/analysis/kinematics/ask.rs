@@ -29,6 +29,9 @@ pub enum Over {
     },
 }
 
+/// Number of intervals between rows, unless another is asked for.
+pub const POSITIONS: usize = 360;
+
 /// A question as it is put.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Question {
@@ -44,10 +47,26 @@ pub struct Question {
     pub speed: Option<f64>,
     /// Acceleration of the input over a turn or range.
     pub acceleration: Option<f64>,
-    /// Duration of the scene's run (s), for [`Over::Time`] by default.
+    /// Duration of the scene's run (s), for [`Over::Time`] by default; 0: that of the
+    /// scene asked.
     pub duration: f64,
     /// A place on the axis that shall have a row of its own.
     pub also: Option<f64>,
+}
+
+impl Default for Question {
+    /// Of the only linkage, in 360 intervals, over what suits it.
+    fn default() -> Self {
+        Self {
+            object: None,
+            over: None,
+            positions: POSITIONS,
+            speed: None,
+            acceleration: None,
+            duration: 0.0,
+            also: None,
+        }
+    }
 }
 
 /// A question that can be answered.

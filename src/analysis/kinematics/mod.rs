@@ -11,7 +11,7 @@ mod study;
 mod subject;
 mod summary;
 
-pub use ask::{Asked, MOST_POSITIONS, Over, Question, whole_travel};
+pub use ask::{Asked, MOST_POSITIONS, Over, POSITIONS, Question, whole_travel};
 pub use columns::Quantity;
 pub use study::{even_motion, kinematics};
 pub use subject::{Subject, linkage_of, reaches};

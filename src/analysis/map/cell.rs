@@ -13,8 +13,8 @@ use crate::analysis::{Control, RunSettings, Warning};
 use crate::fault::Fault;
 use crate::integrate::{Method, Stop};
 use crate::lower::lower;
-use crate::record::{Record, drive_cycle};
-use crate::scene::Scene;
+use crate::record::{Quantity, Record, drive_cycle};
+use crate::scene::TypedScene;
 use crate::system::System;
 
 /// Most steps of the run of one cell: where a general method would crawl, a
@@ -109,7 +109,7 @@ fn judged(
 }
 
 /// A system and how to run it within a map.
-fn prepare(scene: &Scene) -> Result<(System, RunSettings), Vec<Fault>> {
+fn prepare(scene: &TypedScene) -> Result<(System, RunSettings), Vec<Fault>> {
     let system = System::new(lower(scene)?)?;
     let mut settings = RunSettings::of(scene).map_err(|fault| vec![fault])?;
     settings.max_steps = settings.max_steps.min(MOST_STEPS);
@@ -217,8 +217,7 @@ fn steady(
     cycle: Option<f64>,
 ) -> Option<[f64; 2]> {
     let ([_, end], cycle) = (window?, cycle?);
-    let column =
-        (record.columns.iter()).find(|column| column.object == id && column.quantity == "delta")?;
+    let column = record.column(id, Quantity::Delta)?;
     let over = |from: f64, to: f64| {
         let samples = record.times.iter().zip(&column.values);
         samples

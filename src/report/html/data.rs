@@ -1,6 +1,6 @@
 //! The data of a page's plots, as compact JSON for its script.
 
-use crate::record::{Column, Record};
+use crate::record::{Column, Quantity, Record};
 use crate::report::quantity::escape;
 use serde::Serialize;
 
@@ -52,13 +52,13 @@ struct Shade {
 }
 
 /// Quantities in the order they are shown, with their names on the plots.
-pub const QUANTITIES: [(&str, &str); 6] = [
-    ("displacement", "Displacement φ"),
-    ("speed", "Speed φ\u{307}"),
-    ("acceleration", "Acceleration φ\u{308}"),
-    ("delta", "Positioning error δ"),
-    ("reaction", "Reaction F"),
-    ("contact_force", "Contact force N"),
+pub const QUANTITIES: [(Quantity, &str); 6] = [
+    (Quantity::Displacement, "Displacement φ"),
+    (Quantity::Speed, "Speed φ\u{307}"),
+    (Quantity::Acceleration, "Acceleration φ\u{308}"),
+    (Quantity::Delta, "Positioning error δ"),
+    (Quantity::Reaction, "Reaction F"),
+    (Quantity::ContactForce, "Contact force N"),
 ];
 
 impl PlotData {
@@ -161,7 +161,7 @@ fn group(index: usize, id: &str, runs: &[RunSeries<'_>]) -> Group {
         let columns: Vec<(usize, &Column)> = runs
             .iter()
             .enumerate()
-            .filter_map(|(run, one)| Some((run, column(one.record, id, quantity)?)))
+            .filter_map(|(run, one)| Some((run, one.record.column(id, quantity)?)))
             .collect();
         let Some((_, first)) = columns.first() else {
             continue;
@@ -203,22 +203,12 @@ fn group(index: usize, id: &str, runs: &[RunSeries<'_>]) -> Group {
 
 /// The quantities as they stand on the page: where runs are compared, what
 /// they are compared for comes first.
-fn order(runs: usize) -> Vec<(&'static str, &'static str)> {
+fn order(runs: usize) -> Vec<(Quantity, &'static str)> {
     let mut list = QUANTITIES.to_vec();
     if runs > 1 {
-        list.sort_by_key(|(quantity, _)| *quantity != "delta");
+        list.sort_by_key(|(quantity, _)| *quantity != Quantity::Delta);
     }
     list
-}
-
-/// A column of a record.
-pub(in crate::report) fn column<'a>(
-    record: &'a Record,
-    id: &str,
-    quantity: &str,
-) -> Option<&'a Column> {
-    let wanted = |c: &&Column| c.object == id && c.quantity == quantity;
-    record.columns.iter().find(wanted)
 }
 
 fn series(run: usize, column: &Column) -> Series {

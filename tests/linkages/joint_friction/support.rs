@@ -4,10 +4,10 @@ use dam::analysis::run::{RunResult, run};
 use dam::analysis::{Control, RunSettings};
 use dam::linkage::spec::LinkageSpec;
 use dam::lower::lower;
-use dam::scene::{BuiltIn, Document, Overrides, Scene};
+use dam::scene::{BuiltIn, Document, Overrides, TypedScene};
 use dam::system::System;
 
-pub(crate) fn read(text: &str, overrides: &[&str]) -> Scene {
+pub(crate) fn read(text: &str, overrides: &[&str]) -> TypedScene {
     let document = Document::parse("scene", text.as_bytes()).expect("JSON");
     match document.scene(&BuiltIn, &Overrides::new(overrides.to_vec())) {
         Ok(reading) => reading.scene,
@@ -16,7 +16,7 @@ pub(crate) fn read(text: &str, overrides: &[&str]) -> Scene {
 }
 
 /// The linkage of an object.
-pub(crate) fn linkage_of(scene: &Scene, id: &str) -> LinkageSpec {
+pub(crate) fn linkage_of(scene: &TypedScene, id: &str) -> LinkageSpec {
     let driven = scene.objects[id].object.linkage();
     driven.expect("a linkage").linkage.clone()
 }
@@ -40,7 +40,7 @@ pub(crate) fn run_of(text: &str, overrides: &[&str]) -> RunResult {
 }
 
 /// Runs a scene, whatever comes of it.
-pub(crate) fn ran(scene: &Scene) -> RunResult {
+pub(crate) fn ran(scene: &TypedScene) -> RunResult {
     let model = lower(scene).unwrap_or_else(|faults| panic!("{faults:?}"));
     let system = System::new(model).unwrap_or_else(|faults| panic!("{faults:?}"));
     let settings = RunSettings::of(scene).expect("settings");
