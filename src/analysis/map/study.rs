@@ -56,7 +56,7 @@ pub struct Study<'a> {
     /// Address of the figure.
     pub figure: String,
     /// Its SI unit; empty for counts and answers.
-    pub unit: &'static str,
+    pub unit: String,
     /// Units in which the x and the y parameter are written: those of the axes,
     /// else the SI unit where it is known, else empty.
     pub parameter_units: [String; 2],
@@ -102,7 +102,7 @@ impl<'a> Study<'a> {
             y: question.y,
             panels: question.panels,
             figure: question.figure.unwrap_or_default(),
-            unit: "",
+            unit: String::new(),
             parameter_units: Default::default(),
             check_determined: question.check_determined,
             hash: String::new(),

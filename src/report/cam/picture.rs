@@ -1,9 +1,10 @@
-//! The cam with its follower as a drawing: stand-alone, and with named groups
-//! that the page's script turns and moves.
+//! The cam with its follower as a drawing: stand-alone, and with groups that the
+//! player of a page turns and moves.
 
 use super::NamedCurve;
 use super::view::{Mover, View, mover, parts, rim_radius, view};
 use crate::cam::{Contact, DiscCam, Guide, Surface};
+use crate::report::html::player::{Body, Shown};
 use crate::report::quantity::escape;
 use std::fmt::Write as _;
 
@@ -23,7 +24,7 @@ const STYLE: &str = "\
 const FINE: f64 = 3e-4;
 
 /// The curves as they are drawn: no finer than can be seen.
-pub(super) fn drawn(cam: &DiscCam) -> Vec<NamedCurve> {
+pub(in crate::report) fn drawn(cam: &DiscCam) -> Vec<NamedCurve> {
     super::curves(cam, FINE * cam.geometry().prime_radius(), None).unwrap_or_default()
 }
 
@@ -41,8 +42,8 @@ pub fn picture(title: &str, cam: &DiscCam, phi: f64) -> String {
     )
 }
 
-/// Cam and follower as groups `cam-turning` and `cam-follower`.
-pub(super) fn drawing(cam: &DiscCam, curves: &[NamedCurve], view: &View, phi: f64) -> String {
+/// The cam as part 0 and its follower as part 1 of a picture.
+pub(in crate::report) fn drawing(cam: &DiscCam, curves: &[NamedCurve], view: &View, phi: f64) -> String {
     let mover = mover(cam, view);
     let (piece, at) = cam.motion().locate(phi);
     let lift = cam.motion().jet(piece, at).value;
@@ -51,8 +52,9 @@ pub(super) fn drawing(cam: &DiscCam, curves: &[NamedCurve], view: &View, phi: f6
     let [x, y] = mover.axis.map(short);
     let _ = writeln!(
         out,
-        "<g id=\"cam-turning\" transform=\"{}\">\n{}</g>",
-        cam_transform(&mover, phi),
+        "<g data-link=\"0\" transform=\"{}\">{}\n{}</g></g>",
+        turned(mover.axis, mover.cam * phi),
+        about(mover.axis),
         body(cam, curves, view)
     );
     let _ = writeln!(
@@ -66,8 +68,9 @@ pub(super) fn drawing(cam: &DiscCam, curves: &[NamedCurve], view: &View, phi: f6
     );
     let _ = writeln!(
         out,
-        "<g id=\"cam-follower\" transform=\"{}\">\n{}</g>",
+        "<g data-link=\"1\" transform=\"{}\">{}\n{}</g></g>",
         follower_transform(&mover, lift),
+        about(mover.about),
         follower(cam, view)
     );
     if let Guide::Turning { .. } = cam.geometry().guide {
@@ -80,18 +83,77 @@ pub(super) fn drawing(cam: &DiscCam, curves: &[NamedCurve], view: &View, phi: f6
     out
 }
 
-fn cam_transform(mover: &Mover, phi: f64) -> String {
-    let [x, y] = mover.axis.map(short);
-    format!("rotate({} {x} {y})", short(mover.cam * phi))
+/// Opens a group whose own origin is a pixel of the picture.
+fn about(place: [f64; 2]) -> String {
+    let [x, y] = place.map(|value| short(-value));
+    format!("<g transform=\"translate({x} {y})\">")
+}
+
+/// A turn about a pixel, by degrees clockwise.
+fn turned(place: [f64; 2], degrees: f64) -> String {
+    let [x, y] = place.map(short);
+    format!("translate({x} {y}) rotate({})", short(degrees))
 }
 
 fn follower_transform(mover: &Mover, lift: f64) -> String {
-    let [x, y] = mover.about.map(short);
-    let [dx, dy] = mover.shift.map(|shift| short(shift * lift));
-    format!(
-        "translate({dx} {dy}) rotate({} {x} {y})",
-        short(mover.turn * lift)
-    )
+    let [x, y] = [0, 1].map(|axis| mover.about[axis] + mover.shift[axis] * lift);
+    turned([x, y], mover.turn * lift)
+}
+
+/// How the player moves cam and follower: the cam by the coordinate `cam_angle`
+/// (rad), the follower by the outward displacement factor · coordinate − base.
+pub(in crate::report) fn bodies(
+    cam: &DiscCam,
+    view: &View,
+    cam_angle: usize,
+    follower: &Follower,
+) -> [Body; 2] {
+    let mover = mover(cam, view);
+    let Follower {
+        column,
+        factor,
+        base,
+        shown,
+    } = *follower;
+    // On the screen degrees count clockwise.
+    let counterclockwise = |degrees: f64| -degrees.to_radians();
+    let cam_body = Body::Turn {
+        column: cam_angle,
+        at: mover.axis,
+        sense: counterclockwise(mover.cam),
+        offset: 0.0,
+        shown: Shown::True,
+    };
+    let turn = counterclockwise(mover.turn);
+    let follower_body = match cam.geometry().guide {
+        Guide::Turning { .. } => Body::Turn {
+            column,
+            at: mover.about,
+            sense: turn * factor,
+            offset: -turn * base,
+            shown,
+        },
+        Guide::Translating { .. } => Body::Slide {
+            column,
+            at: [0, 1].map(|axis| mover.about[axis] - mover.shift[axis] * base),
+            by: mover.shift.map(|shift| shift * factor),
+            shown,
+        },
+    };
+    [cam_body, follower_body]
+}
+
+/// What moves a follower on a picture.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::report) struct Follower {
+    /// The coordinate.
+    pub(in crate::report) column: usize,
+    /// Outward displacement by unit of the coordinate.
+    pub(in crate::report) factor: f64,
+    /// What is to be taken away from it, so that it is 0 where the follower is innermost.
+    pub(in crate::report) base: f64,
+    /// Which displacement is shown.
+    pub(in crate::report) shown: Shown,
 }
 
 /// The cam's body in its own frame.
@@ -215,7 +277,7 @@ fn follower(cam: &DiscCam, view: &View) -> String {
 }
 
 /// The style of the drawing, for pages.
-pub(super) fn style() -> &'static str {
+pub(in crate::report) fn style() -> &'static str {
     STYLE
 }
 

@@ -33,6 +33,7 @@ struct Group {
 
 #[derive(Clone, Debug, Serialize)]
 struct Panel {
+    quantity: &'static str,
     name: &'static str,
     unit: &'static str,
     series: Vec<Series>,
@@ -174,6 +175,7 @@ fn group(index: usize, id: &str, runs: &[RunSeries<'_>]) -> Group {
             continue;
         }
         panels.push(Panel {
+            quantity,
             name,
             unit: first.unit,
             series: columns

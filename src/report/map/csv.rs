@@ -21,7 +21,7 @@ pub fn map_csv(study: &Study<'_>, result: &MapResult) -> Result<String, csv::Err
     names.extend(several.then(|| "settings".to_owned()));
     names.push(head(&study.x.path, x_unit));
     names.extend(study.y.as_ref().map(|y| head(&y.path, y_unit)));
-    names.push(head(&study.figure, study.unit));
+    names.push(head(&study.figure, &study.unit));
     names.extend(["verdict", "cause", "moved", "rigid_margin"].map(str::to_owned));
     writer.write_record(&names)?;
     let number = |value: Option<f64>| value.map(|value| format!("{value:?}")).unwrap_or_default();

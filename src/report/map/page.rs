@@ -98,7 +98,7 @@ fn counts(report: &MapReport<'_>) -> String {
                     .unwrap_or_default();
                 format!(
                     "{}<span class=\"sub\">at {}{}</span>",
-                    escape(&with_unit(extreme.value, report.study.unit, 6)),
+                    escape(&with_unit(extreme.value, &report.study.unit, 6)),
                     escape(&extreme.x),
                     escape(&y)
                 )

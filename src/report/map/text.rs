@@ -65,7 +65,7 @@ fn extreme_in_words(study: &Study<'_>, extreme: &Extreme) -> String {
     }
     format!(
         "{} at {place} ({})",
-        with_unit(extreme.value, study.unit, 7),
+        with_unit(extreme.value, &study.unit, 7),
         extreme.verdict.words()
     )
 }

@@ -53,6 +53,7 @@ pub(super) fn bar(values: &Values, frame: Frame) -> String {
 fn last_name(figure: &str) -> String {
     let name = figure.rsplit('.').next().unwrap_or(figure);
     match name {
+        "delta_abs" => "|δ| max".to_owned(),
         "delta_max" => "δ max".to_owned(),
         "delta_min" => "δ min".to_owned(),
         "sigma" => "σ".to_owned(),
