@@ -59,7 +59,7 @@ pub(crate) fn command(args: &MapArgs) -> Result<Status, Failure> {
         folder.write(
             "map",
             &study.hash,
-            &files(&input, &study, &result, seconds)?,
+            &files(&command_of(args), &input, &study, &result, seconds)?,
         )?;
     }
     if let (true, Some(journal)) = (result.complete, journal) {
@@ -96,6 +96,7 @@ fn question(args: &MapArgs) -> Result<Question, Failure> {
         panels: Panels::parse(&args.panels).map_err(|what| format!("--panels {what}"))?,
         figure: args.figure.clone(),
         check_determined: !args.unchecked,
+        digits: args.digits,
     })
 }
 
@@ -112,7 +113,18 @@ fn prepare_folder(
     Ok((folder, journal, known))
 }
 
+/// The command that runs the scene with the settings of all cells, word by word.
+fn command_of(args: &MapArgs) -> Vec<String> {
+    let scene = args.scene.scene.display().to_string();
+    let mut words = vec!["dam".to_owned(), "run".to_owned(), scene];
+    for setting in &args.scene.set {
+        words.extend(["--set".to_owned(), setting.clone()]);
+    }
+    words
+}
+
 fn files(
+    command: &[String],
     input: &Input,
     study: &Study<'_>,
     result: &MapResult,
@@ -123,6 +135,7 @@ fn files(
     let report = page(&MapReport {
         study,
         result,
+        command,
         scene: input.text(),
         version: env!("CARGO_PKG_VERSION"),
     });

@@ -6,7 +6,7 @@ use crate::model::{Model, NodeMotion};
 use crate::record::drive_cycle;
 
 /// Instants looked at in a whole run, and as many in its first cycle.
-const INSTANTS: usize = 360;
+const INSTANTS: usize = 180;
 
 /// No displacement at all.
 pub(super) const NOWHERE: [f64; 2] = [f64::INFINITY, f64::NEG_INFINITY];
@@ -24,12 +24,18 @@ pub(super) struct Way {
     pub(super) mean_square_acceleration: f64,
 }
 
-/// The ways of all nodes; `None` behind a motor, and where nothing is a number.
+/// The ways of the objects' last nodes, which is what others follow; `None` for other
+/// nodes, behind a motor, and where nothing is a number.
 pub(super) fn ways(model: &Model, duration: f64) -> Vec<Option<Way>> {
     let instants = instants(model, duration);
+    let mut followed = vec![false; model.nodes.len()];
+    for &node in model.objects.iter().filter_map(|part| part.nodes.last()) {
+        followed[node] = true;
+    }
     let mut motions: Vec<Option<Vec<Jet>>> = Vec::with_capacity(model.nodes.len());
-    for node in &model.nodes {
+    for (node, followed) in model.nodes.iter().zip(followed) {
         let motion = match &node.motion {
+            _ if !followed => None,
             NodeMotion::Rotor { .. } => None,
             NodeMotion::Prescribed { motion, .. } => {
                 let breaks = motion.breaks();

@@ -12,6 +12,8 @@ mod view;
 pub use dxf::dxf;
 pub use page::{CamReport, page};
 pub use picture::picture;
+pub(in crate::report) use picture::{Follower, bodies, drawing, drawn, style};
+pub(in crate::report) use view::view;
 pub use tables::{cycle_csv, polygon_csv};
 pub use text::cam_text;
 

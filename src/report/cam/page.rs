@@ -131,7 +131,7 @@ fn turning(report: &CamReport<'_>) -> String {
     let picture = format!(
         "<svg class=\"mechanism\" viewBox=\"0 0 {w} {h}\" width=\"{w}\" height=\"{h}\" role=\"img\" \
          aria-label=\"cam and follower\">\n{}</svg>\n",
-        drawing(report.cam, &curves, &view, report.cam.motion().range().0)
+        drawing(report.cam, &curves, &view, report.cam.motion().range().0, None)
     );
     format!(
         "<h2>Cam and follower</h2>\n{}<p class=\"soft\">Dotted: base circle; dashed: pitch curve. \

@@ -6,19 +6,20 @@ use super::view::{Mover, View, mover, parts, rim_radius, view};
 use crate::cam::{Contact, DiscCam, Guide, Surface};
 use crate::report::html::player::{Body, Shown};
 use crate::report::quantity::escape;
+use crate::report::svg::without_variables;
 use std::fmt::Write as _;
 
 const STYLE: &str = "\
-.cam-body{fill:#dfe7f0;stroke:#1d5a9e;stroke-width:1.8;stroke-linejoin:round;fill-rule:evenodd}\
-.cam-open{fill:none;stroke:#1d5a9e;stroke-width:1.8}\
-.cam-pitch{fill:none;stroke:#7d8893;stroke-width:1;stroke-dasharray:6 4}\
+.cam-body{fill:var(--box-drive, #dfe7f0);stroke:var(--series-0, #1d5a9e);stroke-width:1.8;stroke-linejoin:round;fill-rule:evenodd}\
+.cam-open{fill:none;stroke:var(--series-0, #1d5a9e);stroke-width:1.8}\
+.cam-pitch{fill:none;stroke:var(--ink-soft, #7d8893);stroke-width:1;stroke-dasharray:6 4}\
 .cam-base{fill:none;stroke:#a9b2bb;stroke-width:1;stroke-dasharray:2 4}\
-.cam-mark{fill:none;stroke:#1d5a9e;stroke-width:1.4}\
-.cam-axis{fill:#fff;stroke:#17202a;stroke-width:1.4}\
+.cam-mark{fill:none;stroke:var(--series-0, #1d5a9e);stroke-width:1.4}\
+.cam-axis{fill:var(--paper, #fff);stroke:var(--ink, #17202a);stroke-width:1.4}\
 .cam-line{fill:none;stroke:#a9b2bb;stroke-width:1;stroke-dasharray:10 4 2 4}\
-.follower{fill:#f6e3d6;stroke:#c04f15;stroke-width:1.8;stroke-linejoin:round}\
-.follower-arm{fill:none;stroke:#c04f15;stroke-width:7;stroke-linecap:round;stroke-opacity:.75}\
-.follower-pin{fill:#fff;stroke:#c04f15;stroke-width:1.6}";
+.follower{fill:var(--mechanism-back, #f6e3d6);stroke:var(--series-1, #c04f15);stroke-width:1.8;stroke-linejoin:round}\
+.follower-arm{fill:none;stroke:var(--series-1, #c04f15);stroke-width:7;stroke-linecap:round;stroke-opacity:.75}\
+.follower-pin{fill:var(--paper, #fff);stroke:var(--series-1, #c04f15);stroke-width:1.6}";
 
 /// Chord tolerance of drawn curves, of the prime circle: a tenth of a pixel.
 const FINE: f64 = 3e-4;
@@ -35,15 +36,23 @@ pub fn picture(title: &str, cam: &DiscCam, phi: f64) -> String {
     let [w, h] = view.size.map(short);
     format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {w} {h}\" width=\"{w}\" \
-         height=\"{h}\" role=\"img\" aria-label=\"{}\">\n<style>{STYLE}</style>\n\
+         height=\"{h}\" role=\"img\" aria-label=\"{}\">\n<style>{}</style>\n\
          <rect width=\"{w}\" height=\"{h}\" fill=\"#fff\"/>\n{}</svg>\n",
         escape(title),
-        drawing(cam, &curves, &view, phi)
+        without_variables(STYLE),
+        drawing(cam, &curves, &view, phi, None)
     )
 }
 
-/// The cam as part 0 and its follower as part 1 of a picture.
-pub(in crate::report) fn drawing(cam: &DiscCam, curves: &[NamedCurve], view: &View, phi: f64) -> String {
+/// The cam at φ as part 0 of a picture and its follower as part 1; with `beside`, an
+/// outward displacement, the follower stands there, and once more, pale, as part 2.
+pub(in crate::report) fn drawing(
+    cam: &DiscCam,
+    curves: &[NamedCurve],
+    view: &View,
+    phi: f64,
+    beside: Option<f64>,
+) -> String {
     let mover = mover(cam, view);
     let (piece, at) = cam.motion().locate(phi);
     let lift = cam.motion().jet(piece, at).value;
@@ -66,6 +75,16 @@ pub(in crate::report) fn drawing(cam: &DiscCam, curves: &[NamedCurve], view: &Vi
         out,
         "<circle class=\"cam-axis\" cx=\"{x}\" cy=\"{y}\" r=\"6\"/><path class=\"cam-mark\" d=\"M{x} {y}m-9 0h18m-9 -9v18\"/>"
     );
+    if let Some(law) = beside {
+        let _ = writeln!(
+            out,
+            "<g class=\"law\" data-link=\"2\" transform=\"{}\">{}\n{}</g></g>",
+            follower_transform(&mover, law),
+            about(mover.about),
+            follower(cam, view)
+        );
+    }
+    let lift = beside.unwrap_or(lift);
     let _ = writeln!(
         out,
         "<g data-link=\"1\" transform=\"{}\">{}\n{}</g></g>",

@@ -89,6 +89,11 @@ impl PlotData {
         }
     }
 
+    /// The place of an object's group among all; `None` when no run has samples of it.
+    pub(in crate::report) fn place(&self, id: &str) -> Option<usize> {
+        self.groups.iter().position(|group| group.id == id)
+    }
+
     /// The section of an object: heading, tool bar, place of the plots. Empty
     /// when no run has samples of it.
     pub fn section(&self, id: &str, kind: &str) -> String {

@@ -6,6 +6,7 @@ pub mod tables;
 
 use crate::record::{Figures, Record};
 use crate::report::diagram::Diagram;
+use crate::report::machine::Machine;
 use crate::report::mechanism;
 use crate::report::quantity::{escape, significant, with_unit};
 use crate::report::svg::graph;
@@ -25,6 +26,8 @@ pub struct RunReport<'a> {
     pub record: &'a Record,
     /// The object graph.
     pub diagram: &'a Diagram,
+    /// What is drawn moving; `None`: nothing is.
+    pub machine: Option<Machine<'a>>,
     /// The scene's text, shown as it is.
     pub scene: &'a str,
     /// Version of `dam`.
@@ -43,6 +46,10 @@ pub fn page(report: &RunReport<'_>) -> String {
     body.push_str("<main>\n");
     body.push_str(&warnings(&figures.warnings));
     body.push_str(&mechanism(report.diagram));
+    if let Some(machine) = &report.machine {
+        let place = |id: &str| plots.place(id);
+        body.push_str(&machine.section(figures, report.record, &place));
+    }
     body.push_str("<h2>Figures</h2>\n");
     body.push_str(&tables::figures(figures));
     body.push_str(&tables::pairs(figures));

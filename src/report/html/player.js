@@ -142,8 +142,8 @@
       });
       for (const node of words) {
         const { values: own, deviation } = columns[node.dataset.column];
-        const scale = +node.dataset.scale, delta = between(deviation, at) * scale;
-        node.textContent = `${number(between(own, at) * scale)} ${node.dataset.unit}` + (deviation ? `, δ ${number(delta)} ${node.dataset.unit}` : "");
+        const { scale, unit, deltaScale, deltaUnit } = node.dataset;
+        node.textContent = `φ ${number(between(own, at) * scale)} ${unit}` + (deviation ? `, δ ${number(between(deviation, at) * deltaScale)} ${deltaUnit}` : "");
       }
       data.readings.forEach((reading, index) => {
         const value = reading.values[row];

@@ -53,8 +53,8 @@ fn name(id: &str) -> String {
 pub fn figures(figures: &Figures) -> String {
     let head = head(&[
         "Object",
-        "greatest |δ|",
-        "σ, mean |δ|",
+        "greatest <span class=\"nobr\">|δ|</span>",
+        "σ, mean <span class=\"nobr\">|δ|</span>",
         "peak speed",
         "peak acceleration",
         "peak reaction",

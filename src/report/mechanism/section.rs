@@ -4,27 +4,13 @@ use super::view::View;
 use super::{Drawing, arrows, parts};
 use crate::report::html::player::{Arrows, Body, Player, RowAxis, short};
 use crate::report::quantity::{escape, significant};
-use crate::report::svg::coordinate;
+use crate::report::svg::{coordinate, without_variables};
 
 /// The style of the drawings: with the colours of a page, or with their own.
 pub(in crate::report) const STYLE: &str = include_str!("mechanism.css");
 
 /// How long all positions are played at normal speed (s).
 const SECONDS: f64 = 4.0;
-
-/// The style with colours of its own: not every reader of SVG knows variables.
-fn plain_style() -> String {
-    let mut out = String::with_capacity(STYLE.len());
-    let mut rest = STYLE;
-    while let Some((before, variable)) = rest.split_once("var(") {
-        let (given, after) = variable.split_once(')').unwrap_or((variable, ""));
-        let own = given.split_once(", ").map_or("inherit", |(_, colour)| colour);
-        out.push_str(before);
-        out.push_str(own);
-        rest = after;
-    }
-    out + rest
-}
 
 impl Drawing<'_> {
     /// The picture of one position as a complete SVG document on white ground.
@@ -37,7 +23,7 @@ impl Drawing<'_> {
              width=\"{w}\" height=\"{h}\" role=\"img\" aria-label=\"{label}\">\n\
              <style>{style}</style>\n<rect width=\"{w}\" height=\"{h}\" fill=\"#fff\"/>\n\
              {markers}\n{parts}{layer}<text class=\"note\" x=\"14\" y=\"{foot}\">{note}</text>\n</svg>\n",
-            style = plain_style(),
+            style = without_variables(STYLE),
             label = escape(&self.note(frame)),
             markers = arrows::markers(self),
             parts = parts::picture(self, &view, frame),
@@ -67,21 +53,20 @@ impl Drawing<'_> {
     /// several, told apart by `id`.
     pub fn section(&self, id: &str) -> String {
         let view = View::of(self);
-        let picture = self.moving_svg(&view, 0);
+        let (w, h) = (coordinate(view.width), coordinate(view.height));
+        let picture = format!(
+            "<svg class=\"mechanism\" viewBox=\"0 0 {w} {h}\" width=\"{w}\" height=\"{h}\" role=\"img\" \
+             aria-label=\"the mechanism, to scale\">\n{markers}\n{parts}{layer}</svg>\n",
+            markers = arrows::markers(self),
+            parts = parts::picture(self, &view, 0),
+            layer = arrows::layer(self, &view, 0),
+        );
         self.player(id, &view).figure(&picture)
     }
 
-    /// The picture of the first position, its parts numbered from `first` on.
-    pub(in crate::report) fn moving_svg(&self, view: &View, first: usize) -> String {
-        let (w, h) = (coordinate(view.width), coordinate(view.height));
-        format!(
-            "<svg class=\"mechanism\" data-first=\"{first}\" viewBox=\"0 0 {w} {h}\" width=\"{w}\" \
-             height=\"{h}\" role=\"img\" aria-label=\"the mechanism, to scale\">\n\
-             {markers}\n{parts}{layer}</svg>\n",
-            markers = arrows::markers(self),
-            parts = parts::picture(self, view, 0),
-            layer = arrows::layer(self, view, 0),
-        )
+    /// The parts at a position, without arrows.
+    pub(in crate::report) fn parts(&self, view: &View, frame: usize) -> String {
+        parts::picture(self, view, frame)
     }
 
     /// The place of a link over all positions: x, y, cosine, sine in pixels.
