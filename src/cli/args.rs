@@ -191,7 +191,7 @@ pub(crate) struct MapArgs {
     /// The parameter up the map; without it the map is a curve
     #[arg(long, value_name = "PATH=FROM:TO:COUNT")]
     pub(crate) y: Option<String>,
-    /// The figure shown; δ_max of the last elastic object if not given
+    /// The figure shown; max|δ| of the last elastic object if not given
     #[arg(long, value_name = "FIGURE")]
     pub(crate) figure: Option<String>,
     /// One map for each value: rocker.masses=1,2. Lists that go together are separated by
@@ -202,6 +202,10 @@ pub(crate) struct MapArgs {
     /// fast, but nothing is said of cells whose figure is not determined
     #[arg(long)]
     pub(crate) unchecked: bool,
+    /// Digits to which a figure is to be known; a cell whose figure moves by more than one of
+    /// the last when its loads change by one part in 10¹⁰ is marked as not determined
+    #[arg(long, value_name = "COUNT", default_value_t = 3, value_parser = clap::value_parser!(u8).range(1..=12))]
+    pub(crate) digits: u8,
     /// Threads; one for every processor core if not given
     #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub(crate) threads: Option<u16>,

@@ -4,7 +4,7 @@ use super::args::SceneArgs;
 use super::failure::Failure;
 use dam::analysis::RunSettings;
 use dam::analysis::expectations::unknown_figures;
-use dam::analysis::studied;
+use dam::analysis::{plausible, studied};
 use dam::diagnostics::Diagnostics;
 use dam::lower::lower;
 use dam::scene::{BuiltIn, Catalogue, Document, Layered, Overrides, Reading, Scene};
@@ -90,15 +90,17 @@ impl Input {
     pub(crate) fn prepare(&self, further: &[String]) -> Result<Ready, Failure> {
         let reading = self.decode(further)?;
         let diagnose = |faults: Vec<dam::fault::Fault>| reading.places.diagnose(&faults);
-        let model = lower(&reading.scene).map_err(diagnose)?;
+        let mut model = lower(&reading.scene).map_err(diagnose)?;
         let expect = &reading.scene.expect;
         let mut faults = unknown_figures(expect, &model);
         faults.extend(studied::unknown_figures(expect, &model));
         if !faults.is_empty() {
             return Err(diagnose(faults).into());
         }
-        let system = System::new(model).map_err(diagnose)?;
         let settings = RunSettings::of(&reading.scene).map_err(|fault| diagnose(vec![fault]))?;
+        let unlikely = plausible::warnings(&model, settings.duration);
+        model.warnings.extend(unlikely);
+        let system = System::new(model).map_err(diagnose)?;
         Ok(Ready {
             system,
             settings,

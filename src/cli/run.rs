@@ -7,6 +7,7 @@ use super::input::{Input, Ready};
 use super::output::{self, OutputFolder, ResultFile};
 use super::progress::Progress;
 use super::{interrupt, tables, terminal};
+use dam::analysis::cam::disc_cams;
 use dam::analysis::expectations::{Verdict, check, of_run};
 use dam::analysis::run::{RunResult, run};
 use dam::analysis::spread::{Spread, spread};
@@ -16,6 +17,7 @@ use dam::record::Figures;
 use dam::report::csv::record_csv;
 use dam::report::diagram::Diagram;
 use dam::report::html::{RunReport, page};
+use dam::report::machine::Machine;
 use serde::Serialize;
 use std::time::Instant;
 
@@ -111,10 +113,13 @@ fn files(
 ) -> Result<Vec<ResultFile>, Failure> {
     let mut summary = serde_json::to_string_pretty(document).map_err(|e| e.to_string())?;
     summary.push('\n');
+    let model = ready.system.model();
+    let cams = disc_cams(ready.scene(), model);
     let report = page(&RunReport {
         figures: &result.figures,
         record: &result.record,
-        diagram: &Diagram::of(ready.system.model()),
+        diagram: &Diagram::of(model),
+        machine: Some(Machine { model, cams: &cams }),
         scene: input.text(),
         version: env!("CARGO_PKG_VERSION"),
     });

@@ -67,6 +67,7 @@ fn object_block(text: &mut String, id: &str, object: &ObjectFigures, units: Opti
     let rate = |order: &str| format!("{length}/{order}");
     // Drives and rigid objects do not deviate from their law.
     if object.delta_max != 0.0 || object.delta_min != 0.0 {
+        row("greatest |δ|", number(object.delta_abs), length);
         row("greatest deviation δ_max", number(object.delta_max), length);
         row("least deviation δ_min", number(object.delta_min), length);
         row("mean deviation σ", number(object.sigma), length);

@@ -20,6 +20,7 @@ pub use addresses::AddressError;
 pub use audit::EnergyAudit;
 pub use figures::{
     Figures, FinalState, JointFigures, ObjectFigures, PairFigures, RunSummary, Units,
+    greatest_magnitude,
 };
 pub use recorder::{Failure, Recorded, Recorder, RecorderSettings};
 pub use tee::Tee;

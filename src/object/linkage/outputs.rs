@@ -10,7 +10,8 @@ use crate::units::quantities as q;
 use serde_json::json;
 
 /// Names that the figures of the linkage itself have.
-const TAKEN: [&str; 11] = [
+const TAKEN: [&str; 12] = [
+    "delta_abs",
     "delta_max",
     "delta_min",
     "sigma",
