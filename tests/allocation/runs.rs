@@ -237,8 +237,7 @@ fn the_steps_of_the_own_methods_allocate_nothing() {
             let limits = Limits {
                 switches: 10,
                 steps: 1_000_000,
-                wall_clock: None,
-                interrupt: None,
+                budget: dam::budget::Budget::FREE,
             };
             let before = allocations();
             let outcome = integrate(
