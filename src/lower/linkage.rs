@@ -45,6 +45,9 @@ impl Lowering<'_> {
             track: None,
         };
         self.within_reach(id, input, &position, &linkage);
+        for remark in linkage.remarks() {
+            self.model.warnings.push(format!("`{id}`: {remark}"));
+        }
         let friction = match spec.joint_friction {
             true => self.joint_friction(id, &linkage),
             false => None,
