@@ -38,7 +38,7 @@ pub(super) fn repeats(linkage: &Linkage, start: f64, span: f64) -> bool {
         ForceLaw::Torsion { pair, rate, .. } => {
             rate == 0.0 || (after[pair] - before[pair]).abs() < 1e-9
         }
-        ForceLaw::Table { .. } => false,
+        ForceLaw::Table { .. } | ForceLaw::CoupleTable { .. } => false,
         ForceLaw::Strut { .. } | ForceLaw::Force { .. } | ForceLaw::Couple { .. } => true,
     })
 }
