@@ -39,6 +39,9 @@ impl ModelBuilder {
         };
         let node = self.rigid(at, law(input.node, position.clone()), 0.0, Pair::default());
         self.within_reach(at, node, input, &position, &linkage);
+        for remark in linkage.remarks() {
+            self.warn(format!("`{}`: {remark}", at.id));
+        }
         let friction = match spec.joint_friction {
             true => self.joint_friction(at, &linkage),
             false => None,

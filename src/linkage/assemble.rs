@@ -15,8 +15,11 @@ use crate::fault::{Fault, Faults};
 /// An approximate position is clearly nearer to one assembly when it is at most this
 /// part as far from it as from the other.
 const CLEARLY: f64 = 0.5;
-/// A link this far from its approximate position (rad, or sizes) is elsewhere.
+/// A link that the driver places, this far from its approximate position (rad, or sizes), is
+/// elsewhere.
 const FAR: f64 = 0.5;
+/// A point this far from its approximate place, in sizes of the linkage, was meant elsewhere.
+const FARTHEST_PLACE: f64 = 0.25;
 
 /// Chooses the branches and leaves the position at the start in `state`.
 ///
@@ -57,7 +60,33 @@ pub(super) fn assemble(
             }
         }
     }
+    far_places(spec, plan, state)?;
     Ok(branches)
+}
+
+/// Refuses approximate places that no assembly comes near.
+fn far_places(spec: &LinkageSpec, plan: &Plan, state: &State) -> Result<(), Vec<Fault>> {
+    let mut faults = Faults::default();
+    for choice in &spec.assembly {
+        let AssemblyChoice::Near { .. } = choice.choice else {
+            continue;
+        };
+        let off = mismatch(choice, state, plan.size);
+        if off > FARTHEST_PLACE {
+            let name = &spec.links[choice.link].name;
+            faults.add(
+                format!("assembly.{name}"),
+                format!(
+                    "the nearest assembly has `{name}` {} m away from this approximate place, of a \
+                     linkage {} m in size",
+                    short(off * plan.size),
+                    short(plan.size)
+                ),
+                "give a place nearer to the one wanted, or another `start`",
+            );
+        }
+    }
+    faults.check()
 }
 
 /// Refuses what is said of a link that the driver alone places, where it is a branch
