@@ -12,7 +12,7 @@ use dam::object::chain::{Rules, read_behind};
 use dam::object::spec::ChainSpec;
 use dam::object::{Context, INPUT, Inputs, Kind, ModelBuilder, Object, Place, Ports};
 use dam::position::{CustomPosition, PositionFunction, PositionSpec};
-use dam::read::{Bounds, Fields};
+use dam::read::Fields;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::sync::Arc;
 
