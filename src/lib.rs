@@ -14,6 +14,7 @@ pub mod graph;
 pub mod integrate;
 pub mod jet;
 pub mod linkage;
+pub mod load;
 pub mod lower;
 pub mod model;
 pub mod motion;

@@ -126,6 +126,8 @@ fn check(fields: &mut Fields<'_>, function: &PositionSpec, ends: Ends, allowed: 
         ),
         PositionSpec::Cam(_) => ("cam", true, None),
         PositionSpec::Plan(_) => ("plan", false, None),
+        // No scene describes one.
+        PositionSpec::Custom(_) => return true,
     };
     let before = fields.faults();
     if !allowed.contains(&name) {

@@ -1,6 +1,8 @@
 //! Position functions as a scene states them: plain numbers in SI units.
 
+use super::PositionFunction;
 use crate::motion::{CycleSpec, LawSpec};
+use std::sync::Arc;
 
 /// A position function as described in a scene.
 #[derive(Clone, Debug, PartialEq)]
@@ -79,6 +81,19 @@ pub enum PositionSpec {
     /// `{ "plan": { "stations", "period", "advance" = 0, "phase" = 0 } }`: any
     /// number of rises, dwells and returns.
     Plan(CycleSpec),
+    /// Anything else: no scene describes it, a kind of object brings it along.
+    Custom(CustomPosition),
+}
+
+/// A position function that this library does not know. Two are equal that are the same
+/// one.
+#[derive(Clone, Debug)]
+pub struct CustomPosition(pub Arc<dyn PositionFunction>);
+
+impl PartialEq for CustomPosition {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.0, &other.0)
+    }
 }
 
 /// A crank whose end carries a block that slides along a slotted link; crank and
