@@ -79,6 +79,9 @@ mod tests {
         assert_eq!(values("valve.stiffness=[5, 10, \"20 kN/mm\"]"), meant);
         assert!(ValueList::parse("a.b=5 mm,10").is_err());
         let found = ValueList::parse("a.b=1,2 mm").unwrap();
-        assert_eq!(found.settings().collect::<Vec<_>>(), ["a.b=1 mm", "a.b=2 mm"]);
+        assert_eq!(
+            found.settings().collect::<Vec<_>>(),
+            ["a.b=1 mm", "a.b=2 mm"]
+        );
     }
 }

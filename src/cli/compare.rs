@@ -53,7 +53,10 @@ pub(crate) fn command(args: &CompareArgs) -> Result<Status, Failure> {
     if !args.scene.quiet {
         for run in &comparison.runs {
             for warning in &run.result.figures.warnings {
-                console::talk(&format!("warning: {} = {}: {warning}", over.path, run.label));
+                console::talk(&format!(
+                    "warning: {} = {}: {warning}",
+                    over.path, run.label
+                ));
             }
         }
         if let Some(folder) = &folder {
@@ -174,9 +177,20 @@ mod tests {
     #[test]
     fn two_values_or_more_are_compared() {
         let over = parse_over("rocker.masses=1, 2,10").unwrap();
-        assert_eq!((over.path.as_str(), over.values.len()), ("rocker.masses", 3));
+        assert_eq!(
+            (over.path.as_str(), over.values.len()),
+            ("rocker.masses", 3)
+        );
         let many = format!("a.b={}1", "1,".repeat(50));
-        for wrong in ["rocker.masses", "=1,2", "a=1", "a=1,,2", "a=", "a=1 mm,2", &many] {
+        for wrong in [
+            "rocker.masses",
+            "=1,2",
+            "a=1",
+            "a=1,,2",
+            "a=",
+            "a=1 mm,2",
+            &many,
+        ] {
             assert!(parse_over(wrong).is_err(), "{wrong}");
         }
     }

@@ -58,7 +58,10 @@ mod tests {
             (["1", "2", "10"], ["1", "2", "10"]),
             (["1 rpm", "2 rpm", "3 rad/s"], ["1 rpm", "2 rpm", "3 rad/s"]),
             (["none", "1", "2 mm"], ["none", "1 mm", "2 mm"]),
-            (["true", "exact", "{\"a\": 1}"], ["true", "exact", "{\"a\": 1}"]),
+            (
+                ["true", "exact", "{\"a\": 1}"],
+                ["true", "exact", "{\"a\": 1}"],
+            ),
         ] {
             assert_eq!(with_common_unit(&given).unwrap(), meant);
         }
@@ -66,11 +69,19 @@ mod tests {
 
     #[test]
     fn a_unit_that_may_mean_two_things_is_refused() {
-        for given in [["5 mm", "10", "20"], ["5 mm", "10", "20 mm"], ["5", "10 mm", "20"]] {
+        for given in [
+            ["5 mm", "10", "20"],
+            ["5 mm", "10", "20 mm"],
+            ["5", "10 mm", "20"],
+        ] {
             let message = with_common_unit(&given).unwrap_err();
             assert!(message.contains("has no unit"), "{message}");
         }
-        assert!(with_common_unit(&["5 mm", "0"]).unwrap_err().contains("`0`"));
+        assert!(
+            with_common_unit(&["5 mm", "0"])
+                .unwrap_err()
+                .contains("`0`")
+        );
     }
 
     #[test]

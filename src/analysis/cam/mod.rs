@@ -28,7 +28,10 @@ pub fn objects_with_cam(scene: &Scene) -> Vec<&str> {
 /// of them. Why another cannot, [`disc_cam`] says.
 pub fn disc_cams(scene: &Scene, model: &Model) -> Vec<(String, DiscCam)> {
     let cam = |id: &str| Some((id.to_owned(), disc_cam(scene, model, id).ok()?));
-    objects_with_cam(scene).into_iter().filter_map(cam).collect()
+    objects_with_cam(scene)
+        .into_iter()
+        .filter_map(cam)
+        .collect()
 }
 
 /// The cam of an object.

@@ -7,9 +7,7 @@ use crate::exact::{
 };
 use crate::fault::Fault;
 use crate::integrate::{Limits, Stop};
-use crate::record::{
-    FinalState, ObjectFigures, PairFigures, choose_window_of, greatest_magnitude,
-};
+use crate::record::{FinalState, ObjectFigures, PairFigures, choose_window_of, greatest_magnitude};
 use crate::system::System;
 
 /// A system that is propagated exactly as a whole, ready to be run.

@@ -149,8 +149,14 @@ mod tests {
     #[test]
     fn a_unit_after_the_last_value_is_that_of_all() {
         let found = parse(&["a.preload=100,250 N; d.speed=1,5 rev/s"]).unwrap();
-        assert_eq!(found.panels[0].settings, ["a.preload=100 N", "d.speed=1 rev/s"]);
-        assert_eq!(found.panels[1].label, "a.preload = 250 N, d.speed = 5 rev/s");
+        assert_eq!(
+            found.panels[0].settings,
+            ["a.preload=100 N", "d.speed=1 rev/s"]
+        );
+        assert_eq!(
+            found.panels[1].label,
+            "a.preload = 250 N, d.speed = 5 rev/s"
+        );
     }
 
     #[test]

@@ -13,7 +13,10 @@ type Travel<'a> = dyn Fn(usize) -> Option<[f64; 2]> + 'a;
 /// Loads that are zero, and those of [`never_entered`].
 pub(super) fn without_effect(model: &Model, travel: &Travel<'_>, duration: f64) -> Vec<String> {
     // A motor without a torque is a rotor left to itself, which may well be meant.
-    let loads = model.loads.iter().filter(|load| load.name.contains(".loads."));
+    let loads = model
+        .loads
+        .iter()
+        .filter(|load| load.name.contains(".loads."));
     let zero = loads.filter(|load| is_zero(&load.law));
     let zero = zero.map(|load| format!("`{}` never acts: its force is zero throughout", load.name));
     let mut found = zero.collect();
@@ -66,7 +69,9 @@ fn is_zero(law: &LoadLaw) -> bool {
         LoadLaw::Viscous(damping) => *damping == 0.0,
         LoadLaw::Friction { force, .. } => *force == 0.0,
         LoadLaw::LinearMotor { stall_torque, .. } => *stall_torque == 0.0,
-        LoadLaw::Kloss { breakdown_torque, .. } => *breakdown_torque == 0.0,
+        LoadLaw::Kloss {
+            breakdown_torque, ..
+        } => *breakdown_torque == 0.0,
         LoadLaw::SpeedTable(points) => points.iter().all(|point| point.1 == 0.0),
     }
 }
@@ -101,7 +106,11 @@ impl<'a> Axis<'a> {
         match self {
             Self::Time => format!("the run ends at {}", self.place(to)),
             Self::Way(id, _) => {
-                format!("`{id}` goes from {} to {}", self.place(from), self.place(to))
+                format!(
+                    "`{id}` goes from {} to {}",
+                    self.place(from),
+                    self.place(to)
+                )
             }
         }
     }
@@ -116,7 +125,10 @@ fn told_of(
 ) -> Option<String> {
     let covered = segments(breaks, range)?;
     let piece = |segment: i64| pieces.get(breaks.piece(segment).0);
-    if covered.clone().any(|segment| piece(segment).is_some_and(acts)) {
+    if covered
+        .clone()
+        .any(|segment| piece(segment).is_some_and(acts))
+    {
         // Force acts; but of a table that is left at its side it is one number only.
         let outside = breaks.period.is_none()
             && covered.start() == covered.end()

@@ -20,8 +20,8 @@ use dam::read::{Bounds, Wanted};
 use dam::report::kinematics::{
     KinematicsReport, document, drawing, kinematics_csv, page, picture, text,
 };
-use dam::units::with_common_unit;
 use dam::units::quantities as q;
+use dam::units::with_common_unit;
 
 const FILES: [&str; 4] = [
     "kinematics.csv",

@@ -131,7 +131,13 @@ fn turning(report: &CamReport<'_>) -> String {
     let picture = format!(
         "<svg class=\"mechanism\" viewBox=\"0 0 {w} {h}\" width=\"{w}\" height=\"{h}\" role=\"img\" \
          aria-label=\"cam and follower\">\n{}</svg>\n",
-        drawing(report.cam, &curves, &view, report.cam.motion().range().0, None)
+        drawing(
+            report.cam,
+            &curves,
+            &view,
+            report.cam.motion().range().0,
+            None
+        )
     );
     format!(
         "<h2>Cam and follower</h2>\n{}<p class=\"soft\">Dotted: base circle; dashed: pitch curve. \
@@ -155,9 +161,7 @@ fn diagrams(report: &CamReport<'_>) -> String {
             chart.svg(760.0, 340.0)
         )
     });
-    format!(
-        "<h2>Over the turn</h2>\n<div class=\"charts\">\n{pictures}</div>\n{springs}"
-    )
+    format!("<h2>Over the turn</h2>\n<div class=\"charts\">\n{pictures}</div>\n{springs}")
 }
 
 /// What the player moves: cam and follower, and readings over the turn.
@@ -220,7 +224,10 @@ fn player(report: &CamReport<'_>, view: &View) -> Player {
         axis: Some(RowAxis {
             name: "φ".to_owned(),
             unit: "deg".to_owned(),
-            values: places.iter().map(|phi: &f64| short(phi.to_degrees(), 6)).collect(),
+            values: places
+                .iter()
+                .map(|phi: &f64| short(phi.to_degrees(), 6))
+                .collect(),
             times: Vec::new(),
             closed: cam.motion().is_closed(),
         }),

@@ -30,7 +30,11 @@ pub(super) fn picture(
         base: outward * cam.motion().innermost(),
         shown,
     };
-    let shown = if elastic { Shown::Magnified } else { Shown::True };
+    let shown = if elastic {
+        Shown::Magnified
+    } else {
+        Shown::True
+    };
     let mut all = bodies(cam, &view, columns[0], &follower(shown)).to_vec();
     if elastic {
         let [_, law] = bodies(cam, &view, columns[0], &follower(Shown::Law));
@@ -38,7 +42,13 @@ pub(super) fn picture(
     }
     let start = follower(shown).factor * way.start - follower(shown).base;
     Some(Picture {
-        drawn: drawing(cam, &curves, &view, cam.motion().range().0, Some(start).filter(|_| elastic)),
+        drawn: drawing(
+            cam,
+            &curves,
+            &view,
+            cam.motion().range().0,
+            Some(start).filter(|_| elastic),
+        ),
         size: view.size,
         bodies: all,
         pixels: pixels(cam, view.scale) / lever.abs(),

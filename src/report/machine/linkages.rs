@@ -10,8 +10,18 @@ use crate::report::mechanism::{Axis, Drawing, Placement, View};
 const PLACES: usize = 361;
 
 /// The picture of an object that is a linkage; `column` is its input coordinate.
-pub(super) fn picture(model: &Model, part: &ObjectPart, way: &Way, column: usize) -> Option<Picture> {
-    let own = |index: usize| model.objects.get(index).is_some_and(|object| object.id == part.id);
+pub(super) fn picture(
+    model: &Model,
+    part: &ObjectPart,
+    way: &Way,
+    column: usize,
+) -> Option<Picture> {
+    let own = |index: usize| {
+        model
+            .objects
+            .get(index)
+            .is_some_and(|object| object.id == part.id)
+    };
     let body = model.linkages.iter().find(|body| own(body.object))?;
     Some(drawn(&body.linkage, way, column))
 }
@@ -47,7 +57,11 @@ fn drawn(linkage: &Linkage, way: &Way, column: usize) -> Picture {
     };
     let view = View::of(&drawing);
     let share = (way.start - from) / (to - from);
-    let share = if repeats { share.rem_euclid(1.0) } else { share.clamp(0.0, 1.0) };
+    let share = if repeats {
+        share.rem_euclid(1.0)
+    } else {
+        share.clamp(0.0, 1.0)
+    };
     let start = (share * (PLACES - 1) as f64).round() as usize;
     let bodies = (0..linkage.spec().links.len()).map(|link| Body::Over {
         column,

@@ -26,7 +26,9 @@ fn round_below(value: f64) -> f64 {
     let factors = [5.0, 2.0, 1.0].into_iter();
     let mut fitting = factors.map(|factor| factor * power);
     // A hair of slack keeps 5 from being called less than 5.
-    fitting.find(|round| *round <= value * (1.0 + 1e-9)).unwrap_or(power)
+    fitting
+        .find(|round| *round <= value * (1.0 + 1e-9))
+        .unwrap_or(power)
 }
 
 #[cfg(test)]
@@ -35,7 +37,13 @@ mod tests {
 
     #[test]
     fn the_greatest_deflection_is_seen_at_a_round_factor() {
-        for (pixels, factor) in [(14.0, 1.0), (0.5, 20.0), (0.0028, 5000.0), (0.003, 2000.0), (400.0, 1.0)] {
+        for (pixels, factor) in [
+            (14.0, 1.0),
+            (0.5, 20.0),
+            (0.0028, 5000.0),
+            (0.003, 2000.0),
+            (400.0, 1.0),
+        ] {
             let found = magnify(pixels).unwrap();
             assert_eq!(found.factor, factor, "{pixels}");
             assert!(found.choices.contains(&factor) && found.choices.contains(&1.0));

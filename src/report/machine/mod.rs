@@ -44,7 +44,9 @@ impl Machine<'_> {
         group: &dyn Fn(&str) -> Option<usize>,
     ) -> String {
         let all = self.drivers_first();
-        let plotted = all.iter().filter_map(|&part| Some((part, group(&part.id)?)));
+        let plotted = all
+            .iter()
+            .filter_map(|&part| Some((part, group(&part.id)?)));
         let (drawn, groups): (Vec<&ObjectPart>, Vec<usize>) = plotted.take(MOST).unzip();
         let mut player = Player {
             id: "machine".to_owned(),
@@ -73,7 +75,10 @@ impl Machine<'_> {
         for mut station in stations {
             let first = player.bodies.len();
             player.bodies.append(&mut station.bodies);
-            let delta = figures.objects.get(&station.id).map_or(0.0, |own| own.delta_abs);
+            let delta = figures
+                .objects
+                .get(&station.id)
+                .map_or(0.0, |own| own.delta_abs);
             pictures.push_str(&station.html(first, delta));
         }
         pictures.push_str("</div>\n");

@@ -78,14 +78,21 @@ impl Station {
             Coordinate::Turning => turning(&own, column, elastic),
             Coordinate::Sliding => sliding(&own, column, elastic),
         };
-        let pictures = match (geometry, elastic) {
-            (Some(picture), _) => vec![picture],
-            (None, true) => law().into_iter().chain([diagram()]).collect(),
-            (None, false) => vec![law().unwrap_or_else(diagram)],
+        let kind = part.kind.replace('_', " ");
+        let own_kind = |picture: Picture| (kind.clone(), picture);
+        let its_law = |picture: Picture| (format!("the law of the {kind}"), picture);
+        let pictures: Vec<(String, Picture)> = match (geometry, elastic) {
+            (Some(picture), _) => vec![own_kind(picture)],
+            (None, true) => law()
+                .map(its_law)
+                .into_iter()
+                .chain([own_kind(diagram())])
+                .collect(),
+            (None, false) => vec![own_kind(law().unwrap_or_else(diagram))],
         };
-        let station = |picture: Picture| Self {
+        let station = |(kind, picture): (String, Picture)| Self {
             id: part.id.clone(),
-            kind: part.kind.replace('_', " "),
+            kind,
             picture: picture.drawn,
             size: picture.size,
             bodies: picture.bodies,
@@ -109,7 +116,11 @@ impl Station {
         };
         let small = scale(delta, si);
         let [w, h] = self.size.map(coordinate);
-        let wide = if self.size[0] > 1.5 * WIDTH { " wide" } else { "" };
+        let wide = if self.size[0] > 1.5 * WIDTH {
+            " wide"
+        } else {
+            ""
+        };
         let id = escape(&self.id);
         format!(
             "<div class=\"station{wide}\">\n<svg class=\"mechanism\" data-first=\"{first}\" viewBox=\"0 0 {w} {h}\" \
@@ -137,7 +148,13 @@ pub(super) struct Way {
 
 impl Way {
     fn of(column: &Column) -> Option<Self> {
-        let finite = || column.values.iter().copied().filter(|value| value.is_finite());
+        let finite = || {
+            column
+                .values
+                .iter()
+                .copied()
+                .filter(|value| value.is_finite())
+        };
         let start = finite().next()?;
         let least = finite().fold(start, f64::min);
         let greatest = finite().fold(start, f64::max);
@@ -194,7 +211,8 @@ fn turning(way: &Way, column: usize, elastic: bool) -> Picture {
     out.drawn.push_str(&support(centre));
     for (number, &shown) in shown(elastic).iter().enumerate() {
         let (sin, cos) = (way.start + offset).sin_cos();
-        out.drawn.push_str(&part(number, shown, [centre[0], centre[1], cos, sin]));
+        out.drawn
+            .push_str(&part(number, shown, [centre[0], centre[1], cos, sin]));
         out.drawn.push_str(&match revolves {
             true => wheel(shown),
             false => lever(shown),
@@ -209,7 +227,10 @@ fn turning(way: &Way, column: usize, elastic: bool) -> Picture {
         });
     }
     let [x, y] = centre.map(coordinate);
-    let _ = writeln!(out.drawn, "<g class=\"pin\"><circle cx=\"{x}\" cy=\"{y}\" r=\"4.2\"/></g>");
+    let _ = writeln!(
+        out.drawn,
+        "<g class=\"pin\"><circle cx=\"{x}\" cy=\"{y}\" r=\"4.2\"/></g>"
+    );
     out
 }
 
@@ -228,7 +249,9 @@ fn wheel(shown: Shown) -> String {
 fn lever(shown: Shown) -> String {
     let r = coordinate(LEVER);
     let width = if shown == Shown::Law { 8 } else { 12 };
-    format!("<path class=\"body\" stroke-width=\"{width}\" d=\"M0 0H{r}\"/><path class=\"edge\" d=\"M0 0H{r}\"/>")
+    format!(
+        "<path class=\"body\" stroke-width=\"{width}\" d=\"M0 0H{r}\"/><path class=\"edge\" d=\"M0 0H{r}\"/>"
+    )
 }
 
 /// The ground under a pivot.

@@ -36,7 +36,11 @@ pub fn map_csv(study: &Study<'_>, result: &MapResult) -> Result<String, csv::Err
             row.push(number(cell.value));
             row.push(cell.verdict.name().to_owned());
             row.push(cell.cause.clone());
-            row.push(cell.determined.map(|yes| yes.to_string()).unwrap_or_default());
+            row.push(
+                cell.determined
+                    .map(|yes| yes.to_string())
+                    .unwrap_or_default(),
+            );
             row.extend([number(cell.moved), number(cell.rigid_margin)]);
             writer.write_record(&row)?;
         }

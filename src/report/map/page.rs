@@ -1,11 +1,11 @@
 //! A map as a page that opens without a network.
 
+use super::pointing;
 use crate::analysis::axis::Axis;
 use crate::analysis::map::{
     Cell, MOST_STEPS, MapResult, NEAR_HARMONIC, RESONANCE, STEADY, Study, THROWN_OFF, Verdict,
     summary,
 };
-use super::pointing;
 use crate::analysis::spread::CHANGE;
 use crate::report::html::data::PlotData;
 use crate::report::html::{facts, header, scene, shell};

@@ -43,9 +43,13 @@ fn data(report: &MapReport<'_>) -> Value {
             own.and_then(|own| Verdict::ALL.iter().position(|verdict| *verdict == own))
         };
         let undetermined = |cell: &Option<Cell>| {
-            cell.as_ref().is_some_and(|cell| cell.determined == Some(false))
+            cell.as_ref()
+                .is_some_and(|cell| cell.determined == Some(false))
         };
-        let marked = cells.iter().enumerate().filter(|(_, cell)| undetermined(cell));
+        let marked = cells
+            .iter()
+            .enumerate()
+            .filter(|(_, cell)| undetermined(cell));
         let marked: Vec<usize> = marked.map(|(index, _)| index).collect();
         let cause = |cell: &Option<Cell>| {
             let cause = cell.as_ref().map_or("", |cell| cell.cause.as_str());

@@ -84,8 +84,7 @@ impl Frame {
     /// Left, top, width and height of the frame (pixels), and the ends of its
     /// horizontal axis: what a cursor needs to know.
     fn place(&self) -> String {
-        let [left, top, width, height] =
-            [LEFT, self.top, self.width, self.height].map(coordinate);
+        let [left, top, width, height] = [LEFT, self.top, self.width, self.height].map(coordinate);
         let [from, to] = self.time;
         format!("{left} {top} {width} {height} {from} {to}")
     }

@@ -31,7 +31,9 @@ pub(in crate::report) fn without_variables(style: &str) -> String {
     let mut rest = style;
     while let Some((before, variable)) = rest.split_once("var(") {
         let (given, after) = variable.split_once(')').unwrap_or((variable, ""));
-        let own = given.split_once(", ").map_or("inherit", |(_, colour)| colour);
+        let own = given
+            .split_once(", ")
+            .map_or("inherit", |(_, colour)| colour);
         out.push_str(before);
         out.push_str(own);
         rest = after;
@@ -46,7 +48,10 @@ mod tests {
     #[test]
     fn colours_of_a_page_are_left_out_of_pictures() {
         let style = ".a{fill:var(--ink, #17202a);stroke:#fff}.b{fill:var(--paper, #fff)}";
-        assert_eq!(without_variables(style), ".a{fill:#17202a;stroke:#fff}.b{fill:#fff}");
+        assert_eq!(
+            without_variables(style),
+            ".a{fill:#17202a;stroke:#fff}.b{fill:#fff}"
+        );
         assert_eq!(without_variables("plain"), "plain");
     }
 }
