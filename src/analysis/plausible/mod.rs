@@ -17,8 +17,10 @@ pub fn warnings(model: &Model, duration: f64) -> Vec<String> {
     let known = ways(model, duration, Rotors::Unknown);
     let travel = |node: usize| known[node].as_ref().map(|way| way.displacement);
     let mut found = loads::without_effect(model, &travel, duration);
-    let shares = ways(model, duration, Rotors::Even);
-    found.extend(sizes::out_of_proportion(model, &shares));
+    let motors = behind_motors(model).contains(&true);
+    let even = motors.then(|| ways(model, duration, Rotors::Even));
+    let shares = even.as_deref().unwrap_or(&known);
+    found.extend(sizes::out_of_proportion(model, shares));
     found.extend(sizes::unable_to_follow(model, &known));
     found.extend(sizes::beyond_sense(model, &known));
     found
