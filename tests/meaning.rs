@@ -315,7 +315,7 @@ fn a_load_that_never_acts_is_named() {
 #[test]
 fn a_window_behind_a_motor_is_judged_by_the_run() {
     let mut scene =
-        press(json!({ "window": { "from": "350 deg", "to": "360 deg", "force": "-1 N" } }));
+        press(json!({ "window": { "from": "200 deg", "to": "210 deg", "force": "-1 N" } }));
     scene["objects"]["crank"] = json!({ "kind": "drive", "motor": {
         "torque": { "constant": "0.01 N m" }, "inertia": "0.1 kg m^2" } });
     let run = |duration: &str| {
@@ -351,6 +351,7 @@ fn stiffnesses_and_masses_out_of_proportion_are_named() {
         "run": { "duration": 0.5 }
     });
     assert!(warnings(&scene, &[]).is_empty());
+    // N/mm twice taken for N/m.
     let found = warnings(&scene, &["ram.stiffness=2e13 N/m"]);
     assert!(
         found
@@ -361,6 +362,24 @@ fn stiffnesses_and_masses_out_of_proportion_are_named() {
     let found = warnings(&scene, &["ram.inertia=2e6 kg"]);
     assert!(
         found.iter().any(|text| text.contains("inertia of `ram`")),
+        "{found:?}"
+    );
+    // The same behind a motor.
+    let mut motor = scene.clone();
+    motor["objects"]["crank"] = json!({ "kind": "drive", "motor": {
+        "torque": { "constant": "1 N m" }, "inertia": "0.1 kg m^2" } });
+    assert!(warnings(&motor, &["run.duration=0.01"]).is_empty());
+    let found = warnings(&motor, &["run.duration=0.01", "ram.stiffness=2e13 N/m"]);
+    assert!(
+        found.iter().any(|text| text.contains("stiffness of `ram`")),
+        "{found:?}"
+    );
+    // Too soft to follow.
+    let found = warnings(&scene, &["lever.stiffness=1e-3 N m/rad"]);
+    assert!(
+        found
+            .iter()
+            .any(|text| text.contains("`lever` does not follow its law")),
         "{found:?}"
     );
     let lists = json!({

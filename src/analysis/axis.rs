@@ -240,7 +240,7 @@ mod tests {
             ("a.b=-1:2:3:log", "same side of zero"),
             ("a.b=1:1:3", "too close"),
             ("a.b=1:1.0000000000000002:9", "too close"),
-            ("a.b=1é:2:3", "is no unit"),
+            ("a.b=1é:2é:3", "is no unit"),
         ] {
             let message = Axis::parse(text).unwrap_err();
             assert!(message.contains(word), "{text}: {message}");

@@ -237,6 +237,37 @@ mod tests {
     }
 
     #[test]
+    fn no_unit_gets_a_prefix_that_it_does_not_take() {
+        let units = [
+            "kg", "kg m²", "kg m²/s", "rad", "rad/s", "rad/s²", "rad/s³", "m", "m/s²",
+        ];
+        let units = units
+            .into_iter()
+            .chain(["s", "m²", "m³", "1/m", "deg", "%", "N m/rad"]);
+        for unit in units {
+            for power in -15..=15 {
+                let shown = scale(10f64.powi(power), unit);
+                let first = shown.unit.split([' ', '/']).next().unwrap();
+                let wrong = [
+                    "mkg", "kkg", "µkg", "krad", "Mrad", "km", "ks", "mdeg", "m%",
+                ];
+                assert!(!wrong.contains(&first), "{unit}: {shown:?}");
+                // A prefix before a power would be raised with it.
+                assert!(
+                    !["m²", "m³"].contains(&unit) || shown.unit.ends_with(unit),
+                    "{shown:?}"
+                );
+                assert!(
+                    shown.unit.starts_with("10")
+                        || (0.9..2000.0).contains(&(10f64.powi(power) / shown.factor))
+                        || shown.factor == 1.0,
+                    "{unit}: {shown:?}"
+                );
+            }
+        }
+    }
+
+    #[test]
     fn numbers_keep_their_significant_digits() {
         assert_eq!(significant(1e7, 6), "10⁷");
         assert_eq!(significant(-1.5e-9, 6), "−1.5·10⁻⁹");

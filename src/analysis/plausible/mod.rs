@@ -7,18 +7,22 @@ mod way;
 
 use crate::model::{Coordinate, Model, NodeMotion, ObjectPart};
 use crate::record::Record;
-use way::ways;
+use way::{Rotors, ways};
 
 /// What is likely not meant in a model that is to run for `duration` seconds, as
 /// far as it can be told beforehand: loads without effect, windows and tables that
 /// are never entered, stiffnesses and masses out of proportion, speeds beyond
 /// sense. Every object is taken to follow its law.
 pub fn warnings(model: &Model, duration: f64) -> Vec<String> {
-    let ways = ways(model, duration);
-    let travel = |node: usize| ways[node].as_ref().map(|way| way.displacement);
+    let known = ways(model, duration, Rotors::Unknown);
+    let travel = |node: usize| known[node].as_ref().map(|way| way.displacement);
     let mut found = loads::without_effect(model, &travel, duration);
-    found.extend(sizes::out_of_proportion(model, &ways));
-    found.extend(sizes::beyond_sense(model, &ways));
+    let motors = behind_motors(model).contains(&true);
+    let even = motors.then(|| ways(model, duration, Rotors::Even));
+    let shares = even.as_deref().unwrap_or(&known);
+    found.extend(sizes::out_of_proportion(model, shares));
+    found.extend(sizes::unable_to_follow(model, &known));
+    found.extend(sizes::beyond_sense(model, &known));
     found
 }
 

@@ -4,17 +4,18 @@ use super::short;
 use super::way::Way;
 use crate::model::{Coordinate, Link, LoadLaw, Model, NodeMotion, ObjectPart};
 
-/// From which factor on a stiffness or an inertia, reduced to the motion of its
-/// neighbours, is called out of proportion. Six decades are the thousandfold of a
-/// thousandfold: mm for m in a stiffness, g for kg in a mass make three.
-const OUT_OF_PROPORTION: f64 = 1e6;
+/// From which factor on a stiffness, reduced to the motion of its neighbours, is
+/// called out of proportion: machines have some hundreds, mm for m makes a thousand
+/// and more. An inertia may be smaller than a flywheel's by more than that.
+const STIFFNESS_OUT_OF_PROPORTION: f64 = 1e4;
+const INERTIA_OUT_OF_PROPORTION: f64 = 1e5;
 
 /// The same between links and masses of one chain, which are pieces of one body.
-const OUT_OF_PROPORTION_WITHIN: f64 = 1e4;
+const OUT_OF_PROPORTION_WITHIN: f64 = 1e3;
 
 /// The square of an object's own frequency, of that of its motion, below which it
 /// does not follow its law at all.
-const TOO_SOFT: f64 = 1e-4;
+const TOO_SOFT: f64 = 1e-3;
 
 /// Speeds of turning (rad/s, some 190 000 rpm) and of sliding (m/s, the speed of
 /// sound) beyond which no mechanism works.
@@ -22,12 +23,11 @@ const FASTEST_TURNING: f64 = 2e4;
 const FASTEST_SLIDING: f64 = 340.0;
 
 /// Objects whose stiffness or inertia differs from that of every neighbour, and
-/// chains with such links or masses.
+/// chains with such links or masses; a motor may be taken to turn evenly.
 pub(super) fn out_of_proportion(model: &Model, ways: &[Option<Way>]) -> Vec<String> {
     let mut found = Vec::new();
     for (index, part) in model.objects.iter().enumerate() {
         found.extend(within(model, part));
-        found.extend(too_soft(model, ways, part));
         for size in [Size::Stiffness, Size::Inertia] {
             found.extend(beside_neighbours(model, ways, index, size));
         }
@@ -55,6 +55,13 @@ impl Size {
             }
         };
         (size.is_finite() && size > 0.0).then_some(size)
+    }
+
+    fn out_of_proportion(self) -> f64 {
+        match self {
+            Self::Stiffness => STIFFNESS_OUT_OF_PROPORTION,
+            Self::Inertia => INERTIA_OUT_OF_PROPORTION,
+        }
     }
 
     fn name(self) -> &'static str {
@@ -107,7 +114,7 @@ fn beside_neighbours(
     let other_is_named = ratios.len() == 1
         && neighbour.is_driven_by(index)
         && alone_with(model, ways, neighbour, size);
-    if !one_side || other_is_named || ratio.max(1.0 / ratio) < OUT_OF_PROPORTION {
+    if !one_side || other_is_named || ratio.max(1.0 / ratio) < size.out_of_proportion() {
         return None;
     }
     let (times, than) = match ratio > 1.0 {
@@ -210,6 +217,14 @@ fn too_soft(model: &Model, ways: &[Option<Way>], part: &ObjectPart) -> Option<St
             Size::Inertia.unit(part.coordinate),
         )
     })
+}
+
+/// Objects that cannot follow their law at all.
+pub(super) fn unable_to_follow(model: &Model, ways: &[Option<Way>]) -> Vec<String> {
+    let objects = model.objects.iter();
+    objects
+        .filter_map(|part| too_soft(model, ways, part))
+        .collect()
 }
 
 /// Objects that turn or slide faster than anything does.

@@ -5,6 +5,7 @@ use crate::constraint::{Constraint, ConstraintJet};
 use crate::jet::Jet;
 use crate::model::{Model, NodeMotion};
 use crate::record::drive_cycle;
+use std::f64::consts::TAU;
 
 /// Instants looked at in a whole run, and as many in its first cycle.
 const INSTANTS: usize = 180;
@@ -25,9 +26,22 @@ pub(super) struct Way {
     pub(super) mean_square_acceleration: f64,
 }
 
+/// How a motor's rotor is taken to move.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Rotors {
+    /// Nobody knows before the run.
+    Unknown,
+    /// Evenly through many turns: what follows has its share of that motion.
+    Even,
+}
+
+/// Turns of a rotor that is taken to turn evenly: many, so that what is geared down
+/// goes through its law, and no whole number, so that every place of it is met.
+const TURNS: f64 = 37.3;
+
 /// The ways of the objects' last nodes, which is what others follow; `None` for other
-/// nodes, behind a motor, and where nothing is a number.
-pub(super) fn ways(model: &Model, duration: f64) -> Vec<Option<Way>> {
+/// nodes, where the motion is not known, and where nothing is a number.
+pub(super) fn ways(model: &Model, duration: f64, rotors: Rotors) -> Vec<Option<Way>> {
     let instants = instants(model, duration);
     let mut followed = vec![false; model.nodes.len()];
     for &node in model.objects.iter().filter_map(|part| part.nodes.last()) {
@@ -37,7 +51,15 @@ pub(super) fn ways(model: &Model, duration: f64) -> Vec<Option<Way>> {
     for (node, followed) in model.nodes.iter().zip(followed) {
         let motion = match &node.motion {
             _ if !followed => None,
-            NodeMotion::Rotor { .. } => None,
+            NodeMotion::Rotor { .. } => (rotors == Rotors::Even).then(|| {
+                let speed = TURNS * TAU / duration;
+                let at = |&time: &f64| Jet {
+                    value: speed * time,
+                    first: speed,
+                    ..Jet::default()
+                };
+                instants.iter().map(at).collect()
+            }),
             NodeMotion::Prescribed { motion, .. } => {
                 let breaks = motion.breaks();
                 let at = |&time: &f64| motion.jet(breaks.locate(time, 1.0), time);

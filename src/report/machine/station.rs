@@ -78,14 +78,21 @@ impl Station {
             Coordinate::Turning => turning(&own, column, elastic),
             Coordinate::Sliding => sliding(&own, column, elastic),
         };
-        let pictures = match (geometry, elastic) {
-            (Some(picture), _) => vec![picture],
-            (None, true) => law().into_iter().chain([diagram()]).collect(),
-            (None, false) => vec![law().unwrap_or_else(diagram)],
+        let kind = part.kind.replace('_', " ");
+        let own_kind = |picture: Picture| (kind.clone(), picture);
+        let its_law = |picture: Picture| (format!("the law of the {kind}"), picture);
+        let pictures: Vec<(String, Picture)> = match (geometry, elastic) {
+            (Some(picture), _) => vec![own_kind(picture)],
+            (None, true) => law()
+                .map(its_law)
+                .into_iter()
+                .chain([own_kind(diagram())])
+                .collect(),
+            (None, false) => vec![own_kind(law().unwrap_or_else(diagram))],
         };
-        let station = |picture: Picture| Self {
+        let station = |(kind, picture): (String, Picture)| Self {
             id: part.id.clone(),
-            kind: part.kind.replace('_', " "),
+            kind,
             picture: picture.drawn,
             size: picture.size,
             bodies: picture.bodies,
