@@ -21,7 +21,7 @@ const FAR: f64 = 0.5;
 /// A point this far from its approximate place, in sizes of the linkage, was meant elsewhere …
 const FARTHEST_PLACE: f64 = 0.25;
 /// … unless it is still clearly nearer than in the other assembly: at most this part as far.
-const STILL_CLEARLY: f64 = 0.6;
+const STILL_CLEARLY: f64 = 0.75;
 
 /// Chooses the branches and leaves the position at the start in `state`.
 ///

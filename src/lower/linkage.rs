@@ -53,9 +53,17 @@ impl Lowering<'_> {
             false => None,
         };
         let node = self.add_rigid(id, law);
-        let outputs = (0..spec.linkage.outputs.len())
-            .filter_map(|output| self.linkage_output(id, node, &linkage, output))
-            .collect();
+        let mut outputs = Vec::new();
+        for (output, loads) in spec.loads.iter().enumerate() {
+            let Some(carrier) = self.linkage_output(id, node, &linkage, output) else {
+                continue;
+            };
+            let name = format!("{id}.{}", spec.linkage.outputs[output].name);
+            for load in loads {
+                self.load(&name, load, &[carrier], node);
+            }
+            outputs.push(carrier);
+        }
         let object = self.indices[id];
         self.model.linkages.push(LinkageBody {
             node,

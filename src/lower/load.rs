@@ -10,7 +10,11 @@ impl<'a> Lowering<'a> {
     /// Lowers a load on an object with the given nodes; `driver` is the node
     /// over whose displacement windows and position tables run.
     pub(super) fn load(&mut self, id: &str, spec: &LoadSpec, nodes: &[NodeIndex], driver: usize) {
-        let path = format!("{id}.loads.{}", spec.name);
+        let path = match id.split_once('.') {
+            // An output of a linkage.
+            Some((linkage, output)) => format!("{linkage}.outputs.{output}.loads.{}", spec.name),
+            None => format!("{id}.loads.{}", spec.name),
+        };
         let Some(chosen) = chosen(spec.mass, nodes) else {
             if let MassChoice::Number(number) = spec.mass {
                 let message = format!(
