@@ -70,6 +70,8 @@ pub struct DrivenLinkage {
     pub joint_friction: bool,
     /// The linkage itself.
     pub linkage: LinkageSpec,
+    /// Loads on each of its outputs, along it.
+    pub loads: Vec<Vec<LoadSpec>>,
 }
 
 /// Any driven object: masses, links, pair, loads.

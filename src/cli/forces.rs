@@ -17,7 +17,7 @@ use dam::analysis::studied::{POSITIONS, check_forces};
 use dam::fault::Fault;
 use dam::linkage::Linkage;
 use dam::linkage::kinetostatics::{Convention, ForceFailure, Kinetostatics, Options};
-use dam::model::{Coordinate, LinkageBody, Model};
+use dam::model::{Coordinate, LinkageBody, Model, ObjectPart};
 use dam::object::Measures;
 use dam::report::forces::{
     ForcesReport, document, drawing, forces_csv, massless_chart, page, text,
@@ -69,8 +69,10 @@ pub(crate) fn command(args: &ForcesArgs) -> Result<Status, Failure> {
         list => Some(compare_massless(spec, &mut source, &course, &settings, list).map_err(told)?),
     };
     let found = study(spec, &mut source, course, settings).map_err(told)?;
+    let warnings = warnings(args, &found, &behind(model, object));
     let report = ForcesReport {
         study: &found,
+        warnings: &warnings,
         massless: massless.as_ref(),
         object,
         motion: &motion,
@@ -83,7 +85,7 @@ pub(crate) fn command(args: &ForcesArgs) -> Result<Status, Failure> {
     let files = || files(&report, &verdicts);
     let show = || show(args, &report, &verdicts);
     output::deliver(folder.as_ref(), "forces", report.hash, files, show)?;
-    talk(args, &found, behind(model, object));
+    talk(args, &found, &warnings);
     if !args.scene.quiet {
         expected::talk(&verdicts);
     }
@@ -287,7 +289,7 @@ fn show(args: &ForcesArgs, report: &ForcesReport<'_>, verdicts: &[Verdict]) -> R
     Ok(())
 }
 
-/// Objects that hang on the linkage's outputs.
+/// Objects that hang on the linkage's outputs, and outputs that carry loads of their own.
 fn behind<'m>(model: &'m Model, object: &str) -> Vec<&'m str> {
     let own = |id: &str| {
         id == object
@@ -295,28 +297,38 @@ fn behind<'m>(model: &'m Model, object: &str) -> Vec<&'m str> {
                 .strip_prefix(object)
                 .is_some_and(|rest| rest.starts_with('.'))
     };
+    let hangs = |part: &ObjectPart| {
+        !own(&part.id) && (part.inputs.iter()).any(|input| own(&model.objects[input.driver].id))
+    };
+    let loaded = |part: &ObjectPart| {
+        own(&part.id) && (model.loads.iter()).any(|load| part.nodes.contains(&load.node))
+    };
     let parts = model.objects.iter();
     parts
-        .filter(|part| {
-            !own(&part.id) && (part.inputs.iter()).any(|input| own(&model.objects[input.driver].id))
-        })
+        .filter(|part| hangs(part) || loaded(part))
         .map(|part| part.id.as_str())
         .collect()
 }
 
-fn talk(args: &ForcesArgs, found: &ForceStudy, behind: Vec<&str>) {
+/// All that the user should know besides the figures.
+fn warnings(args: &ForcesArgs, found: &ForceStudy, behind: &[&str]) -> Vec<String> {
+    let mut warnings = found.warnings();
+    if !behind.is_empty() && args.record.is_none() {
+        warnings.push(format!(
+            "the forces of what the linkage drives ({}) are not among its loads; take them from a \
+             run with --record",
+            behind.join(", ")
+        ));
+    }
+    warnings
+}
+
+fn talk(args: &ForcesArgs, found: &ForceStudy, warnings: &[String]) {
     if args.scene.quiet {
         return;
     }
-    for warning in found.warnings() {
+    for warning in warnings {
         console::talk(&format!("warning: {warning}"));
-    }
-    if !behind.is_empty() && args.record.is_none() {
-        console::talk(&format!(
-            "warning: the forces of what the linkage drives ({}) are not among its loads; take them \
-             from a run with --record",
-            behind.join(", ")
-        ));
     }
     if found.settings.output.is_none() {
         console::talk("no transmission ratio: name the loaded output with --load");
