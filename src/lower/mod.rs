@@ -18,7 +18,7 @@ pub use chain::ChainParameters;
 use crate::breaks::Breaks;
 use crate::fault::{Fault, Faults};
 use crate::model::{
-    ExplicitStart, Model, NodeIndex, OUTPUT, ObjectPart, Start, Track, TrackSource,
+    ExplicitStart, Model, NodeIndex, NodeMotion, OUTPUT, ObjectPart, Start, Track, TrackSource,
 };
 use crate::object::Description;
 use crate::scene::{Scene, StartSpec};
@@ -26,6 +26,9 @@ use std::collections::BTreeMap;
 
 /// Standard acceleration of free fall (m/s²), for weights.
 pub const FREE_FALL: f64 = 9.80665;
+
+/// Masses of a model beyond which its user is asked whether they are meant.
+const MANY_MASSES: usize = 3000;
 
 /// Lowers a scene's objects to a model.
 ///
@@ -47,6 +50,7 @@ pub fn lower(scene: &Scene) -> Result<Model, Vec<Fault>> {
         }
     }
     lowering.start();
+    lowering.count_masses();
     lowering.finish()
 }
 
@@ -134,6 +138,20 @@ impl<'a> Lowering<'a> {
             object,
         });
         Some(self.model.tracks.len() - 1)
+    }
+
+    /// A word on models of more masses than engineers mean.
+    fn count_masses(&mut self) {
+        let masses = self.model.nodes.iter();
+        let masses = masses.filter(|node| matches!(node.motion, NodeMotion::Mass { .. }));
+        let count = masses.count();
+        if count > MANY_MASSES {
+            self.model.warnings.push(format!(
+                "{count} masses: every step takes time in proportion to their number, and there \
+                 are as many natural frequencies; `dam compare --over OBJECT.masses=10,100,1000` \
+                 shows how many are needed"
+            ));
+        }
     }
 
     /// Explicit starts, checked and by index.

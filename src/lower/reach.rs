@@ -7,6 +7,7 @@ use crate::model::{Coordinate, Track, TrackSource};
 use crate::motion::DriveMotion;
 use crate::position::Position;
 use crate::scene::StartSpec;
+use crate::units::shown;
 
 /// What is at the ends of a reach.
 pub(super) const DEAD: &str = "in a dead position";
@@ -205,8 +206,9 @@ impl<'a> Lowering<'a> {
         if let Some(time) = left {
             self.model.warnings.push(format!(
                 "`{id}` can be assembled only with `{input}` {}; its law leads out of that at \
-                 t = {time:.6} s, where the run stops {ends}",
-                range(reach, coordinate)
+                 t = {} s, where the run stops {ends}",
+                range(reach, coordinate),
+                shown(time, 6)
             ));
         }
         if let Some(&node) = self.outputs.get(input) {

@@ -10,9 +10,11 @@
 mod dimension;
 mod parse;
 mod quantity;
+mod shown;
 mod table;
 
 pub use dimension::Dimension;
 pub use parse::{Measure, UnitError, parse};
 pub use quantity::{Mismatch, Quantity, quantities};
+pub use shown::shown;
 pub use table::known_units;
