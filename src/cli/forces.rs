@@ -22,6 +22,7 @@ use dam::object::Measures;
 use dam::report::forces::{
     ForcesReport, document, drawing, forces_csv, massless_chart, page, text,
 };
+use serde_json::{Value, json};
 use std::path::Path;
 
 const FILES: [&str; 5] = [
@@ -82,8 +83,10 @@ pub(crate) fn command(args: &ForcesArgs) -> Result<Status, Failure> {
         version: env!("CARGO_PKG_VERSION"),
     };
     let verdicts = verdicts(args, &ready, object, &found);
-    let files = || files(&report, &verdicts);
-    let show = || show(args, &report, &verdicts);
+    let warnings = warnings(args, &found, &behind(model, object));
+    let document = || whole_document(&report, &verdicts, &warnings);
+    let files = || files(&report, document());
+    let show = || show(args, &report, document);
     output::deliver(folder.as_ref(), "forces", report.hash, files, show)?;
     talk(args, &found, &warnings);
     if !args.scene.quiet {
@@ -278,9 +281,20 @@ fn read(path: &Path) -> Result<String, String> {
     Ok(text)
 }
 
-fn show(args: &ForcesArgs, report: &ForcesReport<'_>, verdicts: &[Verdict]) -> Result<(), Failure> {
+/// The document with all that the terminal tells.
+fn whole_document(report: &ForcesReport<'_>, verdicts: &[Verdict], warnings: &[String]) -> Value {
+    let mut document = expected::beside(document(report), verdicts);
+    document["warnings"] = json!(warnings);
+    document
+}
+
+fn show(
+    args: &ForcesArgs,
+    report: &ForcesReport<'_>,
+    document: impl FnOnce() -> Value,
+) -> Result<(), Failure> {
     if args.scene.json {
-        console::json(&expected::beside(document(report), verdicts))?;
+        console::json(&document())?;
     } else if args.csv {
         console::data(&forces_csv(report.study).map_err(|error| error.to_string())?)?;
     } else {
@@ -335,9 +349,8 @@ fn talk(args: &ForcesArgs, found: &ForceStudy, warnings: &[String]) {
     }
 }
 
-fn files(report: &ForcesReport<'_>, verdicts: &[Verdict]) -> Result<Vec<ResultFile>, Failure> {
+fn files(report: &ForcesReport<'_>, document: Value) -> Result<Vec<ResultFile>, Failure> {
     let table = forces_csv(report.study).map_err(|error| error.to_string())?;
-    let document = expected::beside(document(report), verdicts);
     let mut files = vec![
         ResultFile::new(FILES[0], table),
         ResultFile::new(FILES[1], format!("{document:#}\n")),

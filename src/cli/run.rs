@@ -19,6 +19,7 @@ use dam::report::diagram::Diagram;
 use dam::report::html::{RunReport, page};
 use dam::report::machine::Machine;
 use serde::Serialize;
+use serde_json::Value;
 use std::time::Instant;
 
 const FILES: [&str; 4] = ["summary.json", "record.csv", "report.html", "timing.json"];
@@ -32,6 +33,9 @@ struct Document<'a> {
     spread: Option<&'a Spread>,
     #[serde(skip_serializing_if = "<[Verdict]>::is_empty")]
     expect: &'a [Verdict],
+    /// What is doubtful in the scene's text, with its places.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    diagnostics: Option<Value>,
 }
 
 /// Runs the command.
@@ -71,6 +75,7 @@ pub(crate) fn command(args: &RunArgs) -> Result<Status, Failure> {
         figures: &result.figures,
         spread: spread.as_ref(),
         expect: &verdicts,
+        diagnostics: doubts(&ready),
     };
     let files = || files(&input, &ready, &result, &document, seconds);
     let show = || match args.scene.json {
@@ -88,6 +93,12 @@ pub(crate) fn command(args: &RunArgs) -> Result<Status, Failure> {
         }
     }
     Ok(status(&result, &verdicts))
+}
+
+/// What is doubtful in the scene's text, if anything, as JSON.
+pub(crate) fn doubts(ready: &Ready) -> Option<Value> {
+    let warnings = &ready.reading.warnings;
+    (!warnings.is_empty()).then(|| warnings.json())
 }
 
 /// A run with a progress bar.
