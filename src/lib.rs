@@ -121,7 +121,7 @@
 //! | --- | --- |
 //! | [`object`] | the trait [`Object`](object::Object), its ports, kinds and their registry |
 //! | [`builder`] | what an object's lowering may say: nodes, links, laws, loads |
-//! | [`position`], [`constraint`], [`motion`] | functions that tie displacements to others and to time |
+//! | [`position`], [`constraint`], [`motion`], [`load`] | functions that tie displacements to others and to time; forces |
 //! | [`jet`], [`breaks`] | derivatives, and where a formula changes |
 //! | [`read`], [`units`], [`scene`] | how texts become values: the declarations that read, check and describe |
 //!
@@ -152,6 +152,7 @@ pub mod graph;
 pub mod integrate;
 pub mod jet;
 pub mod linkage;
+pub mod load;
 pub mod lower;
 pub mod model;
 pub mod motion;

@@ -15,6 +15,7 @@ use crate::breaks::Breaks;
 use crate::constraint::Constraint;
 use crate::linkage::Linkage;
 use crate::linkage::kinetostatics::Kinetostatics;
+use crate::load::LoadFunction;
 use crate::motion::DriveMotion;
 use crate::position::Position;
 use serde::Serialize;
@@ -271,6 +272,13 @@ pub enum LoadLaw {
     },
     /// Torque over speed, linear between the points, constant outside.
     SpeedTable(Vec<(f64, f64)>),
+    /// `factor` times anything else over displacement and speed of the node.
+    Custom {
+        /// The force.
+        function: Arc<dyn LoadFunction>,
+        /// Factor on it.
+        factor: f64,
+    },
 }
 
 /// A straight piece of a table.

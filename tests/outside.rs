@@ -35,7 +35,7 @@ fn scene(folder: &Path, text: &str) -> PathBuf {
 }
 
 /// One command of each kind, quick.
-const COMMANDS: [&[&str]; 16] = [
+const COMMANDS: [&[&str]; 20] = [
     &["run", "scenarios/limits/short_rod.json"],
     &["run", "scenarios/limits/short_rod.json", "--json"],
     &["check", "scenarios/limits/short_rod.json"],
@@ -58,7 +58,7 @@ const COMMANDS: [&[&str]; 16] = [
         "--law",
         "3-4-5",
         "--law",
-        "sine",
+        "cycloidal",
     ],
     &["cam", "scenarios/cams/flat_tappet.json"],
     &[
@@ -84,5 +84,9 @@ const COMMANDS: [&[&str]; 16] = [
         "--mean-speed",
         "10",
     ],
+    &["new", "lever"],
+    &["completions", "bash"],
+    &["manual"],
+    &["manual", "law", "show"],
     &["--help"],
 ];

@@ -124,6 +124,7 @@ fn commanded(threads: usize, budget: Duration) -> Result<Timing, String> {
         panels: Panels::default(),
         figure: Some("rocker.delta_max".to_owned()),
         check_determined: false,
+        digits: 7,
     };
     let study = Study::new(&document, &BuiltIn, question).map_err(|fault| format!("{fault:?}"))?;
     let run = || {

@@ -50,11 +50,10 @@ impl Axis {
             [_, _, _, _] => return Err(wrong("the fourth part can only be `log`")),
             _ => return Err(wrong("three parts, separated by colons, are wanted")),
         };
-        let ((from, first_unit), (to, last_unit)) = (
-            number_and_unit(from).map_err(|what| wrong(&what))?,
-            number_and_unit(to).map_err(|what| wrong(&what))?,
-        );
-        if !first_unit.is_empty() && first_unit != last_unit {
+        let ends = units::with_common_unit(&[from, to]).map_err(|what| wrong(&what))?;
+        let (from, first_unit) = number_and_unit(&ends[0]).map_err(|what| wrong(&what))?;
+        let (to, last_unit) = number_and_unit(&ends[1]).map_err(|what| wrong(&what))?;
+        if first_unit != last_unit {
             return Err(wrong("both ends must be given in the same unit"));
         }
         let axis = Self {
@@ -186,20 +185,12 @@ fn parse_count(text: &str) -> Result<usize, String> {
 
 /// Splits `100 rpm` into its number and its unit, both checked.
 fn number_and_unit(text: &str) -> Result<(f64, &str), String> {
-    let in_number = |c: char| c.is_ascii_digit() || matches!(c, '+' | '-' | '.' | 'e' | 'E');
-    let mut end = text.find(|c| !in_number(c)).unwrap_or(text.len());
-    let number = loop {
-        match text[..end].parse::<f64>() {
-            Ok(number) => break number,
-            // `1 e…` of a unit that begins with an e; every byte here is ASCII.
-            Err(_) if end > 0 => end -= 1,
-            Err(_) => return Err(format!("`{text}` is no number with or without a unit")),
-        }
-    };
+    let no_number = || format!("`{text}` is no number with or without a unit");
+    let (number, unit) = units::number_and_unit(text).ok_or_else(no_number)?;
+    let number: f64 = number.parse().map_err(|_| no_number())?;
     if !number.is_finite() {
         return Err(format!("`{text}` is too large"));
     }
-    let unit = text[end..].trim();
     if !unit.is_empty() && units::parse(&format!("1 {unit}")).is_err() {
         return Err(format!("`{unit}` is no unit"));
     }
@@ -276,13 +267,13 @@ mod tests {
             ("a.b=1e999:2:3", "too large"),
             ("a.b=-1e308:1e308:1000", "too large"),
             ("a.b=1 rpm:2 rad/s:3", "same unit"),
-            ("a.b=1 rpm:2:3", "same unit"),
+            ("a.b=1 rpm:2:3", "`2` has no unit"),
             ("a.b=1 furlong:2 furlong:3", "`furlong` is no unit"),
             ("a.b=0:2:3:log", "same side of zero"),
             ("a.b=-1:2:3:log", "same side of zero"),
             ("a.b=1:1:3", "too close"),
             ("a.b=1:1.0000000000000002:9", "too close"),
-            ("a.b=1é:2:3", "is no unit"),
+            ("a.b=1é:2é:3", "is no unit"),
         ] {
             let message = Axis::parse(text).unwrap_err();
             assert!(message.contains(word), "{text}: {message}");

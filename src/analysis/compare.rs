@@ -40,6 +40,8 @@ pub struct Table {
 pub struct TableRow {
     /// Address of the figure.
     pub figure: String,
+    /// SI unit of its values; empty for counts and answers.
+    pub unit: String,
     /// Its value in every run; null where it has none.
     pub values: Vec<Option<f64>>,
     /// (value − last)/|last| in every run; for displacements and speeds at the
@@ -95,7 +97,9 @@ impl Table {
                     .iter()
                     .map(|values| values.get(figure).copied().flatten())
                     .collect();
+                let units = runs.iter().map(|run| run.result.figures.unit(figure));
                 TableRow {
+                    unit: units.max().unwrap_or_default(),
                     errors: errors(figure, &values, runs),
                     figure: figure.clone(),
                     values,
@@ -154,6 +158,7 @@ mod tests {
             let masses: f64 = label.parse().unwrap();
             Ok::<RunResult, ()>(result_with(|rocker| {
                 rocker.delta_max = 2.0 + 1.0 / masses;
+                rocker.delta_abs = rocker.delta_max;
                 rocker.end.displacement = 1.0 / masses;
             }))
         })
@@ -166,6 +171,8 @@ mod tests {
         let errors = &row("rocker.delta_max").errors;
         approx::assert_relative_eq!(errors[0].unwrap(), 0.9 / 2.1, max_relative = 1e-15);
         assert_eq!(errors[2], Some(0.0));
+        assert_eq!(row("rocker.delta_max").unit, "rad");
+        assert_eq!(row("rocker.peak_speed").unit, "rad/s");
         // The end displacement is measured against the greatest |δ|, not against itself.
         let errors = &row("rocker.final.displacement").errors;
         approx::assert_relative_eq!(errors[1].unwrap(), 0.4 / 2.1, max_relative = 1e-15);

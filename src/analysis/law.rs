@@ -105,7 +105,7 @@ pub fn response(model: &Model, object: usize, result: &RunResult) -> Result<LawR
     let torques = samples.iter().map(|s| (s.jet.first * s.reaction).abs());
     Ok(LawResponse {
         residual: residual(&samples),
-        deviation: figures.delta_max.abs().max(figures.delta_min.abs()),
+        deviation: figures.delta_abs,
         contact_force: match &figures.pair {
             Some(pair) => pair.max_contact_force,
             None => figures.peak_reaction,

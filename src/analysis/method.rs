@@ -89,7 +89,14 @@ pub(super) fn choose_method(system: &System, settings: &RunSettings) -> Result<C
                 format!("`taylor` cannot be used: the joint friction of {ids} has no power series"),
                 "auto, dop853, dopri5, rodas5p or radau",
             )]),
-            None => Ok(Choice::plain(Method::Taylor, settings, "asked for")),
+            None => match system.without_series() {
+                Some(what) => Err(vec![Fault::new(
+                    "run.method",
+                    format!("`taylor` cannot be used: {what} has no power series"),
+                    "auto, dop853, dopri5, rodas5p or radau",
+                )]),
+                None => Ok(Choice::plain(Method::Taylor, settings, "asked for")),
+            },
         },
         Some(Method::Exact) => Ok(Choice::exact(tried(system)?, settings, "asked for")),
         Some(method) => Ok(Choice::plain(method, settings, "asked for")),

@@ -140,6 +140,7 @@ fn change_load(law: &mut LoadLaw, factor: f64) {
             *preload *= factor;
         }
         LoadLaw::Friction { force, .. } => *force *= factor,
+        LoadLaw::Custom { factor: own, .. } => *own *= factor,
         LoadLaw::LinearMotor { stall_torque, .. } => *stall_torque *= factor,
         LoadLaw::Kloss {
             breakdown_torque, ..

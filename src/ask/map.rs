@@ -19,6 +19,7 @@ pub struct MapQuestion {
     y: Option<Axis>,
     figure: Option<String>,
     check_determined: bool,
+    digits: u8,
     threads: Option<usize>,
 }
 
@@ -32,8 +33,8 @@ pub struct Map {
     pub y: Vec<f64>,
     /// Address of the figure: `rocker.delta_max`.
     pub figure: String,
-    /// Its SI unit; empty for counts and answers.
-    pub unit: &'static str,
+    /// Its unit; empty for counts and answers.
+    pub unit: String,
     /// The points, row by row.
     pub cells: Vec<Cell>,
 }
@@ -59,6 +60,7 @@ impl Scene {
             y: None,
             figure: None,
             check_determined: true,
+            digits: 3,
             threads: None,
         }
     }
@@ -71,7 +73,7 @@ impl MapQuestion {
         self
     }
 
-    /// The figure; default: δ_max of the last elastic object.
+    /// The figure; default: the greatest |δ| of the last elastic object.
     pub fn figure(mut self, object: &str, figure: Figure) -> Self {
         self.figure = Some(format!("{object}.{figure}"));
         self
@@ -81,6 +83,12 @@ impl MapQuestion {
     /// determined.
     pub fn unchecked(mut self) -> Self {
         self.check_determined = false;
+        self
+    }
+
+    /// Digits to which a figure is to be known, so as to count as determined; default 3.
+    pub fn digits(mut self, digits: u8) -> Self {
+        self.digits = digits;
         self
     }
 
@@ -115,6 +123,7 @@ impl MapQuestion {
             panels: Panels::default(),
             figure: self.figure.clone(),
             check_determined: self.check_determined,
+            digits: self.digits,
         };
         self.scene.built_soundly()?;
         self.scene.looking(|catalogue| {
@@ -127,7 +136,7 @@ impl MapQuestion {
                 x: study.x.values(),
                 y: study.y.as_ref().map(Axis::values).unwrap_or_default(),
                 figure: study.figure.clone(),
-                unit: study.unit,
+                unit: study.unit.clone(),
                 cells: cells.ok_or_else(|| Error::question("the map was interrupted"))?,
             })
         })

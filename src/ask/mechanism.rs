@@ -5,7 +5,7 @@ use crate::Error;
 use crate::analysis::expectations::unknown_figures;
 use crate::analysis::run::{RunResult, run};
 use crate::analysis::steady::{Answer, steady_motion};
-use crate::analysis::{Control, RunSettings, studied};
+use crate::analysis::{Control, RunSettings, plausible, studied};
 use crate::fault::Fault;
 use crate::lower::lower;
 use crate::model::Model;
@@ -31,15 +31,17 @@ impl Mechanism {
     /// expects, of the start.
     pub fn of(reading: Reading) -> Result<Self, Error> {
         let diagnose = |faults: Vec<Fault>| reading.places.diagnose(&faults);
-        let model = lower(&reading.scene).map_err(diagnose)?;
+        let mut model = lower(&reading.scene).map_err(diagnose)?;
         let expect = &reading.scene.expect;
         let mut faults = unknown_figures(expect, &model);
         faults.extend(studied::unknown_figures(expect, &model));
         if !faults.is_empty() {
             return Err(diagnose(faults).into());
         }
-        let system = System::new(model).map_err(diagnose)?;
         let settings = RunSettings::of(&reading.scene).map_err(|fault| diagnose(vec![fault]))?;
+        let unlikely = plausible::warnings(&model, settings.duration);
+        model.warnings.extend(unlikely);
+        let system = System::new(model).map_err(diagnose)?;
         Ok(Self {
             reading,
             system,

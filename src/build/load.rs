@@ -1,7 +1,10 @@
 //! Loads.
 
 use super::only;
-use crate::read::Node;
+use crate::load::{CustomLoad, LoadFunction};
+use crate::object::OWN_LOAD;
+use crate::read::{Node, Own};
+use std::sync::Arc;
 
 /// A force or moment on the masses of an object; positive towards positive displacement.
 #[derive(Clone, Debug, PartialEq)]
@@ -74,6 +77,11 @@ impl Load {
         let mut friction = only("force", force);
         friction.put("width", width);
         Self::of("friction", friction)
+    }
+
+    /// A force of your own over displacement and speed of the mass.
+    pub fn own(function: impl LoadFunction + 'static) -> Self {
+        Self::of(OWN_LOAD, Own::new(CustomLoad(Arc::new(function))))
     }
 
     /// The mass it acts on: `"last"`, `"first"`, `"all"`, or its number from 1. Default

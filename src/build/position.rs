@@ -1,7 +1,7 @@
 //! Position functions, plans and laws of motion.
 
 use super::{builder, only};
-use crate::position::{OwnFunction, PositionFunction};
+use crate::position::{CustomPosition, PositionFunction};
 use crate::read::{Node, Own};
 use std::sync::Arc;
 
@@ -155,7 +155,7 @@ impl Position {
     pub fn own(function: impl PositionFunction + 'static) -> Self {
         Self {
             function: "own",
-            node: Own::new(OwnFunction(Arc::new(function))).into(),
+            node: Own::new(CustomPosition(Arc::new(function))).into(),
         }
     }
 

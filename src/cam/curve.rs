@@ -4,6 +4,7 @@
 use super::disc::DiscCam;
 use super::motion::Piece;
 use crate::fault::Fault;
+use crate::units::shown;
 use std::f64::consts::PI;
 
 /// Most points of a polygon.
@@ -230,7 +231,7 @@ impl Tracer<'_> {
     fn too_many(&self) -> Fault {
         let message = format!(
             "a chord tolerance of {} m takes more than {MOST_POINTS} points",
-            self.tolerance
+            shown(self.tolerance, 7)
         );
         Fault::new("tolerance", message, "give a coarser tolerance")
     }

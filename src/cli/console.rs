@@ -1,7 +1,7 @@
 //! Standard output is data, standard error is talk.
 
 use super::failure::Failure;
-use dam::diagnostics::{Diagnostics, printable};
+use dam::diagnostics::{Diagnostics, is_harmful, printable};
 use std::io::{ErrorKind, IsTerminal, Write};
 
 /// Writes data to standard output, all of it. A reader that has gone away
@@ -37,12 +37,13 @@ pub(crate) fn json(document: &impl serde::Serialize) -> Result<(), Failure> {
     data(&(escaped(&text) + "\n"))
 }
 
-/// JSON in which the control characters that JSON lets stand in a string are escaped.
+/// JSON in which what a terminal would obey, as far as JSON lets it stand in a string, is
+/// escaped.
 fn escaped(json: &str) -> String {
     let mut text = String::with_capacity(json.len());
     for c in json.chars() {
         match c {
-            c if c.is_control() && c != '\n' => text.push_str(&format!("\\u{:04x}", u32::from(c))),
+            c if is_harmful(c) && c != '\n' => text.push_str(&format!("\\u{:04x}", u32::from(c))),
             c => text.push(c),
         }
     }

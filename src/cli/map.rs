@@ -58,7 +58,7 @@ pub(crate) fn command(args: &MapArgs) -> Result<Status, Failure> {
     let result = result?;
     let seconds = begun.elapsed().as_secs_f64();
     let whole = folder.as_ref().filter(|_| result.complete);
-    let files = || files(&input, &study, &result, seconds);
+    let files = || files(&command_of(args), &input, &study, &result, seconds);
     let show = || match args.scene.json {
         true => console::json(&document(&study, &result)),
         false => console::data(&text(&study, &result)),
@@ -91,6 +91,7 @@ fn question(args: &MapArgs) -> Result<Question, Failure> {
         panels: Panels::parse(&args.panels).map_err(|what| format!("--panels {what}"))?,
         figure: args.figure.clone(),
         check_determined: !args.unchecked,
+        digits: args.digits,
     })
 }
 
@@ -107,7 +108,18 @@ fn prepare_folder(
     Ok((folder, journal, known))
 }
 
+/// The command that runs the scene with the settings of all cells, word by word.
+fn command_of(args: &MapArgs) -> Vec<String> {
+    let scene = args.scene.scene.display().to_string();
+    let mut words = vec!["dam".to_owned(), "run".to_owned(), scene];
+    for setting in &args.scene.set {
+        words.extend(["--set".to_owned(), setting.clone()]);
+    }
+    words
+}
+
 fn files(
+    command: &[String],
     input: &Input,
     study: &Study<'_>,
     result: &MapResult,
@@ -118,6 +130,7 @@ fn files(
     let report = page(&MapReport {
         study,
         result,
+        command,
         scene: input.text(),
         version: env!("CARGO_PKG_VERSION"),
     });

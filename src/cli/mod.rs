@@ -14,8 +14,10 @@ mod interrupt;
 mod journal;
 mod kinematics;
 mod law;
+mod manual;
 mod map;
 mod methods;
+mod new;
 mod output;
 mod progress;
 mod run;
@@ -53,6 +55,9 @@ fn run(command: &Command) -> Result<Status, Failure> {
         Command::Run(args) => run::command(args),
         Command::Check(args) => check::command(args),
         Command::Schema => check::schema(),
+        Command::New(args) => new::command(args),
+        Command::Completions(args) => manual::completions(args),
+        Command::Manual(args) => manual::page(args),
         Command::Show(args) => show::command(args),
         Command::Compare(args) => compare::command(args),
         Command::Law(args) => law::command(args),

@@ -7,6 +7,7 @@ use super::input::{Input, Ready};
 use super::output::{self, OutputFolder, ResultFile};
 use super::progress::Progress;
 use super::{interrupt, tables, terminal};
+use dam::analysis::cam::disc_cams;
 use dam::analysis::expectations::{Verdict, check, of_run};
 use dam::analysis::run::{RunResult, run};
 use dam::analysis::spread::{Spread, spread};
@@ -16,7 +17,9 @@ use dam::record::Figures;
 use dam::report::csv::record_csv;
 use dam::report::diagram::Diagram;
 use dam::report::html::{RunReport, page};
+use dam::report::machine::Machine;
 use serde::Serialize;
+use serde_json::Value;
 use std::time::Instant;
 
 const FILES: [&str; 4] = ["summary.json", "record.csv", "report.html", "timing.json"];
@@ -30,6 +33,9 @@ struct Document<'a> {
     spread: Option<&'a Spread>,
     #[serde(skip_serializing_if = "<[Verdict]>::is_empty")]
     expect: &'a [Verdict],
+    /// What is doubtful in the scene's text, with its places.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    diagnostics: Option<Value>,
 }
 
 /// Runs the command.
@@ -69,6 +75,7 @@ pub(crate) fn command(args: &RunArgs) -> Result<Status, Failure> {
         figures: &result.figures,
         spread: spread.as_ref(),
         expect: &verdicts,
+        diagnostics: doubts(&ready),
     };
     let files = || files(&input, &ready, &result, &document, seconds);
     let show = || match args.scene.json {
@@ -86,6 +93,12 @@ pub(crate) fn command(args: &RunArgs) -> Result<Status, Failure> {
         }
     }
     Ok(status(&result, &verdicts))
+}
+
+/// What is doubtful in the scene's text, if anything, as JSON.
+pub(crate) fn doubts(ready: &Ready) -> Option<Value> {
+    let warnings = &ready.reading.warnings;
+    (!warnings.is_empty()).then(|| warnings.json())
 }
 
 /// A run with a progress bar.
@@ -111,10 +124,13 @@ fn files(
 ) -> Result<Vec<ResultFile>, Failure> {
     let mut summary = serde_json::to_string_pretty(document).map_err(|e| e.to_string())?;
     summary.push('\n');
+    let model = ready.system.model();
+    let cams = disc_cams(ready.scene(), model);
     let report = page(&RunReport {
         figures: &result.figures,
         record: &result.record,
-        diagram: &Diagram::of(ready.system.model()),
+        diagram: &Diagram::of(model),
+        machine: Some(Machine { model, cams: &cams }),
         scene: input.text(),
         version: env!("CARGO_PKG_VERSION"),
     });

@@ -7,7 +7,7 @@
 mod render;
 mod source;
 
-pub use render::printable;
+pub use render::{is_harmful, printable};
 pub use source::{Place, Position, Source, SourceId, Sources};
 
 use std::fmt;

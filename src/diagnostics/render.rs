@@ -28,11 +28,24 @@ pub(super) fn render(diagnostics: &Diagnostics, colour: bool) -> String {
     };
     let mut text = String::new();
     for item in diagnostics.items.iter().take(MOST) {
-        text.push_str(&renderer.render(&[group(diagnostics, item)]));
+        text.push_str(&harmless(
+            &renderer.render(&[group(diagnostics, item)]),
+            colour,
+        ));
         text.push_str("\n\n");
     }
     text.push_str(&count(diagnostics));
     text
+}
+
+/// An excerpt may hold control characters that the renderer lets pass; its own
+/// escape sequences are colours.
+fn harmless(rendered: &str, colour: bool) -> String {
+    if !colour {
+        return printable(rendered);
+    }
+    let colours = rendered.split('\u{1b}').map(printable);
+    colours.collect::<Vec<_>>().join("\u{1b}")
 }
 
 fn group<'a>(diagnostics: &'a Diagnostics, item: &'a Diagnostic) -> Group<'a> {
@@ -191,17 +204,22 @@ fn in_one_line(text: &str) -> String {
     printable(&text.replace('\n', " "))
 }
 
+/// True for what a terminal obeys in place of showing: control characters, the ends of
+/// lines among them, and those that turn the direction of writing.
+pub fn is_harmful(c: char) -> bool {
+    c.is_control() || matches!(c, '\u{202A}'..='\u{202E}' | '\u{2066}'..='\u{2069}')
+}
+
 /// Text that is safe to show in a terminal: control characters, and those that turn
 /// the direction of writing, are replaced; ends of lines and tabs stay.
 pub fn printable(text: &str) -> String {
-    let turns = |c| matches!(c, '\u{202A}'..='\u{202E}' | '\u{2066}'..='\u{2069}');
     let mut chars = text.chars().peekable();
     let mut safe = String::with_capacity(text.len());
     while let Some(c) = chars.next() {
         safe.push(match c {
             '\n' | '\t' => c,
             '\r' if chars.peek() == Some(&'\n') => c,
-            c if c.is_control() || turns(c) => '\u{FFFD}',
+            c if is_harmful(c) => '\u{FFFD}',
             c => c,
         });
     }

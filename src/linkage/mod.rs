@@ -34,6 +34,8 @@ mod newton;
 mod plan;
 mod range;
 mod reduced;
+mod redundant;
+mod remarks;
 mod rounding;
 pub(crate) mod series;
 mod solve;

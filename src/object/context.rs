@@ -76,7 +76,9 @@ impl<'a> Context<'a> {
         let output = fields.maybe(property, REFERENCE, |slot| self.reference(slot))?;
         let Some(output) = output else {
             let ids = self.objects.keys().map(String::as_str);
-            let others = ids.filter(|id| fields.path().split('.').next() != Some(id));
+            let path = fields.path();
+            let path = path.strip_prefix("objects.").unwrap_or(path);
+            let others = ids.filter(|id| path.split('.').next() != Some(id));
             let hint = format!(
                 "name what drives it: {}",
                 quoted_list(others.take(20), "or")

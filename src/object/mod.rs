@@ -43,6 +43,7 @@ pub use differential::Differential;
 pub use drive::Drive;
 pub use kind::{Inputs, Kind, Outputs, Registry};
 pub use linkage::Linkage;
+pub(crate) use load::OWN_LOAD;
 pub use measures::Measures;
 pub(crate) use own::{OWN_OBJECT, OwnObject};
 pub use ports::{INPUT, OWN, Port, Ports};

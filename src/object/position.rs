@@ -7,7 +7,7 @@ use super::load::points;
 use super::measures::Measures;
 use super::plan;
 use crate::model::Coordinate::{Sliding, Turning};
-use crate::position::{OwnFunction, PositionSpec, SlottedDriver, SlottedOutput};
+use crate::position::{CustomPosition, PositionSpec, SlottedDriver, SlottedOutput};
 use crate::read::{Bounds, Fields, Slot, Wanted};
 use crate::units::quantities as q;
 use linkages::{four_bar, slider_crank, slotted_link};
@@ -111,7 +111,7 @@ pub(super) fn read(mut slot: Slot<'_>, ends: Ends, allowed: &[&str]) -> Option<P
 }
 
 /// A function given in code: it fits where functions of any form do.
-fn own(mut slot: Slot<'_>, function: OwnFunction, allowed: &[&str]) -> Option<PositionSpec> {
+fn own(mut slot: Slot<'_>, function: CustomPosition, allowed: &[&str]) -> Option<PositionSpec> {
     if allowed.contains(&"table") {
         return Some(PositionSpec::Custom(function));
     }

@@ -26,7 +26,9 @@ pub(crate) use linkage::reach as linkage_reach;
 pub use reach::OutOfReach;
 pub use slider_crank::SliderCrank;
 pub use slotted_link::SlottedLink;
-pub use spec::{CamSpec, OwnFunction, PositionSpec, SlottedDriver, SlottedLinkSpec, SlottedOutput};
+pub use spec::{
+    CamSpec, CustomPosition, PositionSpec, SlottedDriver, SlottedLinkSpec, SlottedOutput,
+};
 pub use table::Table;
 
 use crate::breaks::Breaks;
@@ -149,7 +151,7 @@ impl Position {
             } => FourBar::new([crank, coupler, rocker, frame], branch, phase).map(Self::FourBar),
             PositionSpec::SlottedLink(ref spec) => SlottedLink::new(spec).map(Self::SlottedLink),
             PositionSpec::Cam(ref cam) => Cam::new(cam).map(Self::Cam),
-            PositionSpec::Custom(ref function) => Ok(Self::Custom(function.0.clone())),
+            PositionSpec::Custom(ref custom) => Ok(Self::Custom(custom.0.clone())),
             PositionSpec::Plan(ref spec) => match Cycle::new(spec) {
                 Ok(cycle) => Ok(Self::Plan(Box::new(cycle))),
                 Err(found) => {

@@ -81,8 +81,19 @@ pub enum PositionSpec {
     /// `{ "plan": { "stations", "period", "advance" = 0, "phase" = 0 } }`: any
     /// number of rises, dwells and returns.
     Plan(CycleSpec),
-    /// A position function of the library's user; no text can state one.
-    Custom(OwnFunction),
+    /// Anything else: no scene describes it, a kind of object brings it along.
+    Custom(CustomPosition),
+}
+
+/// A position function that this library does not know. Two are equal that are the same
+/// one.
+#[derive(Clone, Debug)]
+pub struct CustomPosition(pub Arc<dyn PositionFunction>);
+
+impl PartialEq for CustomPosition {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.0, &other.0)
+    }
 }
 
 /// A crank whose end carries a block that slides along a slotted link; crank and
@@ -128,21 +139,10 @@ pub enum SlottedOutput {
     Block,
 }
 
-/// A position function of the library's user, as a scene holds it; equal only to
-/// itself and its clones.
-#[derive(Clone, Debug)]
-pub struct OwnFunction(pub Arc<dyn PositionFunction>);
-
 impl PositionSpec {
     /// A position function of your own.
     pub fn own(function: impl PositionFunction + 'static) -> Self {
-        Self::Custom(OwnFunction(Arc::new(function)))
-    }
-}
-
-impl PartialEq for OwnFunction {
-    fn eq(&self, other: &Self) -> bool {
-        Arc::ptr_eq(&self.0, &other.0)
+        Self::Custom(CustomPosition(Arc::new(function)))
     }
 }
 

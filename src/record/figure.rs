@@ -6,6 +6,8 @@ use std::fmt;
 /// A figure of an object.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Figure {
+    /// Greatest |δ|.
+    DeltaAbs,
     /// Greatest δ.
     DeltaMax,
     /// Least δ.
@@ -50,7 +52,8 @@ pub enum Figure {
 
 impl Figure {
     /// All figures.
-    pub const ALL: [Self; 20] = [
+    pub const ALL: [Self; 21] = [
+        Self::DeltaAbs,
         Self::DeltaMax,
         Self::DeltaMin,
         Self::Sigma,
@@ -76,6 +79,7 @@ impl Figure {
     /// Its address within the object: `pair.max_lift`.
     pub const fn address(self) -> &'static str {
         match self {
+            Self::DeltaAbs => "delta_abs",
             Self::DeltaMax => "delta_max",
             Self::DeltaMin => "delta_min",
             Self::Sigma => "sigma",
@@ -112,6 +116,7 @@ impl ObjectFigures {
     pub fn value(&self, figure: Figure) -> Option<f64> {
         let joints = self.joints.as_ref();
         Some(match figure {
+            Figure::DeltaAbs => self.delta_abs,
             Figure::DeltaMax => self.delta_max,
             Figure::DeltaMin => self.delta_min,
             Figure::Sigma => self.sigma,
@@ -158,6 +163,7 @@ mod tests {
     /// Every figure has another value.
     fn all_different() -> ObjectFigures {
         ObjectFigures {
+            delta_abs: 20.0,
             delta_max: 1.0,
             delta_min: 2.0,
             sigma: 3.0,

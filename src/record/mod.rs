@@ -23,6 +23,7 @@ pub use audit::EnergyAudit;
 pub use figure::Figure;
 pub use figures::{
     Figures, FinalState, JointFigures, ObjectFigures, PairFigures, RunSummary, Units,
+    greatest_magnitude,
 };
 pub use quantity::Quantity;
 pub use recorder::{Failure, Recorded, Recorder, RecorderSettings};

@@ -54,7 +54,8 @@ enum Unit {
     Count,
 }
 
-const COMPARED: [Compared; 13] = [
+const COMPARED: [Compared; 14] = [
+    row("greatest |δ|", Unit::Displacement, |o| Some(o.delta_abs)),
     row("δ<sub>max</sub>", Unit::Displacement, |o| {
         Some(o.delta_max)
     }),

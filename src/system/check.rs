@@ -232,6 +232,7 @@ fn check_loads(model: &Model, faults: &mut Vec<Fault>) {
                 finite(&[*breakdown_torque, *breakdown_slip, 1.0 / synchronous_speed])
                     && *breakdown_slip > 0.0
             }
+            LoadLaw::Custom { function, factor } => finite(&[*factor, function.magnitude()]),
             LoadLaw::SpeedTable(points) => {
                 let ascending = points.windows(2).all(|pair| pair[0].0 < pair[1].0);
                 let all_finite = points.iter().all(|point| finite(&[point.0, point.1]));

@@ -78,6 +78,14 @@ impl FrozenLoad {
                 )
             }),
             LoadLaw::SpeedTable(points) => speed.apply(|speed| speed_table(points, speed)),
+            LoadLaw::Custom { function, factor } => {
+                let force = function.force(displacement.value(), speed.value());
+                // Its derivatives are those of the force along the motion's.
+                let moved = displacement - N::from(displacement.value());
+                let faster = speed - N::from(speed.value());
+                let change = moved.scale(force.by_displacement) + faster.scale(force.by_speed);
+                (N::from(force.value) + change).scale(*factor)
+            }
         }
     }
 
@@ -108,6 +116,7 @@ pub(super) fn needs_speed(law: &LoadLaw) -> bool {
         | LoadLaw::LinearMotor { .. }
         | LoadLaw::Kloss { .. }
         | LoadLaw::SpeedTable(_) => true,
+        LoadLaw::Custom { function, .. } => function.needs_speed(),
     }
 }
 

@@ -28,6 +28,26 @@ impl System {
         !self.frozen.linkages.is_empty() || self.frozen.laws.iter().any(bent)
     }
 
+    /// What of the mechanism has no power series because it is not known to the library,
+    /// or couples coordinates; `None`: nothing of that sort.
+    pub(crate) fn without_series(&self) -> Option<&'static str> {
+        let frozen = &self.frozen;
+        let custom = |load: &super::loads::FrozenLoad| matches!(load.law, LoadLaw::Custom { .. });
+        if frozen
+            .constraints
+            .iter()
+            .any(|one| !one.constraint.is_linear())
+        {
+            Some("a constraint that is not linear")
+        } else if !frozen.heavy.is_empty() {
+            Some("inertia on an object with several inputs, which couples coordinates,")
+        } else if frozen.loads.iter().any(custom) {
+            Some("a load from outside the library")
+        } else {
+            None
+        }
+    }
+
     /// True when a motor's torque is a table over its speed, whose corners are passed
     /// without a switch.
     pub fn has_corners(&self) -> bool {

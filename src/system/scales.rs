@@ -162,6 +162,7 @@ fn magnitude(load: &FrozenLoad, range: &Range) -> f64 {
             breakdown_torque, ..
         } => breakdown_torque.abs(),
         LoadLaw::SpeedTable(points) => points.iter().map(|point| point.1.abs()).fold(0.0, f64::max),
+        LoadLaw::Custom { function, factor } => (factor * function.magnitude()).abs(),
     }
 }
 

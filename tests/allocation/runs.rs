@@ -237,8 +237,7 @@ fn the_steps_of_the_own_methods_allocate_nothing() {
             let limits = Limits {
                 switches: 10,
                 steps: 1_000_000,
-                wall_clock: None,
-                interrupt: None,
+                budget: dam::budget::Budget::FREE,
             };
             let before = allocations();
             let outcome = integrate(
@@ -306,6 +305,51 @@ fn linkages_allocate_nothing_on_the_way() {
             step(1e-3 * f64::from(index));
         }
         assert_eq!(allocations() - before, 0, "tool: {tool}");
+        assert!(sum.is_finite() && sum != 0.0);
+    }
+}
+
+/// Sums of several inputs, with inertia that couples two motors and without.
+#[test]
+fn several_inputs_allocate_nothing_on_the_way() {
+    for (number, masses) in [(0, 0), (1, 2)] {
+        let text = format!(
+            r#"{{ "dam": 1, "name": "sum", "objects": {{
+                "a": {{ "kind": "drive", "motor": {{ "inertia": 0.3, "torque": {{ "linear": {{
+                    "stall_torque": 5, "no_load_speed": 30 }} }} }} }},
+                "b": {{ "kind": "drive", "motor": {{ "inertia": 0.2, "speed": 4, "torque": {{ "constant": -1 }} }} }},
+                "swing": {{ "kind": "rocker", "input": "a", "inertia": 0.1, "masses": 0,
+                    "position": {{ "sine": {{ "amplitude": 0.4 }} }} }},
+                "sum": {{ "kind": "differential", "inertia": 0.7, "masses": {masses}, "stiffness": 900,
+                    "inputs": {{ "x": {{ "object": "swing", "ratio": 0.5 }},
+                        "y": {{ "object": "b", "ratio": -2 }} }} }} }},
+                "run": {{ "duration": 1, "start": "on_law" }} }}"#
+        );
+        let document = dam::scene::Document::parse("sum.json", text.as_bytes()).unwrap();
+        let reading = document
+            .scene(&dam::scene::BuiltIn, &dam::scene::Overrides::none())
+            .unwrap_or_else(|e| panic!("{e}"));
+        let system = System::new(dam::lower::lower(&reading.scene).unwrap()).unwrap();
+        let start = system.initial_state().unwrap();
+        let (mut y, modes) = (start.y, start.modes);
+        let mut scratch = system.scratch();
+        let mut dy = vec![0.0; y.len()];
+        let direction = vec![0.5; y.len()];
+        let mut states = vec![ObjectState::default(); system.model().objects.len()];
+        let mut sum = 0.0;
+        let mut step = |time: f64| {
+            y[0] += 0.1;
+            system.derivatives(time, &y, &modes, &mut scratch, &mut dy);
+            system.tangent(time, &y, &modes, &direction, &mut scratch, &mut dy);
+            system.observe(time, &y, &modes, &mut scratch, &mut states);
+            sum += system.energy(time, &y, &modes, &mut scratch).kinetic;
+        };
+        step(0.0);
+        let before = allocations();
+        for index in 0..100 {
+            step(1e-3 * f64::from(index));
+        }
+        assert_eq!(allocations() - before, 0, "case {number}");
         assert!(sum.is_finite() && sum != 0.0);
     }
 }

@@ -29,8 +29,7 @@ fn limits(switches: u64) -> Limits<'static> {
     Limits {
         switches,
         steps: u64::MAX,
-        wall_clock: None,
-        interrupt: None,
+        budget: dam::budget::Budget::FREE,
     }
 }
 

@@ -1,4 +1,5 @@
-//! The JSON Schema is fresh, and says yes and no where the reading does.
+//! The JSON Schema is fresh and describes what the reading takes. A validator of
+//! others judges it in `peers/tests/schema.rs`.
 
 use dam::object::Registry;
 use dam::scene::{BuiltIn, Document, Overrides, schema, schema_text};
@@ -31,7 +32,7 @@ fn files(folder: &Path) -> Vec<PathBuf> {
     found
 }
 
-/// `DAM_BLESS=1 cargo test --test schema` writes it anew.
+/// `DAM_BLESS=1 cargo test --test program schema` writes it anew.
 #[test]
 fn the_committed_schema_is_fresh() {
     let path = root().join("scenarios/scene.schema.json");
@@ -41,25 +42,17 @@ fn the_committed_schema_is_fresh() {
     let committed = fs::read_to_string(&path).unwrap_or_default();
     assert!(
         committed == schema_text(&Registry::standard()),
-        "scenarios/scene.schema.json is stale: run DAM_BLESS=1 cargo test --test schema"
+        "scenarios/scene.schema.json is stale: run DAM_BLESS=1 cargo test --test program schema"
     );
 }
 
 #[test]
-fn a_scene_with_every_property_is_read_and_valid() {
+fn a_scene_with_every_property_is_read() {
     let document = Document::parse("everything.json", EVERYTHING.as_bytes()).expect("JSON");
     let reading = document.scene(&BuiltIn, &Overrides::none());
     if let Err(diagnostics) = &reading {
         panic!("{diagnostics}");
     }
-    let scene: serde_json::Value = serde_json::from_str(EVERYTHING).expect("JSON");
-    let validator =
-        jsonschema::draft202012::new(&schema(&Registry::standard())).expect("a sound schema");
-    let errors: Vec<String> = validator
-        .iter_errors(&scene)
-        .map(|e| format!("{}: {e}", e.instance_path()))
-        .collect();
-    assert!(errors.is_empty(), "{}", errors.join("\n"));
 }
 
 /// Every property that the schema describes is used in the scene above, so
@@ -97,82 +90,14 @@ fn names(schema: &serde_json::Value, found: &mut Vec<String>) {
     }
 }
 
-/// The schema cannot say everything that the reading checks, but what it
-/// refuses the reading must refuse too, and plain slips it must refuse itself.
 #[test]
-fn the_schema_refuses_plain_slips() {
-    let validator =
-        jsonschema::draft202012::new(&schema(&Registry::standard())).expect("a sound schema");
-    let sound: serde_json::Value =
-        serde_json::from_str(include_str!("../rocker_scene.json")).expect("JSON");
-    assert!(validator.is_valid(&sound));
-    type Slip = fn(&mut serde_json::Value);
-    let slips: [(&str, Slip); 10] = [
-        ("version", |scene| scene["dam"] = 2.into()),
-        ("unknown property", |scene| {
-            scene["objects"]["rocker"]["mases"] = 2.into()
-        }),
-        ("unknown kind", |scene| {
-            scene["objects"]["rocker"]["kind"] = "roker".into()
-        }),
-        ("no position", |scene| {
-            scene["objects"]["rocker"]
-                .as_object_mut()
-                .unwrap()
-                .remove("position");
-        }),
-        ("no number", |scene| {
-            scene["objects"]["rocker"]["inertia"] = "much".into()
-        }),
-        ("negative", |scene| {
-            scene["objects"]["rocker"]["stiffness"] = (-1).into()
-        }),
-        ("closure", |scene| {
-            scene["objects"]["rocker"]["pair"]["closure"] = "glue".into()
-        }),
-        ("reserved id", |scene| {
-            scene["objects"]["run"] = scene["objects"]["shaft"].clone()
-        }),
-        ("two positions", |scene| {
-            scene["objects"]["rocker"]["position"]["ratio"] = 2.into()
-        }),
-        ("method", |scene| scene["run"]["method"] = "rk45".into()),
-    ];
-    for (name, slip) in slips {
-        let mut scene = sound.clone();
-        slip(&mut scene);
-        assert!(!validator.is_valid(&scene), "{name}");
-        let document = Document::parse("slip.json", scene.to_string().as_bytes()).expect("JSON");
-        assert!(
-            document.scene(&BuiltIn, &Overrides::none()).is_err(),
-            "{name}"
-        );
-    }
-    let mut copied = sound;
-    copied["objects"]["rocker"] = serde_json::json!({ "from": "rocker/lever", "input": "shaft" });
-    assert!(validator.is_valid(&copied));
-}
-
-#[test]
-fn the_committed_scenes_are_valid_and_name_the_schema() {
-    let validator =
-        jsonschema::draft202012::new(&schema(&Registry::standard())).expect("a sound schema");
+fn the_committed_scenes_are_read_and_name_the_schema() {
     for path in files(&root().join("scenarios")) {
         if path.ends_with("scene.schema.json") {
             continue;
         }
         let text = fs::read_to_string(&path).expect("a scene");
         let scene: serde_json::Value = serde_json::from_str(&text).expect("JSON");
-        let errors: Vec<String> = validator
-            .iter_errors(&scene)
-            .map(|e| format!("{}: {e}", e.instance_path()))
-            .collect();
-        assert!(
-            errors.is_empty(),
-            "{}: {}",
-            path.display(),
-            errors.join("\n")
-        );
         let named = scene["$schema"].as_str().unwrap_or_default();
         let schema = path.parent().expect("a folder").join(named);
         assert!(

@@ -113,6 +113,14 @@ def sliders():
     agree("heald frame c", si(load("slider/heald-frame")["stiffness"]), 2 * 600e3)
 
 
+def gears():
+    gear = load("differential/planetary-24-72")
+    agree("carrier J", si(gear["inertia"]), disc(7850, 0.08, 0.04))
+    agree("output shaft c", si(gear["stiffness"]), 80e9 * math.pi * 0.03**4 / 32 / 0.2)
+    stated_in_source("differential/planetary-24-72", "2.02e-2")
+    assert gear["planetary"]["teeth"]["ring"] / gear["planetary"]["teeth"]["sun"] == 3
+
+
 def valves():
     one = load("cam_follower/valve-pushrod-one-mass")
     agree("valve mass", si(one["inertia"]), 0.110 + 0.040 + 0.105 / 3 + 0.065 + 0.112 / 1.5**2)
@@ -126,7 +134,7 @@ def valves():
 
 
 if __name__ == "__main__":
-    for group in (motors, shafts, levers, sliders, valves):
+    for group in (motors, shafts, levers, sliders, gears, valves):
         group()
     for path in sorted(OBJECTS.glob("*/*.json")):
         entry = json.loads(path.read_text())

@@ -33,24 +33,23 @@ fn the_rocker_in_code_is_the_one_in_json() {
 }
 
 #[test]
-fn the_geneva_wheel_has_right_derivatives_and_steps() {
+fn the_elliptic_gears_have_right_derivatives() {
     use dam::position::PositionFunction;
-    let wheel = own_object::GenevaWheel::new(6);
-    let breaks = wheel.breaks();
-    let at = |phi: f64| wheel.jet(breaks.locate(phi, 1.0), phi);
+    let e = 0.3;
+    let gears = own_object::EllipticGears::new(e);
+    let at = |phi: f64| gears.jet(0, phi);
     let h = 1e-5;
-    for phi in [-0.9, -0.3, 0.0, 0.7, 2.0, 6.0, 7.1, -7.0] {
+    for phi in [-7.0, -0.9, 0.0, 0.7, 3.0, 3.2, 6.0, 7.1] {
         let (before, here, after) = (at(phi - h), at(phi), at(phi + h));
-        let difference =
-            |read: fn(&dam::jet::Jet) -> f64| (read(&after) - read(&before)) / (2.0 * h);
-        assert_abs_diff_eq!(difference(|jet| jet.value), here.first, epsilon = 1e-8);
-        assert_abs_diff_eq!(difference(|jet| jet.first), here.second, epsilon = 1e-8);
-        assert_abs_diff_eq!(difference(|jet| jet.second), here.third, epsilon = 1e-8);
+        let slope = |read: fn(&dam::jet::Jet) -> f64| (read(&after) - read(&before)) / (2.0 * h);
+        assert_abs_diff_eq!(slope(|jet| jet.value), here.first, epsilon = 1e-8);
+        assert_abs_diff_eq!(slope(|jet| jet.first), here.second, epsilon = 1e-8);
+        assert_abs_diff_eq!(slope(|jet| jet.second), here.third, epsilon = 1e-8);
+        let angle = 2.0 * ((1.0 + e) / (1.0 - e) * (0.5 * phi).tan()).atan();
+        assert_abs_diff_eq!((here.value - angle).sin(), 0.0, epsilon = 1e-12);
     }
-    // Textbook: greatest U′ = λ/(1 − λ) = 1 of six slots; a sixth of a turn each turn.
-    assert_abs_diff_eq!(at(0.0).first, 1.0, epsilon = 1e-12);
-    let step = at(10.0).value - at(10.0 - std::f64::consts::TAU).value;
-    assert_abs_diff_eq!(step, std::f64::consts::TAU / 6.0, epsilon = 1e-12);
+    let turn = at(1.0 + std::f64::consts::TAU).value - at(1.0).value;
+    assert_abs_diff_eq!(turn, std::f64::consts::TAU, epsilon = 1e-12);
 }
 
 #[test]
@@ -60,41 +59,38 @@ fn an_own_kind_runs_exactly_and_has_json_and_diagnostics() {
     assert_eq!(run.method, Method::Exact);
     let general = own_object::scene().method("dop853").tolerance(1e-11);
     let general = general.run().unwrap();
-    let (one, other) = (run.displacement("turret"), general.displacement("turret"));
+    let (one, other) = (run.displacement("drum"), general.displacement("drum"));
     for (one, other) in one.unwrap().iter().zip(other.unwrap()) {
         assert_abs_diff_eq!(one, other, epsilon = 1e-7);
     }
-    let text = own_object::scene()
-        .json()
-        .replace("\"slots\": 6", "\"slots\": 2");
-    let scene = Scene::from_json(&text).unwrap();
+    let text = own_object::scene().json().replace("0.3", "1.3");
+    let scene = Scene::from_json(&text).unwrap().duration(2);
     let unknown = scene.run().unwrap_err().to_string();
-    assert!(unknown.contains("unknown kind `geneva_wheel`"), "{unknown}");
-    let error = scene.with_kind(own_object::GENEVA).run().unwrap_err();
-    assert_eq!(error.faults()[0].path, "turret.slots");
+    assert!(unknown.contains("`elliptic_gears`"), "{unknown}");
+    let error = scene.with_kind(own_object::ELLIPTIC_GEARS).run();
+    let error = error.unwrap_err();
+    assert_eq!(error.faults()[0].path, "drum.eccentricity");
     assert!(
         error
             .to_string()
-            .contains("must be a whole number from 3 to 24")
+            .contains("must be at least 0 and at most 0.9")
     );
 }
 
 #[test]
 fn an_own_kind_is_mapped() {
-    let map = own_object::scene()
-        .duration(2)
-        .map(Axis::linear("turret.slots", 4.0, 6.0, 3));
-    let map = map.figure("turret", Figure::PeakSpeed).ask().unwrap();
+    let axis = Axis::linear("drum.eccentricity", 0.1, 0.5, 3);
+    let map = own_object::scene().duration(1).map(axis);
+    let map = map.figure("drum", Figure::PeakSpeed).ask().unwrap();
     assert_eq!(map.shape(), (1, 3));
-    // Greatest speed of the wheel over that of the crank: λ/(1 − λ), and what the
-    // elastic turret adds to it.
-    for (slots, cell) in map.x.iter().zip(&map.cells) {
-        let ratio = (std::f64::consts::PI / slots).sin();
-        let rigid = std::f64::consts::TAU * ratio / (1.0 - ratio);
+    // Greatest speed over that of the driving gear: (1 + e)/(1 − e), and what the
+    // elastic drum adds to it.
+    for (e, cell) in map.x.iter().zip(&map.cells) {
+        let rigid = 4.0 * std::f64::consts::PI * (1.0 + e) / (1.0 - e);
         let value = cell.value.unwrap();
         assert!(
-            value > rigid && value < 1.6 * rigid,
-            "{slots}: {value} for {rigid}"
+            value > rigid && value < 1.2 * rigid,
+            "{e}: {value} for {rigid}"
         );
     }
 }

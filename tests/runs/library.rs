@@ -231,6 +231,53 @@ fn an_own_position_function_does_not_fit_a_gear() {
     );
 }
 
+/// A force that grows with the cube of the displacement.
+#[derive(Debug)]
+struct CubicSpring(f64);
+
+impl dam::load::LoadFunction for CubicSpring {
+    fn force(&self, displacement: f64, _: f64) -> dam::load::Force {
+        dam::load::Force {
+            value: -self.0 * displacement.powi(3),
+            by_displacement: -3.0 * self.0 * displacement.powi(2),
+            by_speed: 0.0,
+        }
+    }
+
+    fn magnitude(&self) -> f64 {
+        self.0
+    }
+
+    fn needs_speed(&self) -> bool {
+        false
+    }
+
+    fn description(&self) -> String {
+        "a cubic spring".to_owned()
+    }
+}
+
+#[test]
+fn an_own_load_holds_a_mass_in_balance() {
+    // Held by the stiffness c and the cubic spring k: c·(U − φ) = k·φ³ at rest.
+    let (stiffness, cubic, law) = (1e3, 2e4, 0.2);
+    let slide = Slider::on("table")
+        .position(Position::ratio(1))
+        .inertia(1)
+        .stiffness(stiffness)
+        .load("cubic", Load::own(CubicSpring(cubic)));
+    let scene = Scene::new("A cubic spring")
+        .add("table", Drive::fixed(law).sliding())
+        .add("slide", slide)
+        .start("static")
+        .duration(0.5);
+    let run = scene.run().unwrap();
+    let end = run.figure("slide", Figure::FinalDisplacement).unwrap();
+    let rest: f64 = stiffness * (law - end) - cubic * end.powi(3);
+    assert_abs_diff_eq!(rest, 0.0, epsilon = 1e-6 * stiffness * law);
+    assert!(end < 0.15, "{end}");
+}
+
 fn slider_crank() -> Scene {
     let linkage = Linkage::on("motor")
         .driver("O")

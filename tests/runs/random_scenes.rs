@@ -163,10 +163,7 @@ fn end_of(scene: &Value) -> Ending {
         Ok(reading) => reading,
         Err(diagnostics) => return Ending::Refused(diagnostics.to_string()),
     };
-    let control = Control {
-        wall_clock: Some(Duration::from_millis(300)),
-        interrupt: None,
-    };
+    let control = Control::FREE.within(Duration::from_millis(300));
     let settings = RunSettings::of(&reading.scene).unwrap();
     let result = lower(&reading.scene)
         .and_then(System::new)

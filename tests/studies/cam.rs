@@ -346,9 +346,9 @@ fn the_command_answers_in_every_form() {
     text(&["--out", &out]);
     let page = std::fs::read_to_string(folder.path().join("report.html")).unwrap();
     for part in [
-        "id=\"cam-turning\"",
-        "id=\"cam-follower\"",
-        "id=\"cam-play\"",
+        "data-link=\"0\"",
+        "data-link=\"1\"",
+        "id=\"cam-data\"",
         "Least preload",
     ] {
         assert!(page.contains(part), "{part}");

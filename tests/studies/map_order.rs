@@ -25,8 +25,9 @@ fn small(document: &Document) -> Study<'_> {
         x: axis("rocker.inertia=0.06:0.16:5"),
         y: Some(axis("rocker.stiffness=1e6:1e7:4:log")),
         panels: Panels::parse(&["rocker.loads.closing.constant=-600,-900".to_owned()]).unwrap(),
-        figure: None,
+        figure: Some("rocker.delta_max".to_owned()),
         check_determined: true,
+        digits: 7,
     };
     Study::new(document, &BuiltIn, question).unwrap()
 }
@@ -70,6 +71,7 @@ fn panels_are_told_apart_everywhere() {
     let report = MapReport {
         study: &study,
         result: &result,
+        command: &["dam".to_owned(), "run".to_owned(), "scene.json".to_owned()],
         scene: scene.text(),
         version: "1",
     };
@@ -109,8 +111,9 @@ fn a_curve_of_which_half_would_lie_on_the_axis_is_logarithmic() {
             x: Axis::parse(axis).unwrap(),
             y: None,
             panels: Panels::parse(&[]).unwrap(),
-            figure: None,
+            figure: Some("rocker.delta_max".to_owned()),
             check_determined: false,
+            digits: 7,
         };
         let study = Study::new(&document, &BuiltIn, question).unwrap();
         let result = run(&study, BTreeMap::new(), 2, &Silent);
@@ -188,8 +191,9 @@ fn a_journal_torn_anywhere_gives_the_same_map() {
         x: study.x.clone(),
         y: study.y.clone(),
         panels: Panels::default(),
-        figure: None,
+        figure: Some("rocker.delta_max".to_owned()),
         check_determined: true,
+        digits: 7,
     };
     let other = Study::new(&scene, &BuiltIn, shorter).unwrap();
     assert!(

@@ -23,6 +23,16 @@ pub fn objects_with_cam(scene: &TypedScene) -> Vec<&str> {
     with.map(|(id, _)| id.as_str()).collect()
 }
 
+/// The cams of a scene that can be, by the id of their follower: what is to be drawn
+/// of them. Why another cannot, [`disc_cam`] says.
+pub fn disc_cams(scene: &TypedScene, model: &Model) -> Vec<(String, DiscCam)> {
+    let cam = |id: &str| Some((id.to_owned(), disc_cam(scene, model, id).ok()?));
+    objects_with_cam(scene)
+        .into_iter()
+        .filter_map(cam)
+        .collect()
+}
+
 /// The cam of an object.
 ///
 /// # Errors

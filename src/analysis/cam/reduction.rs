@@ -118,6 +118,9 @@ impl<'m> Reduction<'m> {
                 {
                     return Err(format!("{} changes over time, not with the cam", load.name));
                 }
+                LoadLaw::Custom { .. } => {
+                    return Err(format!("{} is no load that this study knows", load.name));
+                }
                 LoadLaw::LinearMotor { .. } | LoadLaw::Kloss { .. } | LoadLaw::SpeedTable(_) => {
                     return Err(format!("{} is a motor's torque", load.name));
                 }

@@ -5,6 +5,7 @@
 mod ask;
 mod columns;
 mod course;
+mod equilibria;
 mod extremes;
 mod figures;
 mod study;
@@ -13,6 +14,7 @@ mod summary;
 
 pub use ask::{Asked, MOST_POSITIONS, Over, POSITIONS, Question, whole_travel};
 pub use columns::Quantity;
+pub use equilibria::Equilibrium;
 pub use study::{even_motion, kinematics};
 pub use subject::{Subject, linkage_of, reaches};
 
@@ -45,6 +47,8 @@ pub struct Kinematics {
     pub extremes: Vec<Extremes>,
     /// Forward and return strokes of the outputs over a period.
     pub strokes: Vec<Stroke>,
+    /// Where it rests by itself, with its input free and nothing on its outputs.
+    pub equilibria: Vec<Equilibrium>,
     /// Transmission angles.
     pub transmission: Vec<Transmission>,
     /// Where the input's travel ends, and why.

@@ -2,6 +2,7 @@
 
 use super::ask::{Asked, Over};
 use super::columns::{self, unit_of};
+use super::equilibria::equilibria;
 use super::extremes::extremes;
 use super::summary;
 use super::{Axis, Column, Kinematics, Limit, Stopped};
@@ -33,6 +34,7 @@ pub fn kinematics(asked: &Asked<'_>) -> Kinematics {
         times: times(asked, &places, &inputs),
         extremes,
         strokes: summary::strokes(asked),
+        equilibria: equilibria(asked),
         transmission: summary::transmission(asked, &places),
         limits: limits(asked),
         closed,

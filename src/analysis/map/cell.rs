@@ -8,7 +8,7 @@ use super::scenes::{Kept, Scenes};
 use super::study::Study;
 use super::verdict::Verdict;
 use crate::analysis::run::{RunResult, run};
-use crate::analysis::spread::{CHANGE, DETERMINED, changed_loads};
+use crate::analysis::spread::{CHANGE, changed_loads};
 use crate::analysis::{Control, RunSettings, Warning};
 use crate::fault::Fault;
 use crate::integrate::{Method, Stop};
@@ -36,8 +36,14 @@ pub struct Cell {
     /// Its cause in words.
     pub cause: String,
     /// How far the figure moves when all loads and gaps change by one part in
-    /// 10¹⁰, as a share of its scale; `None`: not asked, or no value.
+    /// 10¹⁰, as a share of its scale; `None`: not asked, no value, or the figure is
+    /// gone then.
     pub moved: Option<f64>,
+    /// Whether the figure is known to the digits asked for ([`Question::digits`]):
+    /// it moves by no more than one of the last; `None`: not asked, or no value.
+    ///
+    /// [`Question::digits`]: super::Question::digits
+    pub determined: Option<bool>,
     /// Least force of the force-closed pairs of the rigid mechanism: see
     /// [`RigidMotion::margin`].
     pub rigid_margin: Option<f64>,
@@ -50,6 +56,7 @@ impl Cell {
             verdict,
             cause,
             moved: None,
+            determined: None,
             rigid_margin: None,
         }
     }
@@ -180,7 +187,7 @@ fn answer(
         let Some(moved) = moves(study, system, settings, &result, value, control)? else {
             return Ok(None);
         };
-        mark(&mut cell, moved, bound(&result, settings));
+        mark(&mut cell, moved, bound(study, &result, settings));
     }
     Ok(Some(cell))
 }
@@ -270,24 +277,30 @@ pub(super) fn share(difference: f64, scale: f64) -> f64 {
     }
 }
 
-/// The greatest move of a figure that is still determined: 1e-7, and for a
-/// general method at least ten times its tolerance.
-fn bound(result: &RunResult, settings: &RunSettings) -> f64 {
+/// The greatest move of a figure that is still determined: one of the last digit
+/// asked for, and for a general method at least ten times its tolerance.
+fn bound(study: &Study<'_>, result: &RunResult, settings: &RunSettings) -> f64 {
     match result.method {
-        Method::Rk4 => DETERMINED,
-        _ => DETERMINED.max(OWN_NOISE * settings.tolerance),
+        Method::Rk4 => study.precision(),
+        _ => study.precision().max(OWN_NOISE * settings.tolerance),
     }
 }
 
-/// Notes how far the figure moves, and marks the cell where that is too far.
+/// Notes how far the figure moves, and whether that is too far; the verdict on the
+/// mechanism stays.
 pub(super) fn mark(cell: &mut Cell, moved: f64, bound: f64) {
-    if moved.is_nan() || moved > bound {
-        cell.cause = format!(
-            "moves by {moved:.1e} of its scale when the loads change by {CHANGE:e}; otherwise {}: {}",
-            cell.verdict.words(),
-            cell.cause
-        );
-        cell.verdict = Verdict::NotDetermined;
+    let determined = moved <= bound;
+    if !determined {
+        let how = match moved.is_finite() {
+            true => format!("moves by {moved:.1e} of its scale"),
+            false => "is gone".to_owned(),
+        };
+        let not = format!("the figure {how} when the loads change by {CHANGE:e}: not determined");
+        cell.cause = match cell.cause.as_str() {
+            "" => not,
+            cause => format!("{cause}; {not}"),
+        };
     }
+    cell.determined = Some(determined);
     cell.moved = moved.is_finite().then_some(moved);
 }

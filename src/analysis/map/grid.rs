@@ -244,6 +244,7 @@ mod tests {
             panels: Panels::default(),
             figure: None,
             check_determined: true,
+            digits: 7,
         }
     }
 

@@ -125,7 +125,7 @@ fn in_words(evidence: &Evidence<'_>, pair: &PairFigures) -> String {
 }
 
 fn greatest(figures: &ObjectFigures) -> f64 {
-    figures.delta_max.abs().max(figures.delta_min.abs())
+    figures.delta_abs
 }
 
 /// Why an object that stays engaged is in resonance; `None`: it is not.

@@ -15,7 +15,7 @@ use super::rigid::RigidMotion;
 use super::study::Study;
 use super::verdict::Verdict;
 use crate::analysis::exact::{Quick, QuickRun, whole_with};
-use crate::analysis::spread::{CHANGE, DETERMINED, changed_loads};
+use crate::analysis::spread::{CHANGE, changed_loads};
 use crate::analysis::{Control, RunSettings};
 use crate::exact::{Asked, KeptLaws};
 use crate::fault::Fault;
@@ -82,7 +82,7 @@ pub(super) fn answer(
     {
         let scale = quick_scale(figures[object], name, run.time);
         match task.moves(value, scale) {
-            Some(moved) => mark(&mut cell, moved, DETERMINED),
+            Some(moved) => mark(&mut cell, moved, study.precision()),
             None => return Some(Ok(None)),
         }
     }

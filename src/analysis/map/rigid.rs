@@ -247,6 +247,9 @@ impl Path {
             LoadLaw::Spring { rate, preload } => -preload - rate * displacement,
             LoadLaw::Viscous(damping) => -damping * speed,
             LoadLaw::Friction { force, width } => -force * (speed / width).tanh(),
+            LoadLaw::Custom { function, factor } => {
+                factor * function.force(displacement, speed).value
+            }
             LoadLaw::LinearMotor { .. } | LoadLaw::Kloss { .. } | LoadLaw::SpeedTable(_) => {
                 f64::NAN
             }

@@ -44,6 +44,9 @@ pub(super) fn search(
         root = driver;
     }
     let drive = &model.objects[root];
+    if !drive.is_drive() {
+        return refuse(&format!("`{}` has several inputs, not one drive", drive.id));
+    }
     let speed = match &model.nodes[drive.nodes[0]].motion {
         NodeMotion::Prescribed {
             motion: DriveMotion::Constant { speed, .. },

@@ -21,6 +21,7 @@ use dam::report::kinematics::{
     KinematicsReport, document, drawing, kinematics_csv, page, picture, text,
 };
 use dam::units::quantities as q;
+use dam::units::with_common_unit;
 
 const FILES: [&str; 4] = [
     "kinematics.csv",
@@ -180,20 +181,15 @@ fn place(
 
 /// `FROM:TO`, each with its unit or the last unit for both.
 pub(super) fn range_of(text: &str, own: Measures) -> Result<Over, Failure> {
-    let Some((from, to)) = text.split_once(':') else {
-        let message = format!("--range {text}: give FROM:TO, as 0:180 deg");
-        return Err(Failure::Other(message));
+    let wrong = |what: &str| {
+        let message = format!("--range {text}: {what}; give FROM:TO, as 0:180 deg");
+        Failure::Other(message)
     };
-    let bare = |text: &str| text.trim().parse::<f64>().is_ok();
-    let unit = to.trim().trim_start_matches(|c: char| !c.is_alphabetic());
-    let from = if bare(from) && !bare(to) {
-        format!("{} {unit}", from.trim())
-    } else {
-        from.trim().to_owned()
-    };
+    let ends = text.split_once(':').ok_or_else(|| wrong("no `:`"))?;
+    let ends = with_common_unit(&[ends.0, ends.1]).map_err(|what| wrong(&what))?;
     Ok(Over::Range {
-        from: quantity("--range", &from, own.displacement())?,
-        to: quantity("--range", to.trim(), own.displacement())?,
+        from: quantity("--range", &ends[0], own.displacement())?,
+        to: quantity("--range", &ends[1], own.displacement())?,
     })
 }
 

@@ -183,6 +183,13 @@ impl Comparison<'_> {
             root = driver;
         }
         let part = &model.objects[root];
+        if !part.is_drive() {
+            let message = format!(
+                "laws are compared behind one drive: `{}` has several inputs",
+                part.id
+            );
+            return Err(Failure::Other(message));
+        }
         match &model.nodes[part.nodes[0]].motion {
             NodeMotion::Prescribed {
                 motion: DriveMotion::Constant { speed, .. },

@@ -8,6 +8,7 @@ use super::expected;
 use super::failure::{Failure, Status};
 use super::input::{Input, Ready};
 use super::output::{self, OutputFolder, ResultFile};
+use super::run::doubts;
 use args::{Form, MeanChoice, QuestionArgs, SteadyArgs};
 use dam::analysis::expectations::Verdict;
 use dam::analysis::steady::{Answer, ROWS, check, steady_motion};
@@ -158,6 +159,8 @@ fn document(ready: &Ready, answer: &Answer, verdicts: &[Verdict]) -> Result<Valu
         answer: &'a Answer,
         #[serde(skip_serializing_if = "<[Verdict]>::is_empty")]
         expect: &'a [Verdict],
+        #[serde(skip_serializing_if = "Option::is_none")]
+        diagnostics: Option<Value>,
     }
     let document = Document {
         dam: 1,
@@ -165,6 +168,7 @@ fn document(ready: &Ready, answer: &Answer, verdicts: &[Verdict]) -> Result<Valu
         hash: &ready.scene().hash,
         answer,
         expect: verdicts,
+        diagnostics: doubts(ready),
     };
     Ok(serde_json::to_value(document).map_err(|error| error.to_string())?)
 }

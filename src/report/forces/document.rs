@@ -48,7 +48,7 @@ pub fn document(report: &ForcesReport<'_>) -> Value {
             "unique": study.solved().all(|(_, forces)| forces.solved.unique),
         }),
     );
-    object.insert("warnings".into(), json!(study.warnings()));
+    object.insert("warnings".into(), json!(report.warnings));
     object.insert("columns".into(), values(study));
     if let Some(found) = massless {
         object.insert("massless".into(), comparison(found));

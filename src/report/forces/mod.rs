@@ -24,6 +24,8 @@ use crate::report::quantity::{significant, with_unit};
 pub struct ForcesReport<'a> {
     /// What was found.
     pub study: &'a ForceStudy,
+    /// What the user should know besides the figures.
+    pub warnings: &'a [String],
     /// The comparison of the massless with the full model, where it was asked for.
     pub massless: Option<&'a MasslessComparison>,
     /// The linkage's id.

@@ -22,7 +22,7 @@ pub fn page(report: &ForcesReport<'_>) -> String {
     let subtitle = format!("forces of {}, {}", report.object, report.motion);
     let mut body = header(report.name, &subtitle, None);
     body.push_str("<main>\n");
-    body.push_str(&warnings(&study.warnings()));
+    body.push_str(&warnings(report.warnings));
     if study.solved().next().is_some() {
         body.push_str("<h2>The mechanism with its forces</h2>\n");
         body.push_str(&drawing(report).section("mechanism"));

@@ -33,6 +33,7 @@ struct Group {
 
 #[derive(Clone, Debug, Serialize)]
 struct Panel {
+    quantity: &'static str,
     name: &'static str,
     unit: &'static str,
     series: Vec<Series>,
@@ -86,6 +87,11 @@ impl PlotData {
             times: runs.iter().map(times).collect(),
             groups,
         }
+    }
+
+    /// The place of an object's group among all; `None` when no run has samples of it.
+    pub(in crate::report) fn place(&self, id: &str) -> Option<usize> {
+        self.groups.iter().position(|group| group.id == id)
     }
 
     /// The section of an object: heading, tool bar, place of the plots. Empty
@@ -174,6 +180,7 @@ fn group(index: usize, id: &str, runs: &[RunSeries<'_>]) -> Group {
             continue;
         }
         panels.push(Panel {
+            quantity: quantity.name(),
             name,
             unit: first.unit,
             series: columns

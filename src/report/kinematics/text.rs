@@ -1,8 +1,9 @@
 //! The kinematics on the terminal.
 
 use super::{angle_or, input, place};
-use crate::analysis::kinematics::{Column, Extremes, Kinematics, Quantity};
+use crate::analysis::kinematics::{Column, Equilibrium, Extremes, Kinematics, Quantity};
 use crate::report::quantity::{significant, with_unit};
+use std::f64::consts::TAU;
 use std::fmt::Write as _;
 
 /// An error above this share of a quantity would be seen in its digits.
@@ -30,6 +31,7 @@ pub fn text(scene: &str, found: &Kinematics) -> String {
     }
     strokes(&mut out, found);
     transmission(&mut out, found);
+    equilibria(&mut out, found);
     out
 }
 
@@ -136,5 +138,40 @@ fn transmission(out: &mut String, found: &Kinematics) {
             angle_or(angle.greatest.1, "rad"),
             place(found, angle.greatest.0)
         );
+    }
+}
+
+fn equilibria(out: &mut String, found: &Kinematics) {
+    if found.equilibria.is_empty() {
+        return;
+    }
+    out.push_str("\nEQUILIBRIA (the linkage alone, its input free)\n");
+    for rest in &found.equilibria {
+        let _ = writeln!(out, "  {}: {}", input(found, rest.at), behaviour(rest));
+    }
+}
+
+/// What becomes of a small push, in words.
+pub(super) fn behaviour(rest: &Equilibrium) -> String {
+    if let (Some(frequency), Some(ratio)) = (rest.frequency(), rest.damping_ratio()) {
+        let damped = match ratio > 0.0 {
+            true => format!(", damping ratio {}", significant(ratio, 6)),
+            false => String::new(),
+        };
+        return format!(
+            "stable, natural frequency {}{damped}",
+            with_unit(frequency / TAU, "Hz", 8)
+        );
+    }
+    match rest.growth() {
+        Some(growth) if growth > 0.0 => {
+            format!(
+                "unstable, a push grows by e in {}",
+                with_unit(growth.recip(), "s", 8)
+            )
+        }
+        _ if rest.stiffness == 0.0 => "neither stable nor unstable to first order".to_owned(),
+        _ if rest.is_stable() => "stable, nothing has inertia".to_owned(),
+        _ => "unstable, nothing has inertia".to_owned(),
     }
 }

@@ -73,7 +73,8 @@ impl LoadSeries {
         pieces: f64,
     ) -> f64 {
         match law {
-            LoadLaw::Constant(_) | LoadLaw::SpeedTable(_) => 0.0,
+            // The latter two are not expanded.
+            LoadLaw::Constant(_) | LoadLaw::SpeedTable(_) | LoadLaw::Custom { .. } => 0.0,
             LoadLaw::Pieces { .. } => pieces,
             LoadLaw::Spring { rate, .. } => -rate * displacement[order],
             LoadLaw::Viscous(damping) => -damping * speed[order],

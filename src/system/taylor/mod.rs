@@ -113,7 +113,7 @@ pub(super) struct Start<'a> {
 impl Frozen {
     /// True when motions can be expanded.
     pub(super) fn expands(&self) -> bool {
-        let known = |law: &LoadLaw| !matches!(law, LoadLaw::SpeedTable(_));
+        let known = |law: &LoadLaw| !matches!(law, LoadLaw::SpeedTable(_) | LoadLaw::Custom { .. });
         // Inertia on a node with several drivers couples coordinates.
         let linear = |one: &Constrained| one.constraint.is_linear();
         let sums = self.heavy.is_empty() && self.constraints.iter().all(linear);

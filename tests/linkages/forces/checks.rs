@@ -56,6 +56,11 @@ fn springs() -> Vec<ForceSpec> {
             force: [12.0, -7.0],
             follows: true,
         },
+        ForceLaw::CoupleTable {
+            link: 1,
+            points: vec![(0.0, 2.0), (2.0, -3.0), (5.0, 1.0)],
+            period: Some(TAU),
+        },
         ForceLaw::Table {
             point: point(Some(2), 0.02, 0.01),
             direction: 0.4,

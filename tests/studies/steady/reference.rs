@@ -152,6 +152,55 @@ fn tables_give_the_reference_to_eleven_digits() {
     println!("tables: worst {:.1e} ({})", worst.0, worst.1);
 }
 
+/// Near stalling, where figures amplify what a mean is off, against a level chosen first.
+#[test]
+fn tables_almost_at_a_stop_keep_eleven_digits_by_every_mean() {
+    let count = 288;
+    let cycle = 2.0 * TAU;
+    let positions: Vec<f64> = (0..count)
+        .map(|k| cycle * k as f64 / count as f64)
+        .collect();
+    let inertia: Vec<f64> = positions
+        .iter()
+        .map(|phi| 0.2 + 0.03 * (2.0 * phi).cos())
+        .collect();
+    let work: Vec<f64> = positions
+        .iter()
+        .map(|phi| 300.0 * (phi / 2.0).sin() + 120.0 * (1.5 * phi).cos() + 40.0 * (3.0 * phi).sin())
+        .collect();
+    let table = Table::new(cycle, &positions, &inertia, &work).unwrap();
+    let least = work.iter().copied().fold(f64::INFINITY, f64::min);
+    for level in [1e-4, 1e-2, 1.0, 100.0] {
+        let speeds: Vec<f64> = work
+            .iter()
+            .zip(&inertia)
+            .map(|(work, inertia)| (2.0 * (level + work - least) / inertia).sqrt())
+            .collect();
+        let low = speeds.iter().copied().fold(f64::INFINITY, f64::min);
+        let high = speeds.iter().copied().fold(0.0, f64::max);
+        let n = count as f64;
+        for (mean, mean_speed) in [
+            (
+                Mean::Time,
+                n / speeds.iter().map(|speed| 1.0 / speed).sum::<f64>(),
+            ),
+            (Mean::Angle, speeds.iter().sum::<f64>() / n),
+            (Mean::Midrange, 0.5 * (low + high)),
+        ] {
+            let question = Question {
+                mean,
+                ..Question::new(mean_speed)
+            };
+            let found = table.steady(&question).unwrap().figures.steady;
+            // A mean is a number of 16 digits: what the least speed makes of the last.
+            let own = 1e-16 * mean_speed / low * (high / low).min(1e3);
+            let bound = 1e-11f64.min(1e-12 + 20.0 * own);
+            approx::assert_relative_eq!(found.least_speed.value, low, max_relative = bound);
+            approx::assert_relative_eq!(found.greatest_speed.value, high, max_relative = 1e-13);
+        }
+    }
+}
+
 #[test]
 fn accelerations_of_a_smooth_table_are_those_of_the_functions() {
     let file = reference();

@@ -47,6 +47,7 @@ impl<'m> Builder<'m> {
             LoadLaw::Friction { .. } => {
                 self.refuse_load(load, on, "is friction, which is not linear")
             }
+            LoadLaw::Custom { .. } => self.refuse_load(load, on, "is not known to be linear"),
             LoadLaw::LinearMotor { .. } | LoadLaw::Kloss { .. } | LoadLaw::SpeedTable(_) => {
                 self.refuse_load(load, on, "is a motor's torque over its speed");
             }

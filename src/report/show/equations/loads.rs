@@ -132,6 +132,7 @@ impl OneLoad<'_> {
                 let argument = Box::new(rate.expr().over(v));
                 r.expr().times(Expr::Function("tanh", argument)).negative()
             }
+            LoadLaw::Custom { function, .. } => Expr::Words(function.description()),
             motor => self.motor(motor, rate, section),
         };
         let remark = match self.track_period() {
@@ -290,5 +291,6 @@ pub fn summary(law: &LoadLaw, coordinate: Coordinate) -> String {
         LoadLaw::SpeedTable(points) => {
             format!("table over speed, {} points", points.len())
         }
+        LoadLaw::Custom { function, .. } => function.description(),
     }
 }
