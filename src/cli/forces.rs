@@ -83,7 +83,6 @@ pub(crate) fn command(args: &ForcesArgs) -> Result<Status, Failure> {
         version: env!("CARGO_PKG_VERSION"),
     };
     let verdicts = verdicts(args, &ready, object, &found);
-    let warnings = warnings(args, &found, &behind(model, object));
     let document = || whole_document(&report, &verdicts, &warnings);
     let files = || files(&report, document());
     let show = || show(args, &report, document);
