@@ -83,7 +83,7 @@ pub(crate) fn command(args: &ForcesArgs) -> Result<Status, Failure> {
         version: env!("CARGO_PKG_VERSION"),
     };
     let verdicts = verdicts(args, &ready, object, &found);
-    let document = || whole_document(&report, &verdicts, &warnings);
+    let document = || expected::beside(document(&report), &verdicts);
     let files = || files(&report, document());
     let show = || show(args, &report, document);
     output::deliver(folder.as_ref(), "forces", report.hash, files, show)?;
@@ -278,13 +278,6 @@ fn read(path: &Path) -> Result<String, String> {
         .read_to_string(&mut text)
         .map_err(failed)?;
     Ok(text)
-}
-
-/// The document with all that the terminal tells.
-fn whole_document(report: &ForcesReport<'_>, verdicts: &[Verdict], warnings: &[String]) -> Value {
-    let mut document = expected::beside(document(report), verdicts);
-    document["warnings"] = json!(warnings);
-    document
 }
 
 fn show(
