@@ -114,7 +114,7 @@ pub fn page(report: &CompareReport<'_>) -> String {
     body.push_str(&mechanism(report.diagram));
     // Drives move alike in every run as a rule: they come last.
     let mut boxes: Vec<_> = report.diagram.boxes.iter().collect();
-    boxes.sort_by_key(|one| one.driver.is_none());
+    boxes.sort_by_cached_key(|one| usize::from(one.driver.is_none()));
     for one in boxes {
         body.push_str(&plots.section(&one.id, &one.kind.replace('_', " ")));
         body.push_str(&side_by_side(runs, &one.id));

@@ -12,6 +12,7 @@ use super::pairs::OPEN;
 use super::passes::{Extent, Work};
 use crate::integrate::{Dynamics, Modes};
 use crate::model::LoadLaw;
+use crate::order::Total;
 use nalgebra::{DMatrix, DVector, Schur, SymmetricEigen};
 
 /// Which links count.
@@ -70,7 +71,7 @@ impl System {
                 }
             })
             .collect();
-        modes.sort_by(|a, b| a.frequency.total_cmp(&b.frequency));
+        modes.sort_by_cached_key(|mode| Total(mode.frequency));
         modes
     }
 

@@ -3,6 +3,7 @@
 use super::row::{Row, Solver, Trouble};
 use super::{Course, PositionSource};
 use crate::linkage::kinetostatics::ForceFailure;
+use crate::order::Total;
 
 /// Bisections of an end.
 const BISECTIONS: usize = 44;
@@ -171,7 +172,7 @@ fn marks<S: PositionSource>(
             }
         }
     }
-    marks.sort_by(|a, b| a.0.total_cmp(&b.0));
+    marks.sort_by_cached_key(|mark| Total(mark.0));
     marks
 }
 

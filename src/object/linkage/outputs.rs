@@ -65,7 +65,7 @@ pub(super) fn of_pair(linkage: &Node, pair: &str) -> Option<Coordinate> {
 /// Reads `outputs`, in the order of their names.
 pub(super) fn read(fields: &mut Fields<'_>, names: &Names) -> Option<Vec<OutputSpec>> {
     let doc = "Outputs by name: other objects take them as `input`, as in `press.ram`, and they are recorded.";
-    let outputs = fields.or("outputs", doc, json!({}), |slot| {
+    fields.or("outputs", doc, json!({}), |slot| {
         slot.names(|name, mut slot| {
             let free = !TAKEN.contains(&name);
             if !free {
@@ -78,8 +78,7 @@ pub(super) fn read(fields: &mut Fields<'_>, names: &Names) -> Option<Vec<OutputS
             let output = slot.defined("linkage_output", |slot| output(slot, name, names));
             output.filter(|_| free)
         })
-    });
-    Some(outputs?.into_values().collect())
+    })
 }
 
 fn output(slot: Slot<'_>, name: &str, names: &Names) -> Option<OutputSpec> {
