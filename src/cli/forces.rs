@@ -22,7 +22,7 @@ use dam::object::Measures;
 use dam::report::forces::{
     ForcesReport, document, drawing, forces_csv, massless_chart, page, text,
 };
-use serde_json::{Value, json};
+use serde_json::Value;
 use std::path::Path;
 
 const FILES: [&str; 5] = [
