@@ -158,6 +158,7 @@ pub mod model;
 pub mod motion;
 pub mod number;
 pub mod object;
+mod order;
 pub mod polynomial;
 pub mod position;
 pub mod prelude;

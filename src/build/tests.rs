@@ -124,6 +124,35 @@ fn dimensions_and_cams_can_be_built() {
 }
 
 #[test]
+fn stations_forces_and_outputs_can_be_built() {
+    let schema = schema(&Registry::standard());
+    let plan = &schema["$defs"]["position"]["properties"]["plan"]["properties"];
+    let station = plan["stations"]["items"]["properties"].as_object();
+    let known = Station::PROPERTIES.iter().chain(&["at", "displacement"]);
+    let in_schema: BTreeSet<String> = station.unwrap().keys().cloned().collect();
+    assert_eq!(names(known.copied()), in_schema);
+    assert!(LinkageForce::PROPERTIES.is_empty() && AnyObject::PROPERTIES.contains(&"input"));
+    let json = |node: Node| serde_json::to_value(node).unwrap();
+    let made = [
+        LinkageForce::constant("a.b", 1, 2),
+        LinkageForce::couple("a", 1),
+        LinkageForce::spring("a.b", "c.d", 1, 2),
+        LinkageForce::damper("a.b", "c.d", 1),
+        LinkageForce::torsion("a", 1, 2),
+        LinkageForce::table("a.b", [(0, 1)]),
+    ];
+    for force in made.map(|force| json(force.into())) {
+        for (law, options) in force.as_object().unwrap() {
+            let given = names(options.as_object().unwrap().keys().map(String::as_str));
+            assert!(
+                given.is_subset(&described(&schema, &["linkage_force", law])),
+                "{law}"
+            );
+        }
+    }
+}
+
+#[test]
 fn a_built_value_is_the_json_that_says_the_same() {
     let json = |node: Node| serde_json::to_value(node).unwrap();
     let drive = Drive::run_up("600 rpm", 0.5).angle(1).law("sine");

@@ -4,6 +4,7 @@
 use super::disc::DiscCam;
 use super::motion::Piece;
 use crate::fault::Fault;
+use crate::order::Total;
 use crate::units::shown;
 use std::f64::consts::PI;
 
@@ -254,7 +255,7 @@ impl Polygon {
             })
             .collect();
         // Sides are compared only while their shadows on the x axis overlap.
-        boxes.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.2.cmp(&b.2)));
+        boxes.sort_by_cached_key(|&(low, _, side)| (Total(low), side));
         let mut found = Vec::new();
         let mut active: Vec<(f64, usize)> = Vec::new();
         for &(low, high, side) in &boxes {
@@ -268,7 +269,7 @@ impl Polygon {
             }
             active.push((high, side));
         }
-        found.sort_by(|a: &[f64; 2], b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
+        found.sort_by_cached_key(|angles: &[f64; 2]| angles.map(Total));
         found.truncate(20);
         found
     }

@@ -22,7 +22,7 @@ use dam::object::Measures;
 use dam::report::forces::{
     ForcesReport, document, drawing, forces_csv, massless_chart, page, text,
 };
-use serde_json::{Value, json};
+use serde_json::Value;
 use std::path::Path;
 
 const FILES: [&str; 5] = [
@@ -83,8 +83,7 @@ pub(crate) fn command(args: &ForcesArgs) -> Result<Status, Failure> {
         version: env!("CARGO_PKG_VERSION"),
     };
     let verdicts = verdicts(args, &ready, object, &found);
-    let warnings = warnings(args, &found, &behind(model, object));
-    let document = || whole_document(&report, &verdicts, &warnings);
+    let document = || expected::beside(document(&report), &verdicts);
     let files = || files(&report, document());
     let show = || show(args, &report, document);
     output::deliver(folder.as_ref(), "forces", report.hash, files, show)?;
@@ -279,13 +278,6 @@ fn read(path: &Path) -> Result<String, String> {
         .read_to_string(&mut text)
         .map_err(failed)?;
     Ok(text)
-}
-
-/// The document with all that the terminal tells.
-fn whole_document(report: &ForcesReport<'_>, verdicts: &[Verdict], warnings: &[String]) -> Value {
-    let mut document = expected::beside(document(report), verdicts);
-    document["warnings"] = json!(warnings);
-    document
 }
 
 fn show(

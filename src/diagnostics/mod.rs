@@ -126,7 +126,7 @@ pub struct Diagnostics {
 impl Diagnostics {
     /// Sorts the items by place (those without one last) and drops repeated ones.
     pub fn new(sources: Sources, mut items: Vec<Diagnostic>) -> Self {
-        items.sort_by_key(|item| {
+        items.sort_by_cached_key(|item| {
             item.place
                 .as_ref()
                 .map_or((usize::MAX, 0), |place| (place.source, place.range.start))

@@ -56,6 +56,7 @@ pub use structure::{Group, GroupKind, Structure};
 pub use workspace::{Pose, Workspace};
 
 use crate::fault::Fault;
+use crate::order::Total;
 use course::Course;
 use plan::Plan;
 use range::Cause::DeadPosition;
@@ -291,7 +292,7 @@ fn ranged(course: &Course, ways: [Way; 2]) -> Range {
             group: group + 1,
         }));
     }
-    changes.sort_by(|one, other| one.at.total_cmp(&other.at));
+    changes.sort_by_cached_key(|change| Total(change.at));
     Range {
         start: course.start,
         reach,

@@ -39,7 +39,7 @@ impl On {
 /// Reads `loads`, in the order of their names.
 pub(super) fn read_all(fields: &mut Fields<'_>, on: On) -> Option<Vec<LoadSpec>> {
     let doc = "Loads by name. Positive forces act in the direction of positive displacement.";
-    let loads = fields.or("loads", doc, json!({}), |slot| {
+    fields.or("loads", doc, json!({}), |slot| {
         slot.names(|name, slot| match on {
             On::Rotor(_) => slot.defined("rotor_load", |slot| read(slot, name, on)),
             On::Output(_) => slot.defined("output_load", |slot| read(slot, name, on)),
@@ -52,8 +52,7 @@ pub(super) fn read_all(fields: &mut Fields<'_>, on: On) -> Option<Vec<LoadSpec>>
                 slot.defined(definition, |slot| read(slot, name, on))
             }
         })
-    });
-    Some(loads?.into_values().collect())
+    })
 }
 
 fn read(slot: Slot<'_>, name: &str, on: On) -> Option<LoadSpec> {

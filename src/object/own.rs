@@ -54,7 +54,8 @@ impl OwnObject {
         let inputs = fields.need("inputs", doc, |slot| {
             slot.names(|name, mut slot| {
                 if ports.iter().any(|port| port.name == name) {
-                    return slot.record(|fields| context.connect(fields, "object", name));
+                    let connected = slot.record(|fields| context.connect(fields, "object", name));
+                    return connected.map(|_| name.to_owned());
                 }
                 let names = ports.iter().map(|port| &*port.name);
                 let hint = format!("its inputs are {}", crate::read::quoted_list(names, "and"));
@@ -63,7 +64,9 @@ impl OwnObject {
                 None
             })
         })?;
-        let missing = ports.iter().find(|port| !inputs.contains_key(&*port.name));
+        let missing = ports
+            .iter()
+            .find(|port| !inputs.iter().any(|name| *name == port.name));
         if let Some(port) = missing {
             let message = format!("nothing drives the input `{}`", port.name);
             fields.refuse("inputs", "missing-property", message);

@@ -42,15 +42,19 @@ impl Slot<'_> {
         complete.then_some(values)
     }
 
-    /// As [`Slot::map`], for names that serve as addresses: they must fit
+    /// As [`Slot::map`], for values that hold their names: in the order of these.
+    pub fn values<T>(self, read: impl FnMut(&str, Slot<'_>) -> Option<T>) -> Option<Vec<T>> {
+        let mut values = Vec::new();
+        let complete = self.members(&mut gathered(&mut values, read));
+        complete.then(|| by_name(values))
+    }
+
+    /// As [`Slot::values`], for names that serve as addresses: they must fit
     /// [`super::NAME_PATTERN`].
-    pub fn names<T>(
-        self,
-        read: impl FnMut(&str, Slot<'_>) -> Option<T>,
-    ) -> Option<BTreeMap<String, T>> {
-        let mut values = BTreeMap::new();
+    pub fn names<T>(self, read: impl FnMut(&str, Slot<'_>) -> Option<T>) -> Option<Vec<T>> {
+        let mut values = Vec::new();
         let complete = self.named_members(&mut gathered(&mut values, read));
-        complete.then_some(values)
+        complete.then(|| by_name(values))
     }
 
     /// Reads the properties of an object with `read`, which says whether a
@@ -283,18 +287,23 @@ impl Slot<'_> {
     }
 }
 
-/// Puts sound values into `values`, by their names.
+/// Puts sound values into `values`, with their names.
 fn gathered<T>(
-    values: &mut BTreeMap<String, T>,
+    values: &mut impl Extend<(String, T)>,
     mut read: impl FnMut(&str, Slot<'_>) -> Option<T>,
 ) -> impl FnMut(&str, Slot<'_>) -> bool {
-    move |name, slot| match read(name, slot) {
-        Some(value) => {
-            values.insert(name.to_owned(), value);
-            true
-        }
-        None => false,
+    move |name, slot| {
+        let value = read(name, slot);
+        let sound = value.is_some();
+        values.extend(value.map(|value| (name.to_owned(), value)));
+        sound
     }
+}
+
+/// Values in the order of their names.
+fn by_name<T>(mut values: Vec<(String, T)>) -> Vec<T> {
+    values.sort_by_cached_key(|(name, _)| name.clone());
+    values.into_iter().map(|(_, value)| value).collect()
 }
 
 /// Two forms of a value; forms that are themselves alternatives are flattened.

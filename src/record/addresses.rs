@@ -2,6 +2,7 @@
 
 use super::Figures;
 use crate::model::owner_of;
+use crate::order::Total;
 use serde_json::Value;
 use std::collections::BTreeMap;
 
@@ -134,7 +135,7 @@ fn closest(wanted: &str, known: impl Iterator<Item = String>) -> Vec<String> {
         .map(|name| (strsim::normalized_damerau_levenshtein(wanted, &name), name))
         .filter(|(similarity, _)| *similarity > 0.5)
         .collect();
-    ranked.sort_by(|a, b| b.0.total_cmp(&a.0).then_with(|| a.1.cmp(&b.1)));
+    ranked.sort_by_cached_key(|(similarity, name)| (Total(-similarity), name.clone()));
     ranked.truncate(MOST_SUGGESTIONS);
     ranked.into_iter().map(|(_, name)| name).collect()
 }

@@ -115,7 +115,7 @@ pub fn page(report: &CompareReport<'_>) -> String {
     body.push_str(&mechanism(report.diagram));
     // Drives move alike in every run as a rule: they come last.
     let mut boxes: Vec<_> = report.diagram.boxes.iter().collect();
-    boxes.sort_by_key(|one| one.is_drive());
+    boxes.sort_by_cached_key(|one| usize::from(one.is_drive()));
     for one in boxes {
         body.push_str(&plots.section(&one.id, &one.kind.replace('_', " ")));
         body.push_str(&side_by_side(runs, &one.id));

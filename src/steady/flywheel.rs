@@ -54,7 +54,7 @@ pub fn by_tangents(profile: &Profile, fluctuation: f64, mean_speed: f64) -> f64 
     let height = |sense: f64| {
         let speed = mean_speed * (1.0 + sense * 0.5 * fluctuation);
         let slope = 0.5 * speed * speed;
-        let above = profile.extreme(sense, |point| {
+        let above = profile.extreme(sense, &|point| {
             [
                 point.rise_signed - slope * point.inertia,
                 point.moment - slope * point.inertia_slope,
@@ -250,7 +250,7 @@ fn search<M: Motion>(
     }
     let mut refused = None;
     let found = bracketed(
-        |inertia| match excess(inertia) {
+        &mut |inertia| match excess(inertia) {
             Ok(excess) => excess,
             Err(refusal) => {
                 refused = Some(refusal);

@@ -238,10 +238,10 @@ pub(super) fn find(family: &impl Family, question: &Question) -> Result<Level, R
         }
         low = low.max(floor);
     }
-    let miss = |logarithm: f64| family.mean(logarithm.exp(), mean) - wanted;
+    let mut miss = |logarithm: f64| family.mean(logarithm.exp(), mean) - wanted;
     // A rounding wider, for a bracket that is a point.
     let ends = [low.ln() - 1e-14, high.ln() + 1e-14];
-    let found = bracketed(miss, ends, question.tolerance * wanted);
+    let found = bracketed(&mut miss, ends, question.tolerance * wanted);
     Ok(Level {
         level: found.at.exp(),
         iterations: iterations + found.iterations,

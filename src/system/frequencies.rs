@@ -10,6 +10,7 @@ use super::System;
 use super::linearised::Linearised;
 use super::pairs::OPEN;
 use crate::integrate::{Dynamics, Modes};
+use crate::order::Total;
 use nalgebra::{DMatrix, DVector, Schur, SymmetricEigen};
 
 /// Which links count.
@@ -71,7 +72,7 @@ impl System {
                 }
             })
             .collect();
-        modes.sort_by(|a, b| a.frequency.total_cmp(&b.frequency));
+        modes.sort_by_cached_key(|mode| Total(mode.frequency));
         modes
     }
 

@@ -87,11 +87,11 @@ fn rows_before_the_dead_position(scenario: &str, case: &str, end: f64) {
         };
         seen += 1;
         for (link, quantity, key, bound) in [
-            ("crank", "displacement", "phi1", 1e-9),
-            ("crank", "speed", "omega1", 1e-8),
-            ("slot", "displacement", "phi2", 1e-9),
-            ("slot", "speed", "omega2", 1e-8),
-            ("slot", "acceleration", "eps2", 1e-6),
+            ("crank", Quantity::Displacement, "phi1", 1e-9),
+            ("crank", Quantity::Speed, "omega1", 1e-8),
+            ("slot", Quantity::Displacement, "phi2", 1e-9),
+            ("slot", Quantity::Speed, "omega2", 1e-8),
+            ("slot", Quantity::Acceleration, "eps2", 1e-6),
         ] {
             let wanted = row[key].as_f64().expect("a number");
             let found = column(&format!("mechanism.{link}"), quantity)[at];

@@ -10,6 +10,7 @@ use super::row::{Row, Solver, Trouble};
 use super::scan::{scan, singular_places};
 use super::{Course, PositionSource};
 use crate::linkage::kinetostatics::{BAD_CONDITION, ForceFailure};
+use crate::order::Total;
 
 /// Bisections of an end.
 const BISECTIONS: usize = 60;
@@ -218,10 +219,10 @@ impl<S: PositionSource> Scanner<'_, '_, S> {
             }
         }
         marks.extend(aside.into_iter().map(|place| self.mark(place)));
-        marks.sort_by(|a, b| a.place.total_cmp(&b.place));
+        marks.sort_by_cached_key(|mark| Total(mark.place));
         let nearest = self.nearest(&marks);
         marks.extend(nearest);
-        marks.sort_by(|a, b| a.place.total_cmp(&b.place));
+        marks.sort_by_cached_key(|mark| Total(mark.place));
         Some(marks)
     }
 

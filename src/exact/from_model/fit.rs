@@ -244,11 +244,10 @@ fn leaves_any(
         note(leaves_any(term, formulas, everywhere, time, length)?);
     }
     for (index, &limits) in formulas.limits.iter().chain([&last]).enumerate() {
-        if limits.0.is_finite() || limits.1.is_finite() {
-            if let Some(after) = leaves(course, formulas, index, limits, time, length)? {
-                note(Some(after));
-                break;
-            }
+        let limited = limits.0.is_finite() || limits.1.is_finite();
+        if limited && let Some(after) = leaves(course, formulas, index, limits, time, length)? {
+            note(Some(after));
+            break;
         }
     }
     Ok(first)

@@ -50,7 +50,7 @@ pub(super) fn read(
     input: Measures,
 ) -> Option<Vec<ForceSpec>> {
     let doc = "Springs, dampers and forces by name.";
-    let forces = fields.or("forces", doc, json!({}), |slot| {
+    fields.or("forces", doc, json!({}), |slot| {
         slot.names(|name, slot| {
             slot.defined("linkage_force", |slot| {
                 let law = slot.record(|fields| law(fields, names, pairs, input))?;
@@ -60,8 +60,7 @@ pub(super) fn read(
                 })
             })
         })
-    });
-    Some(forces?.into_values().collect())
+    })
 }
 
 fn law(

@@ -90,7 +90,7 @@ pub(super) fn read(
             output.filter(|_| free)
         })
     });
-    Some(outputs?.into_values().unzip())
+    Some(outputs?.into_iter().unzip())
 }
 
 fn output(

@@ -2,6 +2,7 @@
 
 use super::ForcesReport;
 use crate::analysis::forces::{Column, columns};
+use crate::order::by_first;
 use crate::report::quantity::significant;
 use crate::report::svg::chart::{Axis, Chart, Curve};
 
@@ -176,7 +177,7 @@ pub fn ratio_chart(report: &ForcesReport<'_>) -> Option<Chart> {
     };
     let mut ideal: Vec<(f64, f64)> = found.iter().map(|(i, ..)| (*i, sign * i.abs())).collect();
     ideal.push((0.0, 0.0));
-    ideal.sort_by(|a, b| a.0.total_cmp(&b.0));
+    by_first(&mut ideal);
     let unit = |name: &str| {
         let all = columns(&study.linkage, study.settings.output);
         let column = all.into_iter().find(|column| column.name == name);

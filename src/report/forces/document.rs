@@ -70,14 +70,15 @@ fn extremes(study: &ForceStudy) -> Value {
         });
         (found.name.clone(), value)
     });
-    Value::Object(entries.collect())
+    let mut all = Map::new();
+    all.extend(entries);
+    Value::Object(all)
 }
 
 fn cycle(cycle: &CycleForces, study: &ForceStudy) -> Value {
     let pairs = study.linkage.pairs.iter().zip(&cycle.pair_losses);
-    let losses: Map<String, Value> = pairs
-        .map(|(p, loss)| (p.name.clone(), json!(loss)))
-        .collect();
+    let mut losses = Map::new();
+    losses.extend(pairs.map(|(p, loss)| (p.name.clone(), json!(loss))));
     json!({
         "closed": cycle.closed,
         "duration": cycle.duration,

@@ -213,7 +213,7 @@ fn group(index: usize, id: &str, runs: &[RunSeries<'_>]) -> Group {
 fn order(runs: usize) -> Vec<(Quantity, &'static str)> {
     let mut list = QUANTITIES.to_vec();
     if runs > 1 {
-        list.sort_by_key(|(quantity, _)| *quantity != Quantity::Delta);
+        list.sort_by_cached_key(|(quantity, _)| usize::from(*quantity != Quantity::Delta));
     }
     list
 }

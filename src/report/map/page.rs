@@ -116,9 +116,9 @@ fn counts(report: &MapReport<'_>) -> String {
 
 /// What the verdicts that occur mean, with the bounds they rest on.
 fn meanings(report: &MapReport<'_>) -> String {
-    let mut occurring: BTreeMap<Verdict, ()> = BTreeMap::new();
+    let mut occurring: BTreeMap<Verdict, usize> = BTreeMap::new();
     for cell in report.result.panels.iter().flatten().flatten() {
-        occurring.insert(cell.verdict, ());
+        *occurring.entry(cell.verdict).or_insert(0) += 1;
     }
     let mut rows: Vec<(&str, String)> = (occurring.keys())
         .map(|&verdict| (verdict.words(), meaning(verdict)))
