@@ -4,7 +4,7 @@ use super::row::Solver;
 use super::{Course, PositionSource};
 
 /// Intervals of a course, at least.
-const INTERVALS: usize = 720;
+const INTERVALS: usize = 360;
 /// Bisections of a place over time.
 const BISECTIONS: usize = 60;
 

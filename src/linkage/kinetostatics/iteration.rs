@@ -45,6 +45,9 @@ const NEAR: f64 = 1e-6;
 const NEARLY: f64 = 1e-2;
 /// A residual is that of a solution below this part of the scale.
 const RESIDUAL: f64 = 1e-11;
+/// Rounding of F = F₀ − K·τ in parts of F₀: next to a singular position the difference is
+/// much smaller than its terms, and no iteration comes below their rounding.
+const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 impl ForceWorkspace {
     /// Sets the friction to zero and F to F₀.
@@ -54,6 +57,12 @@ impl ForceWorkspace {
         self.next.clear();
         self.next.resize(self.columns, 0.0);
         self.react();
+        self.bare = self.scale();
+    }
+
+    /// What F is known to.
+    fn rounding(&self) -> f64 {
+        ROUNDING * self.bare
     }
 
     /// Finds τ and F; `None` in `Ok` if no method converged.
@@ -110,7 +119,7 @@ impl ForceWorkspace {
             } else {
                 f64::INFINITY
             };
-            if change <= tolerance * scale {
+            if change <= tolerance * scale + self.rounding() {
                 return ratio < 0.5 || self.polish(NEAR * scale, course);
             }
             before = [change, before[0]];
@@ -150,8 +159,9 @@ impl ForceWorkspace {
             }
             course.change = if scale > 0.0 { residual / scale } else { 0.0 };
             self.write_slopes();
+            let enough = RESIDUAL * scale + self.rounding();
             if !self.small.factorise() {
-                return residual <= RESIDUAL * scale;
+                return residual <= enough;
             }
             self.small.solve(&mut self.next, 1);
             for (tau, step) in self.friction.iter_mut().zip(&self.next) {
@@ -159,7 +169,7 @@ impl ForceWorkspace {
             }
             course.iterations += 1;
             let change = self.react();
-            if residual <= RESIDUAL * scale && change <= RESIDUAL * scale {
+            if residual <= enough && change <= enough {
                 return true;
             }
         }

@@ -56,6 +56,8 @@ pub struct ForceWorkspace {
     pub(super) friction: Vec<f64>,
     /// τ of the iteration's next step.
     pub(super) next: Vec<f64>,
+    /// Greatest of F₀, the unknowns without friction.
+    pub(super) bare: f64,
     /// Matrix of Newton's method.
     pub(super) small: Factors,
     /// Driver's forces of the other solutions found.
@@ -94,6 +96,7 @@ impl ForceWorkspace {
             unknowns: vec![0.0; size],
             friction: Vec::with_capacity(most),
             next: Vec::with_capacity(most),
+            bare: 0.0,
             small: Factors::with_room(most),
             scratch: [
                 Vec::with_capacity(size.max(most * most)),
