@@ -94,9 +94,8 @@ pub(crate) fn main() -> Result<(), Error> {
 
     // The kind has JSON and its diagnostics too.
     let text = scene().json().replace("0.3", "1.3");
-    let error = Scene::from_json(&text)?
-        .with_kind(ELLIPTIC_GEARS)
-        .duration(2)
+    let scene = Scene::from_json(&text)?.with_kind(ELLIPTIC_GEARS);
+    let error = scene
         .run()
         .expect_err("an ellipse has an eccentricity below 1");
     println!("\n{error}");

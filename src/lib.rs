@@ -172,3 +172,8 @@ pub mod units;
 
 pub use ask::{Mechanism, Scene};
 pub use error::Error;
+
+/// The code that the README shows runs.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

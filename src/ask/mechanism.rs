@@ -59,6 +59,13 @@ impl Mechanism {
         self.system.model()
     }
 
+    /// What its user should know before it is run, a line each.
+    pub fn warnings(&self) -> Vec<String> {
+        let mut lines = self.reading.warnings.lines();
+        lines.extend(self.model().warnings.iter().cloned());
+        lines
+    }
+
     /// Runs it as the scene says.
     ///
     /// # Errors

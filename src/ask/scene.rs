@@ -128,40 +128,52 @@ impl Scene {
     /// Simulated time (s).
     #[must_use]
     pub fn duration(self, duration: impl Into<Node>) -> Self {
-        self.set("run.duration", duration)
+        self.of_run("duration", duration)
     }
 
     /// Error wanted in each object's δ, relative to its scale; default 1e-6.
     #[must_use]
     pub fn tolerance(self, tolerance: f64) -> Self {
-        self.set("run.tolerance", tolerance)
+        self.of_run("tolerance", tolerance)
     }
 
     /// Method of integration by its name; default `"auto"`.
     #[must_use]
     pub fn method(self, method: &str) -> Self {
-        self.set("run.method", method)
+        self.of_run("method", method)
     }
 
     /// Number of equal intervals between samples; default 1000.
     #[must_use]
     pub fn samples(self, samples: usize) -> Self {
-        self.set("run.samples", samples)
+        self.of_run("samples", samples)
     }
 
     /// Start of the run: `"kinetostatic"` (default), `"static"`, `"on_law"`.
     #[must_use]
     pub fn start(self, start: &str) -> Self {
-        self.set("run.start", start)
+        self.of_run("start", start)
     }
 
     /// Window of steady figures (s, s); default: the last whole cycle of the drive.
     #[must_use]
     pub fn window(self, from: impl Into<Node>, to: impl Into<Node>) -> Self {
-        self.set("run.window", (from, to))
+        self.of_run("window", (from, to))
     }
 
-    /// The scene's text as JSON; settings are not in it. Values that no text can state
+    /// Writes a property of `run` into the scene itself, unless settings go before it.
+    fn of_run(mut self, name: &str, value: impl Into<Node>) -> Self {
+        let is_set = |setting: &String| setting.starts_with("run");
+        if self.settings.arguments().iter().any(is_set) {
+            return self.set(&format!("run.{name}"), value);
+        }
+        let value = value.into();
+        self.document
+            .edit(|root| root.property("run").put(name, value));
+        self
+    }
+
+    /// The scene's text as JSON; what was [set](Self::set) by its address is not in it. Values that no text can state
     /// stand there by their `Debug` texts.
     pub fn json(&self) -> &str {
         self.document.text()
@@ -200,12 +212,12 @@ impl Scene {
         Mechanism::of(self.decode()?)
     }
 
-    /// Whether the scene is right; what its user should know all the same.
+    /// Whether the scene is right; what its user should know all the same, a line each.
     ///
     /// # Errors
     /// Everything that is wrong with it.
-    pub fn check(&self) -> Result<Diagnostics, Error> {
-        Ok(self.prepare()?.reading.warnings)
+    pub fn check(&self) -> Result<Vec<String>, Error> {
+        Ok(self.prepare()?.warnings())
     }
 
     /// Runs the scene.

@@ -1,7 +1,9 @@
 //! Sums of several inputs.
 
 use super::builder;
-use crate::read::Node;
+use crate::constraint::ConstraintFunction;
+use crate::read::{Node, OWN, Own};
+use std::sync::Arc;
 
 builder! {
     /// A differential: its displacement is a weighted sum of those of several inputs, a
@@ -55,7 +57,8 @@ impl Differential {
         self.with(name, input, "ratio", ratio)
     }
 
-    /// Adds an input of a [planetary gear](Self::teeth): `sun`, `ring` or `carrier`.
+    /// Adds an input of a [planetary gear](Self::teeth): `sun`, `ring` or `carrier`; or
+    /// of a [constraint of your own](Self::combined_by).
     pub fn member(mut self, name: &str, driver: &str) -> Self {
         let input = super::only("object", driver);
         self.0.property("inputs").put(name, input);
@@ -66,6 +69,13 @@ impl Differential {
     pub fn arm(self, name: &str, driver: &str, place: impl Into<Node>) -> Self {
         let input = super::only("object", driver);
         self.with(name, input, "at", place)
+    }
+
+    /// A constraint of your own, φ = G(φ₁, …, φₖ), over inputs that have been added by
+    /// [`Self::member`]; its drivers are in the order of their names.
+    pub fn combined_by(self, constraint: impl ConstraintFunction + 'static) -> Self {
+        let constraint: Arc<dyn ConstraintFunction> = Arc::new(constraint);
+        self.set(OWN, Own::new(constraint))
     }
 
     /// A planetary gear by the tooth numbers of its sun and ring gears.

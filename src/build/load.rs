@@ -2,8 +2,7 @@
 
 use super::only;
 use crate::load::{CustomLoad, LoadFunction};
-use crate::object::OWN_LOAD;
-use crate::read::{Node, Own};
+use crate::read::{Node, OWN, Own};
 use std::sync::Arc;
 
 /// A force or moment on the masses of an object; positive towards positive displacement.
@@ -81,7 +80,7 @@ impl Load {
 
     /// A force of your own over displacement and speed of the mass.
     pub fn own(function: impl LoadFunction + 'static) -> Self {
-        Self::of(OWN_LOAD, Own::new(CustomLoad(Arc::new(function))))
+        Self::of(OWN, Own::new(CustomLoad(Arc::new(function))))
     }
 
     /// The mass it acts on: `"last"`, `"first"`, `"all"`, or its number from 1. Default

@@ -1,8 +1,8 @@
 //! Objects of any kind, and objects that no text can state.
 
 use super::{builder, only};
-use crate::object::{INPUT, OWN_OBJECT, Object};
-use crate::read::{Node, Own};
+use crate::object::{INPUT, Object};
+use crate::read::{Node, OWN, Own};
 use std::sync::Arc;
 
 builder! {
@@ -37,7 +37,7 @@ impl OwnObject {
     /// An object that lowers itself.
     pub fn new(object: impl Object + 'static) -> Self {
         let own = crate::object::OwnObject(Arc::new(object));
-        Self(only(OWN_OBJECT, Own::new(own)))
+        Self(only(OWN, Own::new(own)))
     }
 
     /// What its only input hangs on.

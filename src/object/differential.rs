@@ -19,18 +19,21 @@ use super::chain::{self, Rules};
 use super::geometry::Beam;
 use super::spec::{ChainSpec, InertiaSplit};
 use super::{Context, Inputs, Kind, Measures, ModelBuilder, Object, Place, Port, Ports};
-use crate::constraint::Constraint;
+use crate::constraint::{Constraint, ConstraintFunction};
 use crate::model::Coordinate;
 use crate::position::PositionSpec;
-use crate::read::{Bounds, Fields, Node, Slot};
+use crate::read::{Bounds, Fields, Node, OWN, Slot};
 use crate::units::quantities as q;
 use serde_json::json;
+use std::sync::Arc;
 
 /// A sum of several inputs with a chain of masses behind it, or rigid.
 #[derive(Debug)]
 pub struct Differential {
     inputs: Vec<Input>,
     offset: f64,
+    /// A constraint of the library's user in place of the sum.
+    own: Option<Arc<dyn ConstraintFunction>>,
     chain: ChainSpec,
 }
 
@@ -92,7 +95,11 @@ impl Object for Differential {
 
     fn lower(&self, at: &Place, into: &mut ModelBuilder) {
         let ratios = self.inputs.iter().map(|input| input.ratio).collect();
-        let constraint = match Constraint::linear(ratios, self.offset) {
+        let constraint = match &self.own {
+            Some(own) => Ok(Constraint::Custom(own.clone())),
+            None => Constraint::linear(ratios, self.offset),
+        };
+        let constraint = match constraint {
             Ok(constraint) => constraint,
             Err(faults) => return into.faults(at, "inputs", faults),
         };
@@ -127,6 +134,8 @@ enum Combination {
     Planetary(f64),
     /// A lever whose output is at this place.
     Lever(f64),
+    /// By a constraint given in code.
+    Own(Arc<dyn ConstraintFunction>),
 }
 
 fn read(fields: &mut Fields<'_>, context: &Context<'_>) -> Option<Box<dyn Object>> {
@@ -152,10 +161,21 @@ fn read(fields: &mut Fields<'_>, context: &Context<'_>) -> Option<Box<dyn Object
     });
     let chain = chain::read_behind(fields, coordinate, &rules(coordinate), position);
     let written: Vec<Written> = inputs?;
-    let inputs = combine(fields, &written, &combination?, coordinate?)?;
+    let (combination, offset) = (combination?, offset?);
+    let inputs = combine(fields, &written, &combination, coordinate?)?;
+    let own = match combination {
+        Combination::Own(constraint) => Some(constraint),
+        _ => None,
+    };
+    if own.is_some() && offset.is_some() {
+        let message = "a constraint given in code has no `offset` besides";
+        fields.refuse("offset", "contradiction", message);
+        return None;
+    }
     Some(Box::new(Differential {
         inputs,
-        offset: offset?.unwrap_or(0.0),
+        offset: offset.unwrap_or(0.0),
+        own,
         chain: chain?,
     }))
 }
@@ -219,10 +239,16 @@ fn combination(fields: &mut Fields<'_>) -> Option<Combination> {
             fields.need("output", doc, |slot| slot.quantity(q::LENGTH, Bounds::ANY))
         })
     });
-    let clash = fields.clash("planetary", "lever", "the inputs are summed in one way");
+    let own = fields.own("A constraint given in code.");
+    let why = "the inputs are summed in one way";
+    let ways = [("planetary", "lever"), (OWN, "planetary"), (OWN, "lever")];
+    let clashes = ways.map(|(one, other)| fields.clash(one, other, why));
     let (planetary, lever) = (planetary?, lever?);
-    if clash {
+    if clashes.contains(&true) {
         return None;
+    }
+    if let Some(own) = own {
+        return Some(Combination::Own(own));
     }
     Some(match (planetary, lever) {
         (Some(ratio), _) => Combination::Planetary(ratio),
@@ -253,6 +279,7 @@ fn combine(
             .collect(),
         Combination::Planetary(ratio) => planetary(fields, written, *ratio, own)?,
         Combination::Lever(output) => lever(fields, written, *output, own)?,
+        Combination::Own(constraint) => by_own(fields, written, constraint.drivers())?,
     };
     let named = written.iter().zip(inputs);
     let inputs = named.map(|(input, ratio)| {
@@ -261,6 +288,36 @@ fn combine(
     });
     let inputs: Option<Vec<Input>> = inputs.collect();
     inputs.filter(|_| fields.faults() == before)
+}
+
+/// A constraint given in code knows its gradient itself.
+fn by_own(
+    fields: &mut Fields<'_>,
+    written: &[Written],
+    drivers: usize,
+) -> Option<Vec<Option<f64>>> {
+    if drivers != written.len() {
+        let message = format!(
+            "the constraint has {drivers} drivers, not {}",
+            written.len()
+        );
+        fields.refuse("inputs", "contradiction", message);
+        return None;
+    }
+    for input in written {
+        if input.ratio.is_some() {
+            refuse(
+                fields,
+                input,
+                "ratio",
+                "the ratio follows from the constraint",
+            );
+        }
+        if input.at.is_some() {
+            refuse(fields, input, "at", "`at` stands beside `lever` only");
+        }
+    }
+    Some(vec![Some(1.0); drivers])
 }
 
 fn own_ratio(fields: &mut Fields<'_>, input: &Written) -> Option<f64> {

@@ -3,7 +3,7 @@
 use super::measures::Measures;
 use super::spec::{LoadLawSpec, LoadSpec, MassChoice};
 use crate::model::Coordinate;
-use crate::read::{Bounds, Fields, Slot, Value, Wanted};
+use crate::read::{Bounds, Fields, Slot, Wanted};
 use crate::units::quantities as q;
 use serde_json::json;
 use std::f64::consts::TAU;
@@ -108,16 +108,9 @@ fn mass(slot: Slot<'_>, masses: Option<usize>) -> Option<MassChoice> {
     )
 }
 
-/// Name of the property that holds a load given in code.
-pub(crate) const OWN_LOAD: &str = "own";
-
 fn law(fields: &mut Fields<'_>, on: On) -> Option<LoadLawSpec> {
-    let own = fields.member(OWN_LOAD).map(|member| &member.value.value);
-    if matches!(own, Some(Value::Own(_))) {
-        let doc = "A load given in code.";
-        return fields.need(OWN_LOAD, doc, |mut slot| {
-            slot.own().map(LoadLawSpec::Custom)
-        });
+    if let Some(load) = fields.own("A load given in code.") {
+        return Some(LoadLawSpec::Custom(load));
     }
     let own = on.own();
     let force = own.force();

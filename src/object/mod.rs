@@ -43,9 +43,8 @@ pub use differential::Differential;
 pub use drive::Drive;
 pub use kind::{Inputs, Kind, Outputs, Registry};
 pub use linkage::Linkage;
-pub(crate) use load::OWN_LOAD;
 pub use measures::Measures;
-pub(crate) use own::{OWN_OBJECT, OwnObject};
+pub(crate) use own::OwnObject;
 pub use ports::{INPUT, OWN, Port, Ports};
 
 /// An object of a mechanism.

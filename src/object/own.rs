@@ -3,13 +3,10 @@
 use super::{Context, INPUT, Inputs, ModelBuilder, Object, Place, Ports};
 use crate::cam::CamGeometry;
 use crate::model::Coordinate;
-use crate::read::{Fields, Node};
+use crate::read::{Fields, Node, OWN, Value};
 use std::sync::Arc;
 
 use super::spec::{ChainSpec, DrivenLinkage};
-
-/// Name of the property that holds an object made in code.
-pub(crate) const OWN_OBJECT: &str = "own";
 
 /// An object made in code, as the tree of a scene holds it.
 #[derive(Clone, Debug)]
@@ -18,8 +15,8 @@ pub(crate) struct OwnObject(pub(crate) Arc<dyn Object>);
 impl OwnObject {
     /// The object that a node holds; `None`: its properties stand in the node.
     pub(crate) fn of(node: &Node) -> Option<&Self> {
-        match &node.get(OWN_OBJECT)?.value {
-            crate::read::Value::Own(own) => own.get(),
+        match &node.get(OWN)?.value {
+            Value::Own(own) => own.get(),
             _ => None,
         }
     }
@@ -38,8 +35,7 @@ impl OwnObject {
         fields: &mut Fields<'_>,
         context: &mut Context<'_>,
     ) -> Option<Box<dyn Object>> {
-        let doc = "An object made in code.";
-        let own: Self = fields.need(OWN_OBJECT, doc, |mut slot| slot.own())?;
+        let own: Self = fields.own("An object made in code.")?;
         let connected = match own.inputs() {
             Inputs::None => Some(()),
             Inputs::One => context.input(fields),

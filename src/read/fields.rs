@@ -3,9 +3,10 @@
 mod closing;
 
 use super::one_of::OneOf;
+use super::own::OWN;
 use super::slot::{Reader, Reading, Slot, join, kept, push};
 use super::suggest::quoted_list;
-use super::tree::{Member, Node};
+use super::tree::{Member, Node, Value};
 use crate::diagnostics::{Diagnostic, Place};
 use serde_json::{Map, Value as Json, json};
 
@@ -180,6 +181,21 @@ impl<'a> Fields<'a> {
                 let out = self.child(name, Some((&node, &place)), read);
                 self.out.insert(name.to_owned(), out);
             }
+        }
+    }
+
+    /// The value given in code as the property [`OWN`], where there is one of this type.
+    pub fn own<T: Clone + 'static>(&mut self, doc: &str) -> Option<T> {
+        match self.member(OWN)?.value.value {
+            Value::Own(_) => self.need(OWN, doc, |mut slot| {
+                let found = slot.own();
+                if found.is_none() {
+                    slot.wrong_type("a value of the kind that belongs here");
+                }
+                found
+            }),
+            // Of a text it is a property like any other, and unknown.
+            _ => None,
         }
     }
 

@@ -28,7 +28,7 @@ pub use bounds::Bounds;
 pub use fields::Fields;
 pub use number::Wanted;
 pub use one_of::OneOf;
-pub use own::Own;
+pub use own::{OWN, Own};
 pub use parse::{parse, parse_fragment};
 pub use slot::{Reader, Slot};
 pub use suggest::{closest, did_you_mean, quoted_list};

@@ -4,6 +4,9 @@ use std::any::Any;
 use std::fmt;
 use std::sync::Arc;
 
+/// Name of the property of an object that holds what no text can state.
+pub const OWN: &str = "own";
+
 /// A value given in code, of a type that the reader of the property knows. Equal
 /// only to itself and its clones.
 #[derive(Clone)]

@@ -135,7 +135,13 @@ impl Document {
         let mut reader = Reader::new();
         let (read, canonical) =
             reader.read(Some(&tree), "", |slot| root::read(slot, &self.registry));
-        faults.append(&mut reader.diagnostics);
+        for mut fault in reader.diagnostics {
+            // As it is addressed everywhere else: `rocker.pair.gap`.
+            if let Some(address) = fault.path.strip_prefix("objects.") {
+                fault.path = address.to_owned();
+            }
+            faults.push(fault);
+        }
         let diagnostics = Diagnostics::new(sources.clone(), faults);
         match read {
             Some(read) if !diagnostics.has_errors() => Ok(Reading {

@@ -64,7 +64,7 @@ fn an_own_kind_runs_exactly_and_has_json_and_diagnostics() {
         assert_abs_diff_eq!(one, other, epsilon = 1e-7);
     }
     let text = own_object::scene().json().replace("0.3", "1.3");
-    let scene = Scene::from_json(&text).unwrap().duration(2);
+    let scene = Scene::from_json(&text).unwrap();
     let unknown = scene.run().unwrap_err().to_string();
     assert!(unknown.contains("`elliptic_gears`"), "{unknown}");
     let error = scene.with_kind(own_object::ELLIPTIC_GEARS).run();

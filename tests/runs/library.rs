@@ -87,13 +87,18 @@ fn one_error_for_files_texts_and_names() {
 #[test]
 fn a_scene_in_code_is_the_text_that_it_writes() {
     let scene = rocker().set("rocker.masses", 3);
-    let again = Scene::from_json(scene.json())
-        .unwrap()
-        .set("rocker.masses", 3);
-    // The duration is a setting.
-    let again = again.duration(0.1);
+    let again = Scene::from_json(scene.json()).unwrap();
+    let again = again.set("rocker.masses", 3);
     let [one, other] = [scene, again].map(|scene| scene.decode().unwrap());
     assert_eq!(one.scene.hash, other.scene.hash);
+}
+
+#[test]
+fn what_is_said_last_holds() {
+    let scene = rocker().set("run.duration", 0.3).duration(0.2);
+    assert_eq!(scene.decode().unwrap().scene.run.duration, 0.2);
+    let scene = rocker().duration(0.2).set("run.duration", 0.3);
+    assert_eq!(scene.decode().unwrap().scene.run.duration, 0.3);
 }
 
 #[test]
@@ -229,6 +234,69 @@ fn an_own_position_function_does_not_fit_a_gear() {
         run.displacement("other").unwrap(),
         run.displacement("shaft").unwrap()
     );
+}
+
+/// A cam on a moving carrier: φ = r·sin φ₁ + φ₂.
+#[derive(Debug)]
+struct CarriedCam(f64);
+
+impl dam::constraint::ConstraintFunction for CarriedCam {
+    fn drivers(&self) -> usize {
+        2
+    }
+
+    fn jet(&self, at: &[f64], jet: &mut dam::constraint::ConstraintJet) {
+        let (sin, cos) = at[0].sin_cos();
+        jet.value = self.0 * sin + at[1];
+        jet.first.copy_from_slice(&[self.0 * cos, 1.0]);
+        jet.second.copy_from_slice(&[-self.0 * sin, 0.0, 0.0, 0.0]);
+        jet.third.fill(0.0);
+        jet.third[0] = -self.0 * cos;
+    }
+}
+
+#[test]
+fn an_own_constraint_combines_inputs() {
+    let slide = Differential::new()
+        .coordinate("sliding")
+        .member("cam", "shaft")
+        .member("carrier", "carriage")
+        .combined_by(CarriedCam(0.01))
+        .inertia(2)
+        .masses(0);
+    let scene = |slide: Differential| {
+        Scene::new("A cam on a carriage")
+            .add("shaft", Drive::speed(30))
+            .add("carriage", Drive::speed(0.5).sliding())
+            .add("slide", slide)
+            .duration(0.3)
+    };
+    let run = scene(slide.clone()).run().unwrap();
+    let rows = run.times().iter().zip(run.displacement("slide").unwrap());
+    for ((t, place), force) in rows.zip(run.reaction("slide").unwrap()) {
+        let law = 0.01 * (30.0 * t).sin();
+        assert_abs_diff_eq!(*place, law + 0.5 * t, epsilon = 1e-9);
+        // m·a of the prescribed motion.
+        assert_abs_diff_eq!(force.abs(), (2.0 * 900.0 * law).abs(), epsilon = 1e-6);
+    }
+    let third = slide.clone().member("third", "shaft");
+    let error = scene(third).run().unwrap_err();
+    assert!(error.to_string().contains("2 drivers, not 3"), "{error}");
+    let error = scene(slide.lever(0.1)).run().unwrap_err();
+    assert!(error.to_string().contains("in one way"), "{error}");
+}
+
+#[test]
+fn a_value_of_another_type_is_refused() {
+    let own = || dam::read::Own::new(3);
+    let mut load = dam::read::Node::object();
+    load.put("own", own());
+    let error = rocker().add("other", swinging().load("odd", load)).run();
+    let error = error.unwrap_err();
+    assert_eq!(error.faults()[0].path, "other.loads.odd.own", "{error}");
+    let error = rocker().add("other", swinging().position(own())).run();
+    let error = error.unwrap_err();
+    assert_eq!(error.faults()[0].path, "other.position", "{error}");
 }
 
 /// A force that grows with the cube of the displacement.
