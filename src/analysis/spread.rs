@@ -162,7 +162,10 @@ mod tests {
     #[test]
     fn a_figure_that_moves_too_far_either_way_is_marked() {
         let with = |delta_max: f64, sigma: f64| {
-            result_with(|rocker| (rocker.delta_max, rocker.sigma) = (delta_max, sigma))
+            result_with(|rocker| {
+                (rocker.delta_max, rocker.delta_abs) = (delta_max, delta_max);
+                rocker.sigma = sigma;
+            })
         };
         let base = with(1.0, 0.5);
         let figures = differences(&base, &with(1.0 + 5e-8, 0.5), &with(1.0, 0.5 + 2e-7));

@@ -2,6 +2,7 @@
 
 mod multipliers;
 
+mod chains;
 mod dynamics;
 mod forces;
 mod joint_friction;

@@ -1,7 +1,7 @@
 //! Golden texts of diagnostics: every scene in `tests/diagnostics/` is wrong,
 //! and must be refused (or warned of) in exactly the words beside it.
 //!
-//! `DAM_BLESS=1 cargo test --test diagnostics` writes the texts anew; read them
+//! `DAM_BLESS=1 cargo test --test program diagnostics` writes the texts anew; read them
 //! before they are committed. `NAME.set` beside `NAME.json` holds overrides,
 //! one a line.
 

@@ -4,6 +4,8 @@ mod command_line;
 mod diagnostics;
 mod documents;
 mod map;
+mod meaning;
+mod outside;
 mod page;
 mod scenarios;
 mod schema;

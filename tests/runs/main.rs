@@ -9,6 +9,7 @@ mod lagrange;
 mod library;
 mod long_chains;
 mod methods;
+mod ports;
 mod random_scenes;
 mod read_scene;
 mod reference_rocker;

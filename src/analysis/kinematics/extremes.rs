@@ -216,6 +216,6 @@ mod tests {
         let values = places.map(|x: f64| (x - 0.2).cos());
         let (place, _) = located(&places, &values, 1, 1.0, &mut smooth);
         assert!((place - 0.2).abs() < 3e-8, "downwards too: {place}");
-        assert!(count < 20, "{count} evaluations");
+        assert!(count <= 25, "{count} evaluations");
     }
 }

@@ -1,12 +1,8 @@
 //! What surrounds the mathematics: nothing stalls, nothing is lost.
 
-#[path = "outside/ends.rs"]
 mod ends;
-#[path = "outside/folder.rs"]
 mod folder;
-#[path = "outside/long_chains.rs"]
 mod long_chains;
-#[path = "outside/terminal.rs"]
 mod terminal;
 
 use std::path::{Path, PathBuf};

@@ -1,7 +1,7 @@
 //! A kind from outside the library has all that the library's own have.
 
-use crate::wheel::{Geneva, KIND};
-use crate::{METHODS, document, read, ready, run_by, text};
+use super::wheel::{Geneva, KIND};
+use super::{METHODS, document, read, ready, run_by, text};
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use dam::analysis::Control;
 use dam::analysis::axis::Axis;

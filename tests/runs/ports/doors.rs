@@ -1,6 +1,6 @@
 //! Functions from outside the library: constraints, loads.
 
-use crate::{METHODS, document, read, ready, run_by};
+use super::{METHODS, document, read, ready, run_by};
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use dam::constraint::{Constraint, ConstraintFunction, ConstraintJet};
 use dam::integrate::{Dynamics, Method};

@@ -1,6 +1,6 @@
 //! Sums of several inputs against closed forms, and against the same equations by hand.
 
-use crate::{METHODS, run_by, system_of};
+use super::{METHODS, run_by, system_of};
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use dam::integrate::{Dynamics, Method};
 use dam::system::{ObjectState, Regime};
@@ -378,12 +378,12 @@ fn what_follows_a_sum_is_watched_for_its_dead_position() {
             "inputs": { "one": { "object": "a", "ratio": 0.5 }, "two": { "object": "b", "ratio": 1 } } },
         "ram": { "kind": "slider", "input": "sum", "inertia": 1, "masses": 0,
             "position": { "slider_crank": { "crank": 0.25, "rod": 0.2 } } }"#;
-    let scene = crate::read(&crate::document(
+    let scene = super::read(&super::document(
         objects,
         r#""duration": 4, "start": "on_law""#,
         dam::object::Registry::standard(),
     ));
-    let (system, settings) = crate::ready(&scene);
+    let (system, settings) = super::ready(&scene);
     // sin θ = 0.2/0.25 at θ = 0.5·t + 0.2.
     let time = ((0.8f64).asin() - 0.2) / 0.5;
     let warning = &system.model().warnings[0];

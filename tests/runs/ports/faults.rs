@@ -1,6 +1,6 @@
 //! What is wrong with the inputs of an object is said with its place.
 
-use crate::document;
+use super::document;
 use dam::lower::lower;
 use dam::object::Registry;
 use dam::scene::{BuiltIn, Overrides};
