@@ -55,8 +55,6 @@ options! {
     dwell;
     /// Lower rest of a cam (rad); what is left of the turn.
     rest;
-    /// Law of a cam's rise and return: a name, a [`Law`], or one for each.
-    law;
     /// Displacement that a plan gains in every cycle.
     advance;
     /// Length of a plan's cycle.

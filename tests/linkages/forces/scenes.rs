@@ -120,8 +120,9 @@ fn the_program_tells_forces_as_text_table_document_and_page() {
     );
     let json: Value = serde_json::from_slice(&json.stdout).unwrap();
     assert_eq!(
+        // Both ends of the turn are rows.
         json["columns"]["drive"]["values"].as_array().unwrap().len(),
-        24
+        25
     );
     assert_eq!(json["convention"], "paper");
     let csv = dam(

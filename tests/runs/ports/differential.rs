@@ -387,7 +387,10 @@ fn what_follows_a_sum_is_watched_for_its_dead_position() {
     // sin θ = 0.2/0.25 at θ = 0.5·t + 0.2.
     let time = ((0.8f64).asin() - 0.2) / 0.5;
     let warning = &system.model().warnings[0];
-    assert!(warning.contains(&format!("t = {time:.6} s")), "{warning}");
+    assert!(
+        warning.contains(&format!("t = {} s", dam::units::shown(time, 6))),
+        "{warning}"
+    );
     let control = dam::analysis::Control::default();
     let result = dam::analysis::run::run(&system, &settings, &control, &mut []).unwrap();
     assert_eq!(result.figures.run.stopped.as_deref(), Some("dead_position"));
