@@ -20,7 +20,7 @@ pub struct Sources(Vec<Arc<Source>>);
 pub type SourceId = usize;
 
 /// A stretch of a source, in bytes. The default is nowhere: of values made in code.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Place {
     /// The source.
     pub source: SourceId,
@@ -71,6 +71,16 @@ impl Source {
     }
 }
 
+/// Nowhere: in no source.
+impl Default for Place {
+    fn default() -> Self {
+        Self {
+            source: SourceId::MAX,
+            range: 0..0,
+        }
+    }
+}
+
 impl Place {
     /// A stretch of a source.
     pub fn new(source: SourceId, range: Range<usize>) -> Self {
@@ -79,7 +89,7 @@ impl Place {
 
     /// True where there is no text: of values made in code.
     pub fn is_nowhere(&self) -> bool {
-        self.range == (0..0)
+        self.source == SourceId::MAX
     }
 
     /// The place of `range` inside this place, cut off at its end.

@@ -128,10 +128,16 @@ fn built_in_catalogue_objects_can_be_read() {
         let drive = own["kind"] == "drive";
         for property in LEFT_TO_THE_SCENE {
             if own.get(property).is_none() && !drive {
-                object[property] = match property {
-                    "input" => "the_drive".into(),
-                    _ => serde_json::json!({ "ratio": 1 }),
-                };
+                let several = own["kind"] == "differential";
+                match (property, several) {
+                    ("input", false) => object["input"] = "the_drive".into(),
+                    ("input", true) => {
+                        let drive = serde_json::json!({ "object": "the_drive" });
+                        object["inputs"] = serde_json::json!({ "sun": drive, "ring": drive });
+                    }
+                    (_, false) => object[property] = serde_json::json!({ "ratio": 1 }),
+                    (_, true) => {}
+                }
             }
         }
         let scene = serde_json::json!({
