@@ -24,8 +24,14 @@ pub const CONSTANTS: [(&str, f64); 7] = [
     ("e", E),
 ];
 
+/// A function of one number.
+type OfOne = fn(f64) -> f64;
+
+/// A function of two numbers.
+type OfTwo = fn(f64, f64) -> f64;
+
 /// Functions of one argument that an expression knows.
-const OF_ONE: [(&str, fn(f64) -> f64); 26] = [
+const OF_ONE: [(&str, OfOne); 26] = [
     ("sin", f64::sin),
     ("cos", f64::cos),
     ("tan", f64::tan),
@@ -55,8 +61,7 @@ const OF_ONE: [(&str, fn(f64) -> f64); 26] = [
 ];
 
 /// Functions of two arguments that an expression knows.
-const OF_TWO: [(&str, fn(f64, f64) -> f64); 3] =
-    [("atan2", f64::atan2), ("min", f64::min), ("max", f64::max)];
+const OF_TWO: [(&str, OfTwo); 3] = [("atan2", f64::atan2), ("min", f64::min), ("max", f64::max)];
 
 /// Names of all functions, as a message lists them.
 pub const FUNCTIONS: &str = "sin, cos, tan, asin, acos, atan, atan2, sinh, cosh, tanh, asinh, \

@@ -43,7 +43,7 @@ pub fn quoted_list<'a>(names: impl IntoIterator<Item = &'a str>, last_word: &str
     quoted(&mut names.into_iter(), last_word)
 }
 
-fn quoted<'a>(names: &mut dyn Iterator<Item = &'a str>, last_word: &str) -> String {
+fn quoted(names: &mut dyn Iterator<Item = &str>, last_word: &str) -> String {
     let mut quoted: Vec<String> = names.map(|name| format!("`{name}`")).collect();
     match quoted.pop() {
         None => "—".to_owned(),
