@@ -267,6 +267,10 @@ impl Sink for WithoutIdle<'_> {
         });
     }
 
+    fn passes(&mut self, time: f64, switches: u64) {
+        self.0.passes(time, switches);
+    }
+
     fn looks_within(&self, until: f64) -> bool {
         self.0.looks_within(until)
     }

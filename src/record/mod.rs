@@ -2,28 +2,38 @@
 
 mod addresses;
 mod audit;
+mod contact;
+mod figured;
 mod figures;
 mod joints;
+mod log;
+mod observed;
 mod observer;
 mod pairs;
 mod peaks;
 mod pieces;
 mod recorder;
 mod rows;
+mod sampled;
 mod smoothness;
 mod subdivision;
+mod tally;
 mod tee;
-mod tracker;
 mod window;
 
 pub use addresses::AddressError;
-pub use audit::EnergyAudit;
+pub use crate::energy::EnergyAudit;
 pub use figures::{
     Figures, FinalState, JointFigures, ObjectFigures, PairFigures, RunSummary, Units,
 };
 pub use recorder::{Failure, Recorded, Recorder, RecorderSettings};
+pub(crate) use {
+    figured::Figured, log::Log, observer::Observer, sampled::Sampled, tally::Tally,
+};
 pub use tee::Tee;
 pub use window::{choose_window, choose_window_of, drive_cycle};
+
+use std::borrow::Cow;
 
 /// A table over time.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -36,6 +46,49 @@ pub struct Record {
     pub switches: Vec<SwitchRow>,
     /// Open intervals of every pair, for shading plots.
     pub separations: Vec<Interval>,
+    /// More samples behind switches of pairs, where they were asked for.
+    pub closeups: Closeups,
+}
+
+/// Samples between those at equal intervals, so close that straight lines between them
+/// show the true course of what follows a switch.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Closeups {
+    /// Sample times (s).
+    pub times: Vec<f64>,
+    /// Values of the record's columns, in their order.
+    pub columns: Vec<Vec<f64>>,
+}
+
+impl Record {
+    /// The record with the closeups among its samples.
+    #[must_use]
+    pub fn merged(&self) -> Self {
+        let mut order: Vec<(f64, bool, usize)> = Vec::new();
+        for (close, times) in [(false, &self.times), (true, &self.closeups.times)] {
+            order.extend(times.iter().enumerate().map(|(k, &time)| (time, close, k)));
+        }
+        // (Two rows at a switch stay in their order.)
+        order.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let columns = self.columns.iter().zip(0..).map(|(column, index)| {
+            let close = self.closeups.columns.get(index);
+            let value = |&(_, is_close, k): &(f64, bool, usize)| match (is_close, close) {
+                (true, Some(close)) => close[k],
+                _ => column.values[k],
+            };
+            Column {
+                values: order.iter().map(value).collect(),
+                ..column.clone()
+            }
+        });
+        Self {
+            times: order.iter().map(|entry| entry.0).collect(),
+            columns: columns.collect(),
+            switches: self.switches.clone(),
+            separations: self.separations.clone(),
+            closeups: Closeups::default(),
+        }
+    }
 }
 
 /// One quantity of one object.
@@ -43,8 +96,10 @@ pub struct Record {
 pub struct Column {
     /// Object id.
     pub object: String,
-    /// `displacement`, `speed`, `acceleration`, `delta`, `reaction`, `contact_force`.
-    pub quantity: &'static str,
+    /// `displacement`, `speed`, `acceleration`, `delta`, `reaction`, `contact_force`; of
+    /// masses and links, where they are recorded, `mass_1.displacement`,
+    /// `mass_1.speed`, `link_1.force`, ….
+    pub quantity: Cow<'static, str>,
     /// Unit: `rad`, `rad/s`, `N m`, …
     pub unit: &'static str,
     /// One value a sample.

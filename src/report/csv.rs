@@ -90,7 +90,7 @@ mod tests {
             times: vec![0.0, 0.1 + 0.2],
             columns: vec![Column {
                 object: "rocker".to_owned(),
-                quantity: "displacement",
+                quantity: "displacement".into(),
                 unit: "rad",
                 values,
             }],

@@ -28,12 +28,12 @@ struct Group {
     shades: Vec<Shade>,
     panels: Vec<Panel>,
     #[serde(skip)]
-    silent: Vec<&'static str>,
+    silent: Vec<String>,
 }
 
 #[derive(Clone, Debug, Serialize)]
 struct Panel {
-    name: &'static str,
+    name: String,
     unit: &'static str,
     series: Vec<Series>,
 }
@@ -157,11 +157,11 @@ impl PlotData {
 fn group(index: usize, id: &str, runs: &[RunSeries<'_>]) -> Group {
     let mut panels = Vec::new();
     let mut silent = Vec::new();
-    for (quantity, name) in order(runs.len()) {
+    for (quantity, name) in shown(id, runs) {
         let columns: Vec<(usize, &Column)> = runs
             .iter()
             .enumerate()
-            .filter_map(|(run, one)| Some((run, column(one.record, id, quantity)?)))
+            .filter_map(|(run, one)| Some((run, column(one.record, id, &quantity)?)))
             .collect();
         let Some((_, first)) = columns.first() else {
             continue;
@@ -201,6 +201,39 @@ fn group(index: usize, id: &str, runs: &[RunSeries<'_>]) -> Group {
     }
 }
 
+/// The quantities of an object with their names on the plots: the six of every object,
+/// then those of masses and links that any run has recorded.
+fn shown(id: &str, runs: &[RunSeries<'_>]) -> Vec<(String, String)> {
+    let plain = order(runs.len()).into_iter();
+    let plain = plain.map(|(quantity, name)| (quantity.to_owned(), name.to_owned()));
+    let mut all: Vec<(String, String)> = plain.collect();
+    let columns = runs.iter().flat_map(|run| &run.record.columns);
+    for column in columns.filter(|column| column.object == id) {
+        if !all.iter().any(|(quantity, _)| *quantity == column.quantity) {
+            all.push((column.quantity.to_string(), inner_name(&column.quantity)));
+        }
+    }
+    all
+}
+
+/// `mass_3.speed` in words.
+fn inner_name(quantity: &str) -> String {
+    let (of, name) = quantity.split_once('.').unwrap_or(("", quantity));
+    let (what, number) = of.split_once('_').unwrap_or((of, ""));
+    let what = match what {
+        "mass" => "Mass",
+        "link" => "Link",
+        other => other,
+    };
+    let sign = match name {
+        "displacement" => " φ",
+        "speed" => " φ\u{307}",
+        "force" => " F",
+        _ => "",
+    };
+    format!("{what} {number}: {name}{sign}")
+}
+
 /// The quantities as they stand on the page: where runs are compared, what
 /// they are compared for comes first.
 fn order(runs: usize) -> Vec<(&'static str, &'static str)> {
@@ -237,7 +270,7 @@ fn rounded(value: f64, digits: usize) -> f64 {
         .unwrap_or(value)
 }
 
-fn silent_note(silent: &[&str]) -> String {
+fn silent_note(silent: &[String]) -> String {
     if silent.is_empty() {
         return String::new();
     }
