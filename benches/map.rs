@@ -20,6 +20,7 @@ fn question() -> Question {
         panels: Panels::default(),
         figure: Some("rocker.delta_max".to_owned()),
         check_determined: false,
+        digits: 7,
     }
 }
 

@@ -1,6 +1,7 @@
 //! Loads that this library does not know: forces over the motion of a node.
 
 use std::fmt;
+use std::sync::Arc;
 
 /// A force on a node as a function of the node's own displacement and speed, supplied
 /// by a user of the library.
@@ -22,6 +23,16 @@ pub trait LoadFunction: fmt::Debug + Send + Sync {
 
     /// What it is, in a few words, for tables and equations.
     fn description(&self) -> String;
+}
+
+/// A force that this library does not know. Two are equal that are the same one.
+#[derive(Clone, Debug)]
+pub struct CustomLoad(pub Arc<dyn LoadFunction>);
+
+impl PartialEq for CustomLoad {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.0, &other.0)
+    }
 }
 
 /// A force with its slopes.

@@ -5,9 +5,9 @@
 //! which gives its method a finer tolerance; an error that exceeds the one asked for is
 //! marked `!`. Where no method keeps the tolerance when given it, there is no ratio.
 //!
-//! `cargo bench --bench auto [-- PART_OF_NAME] [--own] [--chart] [--markdown]`: a line a
-//! scenario and tolerance, and in the end the greatest ratios. `--own` leaves out the
-//! methods of diffsol, `--chart` prints every method and the reason of the choice as well.
+//! `cargo bench -p dam-benches --bench auto [-- PART_OF_NAME] [--own] [--chart] [--markdown]`: a
+//! line a scenario and tolerance, and in the end the greatest ratios. With `--features diffsol` the
+//! methods of diffsol are among them, unless `--own` leaves them out; `--chart` prints every method and the reason of the choice as well.
 //!
 //! Two times are told, both from the checked scene on (reading one is the same for all):
 //!
@@ -80,7 +80,7 @@ fn main() {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let has = |flag: &str| arguments.iter().any(|argument| argument == flag);
     let part = arguments.iter().find(|text| !text.starts_with("--"));
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenarios");
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenarios");
     let mut paths = Vec::new();
     scenarios(&root, &mut paths);
     let mut worst = Worst::default();

@@ -50,11 +50,10 @@ impl Axis {
             [_, _, _, _] => return Err(wrong("the fourth part can only be `log`")),
             _ => return Err(wrong("three parts, separated by colons, are wanted")),
         };
-        let ((from, first_unit), (to, last_unit)) = (
-            number_and_unit(from).map_err(|what| wrong(&what))?,
-            number_and_unit(to).map_err(|what| wrong(&what))?,
-        );
-        if !first_unit.is_empty() && first_unit != last_unit {
+        let ends = units::with_common_unit(&[from, to]).map_err(|what| wrong(&what))?;
+        let (from, first_unit) = number_and_unit(&ends[0]).map_err(|what| wrong(&what))?;
+        let (to, last_unit) = number_and_unit(&ends[1]).map_err(|what| wrong(&what))?;
+        if first_unit != last_unit {
             return Err(wrong("both ends must be given in the same unit"));
         }
         let axis = Self {
@@ -69,7 +68,45 @@ impl Axis {
         Ok(axis)
     }
 
-    fn check(&self) -> Result<(), String> {
+    /// Values with equal differences, from the first to the last.
+    pub fn linear(path: &str, from: f64, to: f64, count: usize) -> Self {
+        Self {
+            path: path.to_owned(),
+            unit: String::new(),
+            from,
+            to,
+            count,
+            log: false,
+        }
+    }
+
+    /// Values with equal ratios.
+    pub fn log(path: &str, from: f64, to: f64, count: usize) -> Self {
+        Self {
+            log: true,
+            ..Self::linear(path, from, to, count)
+        }
+    }
+
+    /// With the unit in which its values are written; without it they are in the
+    /// parameter's SI unit.
+    #[must_use]
+    pub fn unit(mut self, unit: &str) -> Self {
+        unit.clone_into(&mut self.unit);
+        self
+    }
+
+    /// Whether its values are numbers that differ from each other.
+    ///
+    /// # Errors
+    /// What is wrong, in words.
+    pub fn check(&self) -> Result<(), String> {
+        if !(2..=MOST_VALUES).contains(&self.count) {
+            let count = self.count;
+            return Err(format!(
+                "{count} values are wanted, and an axis has 2 to {MOST_VALUES}"
+            ));
+        }
         if self.log && (self.from == 0.0 || self.from.signum() * self.to <= 0.0) {
             return Err("a log axis needs both ends on the same side of zero".to_owned());
         }
@@ -142,31 +179,18 @@ fn rounded(value: f64) -> f64 {
 }
 
 fn parse_count(text: &str) -> Result<usize, String> {
-    match text.parse::<usize>() {
-        Ok(count) if (2..=MOST_VALUES).contains(&count) => Ok(count),
-        Ok(count) => Err(format!(
-            "{count} values are wanted, and an axis has 2 to {MOST_VALUES}"
-        )),
-        Err(_) => Err(format!("`{text}` is no number of values")),
-    }
+    let count = text.parse::<usize>();
+    count.map_err(|_| format!("`{text}` is no number of values"))
 }
 
 /// Splits `100 rpm` into its number and its unit, both checked.
 fn number_and_unit(text: &str) -> Result<(f64, &str), String> {
-    let in_number = |c: char| c.is_ascii_digit() || matches!(c, '+' | '-' | '.' | 'e' | 'E');
-    let mut end = text.find(|c| !in_number(c)).unwrap_or(text.len());
-    let number = loop {
-        match text[..end].parse::<f64>() {
-            Ok(number) => break number,
-            // `1 e…` of a unit that begins with an e; every byte here is ASCII.
-            Err(_) if end > 0 => end -= 1,
-            Err(_) => return Err(format!("`{text}` is no number with or without a unit")),
-        }
-    };
+    let no_number = || format!("`{text}` is no number with or without a unit");
+    let (number, unit) = units::number_and_unit(text).ok_or_else(no_number)?;
+    let number: f64 = number.parse().map_err(|_| no_number())?;
     if !number.is_finite() {
         return Err(format!("`{text}` is too large"));
     }
-    let unit = text[end..].trim();
     if !unit.is_empty() && units::parse(&format!("1 {unit}")).is_err() {
         return Err(format!("`{unit}` is no unit"));
     }
@@ -243,13 +267,13 @@ mod tests {
             ("a.b=1e999:2:3", "too large"),
             ("a.b=-1e308:1e308:1000", "too large"),
             ("a.b=1 rpm:2 rad/s:3", "same unit"),
-            ("a.b=1 rpm:2:3", "same unit"),
+            ("a.b=1 rpm:2:3", "`2` has no unit"),
             ("a.b=1 furlong:2 furlong:3", "`furlong` is no unit"),
             ("a.b=0:2:3:log", "same side of zero"),
             ("a.b=-1:2:3:log", "same side of zero"),
             ("a.b=1:1:3", "too close"),
             ("a.b=1:1.0000000000000002:9", "too close"),
-            ("a.b=1é:2:3", "is no unit"),
+            ("a.b=1é:2é:3", "is no unit"),
         ] {
             let message = Axis::parse(text).unwrap_err();
             assert!(message.contains(word), "{text}: {message}");

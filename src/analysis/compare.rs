@@ -1,7 +1,6 @@
 //! The same scene for several values of a parameter, figures side by side.
 
 use super::run::RunResult;
-use crate::integrate::Stop;
 use serde::Serialize;
 
 /// Runs for several values of a parameter.
@@ -41,6 +40,8 @@ pub struct Table {
 pub struct TableRow {
     /// Address of the figure.
     pub figure: String,
+    /// SI unit of its values; empty for counts and answers.
+    pub unit: String,
     /// Its value in every run; null where it has none.
     pub values: Vec<Option<f64>>,
     /// (value − last)/|last| in every run; for displacements and speeds at the
@@ -61,7 +62,7 @@ pub fn compare<E>(
     let mut runs = Vec::with_capacity(labels.len());
     for label in labels {
         let result = run(label)?;
-        let interrupted = result.outcome.stop == Stop::Interrupted;
+        let interrupted = result.outcome.stop.is_from_outside();
         runs.push(ComparedRun {
             label: label.clone(),
             result,
@@ -96,7 +97,9 @@ impl Table {
                     .iter()
                     .map(|values| values.get(figure).copied().flatten())
                     .collect();
+                let units = runs.iter().map(|run| run.result.figures.unit(figure));
                 TableRow {
+                    unit: units.max().unwrap_or_default(),
                     errors: errors(figure, &values, runs),
                     figure: figure.clone(),
                     values,
@@ -155,6 +158,7 @@ mod tests {
             let masses: f64 = label.parse().unwrap();
             Ok::<RunResult, ()>(result_with(|rocker| {
                 rocker.delta_max = 2.0 + 1.0 / masses;
+                rocker.delta_abs = rocker.delta_max;
                 rocker.end.displacement = 1.0 / masses;
             }))
         })
@@ -167,6 +171,8 @@ mod tests {
         let errors = &row("rocker.delta_max").errors;
         approx::assert_relative_eq!(errors[0].unwrap(), 0.9 / 2.1, max_relative = 1e-15);
         assert_eq!(errors[2], Some(0.0));
+        assert_eq!(row("rocker.delta_max").unit, "rad");
+        assert_eq!(row("rocker.peak_speed").unit, "rad/s");
         // The end displacement is measured against the greatest |δ|, not against itself.
         let errors = &row("rocker.final.displacement").errors;
         approx::assert_relative_eq!(errors[1].unwrap(), 0.4 / 2.1, max_relative = 1e-15);

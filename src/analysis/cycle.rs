@@ -60,8 +60,8 @@ pub fn cycle(position: &Position, lever: f64) -> Result<CycleFigures, String> {
     let jet = |segment: i64, phi: f64| position.jet(segment, phi).scaled(lever);
     let pieces = || (0..count).map(|piece| (piece, breaks.edges(piece as i64)));
     let peak = |f: &dyn Fn(&Jet) -> f64| {
-        let ends = pieces().map(|(piece, (from, to))| (piece, from, to));
-        greatest(ends, |piece, phi| f(&jet(piece as i64, phi)))
+        let mut ends = pieces().map(|(piece, (from, to))| (piece, from, to));
+        greatest(&mut ends, &|piece, phi| f(&jet(piece as i64, phi)))
     };
     let least = |f: &dyn Fn(&Jet) -> f64| {
         let found = peak(&|jet| -f(jet));

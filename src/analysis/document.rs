@@ -8,6 +8,7 @@ use crate::model::{Closure, Coordinate, DampingLaw, LinkBase, LinkageBody, Model
 use crate::record::{
     EnergyAudit, Figures, JointFigures, ObjectFigures, PairFigures, Recorded, RunSummary, Units,
 };
+use crate::units::shown;
 
 /// Switches of an undamped contact from which on its figures are called undetermined.
 const MANY_SWITCHES: usize = 10;
@@ -26,8 +27,9 @@ pub(super) fn summary(
             Ok([from, to])
         } else {
             Err(format!(
-                "the run stopped at {} s, before the window ends at {to} s",
-                outcome.time
+                "the run stopped at {} s, before the window ends at {} s",
+                shown(outcome.time, 7),
+                shown(to, 7)
             ))
         }
     });

@@ -4,6 +4,7 @@ use super::run::RunResult;
 use crate::jet::Jet;
 use crate::model::{Law, Model, NodeMotion};
 use crate::motion::law::LawConstants;
+use crate::record::Quantity;
 use serde::Serialize;
 
 /// A law in a comparison.
@@ -76,13 +77,15 @@ pub fn response(model: &Model, object: usize, result: &RunResult) -> Result<LawR
         let reason = run.window_missing.as_deref().unwrap_or("no reason given");
         format!("there is no window of steady figures: {reason}")
     })?;
-    let column = |object: &str, quantity: &str| {
-        let mut columns = result.record.columns.iter();
-        let found = columns.find(|c| c.object == object && c.quantity == quantity);
+    let column = |object: &str, quantity: Quantity| {
+        let found = result.record.column(object, quantity);
         found.map(|column| column.values.as_slice()).unwrap_or(&[])
     };
-    let angles = column(&model.objects[driver].id, "displacement");
-    let (deltas, reactions) = (column(&part.id, "delta"), column(&part.id, "reaction"));
+    let angles = column(&model.objects[driver].id, Quantity::Displacement);
+    let (deltas, reactions) = (
+        column(&part.id, Quantity::Delta),
+        column(&part.id, Quantity::Reaction),
+    );
     let breaks = law.position.breaks();
     let rows = result.record.times.iter().enumerate();
     let samples: Vec<Sample> = rows
@@ -102,7 +105,7 @@ pub fn response(model: &Model, object: usize, result: &RunResult) -> Result<LawR
     let torques = samples.iter().map(|s| (s.jet.first * s.reaction).abs());
     Ok(LawResponse {
         residual: residual(&samples),
-        deviation: figures.delta_max.abs().max(figures.delta_min.abs()),
+        deviation: figures.delta_abs,
         contact_force: match &figures.pair {
             Some(pair) => pair.max_contact_force,
             None => figures.peak_reaction,

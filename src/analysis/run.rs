@@ -3,6 +3,7 @@
 use super::document::{document, summary, warnings_of};
 use super::exact::follow_beside;
 use super::method::{Choice, choose_general, choose_method};
+use super::plausible;
 use super::settings::{Control, RunSettings};
 use super::warning::Warning;
 use crate::fault::Fault;
@@ -157,6 +158,10 @@ fn attempt(
         .chain(initial.warnings)
         .map(Warning::Start)
         .collect();
+    if outcome.stop == Stop::Complete {
+        let unused = plausible::warnings_after(system.model(), &recorded.record);
+        warnings.extend(unused.into_iter().map(Warning::Meaning));
+    }
     warnings.extend(warnings_of(system.model(), settings, &recorded, &run));
     let figures = document(system.model(), settings, &recorded.figures, run, &warnings);
     Ok(RunResult {

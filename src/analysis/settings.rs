@@ -1,11 +1,10 @@
 //! How to run a system.
 
+pub use crate::budget::Budget as Control;
 use crate::fault::Fault;
 use crate::integrate::{Limits, Method};
-use crate::scene::Scene;
+use crate::scene::TypedScene;
 use serde::Serialize;
-use std::sync::atomic::AtomicBool;
-use std::time::Duration;
 
 /// Most steps of a run; a bound against runs that would never end.
 const MOST_STEPS: u64 = 1_000_000_000;
@@ -42,7 +41,7 @@ impl RunSettings {
     ///
     /// # Errors
     /// The scene's method is not known.
-    pub fn of(scene: &Scene) -> Result<Self, Fault> {
+    pub fn of(scene: &TypedScene) -> Result<Self, Fault> {
         let run = &scene.run;
         Ok(Self {
             scene: scene.name.clone(),
@@ -78,23 +77,13 @@ impl RunSettings {
     }
 }
 
-/// What may end a run from outside; results do not depend on it, except by
-/// being incomplete.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Control<'a> {
-    /// Longest wall-clock time.
-    pub wall_clock: Option<Duration>,
-    /// Set (by Ctrl-C) to end the run.
-    pub interrupt: Option<&'a AtomicBool>,
-}
-
 impl<'a> Control<'a> {
+    /// The bounds on a run with these settings.
     pub(crate) fn limits(&self, settings: &RunSettings) -> Limits<'a> {
         Limits {
             switches: settings.max_switches,
             steps: settings.max_steps,
-            wall_clock: self.wall_clock,
-            interrupt: self.interrupt,
+            budget: *self,
         }
     }
 }
@@ -136,11 +125,7 @@ mod tests {
     fn methods_are_known_by_name() {
         assert_eq!(method_named("auto"), Ok(None));
         assert!(super::without_diffsol(Method::Bdf).message.contains("bdf"));
-        for method in Method::ALL
-            .into_iter()
-            .chain([Method::Exact])
-            .filter(|method| method.is_available())
-        {
+        for method in Method::available().chain([Method::Exact]) {
             assert_eq!(method_named(method.name()), Ok(Some(method)));
         }
         assert!(method_named("euler").unwrap_err().hint.contains("dop853"));

@@ -15,8 +15,7 @@ use crate::model::Model;
 use crate::read::closest;
 use crate::scene::{Expectation, Expected};
 
-/// Number of intervals when nothing is said of it.
-pub const POSITIONS: usize = 360;
+pub use super::kinematics::POSITIONS;
 
 /// Address of a figure.
 #[derive(Clone, Copy, Debug, PartialEq)]

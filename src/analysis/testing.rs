@@ -2,7 +2,7 @@
 
 use super::run::RunResult;
 use crate::integrate::{Method, Outcome, Statistics, Stop};
-use crate::record::{EnergyAudit, Figures, ObjectFigures, Record, RunSummary};
+use crate::record::{EnergyAudit, Figures, ObjectFigures, Record, RunSummary, Units};
 use std::collections::BTreeMap;
 
 /// A complete run of one object, `rocker`, with the figures that `set` sets.
@@ -15,7 +15,13 @@ pub(crate) fn result_with(set: impl FnOnce(&mut ObjectFigures)) -> RunResult {
             dam: 1,
             scene: "fabricated".to_owned(),
             hash: String::new(),
-            units: BTreeMap::new(),
+            units: BTreeMap::from([(
+                "rocker".to_owned(),
+                Units {
+                    displacement: "rad",
+                    force: "N m",
+                },
+            )]),
             objects: BTreeMap::from([("rocker".to_owned(), rocker)]),
             run: RunSummary::default(),
             warnings: Vec::new(),

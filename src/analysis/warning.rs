@@ -7,6 +7,8 @@ use std::fmt;
 pub enum Warning {
     /// Something about the start.
     Start(String),
+    /// Something in the scene that is likely not meant.
+    Meaning(String),
     /// The energies do not balance: the figures are not to be trusted.
     EnergyAudit {
         /// Error of the balance.
@@ -72,7 +74,7 @@ impl Warning {
 impl fmt::Display for Warning {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Start(text) => f.write_str(text),
+            Self::Start(text) | Self::Meaning(text) => f.write_str(text),
             Self::EnergyAudit { error, bound } => write!(
                 f,
                 "not to be trusted: the energies balance only to {error:.1e} of the work put in, \

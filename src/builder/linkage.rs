@@ -39,16 +39,25 @@ impl ModelBuilder {
         };
         let node = self.rigid(at, law(input.node, position.clone()), 0.0, Pair::default());
         self.within_reach(at, node, input, &position, &linkage);
+        for remark in linkage.remarks() {
+            self.warn(format!("`{}`: {remark}", at.id));
+        }
         let friction = match spec.joint_friction {
             true => self.joint_friction(at, &linkage),
             false => None,
         };
-        let outputs = spec.linkage.outputs.iter().enumerate();
-        let outputs = outputs.filter_map(|(index, output)| {
+        let mut outputs = Vec::new();
+        for (index, (output, loads)) in spec.linkage.outputs.iter().zip(&spec.loads).enumerate() {
             let position = Position::Linkage(LinkageOutput::new(&linkage, index));
-            self.output(at, &output.name, law(node, position))
-        });
-        let outputs = outputs.collect();
+            let Some(carrier) = self.output(at, &output.name, law(node, position)) else {
+                continue;
+            };
+            for load in loads {
+                let path = at.path(&format!("outputs.{}.loads.{}", output.name, load.name));
+                self.load_at(path, at.object, load, &[carrier], node);
+            }
+            outputs.push(carrier);
+        }
         self.model.linkages.push(LinkageBody {
             node,
             linkage,

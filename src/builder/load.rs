@@ -11,6 +11,18 @@ impl ModelBuilder {
     /// over whose displacement windows and position tables run.
     pub fn load(&mut self, at: &Place, spec: &LoadSpec, nodes: &[NodeIndex], driver: NodeIndex) {
         let path = at.path(&format!("loads.{}", spec.name));
+        self.load_at(path, at.object, spec, nodes, driver);
+    }
+
+    /// The same with its address, on the nodes of an object or of an output.
+    pub(super) fn load_at(
+        &mut self,
+        path: String,
+        object: usize,
+        spec: &LoadSpec,
+        nodes: &[NodeIndex],
+        driver: NodeIndex,
+    ) {
         let Some(chosen) = chosen(spec.mass, nodes) else {
             if let MassChoice::Number(number) = spec.mass {
                 let message = format!(
@@ -22,7 +34,6 @@ impl ModelBuilder {
             }
             return;
         };
-        let object = at.object;
         for &node in chosen {
             // Faults of the law are the same for every mass: say them once.
             let Some(law) = self.load_law(&path, &spec.law, object, node, driver) else {
@@ -98,6 +109,10 @@ impl ModelBuilder {
     ) -> Option<LoadLaw> {
         let mut faults = Faults::default();
         let law = match *spec {
+            LoadLawSpec::Custom(ref load) => Some(LoadLaw::Custom {
+                function: load.0.clone(),
+                factor: 1.0,
+            }),
             LoadLawSpec::Constant(force) => {
                 faults.finite("constant", force);
                 Some(LoadLaw::Constant(force))

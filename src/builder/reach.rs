@@ -7,6 +7,7 @@ use crate::jet::Jet;
 use crate::model::{Coordinate, Law, NodeIndex, Track, TrackSource};
 use crate::motion::DriveMotion;
 use crate::position::{OutOfReach, Position};
+use crate::units::shown;
 
 /// What is at the ends of a reach.
 pub(super) const DEAD: &str = "in a dead position";
@@ -232,9 +233,10 @@ impl ModelBuilder {
             let (input, coordinate) = self.owner(driver);
             let warning = format!(
                 "`{}` can be assembled only with `{input}` {}; its law leads out of that at \
-                 t = {time:.6} s, where the run stops {ends}",
+                 t = {} s, where the run stops {ends}",
                 at.id,
-                range(reach, coordinate)
+                range(reach, coordinate),
+                shown(time, 6)
             );
             self.warn(warning);
         }

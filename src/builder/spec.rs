@@ -5,6 +5,7 @@
 //! N for N·m.
 
 use crate::linkage::spec::LinkageSpec;
+use crate::load::CustomLoad;
 use crate::model::{Closure, Coordinate, DampingLaw};
 pub use crate::motion::DriveMotionSpec;
 use crate::position::PositionSpec;
@@ -70,6 +71,8 @@ pub struct DrivenLinkage {
     pub joint_friction: bool,
     /// The linkage itself.
     pub linkage: LinkageSpec,
+    /// Loads on each of its outputs, along it.
+    pub loads: Vec<Vec<LoadSpec>>,
 }
 
 /// Any driven object: masses, links, pair, loads.
@@ -233,4 +236,6 @@ pub enum LoadLawSpec {
         /// Regularisation width: speed at which tanh 1 = 76 % is reached, > 0.
         width: f64,
     },
+    /// Anything else over displacement and speed of the mass: no text describes it.
+    Custom(CustomLoad),
 }

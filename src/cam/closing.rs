@@ -89,18 +89,18 @@ impl<'a> Closing<'a> {
     }
 
     /// Greatest value of a function of the demand, and the first place.
-    fn greatest(&self, f: impl Fn(&Demand) -> f64) -> At {
+    fn greatest(&self, f: &dyn Fn(&Demand) -> f64) -> At {
         let values = |samples: &Vec<(f64, Demand)>| {
             let values = samples.iter().map(|(phi, demand)| (*phi, f(demand)));
             values.collect::<Vec<(f64, f64)>>()
         };
         let samples: Vec<Vec<(f64, f64)>> = self.samples.iter().map(values).collect();
-        refined(&samples, |piece, phi| f(&(self.demand)(piece, phi)))
+        refined(&samples, &|piece, phi| f(&(self.demand)(piece, phi)))
     }
 
     /// Least force P over the turn: the margin against lift-off.
     pub fn least(&self, spring: ClosingSpring, speed: f64) -> At {
-        let found = self.greatest(|demand| -demand.force(spring, speed));
+        let found = self.greatest(&|demand| -demand.force(spring, speed));
         At {
             value: 0.0 - found.value,
             ..found
@@ -109,12 +109,12 @@ impl<'a> Closing<'a> {
 
     /// Greatest force P over the turn.
     pub fn most(&self, spring: ClosingSpring, speed: f64) -> At {
-        self.greatest(|demand| demand.force(spring, speed))
+        self.greatest(&|demand| demand.force(spring, speed))
     }
 
     /// The force that would have to pull without the spring: max −P.
     pub fn opening(&self, speed: f64) -> At {
-        let found = self.greatest(|demand| -demand.force(ClosingSpring::default(), speed));
+        let found = self.greatest(&|demand| -demand.force(ClosingSpring::default(), speed));
         At {
             value: found.value.max(0.0),
             ..found
@@ -133,7 +133,7 @@ impl<'a> Closing<'a> {
                 ..rest
             });
         }
-        let found = self.greatest(|demand| {
+        let found = self.greatest(&|demand| {
             let still = demand.force(spring, 0.0).max(0.0);
             inverse_speed(demand.by_square, sense * demand.by_speed, still)
         });
@@ -153,7 +153,7 @@ impl<'a> Closing<'a> {
     /// contact at a speed; negative where the spring might even pull.
     pub fn preload_for(&self, rate: f64, speed: f64, reserve: f64) -> At {
         let spring = ClosingSpring { rate, preload: 0.0 };
-        self.greatest(|demand| reserve - demand.force(spring, speed))
+        self.greatest(&|demand| reserve - demand.force(spring, speed))
     }
 
     /// The rates that with this preload leave at least `reserve` in contact.
@@ -166,11 +166,11 @@ impl<'a> Closing<'a> {
     pub fn rates_for(&self, preload: f64, speed: f64, reserve: f64) -> Result<Rates, NoRate> {
         let lacking = |rate: f64| {
             let spring = ClosingSpring { rate, preload };
-            self.greatest(|demand| reserve - demand.force(spring, speed))
+            self.greatest(&|demand| reserve - demand.force(spring, speed))
         };
         let none = lacking(0.0);
-        let stretch = self.greatest(|demand| demand.stretch.abs()).value;
-        let force = self.greatest(|demand| demand.force(ClosingSpring::default(), speed).abs());
+        let stretch = self.greatest(&|demand| demand.stretch.abs()).value;
+        let force = self.greatest(&|demand| demand.force(ClosingSpring::default(), speed).abs());
         let scale = (force.value + preload.abs() + reserve.abs()) / stretch.max(f64::MIN_POSITIVE);
         if !(scale.is_finite() && scale > 0.0) {
             return match none.value <= 0.0 {
@@ -184,7 +184,7 @@ impl<'a> Closing<'a> {
                 }),
             };
         }
-        let best = lowest(|rate| lacking(rate).value, scale);
+        let best = lowest(&|rate| lacking(rate).value, scale);
         let at_best = lacking(best);
         let slack = 1e-12 * scale * stretch;
         if at_best.value > slack {
@@ -193,7 +193,8 @@ impl<'a> Closing<'a> {
                 rate: best,
             });
         }
-        let zero = |low: f64, high: f64| super::search::root(|rate| lacking(rate).value, low, high);
+        let zero =
+            |low: f64, high: f64| super::search::root(&|rate| lacking(rate).value, low, high);
         let from = match none.value <= 0.0 {
             true => 0.0,
             false => zero(0.0, best),
@@ -212,7 +213,7 @@ const FAR: f64 = 1e6;
 
 /// Where a convex function over 0 … [`FAR`]·`scale` is least; of a level bottom
 /// some place of it.
-fn lowest(f: impl Fn(f64) -> f64, scale: f64) -> f64 {
+fn lowest(f: &dyn Fn(f64) -> f64, scale: f64) -> f64 {
     // Over ln(1 + rate/scale): unimodal still, and all sizes are seen.
     let place = |x: f64| scale * x.exp_m1();
     let (mut low, mut high) = (0.0, FAR.ln_1p());

@@ -4,6 +4,8 @@
 use super::disc::DiscCam;
 use super::motion::Piece;
 use crate::fault::Fault;
+use crate::order::Total;
+use crate::units::shown;
 use std::f64::consts::PI;
 
 /// Most points of a polygon.
@@ -51,6 +53,12 @@ impl DiscCam {
             angles: Vec::new(),
             points: Vec::new(),
         };
+        // Told before hours are spent on it.
+        let pieces = self.motion().pieces().iter();
+        let fewest: f64 = pieces.map(|piece| tracer.fewest(piece)).sum();
+        if !(fewest <= MOST_POINTS as f64) {
+            return Err(tracer.too_many());
+        }
         let mut before: Option<&Piece> = None;
         for piece in self.motion().pieces() {
             if let Some(before) = before {
@@ -114,6 +122,22 @@ impl Tracer<'_> {
             }
         }
         Ok(())
+    }
+
+    /// A number of sides that a piece takes at least: the bend is taken at its least
+    /// in each interval, by half, as it is looked at in places.
+    fn fewest(&self, piece: &Piece) -> f64 {
+        let sides = |step: usize| {
+            let (from, to) = (piece.place(step - 1), piece.place(step));
+            let bend = |share: usize| {
+                let phi = from + (to - from) * share as f64 / 4.0;
+                let touch = self.cam.touch(piece, phi);
+                self.cam.curve_rates(&touch, self.offset).1.abs()
+            };
+            let least = (0..=4).map(bend).fold(f64::INFINITY, f64::min);
+            (to - from) * (0.5 * least / (8.0 * SHARE * self.tolerance)).sqrt()
+        };
+        (1..=piece.intervals).map(sides).sum()
     }
 
     /// Whether one side may span from … to.
@@ -208,7 +232,7 @@ impl Tracer<'_> {
     fn too_many(&self) -> Fault {
         let message = format!(
             "a chord tolerance of {} m takes more than {MOST_POINTS} points",
-            self.tolerance
+            shown(self.tolerance, 7)
         );
         Fault::new("tolerance", message, "give a coarser tolerance")
     }
@@ -231,7 +255,7 @@ impl Polygon {
             })
             .collect();
         // Sides are compared only while their shadows on the x axis overlap.
-        boxes.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.2.cmp(&b.2)));
+        boxes.sort_by_cached_key(|&(low, _, side)| (Total(low), side));
         let mut found = Vec::new();
         let mut active: Vec<(f64, usize)> = Vec::new();
         for &(low, high, side) in &boxes {
@@ -245,7 +269,7 @@ impl Polygon {
             }
             active.push((high, side));
         }
-        found.sort_by(|a: &[f64; 2], b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
+        found.sort_by_cached_key(|angles: &[f64; 2]| angles.map(Total));
         found.truncate(20);
         found
     }

@@ -160,7 +160,7 @@ impl DiscCam {
             let s = self.motion.lift(piece, phi);
             contact::turning_of_normal(&self.geometry, s).unwrap_or(Dual::from(1.0))
         };
-        let [least, _] = extremes(&self.motion, turning);
+        let [least, _] = extremes(&self.motion, &turning);
         if least.value <= 1e-9 {
             let message = format!(
                 "at φ = {:.4} deg the follower turns as fast as the cam: no flat face can be driven so",
@@ -304,14 +304,14 @@ impl DiscCam {
 
     /// Least and greatest pressure angle.
     pub fn pressure_angles(&self) -> [At; 2] {
-        extremes(&self.motion, |piece, phi| {
+        extremes(&self.motion, &|piece, phi| {
             atan(self.touch(piece, phi).pressure)
         })
     }
 
     /// Least and greatest place of the contact on a flat face.
     pub fn face(&self) -> [At; 2] {
-        extremes(&self.motion, |piece, phi| self.touch(piece, phi).face)
+        extremes(&self.motion, &|piece, phi| self.touch(piece, phi).face)
     }
 
     /// Least radius of curvature of the curve at `offset` where it is convex, and
@@ -344,6 +344,6 @@ impl DiscCam {
     /// Least and greatest of the quantity that says how the reference curve
     /// bends: its curvature (roller), its radius of curvature (flat face).
     pub(crate) fn bends(&self) -> [At; 2] {
-        extremes(&self.motion, |piece, phi| self.touch(piece, phi).bend)
+        extremes(&self.motion, &|piece, phi| self.touch(piece, phi).bend)
     }
 }

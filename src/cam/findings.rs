@@ -71,7 +71,7 @@ impl DiscCam {
                     let touch = self.touch(piece, phi);
                     self.curve_rates(&touch, offset).0
                 };
-                for [from, to] in negative(self.motion(), rate) {
+                for [from, to] in negative(self.motion(), &rate) {
                     found.push(Finding::Undercut { flank, from, to });
                 }
             }

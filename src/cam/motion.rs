@@ -151,7 +151,7 @@ impl FollowerMotion {
                 take(after.value);
                 if before.first * after.first < 0.0 {
                     let slope = |phi: f64| self.raw(piece, phi).first;
-                    take(self.raw(piece, super::search::root(slope, from, to)).value);
+                    take(self.raw(piece, super::search::root(&slope, from, to)).value);
                 }
                 before = after;
             }

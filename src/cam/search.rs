@@ -3,6 +3,7 @@
 use super::motion::{FollowerMotion, Piece, intervals};
 use crate::motion::extremes::golden;
 use crate::number::{Dual, Number};
+use crate::order::Total;
 use serde::Serialize;
 
 /// A value and the cam's angle where it is found.
@@ -25,7 +26,7 @@ struct Node {
 
 /// Zero of a continuous function between two places where its signs differ,
 /// to rounding.
-pub(crate) fn root(f: impl Fn(f64) -> f64, from: f64, to: f64) -> f64 {
+pub(crate) fn root(f: &dyn Fn(f64) -> f64, from: f64, to: f64) -> f64 {
     let (mut low, mut high) = (from, to);
     let (mut at_low, mut at_high) = (f(low), f(high));
     for round in 0..200 {
@@ -67,7 +68,7 @@ const CLOSELY: usize = 6;
 /// The greatest value of a function over pieces, of which samples (φ, value),
 /// both ends among them, are given: the greatest local maxima of the samples
 /// are improved by golden section. Value to rounding, place to about 1e-8.
-pub(crate) fn refined(samples: &[Vec<(f64, f64)>], f: impl Fn(usize, f64) -> f64) -> At {
+pub(crate) fn refined(samples: &[Vec<(f64, f64)>], f: &dyn Fn(usize, f64) -> f64) -> At {
     let mut tops: Vec<(usize, usize)> = Vec::new();
     for (piece, samples) in samples.iter().enumerate() {
         let value = |index: usize| samples[index].1;
@@ -80,7 +81,7 @@ pub(crate) fn refined(samples: &[Vec<(f64, f64)>], f: impl Fn(usize, f64) -> f64
     }
     let sample = |&(piece, index): &(usize, usize)| samples[piece][index];
     // Stable, so that of equal ones the first stays first.
-    tops.sort_by(|a, b| sample(b).1.total_cmp(&sample(a).1));
+    tops.sort_by_cached_key(|top| Total(-sample(top).1));
     let mut best: Option<At> = None;
     let mut take = |value: f64, phi: f64| {
         let slack = 1e-13 * value.abs();
@@ -94,14 +95,14 @@ pub(crate) fn refined(samples: &[Vec<(f64, f64)>], f: impl Fn(usize, f64) -> f64
         let around = &samples[top.0];
         let low = around[top.1.saturating_sub(1)].0;
         let high = around[(top.1 + 1).min(around.len() - 1)].0;
-        let (value, phi) = golden(|phi| f(top.0, phi), low, high);
+        let (value, phi) = golden(&|phi| f(top.0, phi), low, high);
         take(value, phi);
     }
     best.unwrap_or_default()
 }
 
 /// The greatest value of a function over stretches on which it is smooth.
-pub(crate) fn greatest_over(pieces: &[[f64; 2]], f: impl Fn(usize, f64) -> f64) -> At {
+pub(crate) fn greatest_over(pieces: &[[f64; 2]], f: &dyn Fn(usize, f64) -> f64) -> At {
     let samples: Vec<Vec<(f64, f64)>> = (pieces.iter().enumerate())
         .map(|(index, &ends)| {
             let places = even(ends, intervals(pieces.len()));
@@ -120,18 +121,18 @@ pub(crate) fn even([from, to]: [f64; 2], count: usize) -> impl Iterator<Item = f
 }
 
 /// The greatest value of a function of the cam's angle that need not be smooth.
-pub(crate) fn greatest(motion: &FollowerMotion, f: impl Fn(&Piece, f64) -> f64) -> At {
+pub(crate) fn greatest(motion: &FollowerMotion, f: &dyn Fn(&Piece, f64) -> f64) -> At {
     let pieces = motion.pieces();
     let sampled = |piece: &Piece| {
         let places = (0..=piece.intervals).map(|step| piece.place(step));
         places.map(|phi| (phi, f(piece, phi))).collect()
     };
     let samples: Vec<Vec<(f64, f64)>> = pieces.iter().map(sampled).collect();
-    refined(&samples, |piece, phi| f(&pieces[piece], phi))
+    refined(&samples, &|piece, phi| f(&pieces[piece], phi))
 }
 
 /// Least and greatest value over a turn; of equal ones the first.
-pub(crate) fn extremes(motion: &FollowerMotion, f: impl Fn(&Piece, Dual) -> Dual) -> [At; 2] {
+pub(crate) fn extremes(motion: &FollowerMotion, f: &dyn Fn(&Piece, Dual) -> Dual) -> [At; 2] {
     let (mut least, mut greatest) = (None::<At>, None::<At>);
     for node in nodes(motion, f) {
         // Differences of rounding do not move the place.
@@ -149,14 +150,14 @@ pub(crate) fn extremes(motion: &FollowerMotion, f: impl Fn(&Piece, Dual) -> Dual
 /// Intervals of φ in which a function is negative, ends to rounding; the parts
 /// on both sides of a joint are joined, and of a closed turn also those on both
 /// sides of its beginning (which then ends beyond the turn).
-pub(crate) fn negative(motion: &FollowerMotion, f: impl Fn(&Piece, Dual) -> Dual) -> Vec<[f64; 2]> {
-    let list = nodes(motion, &f);
+pub(crate) fn negative(motion: &FollowerMotion, f: &dyn Fn(&Piece, Dual) -> Dual) -> Vec<[f64; 2]> {
+    let list = nodes(motion, f);
     let mut found: Vec<[f64; 2]> = Vec::new();
     for pair in list.windows(2) {
         let (a, b) = (pair[0], pair[1]);
         let zero = |low: f64, high: f64| {
             let piece = &motion.pieces()[a.piece];
-            root(|phi| f(piece, Dual::new(phi, 0.0)).value, low, high)
+            root(&|phi| f(piece, Dual::new(phi, 0.0)).value, low, high)
         };
         let interval = match (a.piece == b.piece, a.at.value < 0.0, b.at.value < 0.0) {
             (false, ..) | (_, false, false) => continue,
@@ -186,7 +187,7 @@ fn join_ends(motion: &FollowerMotion, found: &mut Vec<[f64; 2]>) {
     }
 }
 
-fn nodes(motion: &FollowerMotion, f: impl Fn(&Piece, Dual) -> Dual) -> Vec<Node> {
+fn nodes(motion: &FollowerMotion, f: &dyn Fn(&Piece, Dual) -> Dual) -> Vec<Node> {
     let mut list = Vec::new();
     for (index, piece) in motion.pieces().iter().enumerate() {
         let at = |phi: f64| f(piece, Dual::new(phi, 1.0));
@@ -200,7 +201,7 @@ fn nodes(motion: &FollowerMotion, f: impl Fn(&Piece, Dual) -> Dual) -> Vec<Node>
             let (low, high) = (piece.place(step - 1), piece.place(step));
             let after = at(high);
             if before.derivative * after.derivative < 0.0 {
-                let phi = root(|phi| at(phi).derivative, low, high);
+                let phi = root(&|phi| at(phi).derivative, low, high);
                 put(phi, at(phi).value);
             }
             put(high, after.value);

@@ -22,6 +22,9 @@ use std::path::PathBuf;
 #[derive(Debug, Parser)]
 #[command(name = "dam", version, about, max_term_width = 100)]
 pub(crate) struct Cli {
+    /// End after this much wall-clock time, keeping what was computed (seconds)
+    #[arg(long, value_name = "SECONDS", value_parser = positive_seconds, global = true)]
+    pub(crate) time_limit: Option<f64>,
     /// What to do.
     #[command(subcommand)]
     pub(crate) command: Command,
@@ -36,6 +39,12 @@ pub(crate) enum Command {
     Check(CheckArgs),
     /// Print the JSON Schema of scenes, for editors
     Schema,
+    /// Begin a scene from a template
+    New(NewArgs),
+    /// Print the completions of a shell
+    Completions(CompletionsArgs),
+    /// Print the manual page of the program, or of a command: dam manual run | man -l -
+    Manual(ManualArgs),
     /// Show the scene's object graph, its dynamic model and its equations
     Show(ShowArgs),
     /// Run a scene for several values of a parameter and compare the figures
@@ -58,10 +67,30 @@ pub(crate) enum Command {
     Forces(ForcesArgs),
 }
 
+impl Command {
+    /// True when standard output is to be one JSON document.
+    pub(crate) fn json(&self) -> bool {
+        match self {
+            Self::Schema | Self::New(_) | Self::Completions(_) | Self::Manual(_) => false,
+            Self::Law(args) => args.json(),
+            Self::Steady(args) => args.json,
+            Self::Run(RunArgs { scene, .. })
+            | Self::Check(CheckArgs { scene })
+            | Self::Show(ShowArgs { scene, .. })
+            | Self::Compare(CompareArgs { scene, .. })
+            | Self::Cam(CamArgs { scene, .. })
+            | Self::Map(MapArgs { scene, .. })
+            | Self::Methods(MethodsArgs { scene, .. })
+            | Self::Kinematics(KinematicsArgs { scene, .. })
+            | Self::Forces(ForcesArgs { scene, .. }) => scene.json,
+        }
+    }
+}
+
 /// What every command on a scene takes.
 #[derive(Debug, Args)]
 pub(crate) struct SceneArgs {
-    /// The scene: a JSON file
+    /// The scene: a JSON file; - reads it from standard input
     pub(crate) scene: PathBuf,
     /// Set a property before anything else: rocker.masses=10
     #[arg(long = "set", value_name = "PATH=VALUE")]
@@ -95,9 +124,46 @@ pub(crate) struct RunArgs {
     /// Also run with loads changed by one part in 10¹⁰ and show how far each figure moves
     #[arg(long)]
     pub(crate) spread: bool,
-    /// End the run after this much wall-clock time, keeping what was computed (seconds)
-    #[arg(long, value_name = "SECONDS", value_parser = positive_seconds)]
-    pub(crate) time_limit: Option<f64>,
+}
+
+/// Arguments of `dam new`.
+#[derive(Debug, Args)]
+pub(crate) struct NewArgs {
+    /// What kind of mechanism
+    #[arg(value_enum)]
+    pub(crate) template: Template,
+    /// The file to make; without it the scene is printed
+    pub(crate) file: Option<PathBuf>,
+}
+
+/// Scenes to begin with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Template {
+    /// A lever on a cam, elastic, held by a spring
+    Lever,
+    /// A cam with a roller follower, to be sized and cut
+    Cam,
+    /// A slider-crank of links and joints
+    Linkage,
+    /// A crank press on a motor
+    Press,
+    /// A motor, an elastic shaft, a fan
+    Shaft,
+}
+
+/// Arguments of `dam completions`.
+#[derive(Debug, Args)]
+pub(crate) struct CompletionsArgs {
+    /// The shell
+    #[arg(value_enum)]
+    pub(crate) shell: clap_complete::Shell,
+}
+
+/// Arguments of `dam manual`.
+#[derive(Debug, Args)]
+pub(crate) struct ManualArgs {
+    /// The command: run; law show; without it the program
+    pub(crate) command: Vec<String>,
 }
 
 /// Arguments of `dam check`.
@@ -156,9 +222,6 @@ pub(crate) struct CompareArgs {
     pub(crate) over: String,
     #[command(flatten)]
     pub(crate) out: OutArgs,
-    /// End each run after this much wall-clock time (seconds)
-    #[arg(long, value_name = "SECONDS", value_parser = positive_seconds)]
-    pub(crate) time_limit: Option<f64>,
 }
 
 /// Arguments of `dam map`.
@@ -174,7 +237,7 @@ pub(crate) struct MapArgs {
     /// The parameter up the map; without it the map is a curve
     #[arg(long, value_name = "PATH=FROM:TO:COUNT")]
     pub(crate) y: Option<String>,
-    /// The figure shown; δ_max of the last elastic object if not given
+    /// The figure shown; max|δ| of the last elastic object if not given
     #[arg(long, value_name = "FIGURE")]
     pub(crate) figure: Option<String>,
     /// One map for each value: rocker.masses=1,2. Lists that go together are separated by
@@ -185,6 +248,10 @@ pub(crate) struct MapArgs {
     /// fast, but nothing is said of cells whose figure is not determined
     #[arg(long)]
     pub(crate) unchecked: bool,
+    /// Digits to which a figure is to be known; a cell whose figure moves by more than one of
+    /// the last when its loads change by one part in 10¹⁰ is marked as not determined
+    #[arg(long, value_name = "COUNT", default_value_t = 3, value_parser = clap::value_parser!(u8).range(1..=12))]
+    pub(crate) digits: u8,
     /// Threads; one for every processor core if not given
     #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub(crate) threads: Option<u16>,

@@ -31,7 +31,7 @@ pub(crate) fn command(args: &CheckArgs) -> Result<Status, Failure> {
     }
     if !args.scene.quiet {
         if !warnings.is_empty() {
-            console::talk(&warnings.render(console::colour()));
+            console::diagnose(warnings);
         }
         for text in said {
             console::talk(&format!("warning: {text}"));
@@ -43,15 +43,16 @@ pub(crate) fn command(args: &CheckArgs) -> Result<Status, Failure> {
         scene.name,
         scene.objects.len(),
         &scene.hash[..16]
-    ));
+    ))?;
     for reach in reaches {
-        console::data(&format!("{reach}\n"));
+        console::data(&format!("{reach}\n"))?;
     }
     Ok(Status::Answered)
 }
 
 /// Prints the JSON Schema of scenes.
-pub(crate) fn schema() -> Status {
-    console::data(&dam::scene::schema_text(&dam::object::Registry::standard()));
-    Status::Answered
+pub(crate) fn schema() -> Result<Status, Failure> {
+    let registry = dam::object::Registry::standard();
+    console::data(&dam::scene::schema_text(&registry))?;
+    Ok(Status::Answered)
 }

@@ -4,11 +4,13 @@ use super::args::CompareArgs;
 use super::console;
 use super::failure::{Failure, Status};
 use super::input::{Input, Ready};
-use super::output::{OutputFolder, ResultFile};
-use super::run::{control, run_with_progress};
-use super::tables;
+use super::output::{self, OutputFolder, ResultFile};
+use super::run::run_with_progress;
+use super::{interrupt, tables};
 use dam::analysis::compare::{Comparison, compare};
+use dam::analysis::list::ValueList;
 use dam::integrate::Stop;
+use dam::record::Quantity;
 use dam::report::compare::{CompareReport, ComparedRun, chart, page};
 use dam::report::csv::{record_csv, table_csv};
 use dam::report::diagram::Diagram;
@@ -17,42 +19,46 @@ use dam::report::diagram::Diagram;
 const MOST: usize = 50;
 
 /// Quantities drawn over each other.
-const DRAWN: [&str; 5] = [
-    "displacement",
-    "speed",
-    "acceleration",
-    "delta",
-    "contact_force",
+const DRAWN: [Quantity; 5] = [
+    Quantity::Displacement,
+    Quantity::Speed,
+    Quantity::Acceleration,
+    Quantity::Delta,
+    Quantity::ContactForce,
 ];
 
 /// Runs the command.
 pub(crate) fn command(args: &CompareArgs) -> Result<Status, Failure> {
-    let (path, labels) = parse_over(&args.over)?;
+    let over = parse_over(&args.over)?;
     let input = Input::load(&args.scene)?;
-    let ready = prepare_all(&input, &path, &labels)?;
+    let ready = prepare_all(&input, &over)?;
     let scene = ready[0].scene().name.clone();
-    let folder = prepare_folder(args, &ready, labels.len())?;
-    let control = control(args.time_limit);
+    let folder = prepare_folder(args, &ready, over.values.len())?;
     let mut next = ready.iter();
-    let comparison = compare(&path, &labels, |_| {
+    let mut keeping = None;
+    let comparison = compare(&over.path, &over.values, |_| {
         let Some(ready) = next.next() else {
             return Err(Failure::Other("fewer systems than values".to_owned()));
         };
-        run_with_progress(ready, &ready.settings, &control, args.scene.quiet)
+        let budget = interrupt::budget();
+        let found = run_with_progress(ready, &ready.settings, budget, args.scene.quiet);
+        keeping.get_or_insert_with(interrupt::keep);
+        found
     })?;
-    if let Some(folder) = &folder {
-        let files = files(&input, &ready, &comparison)?;
-        folder.write("compare", &ready[0].scene().hash, &files)?;
-    }
-    if args.scene.json {
-        console::json(&tables::comparison_document(&scene, &comparison))?;
-    } else {
-        console::data(&tables::comparison(&scene, &comparison.table));
-    }
+    let files = || files(&input, &ready, &comparison);
+    let show = || match args.scene.json {
+        true => console::json(&tables::comparison_document(&scene, &comparison)),
+        false => console::data(&tables::comparison(&scene, &comparison.table)),
+    };
+    let hash = &ready[0].scene().hash;
+    output::deliver(folder.as_ref(), "compare", hash, files, show)?;
     if !args.scene.quiet {
         for run in &comparison.runs {
             for warning in &run.result.figures.warnings {
-                console::talk(&format!("warning: {path} = {}: {warning}", run.label));
+                console::talk(&format!(
+                    "warning: {} = {}: {warning}",
+                    over.path, run.label
+                ));
             }
         }
         if let Some(folder) = &folder {
@@ -76,31 +82,24 @@ fn status(comparison: &Comparison) -> Status {
     }
 }
 
-/// `rocker.masses=1,2,10` or `rocker.masses=[1, 2, 10]`.
-fn parse_over(over: &str) -> Result<(String, Vec<String>), Failure> {
+/// The parameter and its values.
+fn parse_over(over: &str) -> Result<ValueList, Failure> {
     let wrong = |what: &str| {
         Failure::Other(format!(
-            "--over {over}: {what}; write PATH=LIST, for example rocker.masses=1,2,10"
+            "--over {over}: {what}; write PATH=LIST, for example rocker.masses=1,2,10 or \
+             rocker.stiffness=5,10,20 kN/mm"
         ))
     };
-    let (path, list) = over.split_once('=').ok_or_else(|| wrong("no `=`"))?;
-    let values: Vec<String> = match serde_json::from_str::<Vec<serde_json::Value>>(list) {
-        Ok(values) => values.iter().map(ToString::to_string).collect(),
-        Err(_) => list.split(',').map(|word| word.trim().to_owned()).collect(),
-    };
-    if path.trim().is_empty() || values.iter().any(String::is_empty) {
-        return Err(wrong("a name or a value is missing"));
+    let list = ValueList::parse(over).map_err(|what| wrong(&what))?;
+    match list.values.len() {
+        2..=MOST => Ok(list),
+        _ => Err(wrong(&format!("between 2 and {MOST} values are compared"))),
     }
-    if values.len() < 2 || values.len() > MOST {
-        return Err(wrong(&format!("between 2 and {MOST} values are compared")));
-    }
-    Ok((path.trim().to_owned(), values))
 }
 
-fn prepare_all(input: &Input, path: &str, labels: &[String]) -> Result<Vec<Ready>, Failure> {
-    labels
-        .iter()
-        .map(|label| input.prepare(&[format!("{path}={label}")]))
+fn prepare_all(input: &Input, over: &ValueList) -> Result<Vec<Ready>, Failure> {
+    over.settings()
+        .map(|setting| input.prepare(&[setting]))
         .collect()
 }
 
@@ -108,8 +107,8 @@ fn record_name(index: usize) -> String {
     format!("record-{}.csv", index + 1)
 }
 
-fn chart_name(object: &str, quantity: &str) -> String {
-    format!("{object}-{}.svg", quantity.replace('_', "-"))
+fn chart_name(object: &str, quantity: Quantity) -> String {
+    format!("{object}-{}.svg", quantity.name().replace('_', "-"))
 }
 
 fn prepare_folder(
@@ -178,14 +177,22 @@ mod tests {
     use super::parse_over;
 
     #[test]
-    fn a_list_is_plain_or_json() {
-        let (path, values) = parse_over("rocker.masses=1, 2,10").unwrap();
-        assert_eq!(path, "rocker.masses");
-        assert_eq!(values, ["1", "2", "10"]);
-        let (_, values) = parse_over("a.pair=[{\"gap\": \"1 mm\"}, 3]").unwrap();
-        assert_eq!(values[1], "3");
-        assert!(values[0].contains("gap"));
-        for wrong in ["rocker.masses", "=1,2", "a=1", "a=1,,2", "a="] {
+    fn two_values_or_more_are_compared() {
+        let over = parse_over("rocker.masses=1, 2,10").unwrap();
+        assert_eq!(
+            (over.path.as_str(), over.values.len()),
+            ("rocker.masses", 3)
+        );
+        let many = format!("a.b={}1", "1,".repeat(50));
+        for wrong in [
+            "rocker.masses",
+            "=1,2",
+            "a=1",
+            "a=1,,2",
+            "a=",
+            "a=1 mm,2",
+            &many,
+        ] {
             assert!(parse_over(wrong).is_err(), "{wrong}");
         }
     }

@@ -1,27 +1,86 @@
 //! Standard output is data, standard error is talk.
 
-use std::io::{IsTerminal, Write};
+use super::failure::Failure;
+use dam::diagnostics::{Diagnostics, is_harmful, printable};
+use std::io::{ErrorKind, IsTerminal, Write};
 
-/// Writes data to standard output. A reader that has gone away (`dam … | head`)
-/// is no error of ours.
-pub(crate) fn data(text: &str) {
-    let _ = std::io::stdout().lock().write_all(text.as_bytes());
+/// Writes data to standard output, all of it. A reader that has gone away
+/// (`dam … | head`) is no error of ours. Control characters, which only names and
+/// texts of a scene can bring in, are made harmless.
+///
+/// # Errors
+/// What the system says: no space left, …
+pub(crate) fn data(text: &str) -> Result<(), Failure> {
+    let mut out = std::io::stdout().lock();
+    let written = out
+        .write_all(printable(text).as_bytes())
+        .and_then(|()| out.flush());
+    checked(written)
+}
+
+/// What a write to standard output came to.
+pub(crate) fn checked(written: std::io::Result<()>) -> Result<(), Failure> {
+    match written {
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(Failure::Output(format!(
+            "cannot write to standard output: {error}"
+        ))),
+        _ => Ok(()),
+    }
 }
 
 /// Writes one JSON document to standard output.
-pub(crate) fn json(document: &impl serde::Serialize) -> Result<(), String> {
-    let mut text = serde_json::to_string_pretty(document).map_err(|error| error.to_string())?;
-    text.push('\n');
-    data(&text);
-    Ok(())
+///
+/// # Errors
+/// Those of [`data`].
+pub(crate) fn json(document: &impl serde::Serialize) -> Result<(), Failure> {
+    let text = serde_json::to_string_pretty(document).map_err(|error| error.to_string())?;
+    data(&(escaped(&text) + "\n"))
+}
+
+/// JSON in which what a terminal would obey, as far as JSON lets it stand in a string, is
+/// escaped.
+fn escaped(json: &str) -> String {
+    let mut text = String::with_capacity(json.len());
+    for c in json.chars() {
+        match c {
+            c if is_harmful(c) && c != '\n' => text.push_str(&format!("\\u{:04x}", u32::from(c))),
+            c => text.push(c),
+        }
+    }
+    text
 }
 
 /// Says something on standard error.
 pub(crate) fn talk(text: &str) {
+    rendered(&printable(text));
+}
+
+/// Says on standard error what is wrong or doubtful in a scene.
+pub(crate) fn diagnose(diagnostics: &Diagnostics) {
+    rendered(&diagnostics.render(colour()));
+}
+
+fn rendered(text: &str) {
+    // Where there is nobody to talk to there is nothing to do about it.
     let _ = writeln!(std::io::stderr().lock(), "{}", text.trim_end());
 }
 
 /// True when standard error understands colours.
-pub(crate) fn colour() -> bool {
+fn colour() -> bool {
     std::io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::escaped;
+
+    #[test]
+    fn json_keeps_its_meaning_without_control_characters() {
+        let name = "a\u{1b}[31m\u{9b}31m\u{7f}é\n\"";
+        let text = serde_json::to_string_pretty(&serde_json::json!({ "name": name })).unwrap();
+        let safe = escaped(&text);
+        assert!(!safe.chars().any(|c| c.is_control() && c != '\n'));
+        let back: serde_json::Value = serde_json::from_str(&safe).unwrap();
+        assert_eq!(back["name"], name);
+    }
 }

@@ -1,5 +1,6 @@
 //! How a command ends.
 
+use super::{console, interrupt};
 use dam::diagnostics::Diagnostics;
 use serde_json::{Value, json};
 
@@ -10,47 +11,63 @@ pub(crate) enum Status {
     Answered,
     /// Stopped early, not to be trusted, or an expectation failed.
     NotTrusted,
-    /// Ctrl-C.
+    /// Ended by a signal with what was computed until then.
     Interrupted,
 }
 
 impl Status {
-    /// The program's exit status.
+    /// The program's exit status: of a signal 128 and its number.
     pub(crate) fn code(self) -> u8 {
         match self {
             Self::Answered => 0,
             Self::NotTrusted => 1,
-            Self::Interrupted => 130,
+            Self::Interrupted => interrupt::code(),
         }
     }
 }
 
-/// Why a command could not do its work: exit status 2.
+/// Why a command did not come to its end.
 #[derive(Debug)]
 pub(crate) enum Failure {
     /// The scene is wrong.
     Scene(Box<Diagnostics>),
     /// The arguments or the files are wrong.
     Other(String),
+    /// The question was right, and its answer could not be given or written down.
+    Output(String),
 }
 
 impl Failure {
-    /// For people.
-    pub(crate) fn text(&self, colour: bool) -> String {
+    /// The program's exit status.
+    pub(crate) fn code(&self) -> u8 {
         match self {
-            Self::Scene(diagnostics) => diagnostics.render(colour),
-            Self::Other(message) => format!("error: {message}\n"),
+            Self::Scene(_) | Self::Other(_) => 2,
+            Self::Output(_) => Status::NotTrusted.code(),
+        }
+    }
+
+    /// Tells people.
+    pub(crate) fn talk(&self) {
+        match self {
+            Self::Scene(diagnostics) => console::diagnose(diagnostics),
+            Self::Other(message) | Self::Output(message) => {
+                console::talk(&format!("error: {message}\n"));
+            }
         }
     }
 
     /// For programs.
     pub(crate) fn json(&self) -> Value {
+        let one = |code: &str, message: &str| {
+            json!({
+                "dam": 1,
+                "errors": [{ "severity": "error", "code": code, "message": message }]
+            })
+        };
         match self {
             Self::Scene(diagnostics) => json!({ "dam": 1, "errors": diagnostics.json() }),
-            Self::Other(message) => json!({
-                "dam": 1,
-                "errors": [{ "severity": "error", "code": "input", "message": message }]
-            }),
+            Self::Other(message) => one("input", message),
+            Self::Output(message) => one("output", message),
         }
     }
 }
@@ -58,6 +75,12 @@ impl Failure {
 impl From<Diagnostics> for Failure {
     fn from(diagnostics: Diagnostics) -> Self {
         Self::Scene(Box::new(diagnostics))
+    }
+}
+
+impl From<dam::Error> for Failure {
+    fn from(error: dam::Error) -> Self {
+        error.into_diagnostics().into()
     }
 }
 

@@ -6,7 +6,7 @@ use super::expected;
 use super::failure::{Failure, Status};
 use super::input::{Input, Ready};
 use super::kinematics::{asked_over, quantity};
-use super::output::{OutputFolder, ResultFile};
+use super::output::{self, OutputFolder, ResultFile};
 use dam::analysis::expectations::Verdict;
 use dam::analysis::forces::{
     Course, ForceSettings, ForceStudy, LinkagePositions, compare_massless, course_of,
@@ -17,11 +17,12 @@ use dam::analysis::studied::{POSITIONS, check_forces};
 use dam::fault::Fault;
 use dam::linkage::Linkage;
 use dam::linkage::kinetostatics::{Convention, ForceFailure, Kinetostatics, Options};
-use dam::model::{Coordinate, LinkageBody, Model};
+use dam::model::{Coordinate, LinkageBody, Model, ObjectPart};
 use dam::object::Measures;
 use dam::report::forces::{
     ForcesReport, document, drawing, forces_csv, massless_chart, page, text,
 };
+use serde_json::Value;
 use std::path::Path;
 
 const FILES: [&str; 5] = [
@@ -69,8 +70,10 @@ pub(crate) fn command(args: &ForcesArgs) -> Result<Status, Failure> {
         list => Some(compare_massless(spec, &mut source, &course, &settings, list).map_err(told)?),
     };
     let found = study(spec, &mut source, course, settings).map_err(told)?;
+    let warnings = warnings(args, &found, &behind(model, object));
     let report = ForcesReport {
         study: &found,
+        warnings: &warnings,
         massless: massless.as_ref(),
         object,
         motion: &motion,
@@ -80,11 +83,11 @@ pub(crate) fn command(args: &ForcesArgs) -> Result<Status, Failure> {
         version: env!("CARGO_PKG_VERSION"),
     };
     let verdicts = verdicts(args, &ready, object, &found);
-    if let Some(folder) = &folder {
-        folder.write("forces", report.hash, &files(&report, &verdicts)?)?;
-    }
-    show(args, &report, &verdicts)?;
-    talk(args, &found, behind(model, object));
+    let document = || expected::beside(document(&report), &verdicts);
+    let files = || files(&report, document());
+    let show = || show(args, &report, document);
+    output::deliver(folder.as_ref(), "forces", report.hash, files, show)?;
+    talk(args, &found, &warnings);
     if !args.scene.quiet {
         expected::talk(&verdicts);
     }
@@ -277,18 +280,22 @@ fn read(path: &Path) -> Result<String, String> {
     Ok(text)
 }
 
-fn show(args: &ForcesArgs, report: &ForcesReport<'_>, verdicts: &[Verdict]) -> Result<(), Failure> {
+fn show(
+    args: &ForcesArgs,
+    report: &ForcesReport<'_>,
+    document: impl FnOnce() -> Value,
+) -> Result<(), Failure> {
     if args.scene.json {
-        console::json(&expected::beside(document(report), verdicts))?;
+        console::json(&document())?;
     } else if args.csv {
-        console::data(&forces_csv(report.study).map_err(|error| error.to_string())?);
+        console::data(&forces_csv(report.study).map_err(|error| error.to_string())?)?;
     } else {
-        console::data(&text(report));
+        console::data(&text(report))?;
     }
     Ok(())
 }
 
-/// Objects that hang on the linkage's outputs.
+/// Objects that hang on the linkage's outputs, and outputs that carry loads of their own.
 fn behind<'m>(model: &'m Model, object: &str) -> Vec<&'m str> {
     let own = |id: &str| {
         id == object
@@ -296,37 +303,46 @@ fn behind<'m>(model: &'m Model, object: &str) -> Vec<&'m str> {
                 .strip_prefix(object)
                 .is_some_and(|rest| rest.starts_with('.'))
     };
+    let hangs = |part: &ObjectPart| {
+        !own(&part.id) && (part.inputs.iter()).any(|input| own(&model.objects[input.driver].id))
+    };
+    let loaded = |part: &ObjectPart| {
+        own(&part.id) && (model.loads.iter()).any(|load| part.nodes.contains(&load.node))
+    };
     let parts = model.objects.iter();
     parts
-        .filter(|part| {
-            !own(&part.id) && (part.inputs.iter()).any(|input| own(&model.objects[input.driver].id))
-        })
+        .filter(|part| hangs(part) || loaded(part))
         .map(|part| part.id.as_str())
         .collect()
 }
 
-fn talk(args: &ForcesArgs, found: &ForceStudy, behind: Vec<&str>) {
+/// All that the user should know besides the figures.
+fn warnings(args: &ForcesArgs, found: &ForceStudy, behind: &[&str]) -> Vec<String> {
+    let mut warnings = found.warnings();
+    if !behind.is_empty() && args.record.is_none() {
+        warnings.push(format!(
+            "the forces of what the linkage drives ({}) are not among its loads; take them from a \
+             run with --record",
+            behind.join(", ")
+        ));
+    }
+    warnings
+}
+
+fn talk(args: &ForcesArgs, found: &ForceStudy, warnings: &[String]) {
     if args.scene.quiet {
         return;
     }
-    for warning in found.warnings() {
+    for warning in warnings {
         console::talk(&format!("warning: {warning}"));
-    }
-    if !behind.is_empty() && args.record.is_none() {
-        console::talk(&format!(
-            "warning: the forces of what the linkage drives ({}) are not among its loads; take them \
-             from a run with --record",
-            behind.join(", ")
-        ));
     }
     if found.settings.output.is_none() {
         console::talk("no transmission ratio: name the loaded output with --load");
     }
 }
 
-fn files(report: &ForcesReport<'_>, verdicts: &[Verdict]) -> Result<Vec<ResultFile>, Failure> {
+fn files(report: &ForcesReport<'_>, document: Value) -> Result<Vec<ResultFile>, Failure> {
     let table = forces_csv(report.study).map_err(|error| error.to_string())?;
-    let document = expected::beside(document(report), verdicts);
     let mut files = vec![
         ResultFile::new(FILES[0], table),
         ResultFile::new(FILES[1], format!("{document:#}\n")),

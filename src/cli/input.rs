@@ -2,17 +2,11 @@
 
 use super::args::SceneArgs;
 use super::failure::Failure;
-use dam::analysis::RunSettings;
-use dam::analysis::expectations::unknown_figures;
-use dam::analysis::studied;
 use dam::diagnostics::Diagnostics;
-use dam::lower::lower;
-use dam::scene::{BuiltIn, Catalogue, Document, Layered, Overrides, Reading, Scene};
-use dam::system::System;
-use std::borrow::Cow;
+use dam::scene::{BuiltIn, Catalogue, Document, Folder, Layered, Overrides, Reading, read_bounded};
 use std::fs;
-use std::io::Read;
-use std::path::{Path, PathBuf};
+
+pub(crate) use dam::Mechanism as Ready;
 
 /// A scene's text with everything that its decoding needs.
 #[derive(Debug)]
@@ -22,36 +16,23 @@ pub(crate) struct Input {
     overrides: Overrides,
 }
 
-/// A scene made ready to run.
-#[derive(Debug)]
-pub(crate) struct Ready {
-    /// The scene.
-    pub(crate) reading: Reading,
-    /// Its system.
-    pub(crate) system: System,
-    /// How to run it.
-    pub(crate) settings: RunSettings,
-}
-
-impl Ready {
-    /// The scene.
-    pub(crate) fn scene(&self) -> &Scene {
-        &self.reading.scene
-    }
-}
-
 impl Input {
-    /// Reads and parses the scene's file.
+    /// Reads and parses the scene: a file, or standard input for `-`.
     pub(crate) fn load(args: &SceneArgs) -> Result<Self, Failure> {
-        let shown = args.scene.display().to_string();
-        let bytes = read_bounded(&args.scene)
-            .map_err(|error| format!("cannot read the scene `{shown}`: {error}"))?;
-        let beside = args.scene.parent().unwrap_or(Path::new("."));
+        let (shown, read) = match args.scene.as_os_str() == STANDARD_INPUT {
+            true => (
+                "standard input".to_owned(),
+                read_bounded(std::io::stdin().lock()),
+            ),
+            false => (
+                args.scene.display().to_string(),
+                fs::File::open(&args.scene).and_then(read_bounded),
+            ),
+        };
+        let bytes = read.map_err(|error| format!("cannot read the scene `{shown}`: {error}"))?;
         Ok(Self {
             document: Document::parse(&shown, &bytes)?,
-            folder: Folder {
-                path: beside.join("objects"),
-            },
+            folder: Folder::beside(&args.scene),
             overrides: Overrides::new(args.set.clone()),
         })
     }
@@ -80,80 +61,9 @@ impl Input {
 
     /// Decodes the scene and builds its system; every fault of one stage at once.
     pub(crate) fn prepare(&self, further: &[String]) -> Result<Ready, Failure> {
-        let reading = self.decode(further)?;
-        let diagnose = |faults: Vec<dam::fault::Fault>| reading.places.diagnose(&faults);
-        let model = lower(&reading.scene).map_err(diagnose)?;
-        let expect = &reading.scene.expect;
-        let mut faults = unknown_figures(expect, &model);
-        faults.extend(studied::unknown_figures(expect, &model));
-        if !faults.is_empty() {
-            return Err(diagnose(faults).into());
-        }
-        let system = System::new(model).map_err(diagnose)?;
-        let settings = RunSettings::of(&reading.scene).map_err(|fault| diagnose(vec![fault]))?;
-        Ok(Ready {
-            system,
-            settings,
-            reading,
-        })
+        Ok(Ready::of(self.decode(further)?)?)
     }
 }
 
-/// Largest scene that is read at all: more than the library accepts, so that
-/// its own message about size is the one that is seen.
-const LARGEST: u64 = 64 << 20;
-
-fn read_bounded(path: &Path) -> std::io::Result<Vec<u8>> {
-    let mut bytes = Vec::new();
-    fs::File::open(path)?
-        .take(LARGEST)
-        .read_to_end(&mut bytes)?;
-    Ok(bytes)
-}
-
-/// The `objects` folder beside a scene.
-#[derive(Debug)]
-struct Folder {
-    path: PathBuf,
-}
-
-impl Catalogue for Folder {
-    fn lookup(&self, name: &str) -> Option<(String, Cow<'_, str>)> {
-        // Only plain names below the folder: no `..`, no absolute paths.
-        let plain = |part: &str| !part.is_empty() && !part.starts_with('.') && !part.contains('\\');
-        if !name.split('/').all(plain) {
-            return None;
-        }
-        let file = self.path.join(format!("{name}.json"));
-        let text = String::from_utf8(read_bounded(&file).ok()?).ok()?;
-        Some((file.display().to_string(), Cow::Owned(text)))
-    }
-
-    fn names(&self) -> Vec<String> {
-        let mut names = Vec::new();
-        collect(&self.path, "", 0, &mut names);
-        names.sort();
-        names
-    }
-}
-
-/// Names of the JSON files below a folder, a few levels deep.
-fn collect(folder: &Path, prefix: &str, depth: usize, names: &mut Vec<String>) {
-    let Ok(entries) = fs::read_dir(folder) else {
-        return;
-    };
-    for entry in entries.flatten() {
-        let path = entry.path();
-        let Some(stem) = path.file_stem().and_then(|stem| stem.to_str()) else {
-            continue;
-        };
-        if path.is_dir() && depth < 3 {
-            collect(&path, &format!("{prefix}{stem}/"), depth + 1, names);
-        } else if path
-            .extension()
-            .is_some_and(|extension| extension == "json")
-        {
-            names.push(format!("{prefix}{stem}"));
-        }
-    }
-}
+/// Stands for standard input in place of a file.
+const STANDARD_INPUT: &str = "-";

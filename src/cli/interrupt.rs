@@ -1,16 +1,123 @@
-//! Ctrl-C: the first ends the run in good order, the second ends the program.
+//! What ends a command from outside: Ctrl-C, SIGTERM, the time limit.
+//!
+//! While nothing is there to be lost (a scene is read, lowered, looked at), the
+//! program ends at once. While something is kept (a motion, finished cells, files
+//! on their way to the disk), the budget that every computation looks at is spent,
+//! and the command ends in good order with what it has. A second signal ends the
+//! program in any case.
 
-use std::sync::atomic::{AtomicBool, Ordering};
+use super::failure::{Failure, Status};
+use dam::budget::Budget;
+use std::sync::atomic::{AtomicBool, AtomicU8, Ordering};
+use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError};
+use std::time::Duration;
 
-static INTERRUPTED: AtomicBool = AtomicBool::new(false);
+/// Raised by the first signal.
+static SIGNALLED: AtomicBool = AtomicBool::new(false);
 
-/// Starts listening and returns the flag that Ctrl-C sets.
-pub(crate) fn listen() -> &'static AtomicBool {
-    // Without a handler Ctrl-C still ends the program, only less politely.
-    let _ = ctrlc::set_handler(|| {
-        if INTERRUPTED.swap(true, Ordering::Relaxed) {
-            std::process::exit(130);
+/// The exit status that tells of the signal: 128 and its number.
+static CODE: AtomicU8 = AtomicU8::new(130);
+
+/// How many keep something at present.
+static KEEPERS: Mutex<usize> = Mutex::new(0);
+
+/// What the command may spend, from its start on.
+static BUDGET: OnceLock<Budget<'static>> = OnceLock::new();
+
+/// For as long as it lives, the program does not end from outside.
+#[derive(Debug)]
+pub(crate) struct Keeping(());
+
+/// Says that there is something to keep from now on.
+pub(crate) fn keep() -> Keeping {
+    *keepers() += 1;
+    Keeping(())
+}
+
+impl Drop for Keeping {
+    fn drop(&mut self) {
+        *keepers() -= 1;
+    }
+}
+
+fn keepers() -> MutexGuard<'static, usize> {
+    KEEPERS.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Starts listening; the time `limit` counts from here on. A command that the time
+/// limit ends before it has anything to keep says so as `json` asks.
+pub(crate) fn start(limit: Option<Duration>, json: bool) {
+    let budget = Budget::interrupted_by(&SIGNALLED);
+    let budget = limit.map_or(budget, |limit| budget.within(limit));
+    BUDGET.get_or_init(|| budget);
+    listen();
+    if let Some(limit) = limit {
+        std::thread::spawn(move || {
+            std::thread::sleep(limit);
+            end_if_nothing_is_kept(|| {
+                let over = Failure::Output(format!(
+                    "the time limit of {} s was over before there was a result",
+                    limit.as_secs_f64()
+                ));
+                super::report(&over, json);
+                Status::NotTrusted.code()
+            });
+        });
+    }
+}
+
+/// What the command may still spend.
+pub(crate) fn budget() -> &'static Budget<'static> {
+    BUDGET.get_or_init(|| Budget::interrupted_by(&SIGNALLED))
+}
+
+/// How a command ends that was ended from outside with what it had.
+pub(crate) fn status() -> Status {
+    match SIGNALLED.load(Ordering::Relaxed) {
+        true => Status::Interrupted,
+        false => Status::NotTrusted,
+    }
+}
+
+/// The exit status of a command that a signal ended.
+pub(crate) fn code() -> u8 {
+    CODE.load(Ordering::Relaxed)
+}
+
+/// A signal has come; `code` is its exit status.
+fn heard(code: u8) {
+    if SIGNALLED.load(Ordering::Relaxed) {
+        std::process::exit(i32::from(code));
+    }
+    CODE.store(code, Ordering::Relaxed);
+    SIGNALLED.store(true, Ordering::Relaxed);
+    end_if_nothing_is_kept(|| code);
+}
+
+/// Nobody can begin to keep anything while the program ends.
+fn end_if_nothing_is_kept(last_words: impl FnOnce() -> u8) {
+    let keepers = keepers();
+    if *keepers == 0 {
+        std::process::exit(i32::from(last_words()));
+    }
+}
+
+#[cfg(unix)]
+fn listen() {
+    use signal_hook::consts::{SIGINT, SIGTERM};
+    // Without a handler signals still end the program, only less politely.
+    let Ok(mut signals) = signal_hook::iterator::Signals::new([SIGINT, SIGTERM]) else {
+        return;
+    };
+    std::thread::spawn(move || {
+        for signal in signals.forever() {
+            heard(128 + u8::try_from(signal).unwrap_or(0));
         }
     });
-    &INTERRUPTED
+}
+
+#[cfg(not(unix))]
+fn listen() {
+    // Without a handler Ctrl-C still ends the program, only less politely.
+    let _ = ctrlc::set_handler(|| heard(130));
 }

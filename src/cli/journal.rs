@@ -2,12 +2,12 @@
 
 use dam::analysis::map::{Cell, Study, journal};
 use std::collections::BTreeMap;
-use std::fs::{self, File, OpenOptions};
+use std::fs::{File, OpenOptions};
 use std::io::{ErrorKind, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 
-/// Name of the journal within the folder. It goes when the map is complete.
+/// Name of the journal within the folder. It goes when results are written there.
 pub(crate) const NAME: &str = "map.journal";
 
 /// Largest journal that is read.
@@ -66,12 +66,6 @@ impl Journal {
         let mut file = (self.file.lock()).map_err(|_| "the journal is broken".to_owned())?;
         file.write_all(line.as_bytes())
             .map_err(|error| format!("cannot write `{}`: {error}", self.path.display()))
-    }
-
-    /// Removes the journal of a map that is complete and written.
-    pub(crate) fn remove(self) -> Result<(), String> {
-        fs::remove_file(&self.path)
-            .map_err(|error| format!("cannot remove `{}`: {error}", self.path.display()))
     }
 }
 

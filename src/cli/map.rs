@@ -4,11 +4,12 @@ use super::args::MapArgs;
 use super::console;
 use super::failure::{Failure, Status};
 use super::input::Input;
+use super::interrupt;
 use super::journal::Journal;
-use super::output::{OutputFolder, ResultFile};
-use super::run::control;
+use super::output::{self, OutputFolder, ResultFile};
 use dam::analysis::axis::Axis;
 use dam::analysis::map::{Cell, Listener, MapResult, Panels, Question, Study, StudyFault, map};
+use dam::diagnostics::printable;
 use dam::report::map::{MapReport, document, map_csv, page, text};
 use dam::report::svg;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
@@ -51,26 +52,20 @@ pub(crate) fn command(args: &MapArgs) -> Result<Status, Failure> {
     let kept: usize = known.values().map(Vec::len).sum();
     let watch = Watch::new(&study, kept, journal.as_ref(), args.scene.quiet);
     let threads = args.threads.map(usize::from);
-    let result = map(&study, known, threads, &control(None), &watch);
+    let keeping = interrupt::keep();
+    let result = map(&study, known, threads, interrupt::budget(), &watch);
     watch.finish();
     let result = result?;
     let seconds = begun.elapsed().as_secs_f64();
-    if let (true, Some(folder)) = (result.complete, &folder) {
-        folder.write(
-            "map",
-            &study.hash,
-            &files(&input, &study, &result, seconds)?,
-        )?;
-    }
-    if let (true, Some(journal)) = (result.complete, journal) {
-        journal.remove()?;
-    }
-    let document = document(&study, &result);
-    if args.scene.json {
-        console::json(&document)?;
-    } else {
-        console::data(&text(&study, &result));
-    }
+    let whole = folder.as_ref().filter(|_| result.complete);
+    let files = || files(&command_of(args), &input, &study, &result, seconds);
+    let show = || match args.scene.json {
+        true => console::json(&document(&study, &result)),
+        false => console::data(&text(&study, &result)),
+    };
+    // With the files of the whole map its journal goes.
+    output::deliver(whole, "map", &study.hash, files, show)?;
+    drop(keeping);
     if !args.scene.quiet {
         talk(&study, &result, folder.as_ref(), seconds, kept);
     }
@@ -81,7 +76,7 @@ pub(crate) fn command(args: &MapArgs) -> Result<Status, Failure> {
 fn status(result: &MapResult) -> Status {
     match result.complete {
         true => Status::Answered,
-        false => Status::Interrupted,
+        false => interrupt::status(),
     }
 }
 
@@ -96,6 +91,7 @@ fn question(args: &MapArgs) -> Result<Question, Failure> {
         panels: Panels::parse(&args.panels).map_err(|what| format!("--panels {what}"))?,
         figure: args.figure.clone(),
         check_determined: !args.unchecked,
+        digits: args.digits,
     })
 }
 
@@ -112,7 +108,18 @@ fn prepare_folder(
     Ok((folder, journal, known))
 }
 
+/// The command that runs the scene with the settings of all cells, word by word.
+fn command_of(args: &MapArgs) -> Vec<String> {
+    let scene = args.scene.scene.display().to_string();
+    let mut words = vec!["dam".to_owned(), "run".to_owned(), scene];
+    for setting in &args.scene.set {
+        words.extend(["--set".to_owned(), setting.clone()]);
+    }
+    words
+}
+
 fn files(
+    command: &[String],
     input: &Input,
     study: &Study<'_>,
     result: &MapResult,
@@ -123,6 +130,7 @@ fn files(
     let report = page(&MapReport {
         study,
         result,
+        command,
         scene: input.text(),
         version: env!("CARGO_PKG_VERSION"),
     });
@@ -189,7 +197,7 @@ impl<'a> Watch<'a> {
             bar.set_position(kept as u64);
             bar.reset_eta();
             bar.set_style(style());
-            bar.set_prefix(study.scene.clone());
+            bar.set_prefix(printable(&study.scene));
             bar
         });
         Self {

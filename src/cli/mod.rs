@@ -14,8 +14,10 @@ mod interrupt;
 mod journal;
 mod kinematics;
 mod law;
+mod manual;
 mod map;
 mod methods;
+mod new;
 mod output;
 mod progress;
 mod run;
@@ -26,42 +28,68 @@ mod terminal;
 
 use args::{Cli, Command};
 use clap::Parser;
+use failure::{Failure, Status};
+use std::io::Write;
 use std::process::ExitCode;
+use std::time::Duration;
 
 /// Runs the program.
 pub(crate) fn main() -> ExitCode {
-    let cli = Cli::parse();
-    let (result, scene) = match &cli.command {
-        Command::Run(args) => (run::command(args), Some(&args.scene)),
-        Command::Check(args) => (check::command(args), Some(&args.scene)),
-        Command::Schema => (Ok(check::schema()), None),
-        Command::Show(args) => (show::command(args), Some(&args.scene)),
-        Command::Compare(args) => (compare::command(args), Some(&args.scene)),
-        Command::Law(args) => (law::command(args), None),
-        Command::Cam(args) => (cam::command(args), Some(&args.scene)),
-        Command::Map(args) => (map::command(args), Some(&args.scene)),
-        Command::Methods(args) => (methods::command(args), Some(&args.scene)),
-        Command::Kinematics(args) => (kinematics::command(args), Some(&args.scene)),
-        Command::Steady(args) => (steady::command(args), None),
-        Command::Forces(args) => (forces::command(args), Some(&args.scene)),
+    let cli = match Cli::try_parse() {
+        Ok(cli) => cli,
+        Err(told) => return without_command(&told),
     };
-    match result {
+    let json = cli.command.json();
+    interrupt::start(cli.time_limit.map(Duration::from_secs_f64), json);
+    match run(&cli.command) {
         Ok(status) => ExitCode::from(status.code()),
         Err(failure) => {
-            let json = match &cli.command {
-                Command::Law(args) => args.json(),
-                Command::Steady(args) => args.json,
-                _ => scene.is_some_and(|args| args.json),
-            };
             report(&failure, json);
-            ExitCode::from(2)
+            ExitCode::from(failure.code())
         }
     }
 }
 
-fn report(failure: &failure::Failure, json: bool) {
+fn run(command: &Command) -> Result<Status, Failure> {
+    match command {
+        Command::Run(args) => run::command(args),
+        Command::Check(args) => check::command(args),
+        Command::Schema => check::schema(),
+        Command::New(args) => new::command(args),
+        Command::Completions(args) => manual::completions(args),
+        Command::Manual(args) => manual::page(args),
+        Command::Show(args) => show::command(args),
+        Command::Compare(args) => compare::command(args),
+        Command::Law(args) => law::command(args),
+        Command::Cam(args) => cam::command(args),
+        Command::Map(args) => map::command(args),
+        Command::Methods(args) => methods::command(args),
+        Command::Kinematics(args) => kinematics::command(args),
+        Command::Steady(args) => steady::command(args),
+        Command::Forces(args) => forces::command(args),
+    }
+}
+
+/// Help, the version, or what is wrong with the arguments.
+fn without_command(told: &clap::Error) -> ExitCode {
+    let printed = told.print().and_then(|()| std::io::stdout().flush());
+    if told.use_stderr() {
+        return ExitCode::from(2);
+    }
+    match console::checked(printed) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            failure.talk();
+            ExitCode::from(failure.code())
+        }
+    }
+}
+
+/// Tells why a command came to nothing: programs on standard output, people on
+/// standard error.
+fn report(failure: &Failure, json: bool) {
     if json && console::json(&failure.json()).is_ok() {
         return;
     }
-    console::talk(&failure.text(console::colour()));
+    failure.talk();
 }

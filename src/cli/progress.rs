@@ -1,5 +1,7 @@
 //! A progress bar for runs longer than a second, on a terminal only.
 
+use super::interrupt::{self, Keeping};
+use dam::diagnostics::printable;
 use dam::integrate::{Modes, Sink, SwitchEvent};
 use dam::polynomial::Step;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
@@ -20,6 +22,7 @@ pub(crate) struct Progress {
     begun: Instant,
     until_look: u32,
     switches: u64,
+    keeping: Option<Keeping>,
 }
 
 impl Progress {
@@ -29,11 +32,12 @@ impl Progress {
         let visible = !quiet && std::io::stderr().is_terminal();
         Self {
             bar: visible.then(ProgressBar::hidden),
-            label: label.to_owned(),
+            label: printable(label),
             duration,
             begun: Instant::now(),
             until_look: STRIDE,
             switches: 0,
+            keeping: None,
         }
     }
 
@@ -71,7 +75,10 @@ fn style() -> ProgressStyle {
 }
 
 impl Sink for Progress {
-    fn start(&mut self, _time: f64, _y: &[f64], _modes: &Modes) {}
+    fn start(&mut self, _time: f64, _y: &[f64], _modes: &Modes) {
+        // From here on there is a motion to keep.
+        self.keeping.get_or_insert_with(interrupt::keep);
+    }
 
     fn step(&mut self, step: &Step<'_>, _modes: &Modes) {
         self.until_look -= 1;

@@ -4,9 +4,10 @@ use super::args::RunArgs;
 use super::console;
 use super::failure::{Failure, Status};
 use super::input::{Input, Ready};
-use super::output::{OutputFolder, ResultFile};
+use super::output::{self, OutputFolder, ResultFile};
 use super::progress::Progress;
 use super::{interrupt, tables, terminal};
+use dam::analysis::cam::disc_cams;
 use dam::analysis::expectations::{Verdict, check, of_run};
 use dam::analysis::run::{RunResult, run};
 use dam::analysis::spread::{Spread, spread};
@@ -16,8 +17,10 @@ use dam::record::Figures;
 use dam::report::csv::record_csv;
 use dam::report::diagram::Diagram;
 use dam::report::html::{RunReport, page};
+use dam::report::machine::Machine;
 use serde::Serialize;
-use std::time::{Duration, Instant};
+use serde_json::Value;
+use std::time::Instant;
 
 const FILES: [&str; 4] = ["summary.json", "record.csv", "report.html", "timing.json"];
 
@@ -30,6 +33,9 @@ struct Document<'a> {
     spread: Option<&'a Spread>,
     #[serde(skip_serializing_if = "<[Verdict]>::is_empty")]
     expect: &'a [Verdict],
+    /// What is doubtful in the scene's text, with its places.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    diagnostics: Option<Value>,
 }
 
 /// Runs the command.
@@ -39,7 +45,7 @@ pub(crate) fn command(args: &RunArgs) -> Result<Status, Failure> {
     let folder = OutputFolder::asked(&args.out, &ready.scene().name, &FILES)?;
     let quiet = args.scene.quiet;
     if !quiet && !ready.reading.warnings.is_empty() {
-        console::talk(&ready.reading.warnings.render(console::colour()));
+        console::diagnose(&ready.reading.warnings);
     }
     let known_before = &ready.system.model().warnings;
     if !quiet {
@@ -47,12 +53,12 @@ pub(crate) fn command(args: &RunArgs) -> Result<Status, Failure> {
             console::talk(&format!("warning: {warning}"));
         }
     }
-    let control = control(args.time_limit);
+    let control = interrupt::budget();
     let begun = Instant::now();
-    let result = run_with_progress(&ready, &ready.settings, &control, quiet)?;
+    let result = run_with_progress(&ready, &ready.settings, control, quiet)?;
     let seconds = begun.elapsed().as_secs_f64();
     let spread = if args.spread {
-        let found = spread(&ready.system, &ready.settings, &result, &control)
+        let found = spread(&ready.system, &ready.settings, &result, control)
             .map_err(|faults| ready.reading.places.diagnose(&faults))?;
         Some(found)
     } else {
@@ -69,19 +75,17 @@ pub(crate) fn command(args: &RunArgs) -> Result<Status, Failure> {
         figures: &result.figures,
         spread: spread.as_ref(),
         expect: &verdicts,
+        diagnostics: doubts(&ready),
     };
-    if let Some(folder) = &folder {
-        let files = files(&input, &ready, &result, &document, seconds)?;
-        folder.write("run", &ready.scene().hash, &files)?;
-    }
-    if args.scene.json {
-        console::json(&document)?;
-    } else {
-        console::data(&terminal::summary(&result.figures));
-        if let Some(spread) = &spread {
-            console::data(&tables::spread(spread));
+    let files = || files(&input, &ready, &result, &document, seconds);
+    let show = || match args.scene.json {
+        true => console::json(&document),
+        false => {
+            let spread = spread.as_ref().map_or(String::new(), tables::spread);
+            console::data(&(terminal::summary(&result.figures) + &spread))
         }
-    }
+    };
+    output::deliver(folder.as_ref(), "run", &ready.scene().hash, files, show)?;
     if !quiet {
         talk(&ready, &result, &verdicts, seconds);
         if let Some(folder) = &folder {
@@ -91,12 +95,10 @@ pub(crate) fn command(args: &RunArgs) -> Result<Status, Failure> {
     Ok(status(&result, &verdicts))
 }
 
-/// What may end a run from outside.
-pub(crate) fn control(time_limit: Option<f64>) -> Control<'static> {
-    Control {
-        wall_clock: time_limit.map(Duration::from_secs_f64),
-        interrupt: Some(interrupt::listen()),
-    }
+/// What is doubtful in the scene's text, if anything, as JSON.
+pub(crate) fn doubts(ready: &Ready) -> Option<Value> {
+    let warnings = &ready.reading.warnings;
+    (!warnings.is_empty()).then(|| warnings.json())
 }
 
 /// A run with a progress bar.
@@ -122,10 +124,13 @@ fn files(
 ) -> Result<Vec<ResultFile>, Failure> {
     let mut summary = serde_json::to_string_pretty(document).map_err(|e| e.to_string())?;
     summary.push('\n');
+    let model = ready.system.model();
+    let cams = disc_cams(ready.scene(), model);
     let report = page(&RunReport {
         figures: &result.figures,
         record: &result.record,
-        diagram: &Diagram::of(ready.system.model()),
+        diagram: &Diagram::of(model),
+        machine: Some(Machine { model, cams: &cams }),
         scene: input.text(),
         version: env!("CARGO_PKG_VERSION"),
     });

@@ -30,7 +30,7 @@ pub(crate) fn command(args: &ShowArgs) -> Result<Status, Failure> {
         Form::Latex => latex(&equations(model)),
         Form::Text => in_words(args.view, system),
     };
-    console::data(&out);
+    console::data(&out)?;
     Ok(Status::Answered)
 }
 
@@ -52,24 +52,22 @@ fn refuse(view: View, form: Form) -> Result<(), Failure> {
 
 fn in_words(view: View, system: &System) -> String {
     let model = system.model();
+    // Only what is shown is worked out: frequencies of many masses take their time.
+    let said = |part: View| match part {
+        View::All => String::new(),
+        View::Graph => graph::tree(&Diagram::of(model)),
+        View::Model => masses::text(model, &frequencies(system)) + &exact_in_words(system),
+        View::Equations => text(&equations(model)),
+    };
+    if view != View::All {
+        return format!("{}\n", said(view).trim_end());
+    }
     let parts = [
-        (View::Graph, "OBJECTS", graph::tree(&Diagram::of(model))),
-        (
-            View::Model,
-            "DYNAMIC MODEL",
-            masses::text(model, &frequencies(system)) + &exact_in_words(system),
-        ),
-        (View::Equations, "EQUATIONS", text(&equations(model))),
+        (View::Graph, "OBJECTS"),
+        (View::Model, "DYNAMIC MODEL"),
+        (View::Equations, "EQUATIONS"),
     ];
-    let chosen = parts
-        .iter()
-        .filter(|(part, ..)| view == View::All || view == *part);
-    let texts: Vec<String> = chosen
-        .map(|(_, title, text)| match view {
-            View::All => format!("{title}\n\n{}\n", text.trim_end()),
-            _ => format!("{}\n", text.trim_end()),
-        })
-        .collect();
+    let texts = parts.map(|(part, title)| format!("{title}\n\n{}\n", said(part).trim_end()));
     texts.join("\n")
 }
 
@@ -122,13 +120,9 @@ fn exact_document(system: &System) -> serde_json::Value {
 }
 
 fn frequencies(system: &System) -> Frequencies {
-    let of = |regime| {
-        let modes = system.modes_of_vibration(regime);
-        modes.iter().map(|mode| mode.frequency).collect()
-    };
     Frequencies {
-        engaged: of(Regime::Engaged),
-        open: of(Regime::Open),
+        engaged: system.natural_frequencies(Regime::Engaged),
+        open: system.natural_frequencies(Regime::Open),
     }
 }
 

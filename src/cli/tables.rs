@@ -12,20 +12,21 @@ pub(crate) fn comparison(scene: &str, table: &Table) -> String {
     let last = table.labels.last().map_or("", String::as_str);
     let _ = writeln!(text, "{} compared; errors against {last}\n", table.over);
     let name = width(table.rows.iter().map(|row| row.figure.as_str()), 6);
-    let _ = write!(text, "{:<name$}", "figure");
+    let unit = width(table.rows.iter().map(|row| row.unit.as_str()), 4);
+    let _ = write!(text, "{:<name$}  {:<unit$}", "figure", "unit");
     for label in &table.labels {
         let _ = write!(text, "  {label:>14} {:>10}", "error");
     }
     text.push('\n');
     let rows = table.rows.iter();
     for row in rows.filter(|row| row.values.iter().any(Option::is_some)) {
-        comparison_row(&mut text, row, name);
+        comparison_row(&mut text, row, [name, unit]);
     }
     text
 }
 
-fn comparison_row(text: &mut String, row: &TableRow, name: usize) {
-    let _ = write!(text, "{:<name$}", row.figure);
+fn comparison_row(text: &mut String, row: &TableRow, [name, unit]: [usize; 2]) {
+    let _ = write!(text, "{:<name$}  {:<unit$}", row.figure, row.unit);
     for (value, error) in row.values.iter().zip(&row.errors) {
         let value = value.map_or("–".to_owned(), number);
         let _ = write!(text, "  {value:>14} {:>10}", percent(*error));

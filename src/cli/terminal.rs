@@ -1,6 +1,7 @@
 //! Figures on the terminal.
 
 use dam::record::{Figures, ObjectFigures, PairFigures, Units};
+use dam::units::shown;
 use std::fmt::Write as _;
 
 /// Significant digits shown; files carry all of them.
@@ -67,6 +68,7 @@ fn object_block(text: &mut String, id: &str, object: &ObjectFigures, units: Opti
     let rate = |order: &str| format!("{length}/{order}");
     // Drives and rigid objects do not deviate from their law.
     if object.delta_max != 0.0 || object.delta_min != 0.0 {
+        row("greatest |δ|", number(object.delta_abs), length);
         row("greatest deviation δ_max", number(object.delta_max), length);
         row("least deviation δ_min", number(object.delta_min), length);
         row("mean deviation σ", number(object.sigma), length);
@@ -127,25 +129,9 @@ fn pair_rows(
     row("in working order", order.to_owned(), "");
 }
 
-/// A number as people read it: plain where it is short, else with a power of ten.
+/// A number as people read it, in the one format of the terminal.
 pub(crate) fn number(value: f64) -> String {
-    let magnitude = value.abs();
-    if !value.is_finite() {
-        "not a number".to_owned()
-    } else if value == 0.0 {
-        "0".to_owned()
-    } else if (1e-3..1e6).contains(&magnitude) {
-        let leading = magnitude.log10().floor() as i32;
-        let decimals = (DIGITS as i32 - 1 - leading).max(0) as usize;
-        let text = format!("{value:.decimals$}");
-        if text.contains('.') {
-            text.trim_end_matches('0').trim_end_matches('.').to_owned()
-        } else {
-            text
-        }
-    } else {
-        format!("{value:.*e}", DIGITS - 1)
-    }
+    shown(value, DIGITS)
 }
 
 #[cfg(test)]
@@ -160,9 +146,11 @@ mod tests {
             (-1234.5678, "-1234.568"),
             (0.007500864310574964, "0.007500864"),
             (75.0, "75"),
-            (1e-4, "1.000000e-4"),
+            (1e-4, "1e-4"),
+            (1e-7, "1e-7"),
+            (2.5e-7, "2.5e-7"),
             (98.699696930596, "98.6997"),
-            (1.2345e7, "1.234500e7"),
+            (1.2345e7, "1.2345e7"),
             (f64::NAN, "not a number"),
             (f64::INFINITY, "not a number"),
         ] {

@@ -7,6 +7,7 @@
 mod render;
 mod source;
 
+pub use render::{is_harmful, printable};
 pub use source::{Place, Position, Source, SourceId, Sources};
 
 use std::fmt;
@@ -125,7 +126,7 @@ pub struct Diagnostics {
 impl Diagnostics {
     /// Sorts the items by place (those without one last) and drops repeated ones.
     pub fn new(sources: Sources, mut items: Vec<Diagnostic>) -> Self {
-        items.sort_by_key(|item| {
+        items.sort_by_cached_key(|item| {
             item.place
                 .as_ref()
                 .map_or((usize::MAX, 0), |place| (place.source, place.range.start))
@@ -158,9 +159,11 @@ impl Diagnostics {
     }
 
     fn line(&self, item: &Diagnostic) -> String {
-        let mut line = self.location(item).map_or_else(String::new, |(name, at)| {
-            format!("{name}:{}:{}: ", at.line, at.column)
-        });
+        let mut line = match self.location(item) {
+            Some((name, at)) => format!("{name}:{}:{}: ", at.line, at.column),
+            None if item.path.is_empty() => String::new(),
+            None => format!("{}: ", item.path),
+        };
         line.push_str(&item.message);
         if !item.hints.is_empty() {
             line.push_str(&format!(" ({})", item.hints.join("; ")));
@@ -169,7 +172,7 @@ impl Diagnostics {
     }
 
     fn location(&self, item: &Diagnostic) -> Option<(&str, Position)> {
-        let place = item.place.as_ref()?;
+        let place = item.place.as_ref().filter(|place| !place.is_nowhere())?;
         let source = self.sources.get(place.source)?;
         Some((&source.name, source.position(place.range.start)))
     }

@@ -1,6 +1,6 @@
 //! Diagnostics as text, with excerpts.
 
-use super::{Diagnostic, Diagnostics, Severity, Source, SourceId};
+use super::{Diagnostic, Diagnostics, Place, Severity, Source, SourceId};
 use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet};
 use std::ops::Range;
 
@@ -28,11 +28,24 @@ pub(super) fn render(diagnostics: &Diagnostics, colour: bool) -> String {
     };
     let mut text = String::new();
     for item in diagnostics.items.iter().take(MOST) {
-        text.push_str(&renderer.render(&[group(diagnostics, item)]));
+        text.push_str(&harmless(
+            &renderer.render(&[group(diagnostics, item)]),
+            colour,
+        ));
         text.push_str("\n\n");
     }
     text.push_str(&count(diagnostics));
     text
+}
+
+/// An excerpt may hold control characters that the renderer lets pass; its own
+/// escape sequences are colours.
+fn harmless(rendered: &str, colour: bool) -> String {
+    if !colour {
+        return printable(rendered);
+    }
+    let colours = rendered.split('\u{1b}').map(printable);
+    colours.collect::<Vec<_>>().join("\u{1b}")
 }
 
 fn group<'a>(diagnostics: &'a Diagnostics, item: &'a Diagnostic) -> Group<'a> {
@@ -40,15 +53,21 @@ fn group<'a>(diagnostics: &'a Diagnostics, item: &'a Diagnostic) -> Group<'a> {
         Severity::Error => Level::ERROR,
         Severity::Warning => Level::WARNING,
     };
-    let title = level.primary_title(printable(&item.message)).id(item.code);
+    let title = level
+        .primary_title(in_one_line(&item.message))
+        .id(item.code);
     let mut group = Group::with_title(title);
+    let in_code = item.place.as_ref().is_none_or(Place::is_nowhere);
+    if in_code && !item.path.is_empty() {
+        group = group.element(Origin::path(in_one_line(&item.path)));
+    }
     for excerpt in excerpts(item) {
         if let Some(source) = diagnostics.sources.get(excerpt.source) {
             group = show(group, source, &excerpt);
         }
     }
     for hint in &item.hints {
-        group = group.element(Level::HELP.message(printable(hint)));
+        group = group.element(Level::HELP.message(in_one_line(hint)));
     }
     group
 }
@@ -91,7 +110,8 @@ fn excerpts(item: &Diagnostic) -> Vec<Excerpt<'_>> {
         .take(MOST_RELATED)
         .map(|other| (&other.place, other.label.as_str()));
     let mut excerpts: Vec<Excerpt<'_>> = Vec::new();
-    for (number, (place, label)) in primary.chain(related).enumerate() {
+    let shown = primary.chain(related).enumerate();
+    for (number, (place, label)) in shown.filter(|(_, (place, _))| !place.is_nowhere()) {
         let kind = match number {
             0 => AnnotationKind::Primary,
             _ => AnnotationKind::Context,
@@ -121,16 +141,16 @@ fn show<'a>(group: Group<'a>, source: &'a Source, excerpt: &Excerpt<'_>) -> Grou
         let annotation = mark.kind.span(fit(text, window.start, &mark.range));
         snippet = snippet.annotation(match mark.label.is_empty() {
             true => annotation,
-            false => annotation.label(printable(mark.label)),
+            false => annotation.label(in_one_line(mark.label)),
         });
     }
     let cut = window.start > 0 && source.text.as_bytes()[window.start - 1] != b'\n';
     if !cut {
-        return group.element(snippet.path(printable(&source.name)));
+        return group.element(snippet.path(in_one_line(&source.name)));
     }
     // The excerpt begins inside a line: its columns are not the file's.
     let at = source.position(excerpt.marks.first().map_or(range.start, |m| m.range.start));
-    let origin = Origin::path(printable(&source.name))
+    let origin = Origin::path(in_one_line(&source.name))
         .line(at.line)
         .char_column(at.column);
     group.element(origin).element(snippet)
@@ -179,15 +199,31 @@ fn fit(excerpt: &str, from: usize, range: &Range<usize>) -> Range<usize> {
     start..end
 }
 
-/// Text from a file, safe to show in a terminal.
-fn printable(text: &str) -> String {
-    text.chars()
-        .map(|c| match c {
-            '\n' => ' ',
-            c if c.is_control() => '\u{FFFD}',
+/// Text from a file in one line, safe to show in a terminal.
+fn in_one_line(text: &str) -> String {
+    printable(&text.replace('\n', " "))
+}
+
+/// True for what a terminal obeys in place of showing: control characters, the ends of
+/// lines among them, and those that turn the direction of writing.
+pub fn is_harmful(c: char) -> bool {
+    c.is_control() || matches!(c, '\u{202A}'..='\u{202E}' | '\u{2066}'..='\u{2069}')
+}
+
+/// Text that is safe to show in a terminal: control characters, and those that turn
+/// the direction of writing, are replaced; ends of lines and tabs stay.
+pub fn printable(text: &str) -> String {
+    let mut chars = text.chars().peekable();
+    let mut safe = String::with_capacity(text.len());
+    while let Some(c) = chars.next() {
+        safe.push(match c {
+            '\n' | '\t' => c,
+            '\r' if chars.peek() == Some(&'\n') => c,
+            c if is_harmful(c) => '\u{FFFD}',
             c => c,
-        })
-        .collect()
+        });
+    }
+    safe
 }
 
 fn count(diagnostics: &Diagnostics) -> String {

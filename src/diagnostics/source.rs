@@ -19,7 +19,7 @@ pub struct Sources(Vec<Arc<Source>>);
 /// Which of the sources.
 pub type SourceId = usize;
 
-/// A stretch of a source, in bytes.
+/// A stretch of a source, in bytes. The default is nowhere: of values made in code.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Place {
     /// The source.
@@ -75,6 +75,11 @@ impl Place {
     /// A stretch of a source.
     pub fn new(source: SourceId, range: Range<usize>) -> Self {
         Self { source, range }
+    }
+
+    /// True where there is no text: of values made in code.
+    pub fn is_nowhere(&self) -> bool {
+        self.range == (0..0)
     }
 
     /// The place of `range` inside this place, cut off at its end.

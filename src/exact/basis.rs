@@ -21,6 +21,7 @@ use super::pencil::C;
 use super::polynomial::SLOW;
 use super::problem::{PairState, TreeProblem};
 use super::resonance::Resonance;
+use crate::order::Total;
 use part::parts;
 use response::{law_force, response};
 
@@ -159,7 +160,7 @@ impl Basis {
                 row_f: vec![ZERO; n],
             });
         }
-        lanes.sort_by(|a, b| a.lambda.norm().total_cmp(&b.lambda.norm()));
+        lanes.sort_by_cached_key(|lane| Total(lane.lambda.norm()));
         let finite = |c: &C| c.re.is_finite() && c.im.is_finite();
         let sound = lanes.iter().all(|lane| {
             let all = [&lane.shape, &lane.row_q, &lane.row_v, &lane.row_f];

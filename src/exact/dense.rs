@@ -9,6 +9,7 @@
 
 use super::basis::{Lane, LaneKind};
 use super::pencil::{C, Node, Pencil};
+use crate::order::Total;
 use nalgebra::{DMatrix, Schur, SymmetricEigen};
 
 /// Sweeps of the inverse iteration: a factor of about ten each.
@@ -74,7 +75,7 @@ impl Pencil {
         }
         let schur = Schur::try_new(self.companion(rate), f64::EPSILON, 20_000)?;
         let mut all: Vec<C> = schur.complex_eigenvalues().iter().copied().collect();
-        all.sort_by(|a, b| a.norm().total_cmp(&b.norm()));
+        all.sort_by_cached_key(|l| Total(l.norm()));
         Some(all[zeros..].iter().map(|l| l * rate).collect())
     }
 }
@@ -91,7 +92,7 @@ pub(super) fn undamped(pencil: &Pencil, omega: f64, count: usize) -> Option<Vec<
     )?;
     let mut order: Vec<usize> = (0..n).collect();
     let far = |i: &usize| (eigen.eigenvalues[*i].max(0.0).sqrt() - omega).abs();
-    order.sort_by(|a, b| far(a).total_cmp(&far(b)));
+    order.sort_by_cached_key(|column| Total(far(column)));
     let lane = |&column: &usize| {
         let u = eigen.eigenvectors.column(column);
         let x: Vec<f64> = (0..n)

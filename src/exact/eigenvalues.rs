@@ -2,6 +2,7 @@
 //! derivative of det Q, from the undamped frequencies, checked against the trace.
 
 use super::pencil::{C, Node, Pencil};
+use crate::order::{Total, by_first};
 use nalgebra::{DMatrix, SymmetricEigen};
 
 /// Why eigenvalues were refused.
@@ -36,7 +37,7 @@ impl Pencil {
                 (eigen.eigenvalues[j].max(0.0).sqrt(), damping / 2.0)
             })
             .collect();
-        guess.sort_by(|a, b| a.0.total_cmp(&b.0));
+        by_first(&mut guess);
         guess
     }
 
@@ -102,7 +103,7 @@ impl Pencil {
             return Err(NotFound);
         }
         all.retain(|l| l.im >= 0.0);
-        all.sort_by(|a, b| a.norm().total_cmp(&b.norm()).then(a.re.total_cmp(&b.re)));
+        all.sort_by_cached_key(|l| [l.norm(), l.re].map(Total));
         Ok(all)
     }
 
@@ -202,7 +203,7 @@ impl Pencil {
         if count + zeros != 2 * self.nodes.len() || (sum + trace).abs() > 1e-9 * scale {
             return Err(NotFound);
         }
-        out.sort_by(|a, b| a.norm().total_cmp(&b.norm()).then(a.re.total_cmp(&b.re)));
+        out.sort_by_cached_key(|l| [l.norm(), l.re].map(Total));
         Ok(out)
     }
 }

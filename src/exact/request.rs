@@ -20,7 +20,8 @@ pub struct Request {
     /// Most steps of the search between two switches: beyond it the run is an
     /// error and not a crawl.
     pub steps: u64,
-    /// Most steps of the search in all: the run then ends where it stands.
+    /// Most steps of the search, and most phases, in all: the run then ends where it
+    /// stands.
     pub all_steps: u64,
     /// Figures between samples, wanted or not.
     pub figures: bool,

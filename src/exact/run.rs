@@ -78,6 +78,10 @@ impl Workspace<'_> {
         loop {
             let passed = self.forward::<A>(request.end)?;
             self.settle(&passed)?;
+            // Phases without a switch take no steps of the search.
+            if self.out.phases.is_multiple_of(PATIENCE) {
+                self.told |= !(self.goes_on)();
+            }
             self.out.halt = self.halt(request);
             if self.reached(request.end) || self.out.halt.is_some() {
                 break;
@@ -96,7 +100,8 @@ impl Workspace<'_> {
         } else if self.told {
             Some(Halt::Told)
         } else {
-            (self.search.steps >= self.most_steps[1]).then_some(Halt::Steps)
+            let steps = self.search.steps.max(self.out.phases);
+            (steps >= self.most_steps[1]).then_some(Halt::Steps)
         }
     }
 

@@ -43,6 +43,13 @@ const SHARPEST: f64 = 1e-4;
 /// Least number of steps of a method of fixed step in a leg near an edge.
 const FEWEST: f64 = 8.0;
 
+/// The clock moves by steps of at least so many roundings.
+const CLOCK: f64 = 64.0;
+
+/// Attempts at a step before an edge, each at most nine tenths as long as the last:
+/// from the longest step of all numbers to the shortest takes fewer.
+const SHORTENED: u32 = 20_000;
+
 /// Attempts at a step that fails before an edge, each shorter than the last.
 const ATTEMPTS: u32 = 40;
 
@@ -131,6 +138,8 @@ pub(super) struct Edges {
     longest: Option<f64>,
     /// Failures since the last step.
     failures: u32,
+    /// How often the step under way has been shortened before an edge.
+    shortened: u32,
     /// End of the run (s).
     pub(super) end: f64,
     /// True while the present leg was shortened on account of an edge.
@@ -176,7 +185,7 @@ impl<D: Dynamics> Run<'_, D> {
             longest = longest.min(approach.time_or_less(aim));
         }
         // Shorter than that, the clock would not move.
-        let least = 64.0 * f64::EPSILON * self.from.time.abs().max(self.target.abs());
+        let least = CLOCK * f64::EPSILON * self.from.time.abs();
         self.target = self.target.min(self.from.time + longest.max(least));
     }
 
@@ -195,12 +204,7 @@ impl<D: Dynamics> Run<'_, D> {
         self.output.quintic(&self.from, &self.to);
         match self.meeting() {
             Meeting::None => Ok(None),
-            Meeting::TooLong(longest) => {
-                self.edges.longest = Some(longest);
-                self.rejected += 1;
-                self.evaluator.take_not_finite();
-                Err(Verdict::Restart)
-            }
+            Meeting::TooLong(longest) => Err(self.take_shorter(longest)),
             Meeting::Reached(edge, 0.0) => Err(self.end_at(&edge)),
             Meeting::Reached(edge, s) => {
                 let step = self.output.step(1.0);
@@ -210,6 +214,22 @@ impl<D: Dynamics> Run<'_, D> {
                 put(&mut self.to, self.evaluator, time, &y);
                 Ok(Some(edge))
             }
+        }
+    }
+
+    /// The step is taken anew, at most `longest` long, unless that is no longer a step.
+    fn take_shorter(&mut self, longest: f64) -> Verdict {
+        self.edges.longest = Some(longest);
+        self.edges.shortened += 1;
+        self.rejected += 1;
+        self.evaluator.take_not_finite();
+        let moves = longest > CLOCK * f64::EPSILON * self.from.time.abs();
+        if !moves || self.edges.shortened > SHORTENED {
+            return self.end_at_floor(longest);
+        }
+        match self.check_limits() {
+            Verdict::Continue => Verdict::Restart,
+            stop => stop,
         }
     }
 
@@ -336,7 +356,7 @@ impl<D: Dynamics> Run<'_, D> {
 
     /// A step has been taken.
     pub(super) fn forget_failures(&mut self) {
-        self.edges.failures = 0;
+        (self.edges.failures, self.edges.shortened) = (0, 0);
     }
 }
 

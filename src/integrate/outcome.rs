@@ -1,10 +1,10 @@
 //! Settings of a run, its end, and who listens to it.
 
 use super::{Modes, PhysicalStop, Watch};
+use crate::budget::{Budget, Spent};
 use crate::polynomial::Step;
 use serde::Serialize;
 use std::fmt;
-use std::sync::atomic::AtomicBool;
 use std::time::Duration;
 
 /// Methods of integration.
@@ -55,6 +55,11 @@ impl Method {
         cfg!(feature = "diffsol") || !matches!(self, Self::Bdf | Self::TrBdf2 | Self::Esdirk34)
     }
 
+    /// Those of [`Method::ALL`] that this build has, in the same order.
+    pub fn available() -> impl Iterator<Item = Self> {
+        Self::ALL.into_iter().filter(|method| method.is_available())
+    }
+
     /// Name in scenes and results.
     pub fn name(self) -> &'static str {
         match self {
@@ -96,10 +101,8 @@ pub struct Limits<'a> {
     pub switches: u64,
     /// Most steps.
     pub steps: u64,
-    /// Longest wall-clock time.
-    pub wall_clock: Option<Duration>,
-    /// Set from outside (Ctrl-C) to end the run.
-    pub interrupt: Option<&'a AtomicBool>,
+    /// Until when, and whether interrupted.
+    pub budget: Budget<'a>,
 }
 
 /// Counts of a run.
@@ -156,6 +159,22 @@ pub enum Stop {
         /// Its reason.
         reason: String,
     },
+}
+
+impl Stop {
+    /// True when the run was ended from outside, be it by a flag or by the clock.
+    pub fn is_from_outside(&self) -> bool {
+        matches!(self, Self::Interrupted | Self::WallClock { .. })
+    }
+}
+
+impl From<Spent> for Stop {
+    fn from(spent: Spent) -> Self {
+        match spent {
+            Spent::Interrupted => Self::Interrupted,
+            Spent::Time { limit } => Self::WallClock { limit },
+        }
+    }
 }
 
 /// How a run ended.

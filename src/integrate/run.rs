@@ -12,7 +12,6 @@ use super::radau;
 use super::rosenbrock::Stepper;
 use super::taylor::Series;
 use super::{Dynamics, Edge, Guard, Limits, Method, Probe, Settings, Sink, Stop, Watch};
-use std::time::Instant;
 
 /// A switch at these places of a step is located on a step that ends just behind
 /// it, by this share of it: the polynomial is best near the ends of the step.
@@ -80,7 +79,6 @@ pub(super) struct Run<'a, D: Dynamics> {
     switches_at_once: u32,
     /// How often the step under way has been shortened to end just behind a switch.
     drawn_in: u32,
-    pub(super) begun: Instant,
     pub(super) pace: Pace,
     /// The own stiff method, with its memory, once it has been used.
     pub(super) rosenbrock: Option<Box<Stepper>>,
@@ -124,7 +122,6 @@ impl<'a, D: Dynamics> Run<'a, D> {
             zero_at_start: Vec::new(),
             switches_at_once: 0,
             drawn_in: 0,
-            begun: Instant::now(),
             pace: Pace::default(),
             rosenbrock: None,
             radau: None,

@@ -2,7 +2,6 @@
 
 use super::run::{Run, Verdict};
 use super::{Dynamics, Stop};
-use std::sync::atomic::Ordering;
 
 impl<D: Dynamics> Run<'_, D> {
     pub(super) fn not_finite(&self, index: usize) -> Stop {
@@ -46,26 +45,20 @@ impl<D: Dynamics> Run<'_, D> {
 
     pub(super) fn check_limits(&mut self) -> Verdict {
         let limits = self.limits;
-        let over = |limit| self.begun.elapsed() > limit;
         if self.stop.is_some() {
             return Verdict::Stop;
         }
         if self.from.time >= self.target {
             return Verdict::Continue; // whatever comes after is checked then
         }
-        let stop = if limits
-            .interrupt
-            .is_some_and(|flag| flag.load(Ordering::Relaxed))
-        {
-            Stop::Interrupted
-        } else if self.switches > limits.switches {
+        let stop = if self.switches > limits.switches {
             let bound = limits.switches;
             Stop::TooManySwitches { bound }
         } else if self.steps >= limits.steps {
             let bound = limits.steps;
             Stop::TooManySteps { bound }
-        } else if let Some(limit) = limits.wall_clock.filter(|&limit| over(limit)) {
-            Stop::WallClock { limit }
+        } else if let Some(spent) = limits.budget.spent() {
+            spent.into()
         } else {
             return Verdict::Continue;
         };

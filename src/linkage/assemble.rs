@@ -15,8 +15,13 @@ use crate::fault::{Fault, Faults};
 /// An approximate position is clearly nearer to one assembly when it is at most this
 /// part as far from it as from the other.
 const CLEARLY: f64 = 0.5;
-/// A link this far from its approximate position (rad, or sizes) is elsewhere.
+/// A link that the driver places, this far from its approximate position (rad, or sizes), is
+/// elsewhere.
 const FAR: f64 = 0.5;
+/// A point this far from its approximate place, in sizes of the linkage, was meant elsewhere …
+const FARTHEST_PLACE: f64 = 0.25;
+/// … unless it is still clearly nearer than in the other assembly: at most this part as far.
+const STILL_CLEARLY: f64 = 0.75;
 
 /// Chooses the branches and leaves the position at the start in `state`.
 ///
@@ -31,14 +36,24 @@ pub(super) fn assemble(
     drive::<1>(plan, state, spec.start);
     placed_by_the_driver(spec, plan, state)?;
     let mut branches = Vec::new();
+    // Of each choice how far the link would be in the other assembly of its group.
+    let mut in_other = vec![0.0; spec.assembly.len()];
     for (index, step) in plan.steps.iter().enumerate() {
-        let choices: Vec<&AssemblySpec> = spec
+        let (places, choices): (Vec<usize>, Vec<&AssemblySpec>) = spec
             .assembly
             .iter()
-            .filter(|choice| step.bodies().iter().any(|body| body.has(choice.link)))
-            .collect();
+            .enumerate()
+            .filter(|(_, choice)| step.bodies().iter().any(|body| body.has(choice.link)))
+            .unzip();
         let sign = match step {
-            Step::Dyad(dyad) => dyad_at_start(spec, plan, dyad, &choices, state, index),
+            Step::Dyad(dyad) => {
+                dyad_at_start(spec, plan, dyad, &choices, state, index).map(|(sign, other)| {
+                    for (place, other) in places.into_iter().zip(other) {
+                        in_other[place] = other;
+                    }
+                    sign
+                })
+            }
             Step::Newton(group) => {
                 guesses::assemble(spec, plan, group, &choices, state).map(|margin| {
                     state.margins[index] = margin;
@@ -57,7 +72,38 @@ pub(super) fn assemble(
             }
         }
     }
+    far_places(spec, plan, state, &in_other)?;
     Ok(branches)
+}
+
+/// Refuses approximate places that no assembly comes near.
+fn far_places(
+    spec: &LinkageSpec,
+    plan: &Plan,
+    state: &State,
+    in_other: &[f64],
+) -> Result<(), Vec<Fault>> {
+    let mut faults = Faults::default();
+    for (choice, other) in spec.assembly.iter().zip(in_other) {
+        let AssemblyChoice::Near { .. } = choice.choice else {
+            continue;
+        };
+        let off = mismatch(choice, state, plan.size);
+        if off > FARTHEST_PLACE && off > STILL_CLEARLY * other {
+            let name = &spec.links[choice.link].name;
+            faults.add(
+                format!("assembly.{name}"),
+                format!(
+                    "the nearest assembly has `{name}` {} m away from this approximate place, of a \
+                     linkage {} m in size",
+                    short(off * plan.size),
+                    short(plan.size)
+                ),
+                "give a place nearer to the one wanted, or another `start`",
+            );
+        }
+    }
+    faults.check()
 }
 
 /// Refuses what is said of a link that the driver alone places, where it is a branch
@@ -92,6 +138,7 @@ fn path(spec: &LinkageSpec, group: &Group, choices: &[&AssemblySpec]) -> String 
 /// What is wrong, and what would help.
 pub(super) type Wrong = (String, String);
 
+/// The branch of a dyad, and how far each choice would be from its other assembly.
 fn dyad_at_start(
     spec: &LinkageSpec,
     plan: &Plan,
@@ -99,7 +146,7 @@ fn dyad_at_start(
     choices: &[&AssemblySpec],
     state: &mut State,
     index: usize,
-) -> Result<f64, Wrong> {
+) -> Result<(f64, Vec<f64>), Wrong> {
     let around = around::<1>(dyad, state);
     let side = dyad.side(&around);
     let margin = dyad.directions(&around, side, plan.size).margin;
@@ -126,7 +173,7 @@ fn dyad_at_start(
                 format!("{names} have one assembly only"),
                 "leave out the branch".to_owned(),
             )),
-            None => Ok(side),
+            None => Ok((side, Vec::new())),
         };
     }
     let (plus, minus) = (place(1.0), place(-1.0));
@@ -135,7 +182,7 @@ fn dyad_at_start(
         Some(sign) => sign,
         None if choices.is_empty() => 1.0,
         None => {
-            let [plus, minus]: [f64; 2] = [plus, minus].map(|parts| parts.iter().sum());
+            let [plus, minus]: [f64; 2] = [&plus, &minus].map(|parts| parts.iter().sum());
             if (plus - minus).abs() <= 1e-6 * (plus + minus) {
                 return Err((
                     format!("both assemblies of {names} are as near to the approximate position"),
@@ -146,7 +193,7 @@ fn dyad_at_start(
         }
     };
     place(sign);
-    Ok(sign)
+    Ok((sign, if sign > 0.0 { minus } else { plus }))
 }
 
 /// Refuses choices of which one asks for a branch, or is clearly nearer to it, and

@@ -19,6 +19,9 @@ const TERMS: usize = 20;
 const TAIL: usize = 5;
 /// What counts as died away.
 const NEGLIGIBLE: f64 = 2e-14;
+/// What counts as rounding of the values, at most: behind many groups that meet at
+/// the same point it is more than that of one.
+const NOISE: f64 = 1e-10;
 /// Part of the interval in which the polynomials are used.
 const USED: f64 = 0.5;
 
@@ -29,44 +32,102 @@ pub(super) struct Change {
     pub(super) at: f64,
     /// True: the sign of the root changes there.
     pub(super) flips: bool,
+    /// Sign of the root below and above.
+    signs: [f64; 2],
     /// Half the width of the interval of interpolation.
     radius: f64,
+    /// Rounding of a coefficient.
+    noise: f64,
+    /// Coefficients that are not rounding alone.
+    kept: usize,
     /// cos θ and sin θ of both bodies.
     terms: [[f64; TERMS]; 4],
 }
 
 impl Change {
     /// Interpolates `directions(input, sign)`: cos θ and sin θ of both bodies,
-    /// the root having the sign that it is come with, times `sign`. It is come
-    /// upwards (`way` > 0) or downwards. `None` where no smooth function goes
-    /// through the point.
+    /// the root having a sign. It is come upwards (`way` > 0) or downwards, with the
+    /// root of the sign given. `None` where no smooth function goes through the point.
     pub(super) fn fit(
         at: f64,
-        way: f64,
+        (way, sign): (f64, f64),
         widest: f64,
         mut directions: impl FnMut(f64, f64) -> Option<[f64; 4]>,
     ) -> Option<Self> {
         let mut radius = widest;
+        let mut best: Option<Self> = None;
         for _ in 0..10 {
             for flips in [true, false] {
-                let sign = |x: f64| if flips && x * way > 0.0 { -1.0 } else { 1.0 };
-                let values = nodes().map(|x| directions(at + radius * x, sign(x)));
-                let Some(terms) = expand(values.collect::<Option<Vec<_>>>()) else {
+                let beyond = if flips { -sign } else { sign };
+                let signs = match way > 0.0 {
+                    true => [sign, beyond],
+                    false => [beyond, sign],
+                };
+                let Some(fitted) = Self::through(at, signs, radius, &mut directions) else {
                     continue;
                 };
-                let tail = terms.iter().flat_map(|terms| &terms[TERMS - TAIL..]);
-                if tail.map(|c| c.abs()).all(|c| c < NEGLIGIBLE) {
-                    return Some(Self {
-                        at,
-                        flips,
-                        radius,
-                        terms,
-                    });
+                if fitted.noise < NEGLIGIBLE {
+                    return Some(fitted);
                 }
+                if best.as_ref().is_none_or(|best| fitted.noise < best.noise) {
+                    best = Some(fitted);
+                }
+            }
+            // Narrower, rounding only grows.
+            if best
+                .as_ref()
+                .is_some_and(|best| best.noise < NOISE && best.radius > radius)
+            {
+                break;
             }
             radius *= 0.6;
         }
-        None
+        best.filter(|best| best.noise < NOISE)
+    }
+
+    /// The same point interpolated through other directions; `None` where these are not known.
+    pub(super) fn again(
+        &self,
+        mut directions: impl FnMut(f64, f64) -> Option<[f64; 4]>,
+    ) -> Option<Self> {
+        let mut again = Self::through(self.at, self.signs, self.radius, &mut directions)?;
+        again.kept = self.kept;
+        Some(again)
+    }
+
+    /// Interpolates with the signs of the root below and above.
+    fn through(
+        at: f64,
+        signs: [f64; 2],
+        radius: f64,
+        directions: &mut impl FnMut(f64, f64) -> Option<[f64; 4]>,
+    ) -> Option<Self> {
+        let sign = |x: f64| if x < 0.0 { signs[0] } else { signs[1] };
+        let values = nodes().map(|x| directions(at + radius * x, sign(x)));
+        let terms = expand(values.collect::<Option<Vec<_>>>())?;
+        Some(Self::of(at, signs, radius, terms))
+    }
+
+    /// The polynomials with these coefficients, cut where nothing but rounding follows.
+    fn of(at: f64, signs: [f64; 2], radius: f64, terms: [[f64; TERMS]; 4]) -> Self {
+        let greatest = |n: usize| {
+            terms
+                .iter()
+                .fold(0.0f64, |most, terms| most.max(terms[n].abs()))
+        };
+        let noise = (TERMS - TAIL..TERMS)
+            .map(greatest)
+            .fold(f64::EPSILON, f64::max);
+        let kept = (0..TERMS).rev().find(|&n| greatest(n) > 2.0 * noise);
+        Self {
+            at,
+            flips: signs[0] != signs[1],
+            signs,
+            radius,
+            noise,
+            kept: kept.map_or(1, |last| last + 1),
+            terms,
+        }
     }
 
     /// True when the input, this far from the point, is to be interpolated.
@@ -78,8 +139,9 @@ impl Change {
     /// The directions of the bodies at a distance from the point.
     pub(super) fn directions<const N: usize>(&self, distance: f64) -> [Vector<N>; 2] {
         let x = Series::variable(distance).scale(self.radius.recip());
-        let [c, s, c2, s2] = self.terms.each_ref().map(|terms| clenshaw(terms, x));
-        [Vector::new(c, s), Vector::new(c2, s2)]
+        let terms = self.terms.each_ref();
+        let [c, s, c2, s2] = terms.map(|terms| clenshaw(&terms[..self.kept], x));
+        [Vector::new(c, s), Vector::new(c2, s2)].map(Vector::nearly_unit)
     }
 }
 
@@ -107,7 +169,7 @@ fn expand(values: Option<Vec<[f64; 4]>>) -> Option<[[f64; TERMS]; 4]> {
 }
 
 /// Σ c_n T_n(x).
-fn clenshaw<const N: usize>(terms: &[f64; TERMS], x: Series<N>) -> Series<N> {
+fn clenshaw<const N: usize>(terms: &[f64], x: Series<N>) -> Series<N> {
     let (mut one, mut two) = (Series::constant(0.0), Series::constant(0.0));
     for &c in terms[1..].iter().rev() {
         (one, two) = ((x * one).scale(2.0).shift(c) - two, one);
@@ -122,7 +184,7 @@ mod tests {
     #[test]
     fn a_smooth_function_is_continued_through_its_double_zero() {
         // Directions at the angles ±√(x²·e^x): the smooth one is x·e^(x/2).
-        let change = Change::fit(1.0, -1.0, 0.6, |q, side| {
+        let change = Change::fit(1.0, (-1.0, 1.0), 0.6, |q, side| {
             let x: f64 = q - 1.0;
             let (sin, cos) = (side * (x * x * x.exp()).sqrt()).sin_cos();
             Some([cos, sin, 1.0, 0.0])
@@ -142,7 +204,7 @@ mod tests {
 
     #[test]
     fn a_kink_is_not_continued() {
-        let kink = Change::fit(0.0, 1.0, 0.6, |x: f64, _| {
+        let kink = Change::fit(0.0, (1.0, 1.0), 0.6, |x: f64, _| {
             Some([x.abs().cos(), x.abs().sin(), 1.0, 0.0])
         });
         assert!(kink.is_none());

@@ -4,8 +4,9 @@ use super::assemble::short;
 use super::spec::{AssemblyChoice, ForceLaw, LinkageSpec, OutputKind, PairKind, PairSpec, PointOf};
 use crate::fault::{Fault, Faults};
 
-/// Most links: the tables of larger ones would fill the memory.
-const MOST_LINKS: usize = 100;
+/// Most links: what is dense in their number (a larger group, the equations of all
+/// forces) still fits into the memory and is factorised within a second.
+const MOST_LINKS: usize = 500;
 /// Longest distance of a point from its frame (m), so that squares stay numbers.
 const FARTHEST: f64 = 1e9;
 /// Least size of a whole linkage (m), so that squares stay numbers.
@@ -262,6 +263,14 @@ fn law(spec: &LinkageSpec, path: &str, law: &ForceLaw, found: &mut Faults) {
             found.finite(&under("free_angle"), *free_angle);
             found.not_negative(&under("damping"), *damping);
         }
+        ForceLaw::CoupleTable {
+            link,
+            points,
+            period,
+        } => {
+            index(found, &under("link"), *link, spec.links.len(), "link");
+            over_input(path, points, *period, found);
+        }
         ForceLaw::Table {
             point: at,
             direction,
@@ -270,14 +279,20 @@ fn law(spec: &LinkageSpec, path: &str, law: &ForceLaw, found: &mut Faults) {
         } => {
             point(spec, &under("point"), at, found);
             found.finite(&under("direction"), *direction);
-            found.points(&under("points"), points, 1);
-            let Some(period) = *period else { return };
-            found.positive(&under("period"), period);
-            let width = points.last().map_or(0.0, |last| last.0 - points[0].0);
-            if width > period {
-                let message = format!("the points reach over {width}, the period is {period}");
-                found.add(under("period"), message, "give points of one period only");
-            }
+            over_input(path, points, *period, found);
         }
+    }
+}
+
+/// A table over the input coordinate, repeated or not.
+fn over_input(path: &str, points: &[(f64, f64)], period: Option<f64>, found: &mut Faults) {
+    found.points(&format!("{path}.points"), points, 1);
+    let Some(period) = period else { return };
+    let path = format!("{path}.period");
+    found.positive(&path, period);
+    let width = points.last().map_or(0.0, |last| last.0 - points[0].0);
+    if width > period {
+        let message = format!("the points reach over {width}, the period is {period}");
+        found.add(path, message, "give points of one period only");
     }
 }

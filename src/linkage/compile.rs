@@ -5,7 +5,8 @@ use super::decompose::{Decomposition, Edge, decompose};
 use super::dyad::{Dyad, Form};
 use super::newton::{Joint, NewtonGroup, Side};
 use super::plan::{Body, Driver, Element, Part, Plan, Step, elements, size, slides};
-use super::spec::LinkageSpec;
+use super::redundant::parallel_rods;
+use super::spec::{LinkageSpec, PairSpec};
 use super::structure::{Group, GroupKind, explanation, mobility};
 use super::vector::Arm;
 use crate::fault::{Fault, Faults};
@@ -175,11 +176,17 @@ fn misfit(
         names.join(", ")
     };
     let count = mobility(spec);
+    if count < 1 && redundant(spec, bodies, held, faults) {
+        return;
+    }
     if count != 1 {
-        let hint = if count > 1 {
-            "join the loose links with further pairs, or leave them out"
-        } else {
-            "leave out pairs or add links until one degree of freedom is left"
+        let hint = match count {
+            ..=0 => "leave out pairs or add links until one degree of freedom is left",
+            2 => {
+                "a linkage has one driver: tie a second input to the first by further links and \
+                 pairs, or leave the loose links out"
+            }
+            _ => "join the loose links with further pairs, or leave them out",
         };
         let message = format!("not one degree of freedom: {}", explanation(spec));
         faults.add("pairs", message, hint);
@@ -212,6 +219,38 @@ fn misfit(
         let hint = "join them with further pairs, or leave them out";
         faults.add(format!("links.{name}"), message, hint);
     }
+}
+
+/// Names the parallel rods, where it is they that are too many; true then.
+fn redundant(
+    spec: &LinkageSpec,
+    bodies: &Bodies,
+    held: &[(Vec<usize>, Vec<usize>)],
+    faults: &mut Faults,
+) -> bool {
+    let held = held.iter().flat_map(|(list, _)| list);
+    let mut links: Vec<usize> = held.flat_map(|&body| bodies.list[body].links()).collect();
+    links.sort_unstable();
+    links.dedup();
+    let Some(rods) = parallel_rods(spec, &links) else {
+        return false;
+    };
+    for &rod in &rods {
+        let name = &spec.links[rod].name;
+        let own = |pair: &&PairSpec| [pair.on.link, pair.link.link].contains(&Some(rod));
+        let pins: Vec<&str> = (spec.pairs.iter().filter(own))
+            .map(|pair| pair.name.as_str())
+            .collect();
+        faults.add(
+            format!("links.{name}"),
+            format!(
+                "`{name}` is a redundant parallel rod: the linkage moves in the same way without it, \
+                 and what it carries is not determined by rigid links"
+            ),
+            &format!("leave out `{name}` and its pairs {}", pins.join(" and ")),
+        );
+    }
+    true
 }
 
 fn is_or_are(names: &str) -> String {

@@ -2,9 +2,10 @@
 
 use super::change::Change;
 use super::course::{hermite, nearest_turn};
-use super::dyad::{Form, Margin};
+use super::dyad::Margin;
 use super::plan::Step;
-use super::solve::{Stuck, around};
+use super::rounding::directions;
+use super::solve::{Guess, Stuck};
 use super::state::Motion;
 use super::walk::{LEFT, Verdict, Walker};
 
@@ -196,20 +197,11 @@ impl Walker<'_> {
     /// The change point of a dyad at an input, when it can be passed smoothly.
     fn change(&mut self, group: usize, at: f64) -> Option<Change> {
         let (sign, _) = self.course.branch(group, self.place.at);
-        let Step::Dyad(dyad) = &self.plan.steps[group] else {
-            return None;
-        };
-        if matches!(dyad.form, Form::Prp | Form::Rpp) {
-            // Two guides become parallel: their crossing goes to infinity.
-            return None;
-        }
-        let (way, size) = (self.way, self.plan.size);
-        Change::fit(at, way, 0.6 * self.unit, |input, side| {
-            self.try_at::<1>(input, group).ok()?;
-            let around = around::<1>(dyad, &self.probe);
-            let found = dyad.directions(&around, sign * side, size);
-            let [one, other] = found.of.map(|direction| direction.value());
-            Some([one[0], one[1], other[0], other[1]])
+        let (way, widest) = (self.way, 0.6 * self.unit);
+        let (plan, course) = (self.plan, &*self.course);
+        let (probe, guess) = (&mut self.probe, Guess::Near(&self.anchor));
+        Change::fit(at, (way, sign), widest, |input, sign| {
+            directions(plan, course, guess, probe, (group, sign), input)
         })
     }
 

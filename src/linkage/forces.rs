@@ -49,6 +49,18 @@ impl Linkage {
                 force: [1, 2].map(|k| couple * workspace.transfer(*link, k)[2]),
                 ..Part::default()
             },
+            ForceLaw::CoupleTable {
+                link,
+                points,
+                period,
+            } => {
+                let [m, dm] = interpolate(points, *period, workspace.input());
+                let [first, second] = [1, 2].map(|k| workspace.transfer(*link, k)[2]);
+                Part {
+                    force: [m * first, dm * first + m * second],
+                    ..Part::default()
+                }
+            }
             ForceLaw::Table {
                 point,
                 direction,

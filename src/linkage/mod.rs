@@ -34,6 +34,9 @@ mod newton;
 mod plan;
 mod range;
 mod reduced;
+mod redundant;
+mod remarks;
+mod rounding;
 pub(crate) mod series;
 mod solve;
 pub mod spec;
@@ -48,10 +51,12 @@ mod workspace;
 pub use forces::Part as ForcePart;
 pub use range::{Cause, ChangePoint, End, OutOfReach, Period, Range, Reach};
 pub use reduced::Reduced;
+pub use rounding::Rounding;
 pub use structure::{Group, GroupKind, Structure};
 pub use workspace::{Pose, Workspace};
 
 use crate::fault::Fault;
+use crate::order::Total;
 use course::Course;
 use plan::Plan;
 use range::Cause::DeadPosition;
@@ -119,6 +124,12 @@ impl Linkage {
     /// The numbers it was made of.
     pub fn spec(&self) -> &LinkageSpec {
         &self.core.spec
+    }
+
+    /// A length typical of it: the greatest distance between points of its pairs that
+    /// belong to one link (m).
+    pub fn size(&self) -> f64 {
+        self.core.plan.size
     }
 
     /// Mobility and groups.
@@ -281,7 +292,7 @@ fn ranged(course: &Course, ways: [Way; 2]) -> Range {
             group: group + 1,
         }));
     }
-    changes.sort_by(|one, other| one.at.total_cmp(&other.at));
+    changes.sort_by_cached_key(|change| Total(change.at));
     Range {
         start: course.start,
         reach,

@@ -118,8 +118,8 @@ impl Range {
     /// The range in words, `turning` telling degrees from metres.
     pub fn describe(&self, structure: &Structure, turning: bool) -> String {
         let number = |at: f64| match turning {
-            true => format!("{:.6} deg", at.to_degrees()),
-            false => format!("{at:.9} m"),
+            true => format!("{:.6} deg", unsigned(at.to_degrees(), 1e-6)),
+            false => format!("{:.9} m", unsigned(at, 1e-9)),
         };
         let mut text = match (&self.reach, self.period) {
             (Reach::Everywhere, Some(Period { turns: 1, .. })) => "turns fully".to_owned(),
@@ -144,11 +144,29 @@ impl Range {
                 )
             }
         };
-        for change in &self.changes {
-            let group = structure.describe(change.group);
-            text += &format!("; passes a change point at {} ({group})", number(change.at));
+        let together = |one: &ChangePoint, other: &ChangePoint| number(one.at) == number(other.at);
+        for meeting in self.changes.chunk_by(together) {
+            let group = structure.describe(meeting[0].group);
+            let more = match meeting.len() - 1 {
+                0 => String::new(),
+                1 => " and another group".to_owned(),
+                more => format!(" and {more} other groups"),
+            };
+            text += &format!(
+                "; passes a change point at {} ({group}{more})",
+                number(meeting[0].at)
+            );
         }
         text
+    }
+}
+
+/// Zero for what is shown as zero, which has no sign.
+fn unsigned(number: f64, digit: f64) -> f64 {
+    if number.abs() < 0.5 * digit {
+        0.0
+    } else {
+        number
     }
 }
 

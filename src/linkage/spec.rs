@@ -192,6 +192,16 @@ pub enum ForceLaw {
         /// Damping ≥ 0 (N·m·s/rad).
         damping: f64,
     },
+    /// A couple on a link, a function of the input coordinate: linear between the
+    /// points, constant outside or periodic.
+    CoupleTable {
+        /// Index into [`LinkageSpec::links`].
+        link: usize,
+        /// (input coordinate, couple in N·m counterclockwise), ascending.
+        points: Vec<(f64, f64)>,
+        /// Repeats after this much of the input coordinate.
+        period: Option<f64>,
+    },
     /// A force on a point along a direction, a function of the input
     /// coordinate: linear between the points, constant outside or periodic.
     Table {

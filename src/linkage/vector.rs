@@ -73,6 +73,12 @@ impl<const N: usize> Vector<N> {
         self.x * other.y - self.y * other.x
     }
 
+    /// The unit vector next to a vector of length 1 but for rounding.
+    #[inline(always)]
+    pub(crate) fn nearly_unit(self) -> Self {
+        self.times(self.square().scale(-0.5).shift(1.5))
+    }
+
     /// |v|².
     #[inline(always)]
     pub(crate) fn square(self) -> Series<N> {

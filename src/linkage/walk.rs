@@ -22,8 +22,10 @@ const STEPS: f64 = 200.0;
 const MOST_TURNS: usize = 64;
 /// How far a sliding input is followed, in sizes of the linkage.
 const FARTHEST: f64 = 100.0;
-/// Most places of one way.
+/// Most places of one way …
 const MOST_PLACES: usize = 100_000;
+/// … times links, so that a table fits into the memory.
+const MOST_ROWS: usize = 10_000_000;
 /// Most lengths that one step is tried with.
 const MOST_TRIALS: usize = 1000;
 /// An end is reached when this is left, of a radian or of the size.
@@ -112,7 +114,7 @@ impl<'a> Walker<'a> {
         };
         let mut step = self.base();
         let mut turn = 1;
-        for _ in 0..MOST_PLACES {
+        for _ in 0..MOST_PLACES.min(MOST_ROWS / self.plan.links.max(1)) {
             let whole = start + self.way * TAU * turn as f64;
             let mut to = self.place.at + self.way * step;
             if turns(self.plan) && (to - whole) * self.way > -1e-3 * self.base() {

@@ -13,9 +13,12 @@ pub use crate::builder::{ChainParameters, FREE_FALL};
 use crate::builder::ModelBuilder;
 use crate::fault::Fault;
 use crate::graph::MechanismGraph;
-use crate::model::{Model, OUTPUT, ObjectPart, PartInput};
-use crate::scene::Scene;
+use crate::model::{Model, NodeMotion, OUTPUT, ObjectPart, PartInput};
+use crate::scene::TypedScene;
 use std::collections::BTreeMap;
+
+/// Masses of a model beyond which its user is asked whether they are meant.
+const MANY_MASSES: usize = 3000;
 
 /// Lowers a scene's objects to a model.
 ///
@@ -26,7 +29,7 @@ use std::collections::BTreeMap;
 ///
 /// # Errors
 /// Every fault found, with the property it lies in.
-pub fn lower(scene: &Scene) -> Result<Model, Vec<Fault>> {
+pub fn lower(scene: &TypedScene) -> Result<Model, Vec<Fault>> {
     let graph = scene.graph();
     let order = order::drivers_first(scene, &graph)?;
     let explicit = start::displacements(scene);
@@ -40,7 +43,23 @@ pub fn lower(scene: &Scene) -> Result<Model, Vec<Fault>> {
         }
     }
     start::set(scene, &mut builder);
-    builder.finish()
+    let mut model = builder.finish()?;
+    count_masses(&mut model);
+    Ok(model)
+}
+
+/// A word on models of more masses than engineers mean.
+fn count_masses(model: &mut Model) {
+    let masses = model.nodes.iter();
+    let masses = masses.filter(|node| matches!(node.motion, NodeMotion::Mass { .. }));
+    let count = masses.count();
+    if count > MANY_MASSES {
+        model.warnings.push(format!(
+            "{count} masses: every step takes time in proportion to their number, and there \
+             are as many natural frequencies; `dam compare --over OBJECT.masses=10,100,1000` \
+             shows how many are needed"
+        ));
+    }
 }
 
 /// The objects of a mechanism and their outputs, without nodes, in the order of their

@@ -4,7 +4,7 @@
 use crate::fault::{Fault, Faults};
 use crate::graph::MechanismGraph;
 use crate::object::{INPUT, object_of};
-use crate::scene::Scene;
+use crate::scene::TypedScene;
 
 /// The objects' ids, drivers before driven, the smallest id first among those
 /// that could come next.
@@ -13,7 +13,7 @@ use crate::scene::Scene;
 /// Inputs that name nothing, connections without an input and inputs without a
 /// connection, and circles. Scenes that were read have none of these.
 pub(super) fn drivers_first<'s>(
-    scene: &'s Scene,
+    scene: &'s TypedScene,
     graph: &MechanismGraph<'s>,
 ) -> Result<Vec<&'s str>, Vec<Fault>> {
     check_inputs(scene, graph)?;
@@ -37,7 +37,7 @@ fn property(id: &str, port: &str) -> String {
     }
 }
 
-fn check_inputs(scene: &Scene, graph: &MechanismGraph<'_>) -> Result<(), Vec<Fault>> {
+fn check_inputs(scene: &TypedScene, graph: &MechanismGraph<'_>) -> Result<(), Vec<Fault>> {
     let mut faults = Faults::default();
     for (id, entry) in &scene.objects {
         let ports = entry.object.ports().inputs;

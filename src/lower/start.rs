@@ -2,11 +2,11 @@
 
 use crate::builder::ModelBuilder;
 use crate::model::{ExplicitStart, NodeIndex, Start};
-use crate::scene::{Scene, StartSpec};
+use crate::scene::{StartSpec, TypedScene};
 use std::collections::BTreeMap;
 
 /// Displacements of the masses of objects whose start is given, by id.
-pub(super) fn displacements(scene: &Scene) -> BTreeMap<String, Vec<f64>> {
+pub(super) fn displacements(scene: &TypedScene) -> BTreeMap<String, Vec<f64>> {
     match &scene.run.start {
         StartSpec::Explicit(states) => (states.iter())
             .map(|(id, (displacement, _))| (id.clone(), displacement.clone()))
@@ -16,7 +16,7 @@ pub(super) fn displacements(scene: &Scene) -> BTreeMap<String, Vec<f64>> {
 }
 
 /// Sets the start; explicit ones are checked and go by index.
-pub(super) fn set(scene: &Scene, builder: &mut ModelBuilder) {
+pub(super) fn set(scene: &TypedScene, builder: &mut ModelBuilder) {
     let start = match &scene.run.start {
         StartSpec::Kinetostatic => Start::Kinetostatic,
         StartSpec::Static => Start::Static,

@@ -17,8 +17,8 @@ const SAME: f64 = 1e-13;
 /// the first place where it is reached; one-sided values at the ends of pieces
 /// count. Value to rounding, place to about 1e-8 of the piece.
 pub(crate) fn greatest(
-    pieces: impl Iterator<Item = (usize, f64, f64)>,
-    value: impl Fn(usize, f64) -> f64,
+    pieces: &mut dyn Iterator<Item = (usize, f64, f64)>,
+    value: &dyn Fn(usize, f64) -> f64,
 ) -> Peak {
     let mut best = Peak {
         value: f64::NEG_INFINITY,
@@ -26,7 +26,7 @@ pub(crate) fn greatest(
     };
     for (piece, from, to) in pieces {
         let at = |x: f64| value(piece, x);
-        let count = intervals(at, from, to);
+        let count = intervals(&at, from, to);
         let place = |i: usize| match i {
             0 => from,
             i if i == count => to,
@@ -37,13 +37,13 @@ pub(crate) fn greatest(
             best.raise(samples[i], place(i));
             let inner = i > 0 && i < count;
             if inner && samples[i] >= samples[i - 1] && samples[i] >= samples[i + 1] {
-                let (value, x) = golden(at, place(i - 1), place(i + 1));
+                let (value, x) = golden(&at, place(i - 1), place(i + 1));
                 best.raise(value, x);
             }
         }
         // Steep ends: the greatest value may lie within the outer intervals.
         for (a, b) in [(0, 1), (count - 1, count)] {
-            let (value, x) = golden(at, place(a), place(b));
+            let (value, x) = golden(&at, place(a), place(b));
             best.raise(value, x);
         }
     }
@@ -53,7 +53,7 @@ pub(crate) fn greatest(
 /// Intervals that a piece is to be searched in: so many that there are several to
 /// each turning point. The places looked at are spread unevenly, so that no
 /// oscillation passes for a slow one by keeping step with them.
-fn intervals(at: impl Fn(f64) -> f64, from: f64, to: f64) -> usize {
+fn intervals(at: &dyn Fn(f64) -> f64, from: f64, to: f64) -> usize {
     let mut count = INTERVALS;
     while count < MOST_INTERVALS {
         let place = |i: usize| {
@@ -95,7 +95,7 @@ impl Peak {
 }
 
 /// Greatest value and its place between `low` and `high` (golden section).
-pub(crate) fn golden(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> (f64, f64) {
+pub(crate) fn golden(f: &dyn Fn(f64) -> f64, mut low: f64, mut high: f64) -> (f64, f64) {
     let ratio = 0.5 * (5f64.sqrt() - 1.0);
     let (mut a, mut b) = (high - ratio * (high - low), low + ratio * (high - low));
     let (mut fa, mut fb) = (f(a), f(b));
@@ -122,16 +122,15 @@ mod tests {
     #[test]
     fn the_greatest_value_is_found_inside_and_at_ends() {
         let pieces = [(0, 0.0, 1.0), (1, 1.0, 3.0)];
-        let inside = greatest(pieces.into_iter(), |piece, x| match piece {
+        let inside = greatest(&mut pieces.into_iter(), &|piece, x| match piece {
             0 => x,
             _ => 2.0 - (x - 1.234) * (x - 1.234),
         });
         approx::assert_relative_eq!(inside.value, 2.0, max_relative = 1e-14);
         approx::assert_abs_diff_eq!(inside.at, 1.234, epsilon = 1e-7);
-        let at_end = greatest(
-            pieces.into_iter(),
-            |piece, x| if piece == 0 { x } else { -x },
-        );
+        let at_end = greatest(&mut pieces.into_iter(), &|piece, x| {
+            if piece == 0 { x } else { -x }
+        });
         assert_eq!((at_end.value, at_end.at), (1.0, 1.0));
     }
 
@@ -142,7 +141,7 @@ mod tests {
             // A wave under a slow rise: its last crest is the greatest, and comes late.
             let (turn, rise) = (std::f64::consts::TAU * harmonic, 1e-3);
             let value = |x: f64| rise * x + (turn * x - 0.75 * std::f64::consts::TAU).cos();
-            let found = greatest([(0, 0.0, 1.0)].into_iter(), |_, x| value(x));
+            let found = greatest(&mut [(0, 0.0, 1.0)].into_iter(), &|_, x| value(x));
             let late = (rise / turn).asin() / turn;
             let crest = 1.0 - 0.25 / harmonic + late;
             approx::assert_relative_eq!(found.value, value(crest), max_relative = 1e-13);

@@ -151,7 +151,7 @@ fn read(fields: &mut Fields<'_>, context: &Context<'_>) -> Option<Box<dyn Object
         offset: 0.0,
     });
     let chain = chain::read_behind(fields, coordinate, &rules(coordinate), position);
-    let written: Vec<Written> = inputs?.into_values().collect();
+    let written: Vec<Written> = inputs?;
     let inputs = combine(fields, &written, &combination?, coordinate?)?;
     Some(Box::new(Differential {
         inputs,

@@ -44,30 +44,29 @@ impl Kind {
     pub fn no_outputs(_: &Node) -> Outputs {
         Vec::new()
     }
+}
 
-    /// The outputs that the inputs of an object hang on, as its text has them.
-    pub(crate) fn references<'n>(&self, node: &'n Node) -> Vec<(&'n str, &'n str)> {
-        match self.inputs {
-            Inputs::None => Vec::new(),
-            Inputs::One => Self::of_one_input(node),
-            Inputs::Several => {
+impl Inputs {
+    /// The outputs that the inputs of an object hang on, by its ports, as its text has
+    /// them.
+    pub(crate) fn references(self, node: &Node) -> Vec<(&str, &str)> {
+        match self {
+            Self::None => Vec::new(),
+            Self::One => {
+                let input = node.get(super::INPUT).and_then(Node::text);
+                input
+                    .map(|input| (super::INPUT, input))
+                    .into_iter()
+                    .collect()
+            }
+            Self::Several => {
                 let inputs = node.get("inputs").map_or(&[][..], Node::members);
-                let object = |value: &'n Node| value.get("object")?.text();
                 let named = inputs
                     .iter()
-                    .filter_map(|m| Some((m.name.as_str(), object(&m.value)?)));
+                    .filter_map(|m| Some((m.name.as_str(), m.value.get("object")?.text()?)));
                 named.collect()
             }
         }
-    }
-
-    /// The same where the property `input` names the only one.
-    pub(crate) fn of_one_input(node: &Node) -> Vec<(&str, &str)> {
-        let input = node.get(super::INPUT).and_then(Node::text);
-        input
-            .map(|input| (super::INPUT, input))
-            .into_iter()
-            .collect()
     }
 }
 

@@ -256,6 +256,21 @@ fn shorthand(text: &str, kind: &str, names: [&str; 2]) -> String {
     }
 }
 
+/// A number as it is typed at a prompt, where JSON has another form: `.7`, `7.`, `+7`.
+fn bare_number(text: &str) -> Option<f64> {
+    let text = text.trim();
+    let unsigned = text.trim_start_matches(['+', '-']);
+    let digits = unsigned.trim_start_matches('.');
+    let plain = |c: char| c.is_ascii_digit() || matches!(c, '.' | 'e' | 'E' | '+' | '-');
+    let two_zeros =
+        digits.starts_with('0') && digits[1..].starts_with(|c: char| c.is_ascii_digit());
+    let number = digits.starts_with(|c: char| c.is_ascii_digit()) && text.chars().all(plain);
+    if !number || (two_zeros && unsigned == digits) {
+        return None;
+    }
+    text.parse().ok().filter(|number: &f64| number.is_finite())
+}
+
 /// Reads an argument of a command by the declarations of scenes; a text that
 /// is not JSON stands for itself.
 ///
@@ -273,6 +288,11 @@ pub fn read_argument<T>(
     }));
     let node = match parse_fragment(text, source, 0) {
         Ok(node) => node,
+        // `.7` and `7.` are numbers at a prompt, though not in JSON.
+        Err(_) if bare_number(text).is_some() => Node {
+            place: Place::new(source, 0..text.len()),
+            value: Value::Number(bare_number(text).unwrap_or(f64::NAN)),
+        },
         Err(faults) if faults.iter().all(|fault| fault.code == "not-json") => Node {
             place: Place::new(source, 0..text.len()),
             value: Value::Text(text.to_owned()),

@@ -3,7 +3,7 @@
 use super::measures::Measures;
 use super::spec::{LoadLawSpec, LoadSpec, MassChoice};
 use crate::model::Coordinate;
-use crate::read::{Bounds, Fields, Slot, Wanted};
+use crate::read::{Bounds, Fields, Slot, Value, Wanted};
 use crate::units::quantities as q;
 use serde_json::json;
 use std::f64::consts::TAU;
@@ -23,13 +23,15 @@ pub(super) enum On {
     },
     /// The rotor of a motor, or the slide of a linear one.
     Rotor(Measures),
+    /// An output of a linkage.
+    Output(Measures),
 }
 
 impl On {
     fn own(self) -> Measures {
         match self {
             Self::Chain { own, .. } => own,
-            Self::Rotor(own) => own,
+            Self::Rotor(own) | Self::Output(own) => own,
         }
     }
 }
@@ -37,9 +39,10 @@ impl On {
 /// Reads `loads`, in the order of their names.
 pub(super) fn read_all(fields: &mut Fields<'_>, on: On) -> Option<Vec<LoadSpec>> {
     let doc = "Loads by name. Positive forces act in the direction of positive displacement.";
-    let loads = fields.or("loads", doc, json!({}), |slot| {
+    fields.or("loads", doc, json!({}), |slot| {
         slot.names(|name, slot| match on {
             On::Rotor(_) => slot.defined("rotor_load", |slot| read(slot, name, on)),
+            On::Output(_) => slot.defined("output_load", |slot| read(slot, name, on)),
             On::Chain { own, .. } => {
                 let definition = match own.0 {
                     Some(Coordinate::Turning) => "turning_load",
@@ -49,14 +52,13 @@ pub(super) fn read_all(fields: &mut Fields<'_>, on: On) -> Option<Vec<LoadSpec>>
                 slot.defined(definition, |slot| read(slot, name, on))
             }
         })
-    });
-    Some(loads?.into_values().collect())
+    })
 }
 
 fn read(slot: Slot<'_>, name: &str, on: On) -> Option<LoadSpec> {
     slot.record(|fields| {
         let mass = match on {
-            On::Rotor(_) => Some(MassChoice::Last),
+            On::Rotor(_) | On::Output(_) => Some(MassChoice::Last),
             On::Chain { masses, .. } => chosen_mass(fields, masses),
         };
         let law = law(fields, on);
@@ -106,7 +108,17 @@ fn mass(slot: Slot<'_>, masses: Option<usize>) -> Option<MassChoice> {
     )
 }
 
+/// Name of the property that holds a load given in code.
+pub(crate) const OWN_LOAD: &str = "own";
+
 fn law(fields: &mut Fields<'_>, on: On) -> Option<LoadLawSpec> {
+    let own = fields.member(OWN_LOAD).map(|member| &member.value.value);
+    if matches!(own, Some(Value::Own(_))) {
+        let doc = "A load given in code.";
+        return fields.need(OWN_LOAD, doc, |mut slot| {
+            slot.own().map(LoadLawSpec::Custom)
+        });
+    }
     let own = on.own();
     let force = own.force();
     let any = |wanted: Wanted| move |slot: Slot<'_>| slot.quantity(wanted, Bounds::ANY);
@@ -138,7 +150,8 @@ fn law(fields: &mut Fields<'_>, on: On) -> Option<LoadLawSpec> {
         let damping = slot.quantity(own.damping(), Bounds::NOT_NEGATIVE);
         damping.map(LoadLawSpec::Viscous)
     });
-    if own.0 != Some(Coordinate::Turning) {
+    // An output has no mass of its own.
+    if own.0 != Some(Coordinate::Turning) && !matches!(on, On::Output(_)) {
         law.case("weight", "Weight: W = −m·g·sin(inclination).", weight);
     }
     law.case(

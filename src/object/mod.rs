@@ -22,6 +22,7 @@ mod load;
 mod measures;
 mod motor;
 pub(crate) mod numbers;
+mod own;
 mod pair;
 mod plan;
 mod ports;
@@ -42,7 +43,9 @@ pub use differential::Differential;
 pub use drive::Drive;
 pub use kind::{Inputs, Kind, Outputs, Registry};
 pub use linkage::Linkage;
+pub(crate) use load::OWN_LOAD;
 pub use measures::Measures;
+pub(crate) use own::{OWN_OBJECT, OwnObject};
 pub use ports::{INPUT, OWN, Port, Ports};
 
 /// An object of a mechanism.

@@ -7,7 +7,7 @@ use super::load::points;
 use super::measures::Measures;
 use super::plan;
 use crate::model::Coordinate::{Sliding, Turning};
-use crate::position::{PositionSpec, SlottedDriver, SlottedOutput};
+use crate::position::{CustomPosition, PositionSpec, SlottedDriver, SlottedOutput};
 use crate::read::{Bounds, Fields, Slot, Wanted};
 use crate::units::quantities as q;
 use linkages::{four_bar, slider_crank, slotted_link};
@@ -40,7 +40,10 @@ pub(super) struct Ends {
 
 /// Reads `position`. Only the functions in `allowed` are described; any other
 /// is read too, to say what is wrong with it.
-pub(super) fn read(slot: Slot<'_>, ends: Ends, allowed: &[&str]) -> Option<PositionSpec> {
+pub(super) fn read(mut slot: Slot<'_>, ends: Ends, allowed: &[&str]) -> Option<PositionSpec> {
+    if let Some(function) = slot.own() {
+        return own(slot, function, allowed);
+    }
     slot.record(|fields| {
         let describing = fields.describing();
         let shown = |name: &str| !describing || allowed.contains(&name);
@@ -107,6 +110,18 @@ pub(super) fn read(slot: Slot<'_>, ends: Ends, allowed: &[&str]) -> Option<Posit
     })
 }
 
+/// A function given in code: it fits where functions of any form do.
+fn own(mut slot: Slot<'_>, function: CustomPosition, allowed: &[&str]) -> Option<PositionSpec> {
+    if allowed.contains(&"table") {
+        return Some(PositionSpec::Custom(function));
+    }
+    let message = "an own position function does not fit this kind of object";
+    let allowed = crate::read::quoted_list(allowed.iter().copied(), "or");
+    let fault = slot.refuse("contradiction", message);
+    fault.hints.push(format!("it takes {allowed}"));
+    None
+}
+
 /// Whether the function fits the object and its driver.
 fn check(fields: &mut Fields<'_>, function: &PositionSpec, ends: Ends, allowed: &[&str]) -> bool {
     let (name, turning_driver, output) = match function {
@@ -126,7 +141,7 @@ fn check(fields: &mut Fields<'_>, function: &PositionSpec, ends: Ends, allowed: 
         ),
         PositionSpec::Cam(_) => ("cam", true, None),
         PositionSpec::Plan(_) => ("plan", false, None),
-        // No scene describes one.
+        // It is read before, and fits wherever it is taken.
         PositionSpec::Custom(_) => return true,
     };
     let before = fields.faults();

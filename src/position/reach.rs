@@ -6,6 +6,7 @@
 //! known in closed form. The tests of [`super::short_form`] hold both against each
 //! other.
 
+use crate::order::by_first;
 use std::f64::consts::{PI, TAU};
 use std::fmt;
 
@@ -78,7 +79,7 @@ impl ForbiddenArcs {
                 vec![near(centre - middle, half), near(centre + middle, half)]
             }
         };
-        intervals.sort_by(|one, other| one.0.total_cmp(&other.0));
+        by_first(&mut intervals);
         intervals
     }
 }

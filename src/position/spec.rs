@@ -139,6 +139,13 @@ pub enum SlottedOutput {
     Block,
 }
 
+impl PositionSpec {
+    /// A position function of your own.
+    pub fn own(function: impl PositionFunction + 'static) -> Self {
+        Self::Custom(CustomPosition(Arc::new(function)))
+    }
+}
+
 /// A cam with one rise and one return per turn.
 ///
 /// θ = φ + phase runs: rise from 0 to `lift` over `rise`, dwell at the top over

@@ -1,8 +1,8 @@
 //! Reading of values made of other values: objects, lists, alternatives.
 
 use super::fields::Fields;
-use super::slot::{Slot, join, last_name};
-use super::tree::Value;
+use super::slot::{Reading, Slot, join, kept, last_name};
+use super::tree::{Node, Value};
 use serde_json::{Map, Value as Json, json};
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
@@ -10,33 +10,68 @@ use std::ops::RangeInclusive;
 impl Slot<'_> {
     /// Reads an object by its properties; every property that is not asked for
     /// is an error, as is every missing one.
-    pub fn record<T>(mut self, read: impl FnOnce(&mut Fields<'_>) -> Option<T>) -> Option<T> {
-        if !self.describing() && !matches!(self.node?.value, Value::Object(_)) {
+    pub fn record<T>(self, read: impl FnOnce(&mut Fields<'_>) -> Option<T>) -> Option<T> {
+        let (mut value, mut read) = (None, Some(read));
+        let complete = self.properties(&mut |fields| {
+            value = read.take().and_then(|read| read(fields));
+        });
+        value.filter(|_| complete)
+    }
+
+    /// Reads an object by its properties; whether none is unknown or missing.
+    fn properties(mut self, read: &mut dyn FnMut(&mut Fields<'_>)) -> bool {
+        let object = |node: &Node| matches!(node.value, Value::Object(_));
+        if !self.describing() && !self.node.is_some_and(object) {
             self.wrong_type("an object");
-            return None;
+            return false;
         }
         let mut fields = Fields::new(&mut self);
-        let value = read(&mut fields);
+        read(&mut fields);
         let (complete, out) = fields.finish();
         *self.out = out;
-        value.filter(|_| complete)
+        complete
     }
 
     /// Reads an object whose property names are free.
     pub fn map<T>(
-        mut self,
-        mut read: impl FnMut(&str, Slot<'_>) -> Option<T>,
+        self,
+        read: impl FnMut(&str, Slot<'_>) -> Option<T>,
     ) -> Option<BTreeMap<String, T>> {
+        let mut values = BTreeMap::new();
+        let complete = self.members(&mut gathered(&mut values, read));
+        complete.then_some(values)
+    }
+
+    /// As [`Slot::map`], for values that hold their names: in the order of these.
+    pub fn values<T>(self, read: impl FnMut(&str, Slot<'_>) -> Option<T>) -> Option<Vec<T>> {
+        let mut values = Vec::new();
+        let complete = self.members(&mut gathered(&mut values, read));
+        complete.then(|| by_name(values))
+    }
+
+    /// As [`Slot::values`], for names that serve as addresses: they must fit
+    /// [`super::NAME_PATTERN`].
+    pub fn names<T>(self, read: impl FnMut(&str, Slot<'_>) -> Option<T>) -> Option<Vec<T>> {
+        let mut values = Vec::new();
+        let complete = self.named_members(&mut gathered(&mut values, read));
+        complete.then(|| by_name(values))
+    }
+
+    /// Reads the properties of an object with `read`, which says whether a
+    /// value is sound; whether all are.
+    fn members(mut self, read: &mut dyn FnMut(&str, Slot<'_>) -> bool) -> bool {
         if self.describing() {
-            let schema = self.inner("*", None, |slot| read("*", slot)).1;
+            let schema = self.inner("*", None, &mut |slot| {
+                read("*", slot);
+            });
             *self.out = json!({ "type": "object", "additionalProperties": schema });
-            return None;
+            return false;
         }
-        let Value::Object(members) = &self.node?.value else {
+        let Some(Value::Object(members)) = self.node.map(|node| &node.value) else {
             self.wrong_type("an object");
-            return None;
+            return false;
         };
-        let (mut values, mut canonical, mut complete) = (BTreeMap::new(), Map::new(), true);
+        let (mut canonical, mut complete) = (Map::new(), true);
         for member in members {
             let path = join(&self.path, &member.name);
             let mut out = Json::Null;
@@ -47,35 +82,26 @@ impl Slot<'_> {
                 path,
                 out: &mut out,
             };
-            match read(&member.name, slot) {
-                Some(value) => drop(values.insert(member.name.clone(), value)),
-                None => complete = false,
-            }
+            complete &= read(&member.name, slot);
             canonical.insert(member.name.clone(), out);
         }
         *self.out = Json::Object(canonical);
-        complete.then_some(values)
+        complete
     }
 
-    /// As [`Slot::map`], for names that serve as addresses: they must fit
-    /// [`super::NAME_PATTERN`].
-    pub fn names<T>(
-        mut self,
-        mut read: impl FnMut(&str, Slot<'_>) -> Option<T>,
-    ) -> Option<BTreeMap<String, T>> {
-        let values = self.look(|slot| {
-            slot.map(|name, mut slot| {
-                let sound = slot.describing() || super::is_name(name);
-                if !sound {
-                    slot.refuse_name(name);
-                }
-                read(name, slot).filter(|_| sound)
-            })
+    /// As [`Slot::members`], for names that serve as addresses.
+    fn named_members(mut self, read: &mut dyn FnMut(&str, Slot<'_>) -> bool) -> bool {
+        let complete = self.reborrow().members(&mut |name, mut slot| {
+            let sound = slot.describing() || super::is_name(name);
+            if !sound {
+                slot.refuse_name(name);
+            }
+            read(name, slot) && sound
         });
         if self.describing() {
             self.out["propertyNames"] = json!({ "pattern": super::NAME_PATTERN });
         }
-        values
+        complete
     }
 
     /// Notes that the name of this value cannot serve as an address.
@@ -88,67 +114,90 @@ impl Slot<'_> {
 
     /// Reads a list of a length in the given range.
     pub fn list<T>(
-        mut self,
+        self,
         length: RangeInclusive<usize>,
         mut read: impl FnMut(Slot<'_>) -> Option<T>,
     ) -> Option<Vec<T>> {
+        let mut values = Vec::new();
+        let complete = self.items(length, &mut |slot| {
+            let value = read(slot);
+            let sound = value.is_some();
+            values.extend(value);
+            sound
+        });
+        complete.then_some(values)
+    }
+
+    /// Reads the entries of a list with `read`, which says whether one is
+    /// sound; whether all are, and as many as there should be.
+    fn items(
+        mut self,
+        length: RangeInclusive<usize>,
+        read: &mut dyn FnMut(Slot<'_>) -> bool,
+    ) -> bool {
         if self.describing() {
-            let items = self.inner("[]", None, &mut read).1;
+            let items = self.inner("[]", None, &mut |slot| {
+                read(slot);
+            });
             let mut schema = json!({ "type": "array", "items": items, "minItems": length.start() });
             if *length.end() < usize::MAX {
                 schema["maxItems"] = json!(length.end());
             }
             *self.out = schema;
-            return None;
+            return false;
         }
-        let Value::List(items) = &self.node?.value else {
+        let Some(Value::List(items)) = self.node.map(|node| &node.value) else {
             self.wrong_type("a list");
-            return None;
+            return false;
         };
-        let (mut values, mut canonical) = (Vec::with_capacity(items.len()), Vec::new());
+        let (mut canonical, mut complete) = (Vec::new(), true);
         for (number, item) in items.iter().enumerate() {
-            let (value, out) = self.inner(&format!("[{number}]"), Some(item), &mut read);
-            values.extend(value);
-            canonical.push(out);
+            let entry = &mut |slot: Slot<'_>| complete &= read(slot);
+            canonical.push(self.inner(&format!("[{number}]"), Some(item), entry));
         }
         *self.out = Json::Array(canonical);
         if !length.contains(&items.len()) {
             let message = wrong_length(&last_name(&self.path), items.len(), &length);
             self.refuse("wrong-length", message);
-            return None;
+            return false;
         }
-        (values.len() == items.len()).then_some(values)
+        complete
     }
 
     /// Reads a list of exactly two values.
     pub fn pair<A, B>(
-        mut self,
+        self,
         first: impl FnOnce(Slot<'_>) -> Option<A>,
         second: impl FnOnce(Slot<'_>) -> Option<B>,
     ) -> Option<(A, B)> {
+        let (mut a, mut b) = (None, None);
+        self.two(&mut kept(&mut a, first), &mut kept(&mut b, second));
+        Some((a?, b?))
+    }
+
+    fn two(mut self, first: Reading<'_>, second: Reading<'_>) {
         if self.describing() {
             let items = [
-                self.inner("[0]", None, first).1,
-                self.inner("[1]", None, second).1,
+                self.inner("[0]", None, first),
+                self.inner("[1]", None, second),
             ];
             *self.out = json!({
                 "type": "array", "prefixItems": items, "minItems": 2, "maxItems": 2
             });
-            return None;
+            return;
         }
-        let Value::List(items) = &self.node?.value else {
+        let Some(Value::List(items)) = self.node.map(|node| &node.value) else {
             self.wrong_type("a list of two values");
-            return None;
+            return;
         };
         let [one, other] = items.as_slice() else {
             let message = wrong_length(&last_name(&self.path), items.len(), &(2..=2));
             self.refuse("wrong-length", message);
-            return None;
+            return;
         };
-        let (a, a_out) = self.inner("[0]", Some(one), first);
-        let (b, b_out) = self.inner("[1]", Some(other), second);
-        *self.out = json!([a_out, b_out]);
-        Some((a?, b?))
+        let one = self.inner("[0]", Some(one), first);
+        let other = self.inner("[1]", Some(other), second);
+        *self.out = json!([one, other]);
     }
 
     /// Reads an object one way and anything else another way.
@@ -178,23 +227,6 @@ impl Slot<'_> {
         self.fork(|value| matches!(value, Value::Flag(_)), flag, other)
     }
 
-    fn fork<T>(
-        mut self,
-        is_first: impl FnOnce(&Value) -> bool,
-        first: impl FnOnce(Slot<'_>) -> Option<T>,
-        other: impl FnOnce(Slot<'_>) -> Option<T>,
-    ) -> Option<T> {
-        if self.describing() {
-            let forms = [self.inner("", None, other).1, self.inner("", None, first).1];
-            *self.out = any_of(forms);
-            return None;
-        }
-        match is_first(&self.node?.value) {
-            true => first(self),
-            false => other(self),
-        }
-    }
-
     /// Reads a list one way (`Ok`) and anything else another way (`Err`); the
     /// slot can still note faults afterwards.
     pub fn list_or<A, B>(
@@ -202,30 +234,76 @@ impl Slot<'_> {
         list: impl FnOnce(Slot<'_>) -> Option<A>,
         other: impl FnOnce(Slot<'_>) -> Option<B>,
     ) -> Option<Result<A, B>> {
+        self.reborrow().fork(
+            |value| matches!(value, Value::List(_)),
+            |slot| list(slot).map(Ok),
+            |slot| other(slot).map(Err),
+        )
+    }
+
+    fn fork<T>(
+        self,
+        is_first: fn(&Value) -> bool,
+        first: impl FnOnce(Slot<'_>) -> Option<T>,
+        other: impl FnOnce(Slot<'_>) -> Option<T>,
+    ) -> Option<T> {
+        let describing = self.describing();
+        let (mut a, mut b) = (None, None);
+        self.either(is_first, &mut kept(&mut a, first), &mut kept(&mut b, other));
+        a.or(b).filter(|_| !describing)
+    }
+
+    /// Reads a value one way or another, or describes both.
+    fn either(mut self, is_first: fn(&Value) -> bool, first: Reading<'_>, other: Reading<'_>) {
         if self.describing() {
-            let forms = [self.inner("", None, other).1, self.inner("", None, list).1];
+            let forms = [self.inner("", None, other), self.inner("", None, first)];
             *self.out = any_of(forms);
-            return None;
-        }
-        match self.node?.value {
-            Value::List(_) => list(self.reborrow()).map(Ok),
-            _ => other(self.reborrow()).map(Err),
+        } else if let Some(node) = self.node {
+            match is_first(&node.value) {
+                true => first(self),
+                false => other(self),
+            }
         }
     }
 
     /// Reads a value whose schema is written once under a name.
-    pub fn defined<T>(mut self, name: &str, read: impl FnOnce(Slot<'_>) -> Option<T>) -> Option<T> {
+    pub fn defined<T>(self, name: &str, read: impl FnOnce(Slot<'_>) -> Option<T>) -> Option<T> {
+        let describing = self.describing();
+        let mut value = None;
+        self.once(name, &mut kept(&mut value, read));
+        value.filter(|_| !describing)
+    }
+
+    fn once(mut self, name: &str, read: Reading<'_>) {
         if !self.describing() {
             return read(self);
         }
         if !self.reader.definitions.contains_key(name) {
             self.reader.definitions.insert(name.to_owned(), Json::Null);
-            let schema = self.inner("", None, read).1;
+            let schema = self.inner("", None, read);
             self.reader.definitions.insert(name.to_owned(), schema);
         }
         *self.out = json!({ "$ref": format!("#/$defs/{name}") });
-        None
     }
+}
+
+/// Puts sound values into `values`, with their names.
+fn gathered<T>(
+    values: &mut impl Extend<(String, T)>,
+    mut read: impl FnMut(&str, Slot<'_>) -> Option<T>,
+) -> impl FnMut(&str, Slot<'_>) -> bool {
+    move |name, slot| {
+        let value = read(name, slot);
+        let sound = value.is_some();
+        values.extend(value.map(|value| (name.to_owned(), value)));
+        sound
+    }
+}
+
+/// Values in the order of their names.
+fn by_name<T>(mut values: Vec<(String, T)>) -> Vec<T> {
+    values.sort_by_cached_key(|(name, _)| name.clone());
+    values.into_iter().map(|(_, value)| value).collect()
 }
 
 /// Two forms of a value; forms that are themselves alternatives are flattened.

@@ -63,7 +63,7 @@ impl Fields<'_> {
                     value,
                     used: false,
                 });
-                value
+                value.map(drop)
             })
         });
         self.reader.dimensions = Dimensions {

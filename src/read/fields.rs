@@ -3,7 +3,7 @@
 mod closing;
 
 use super::one_of::OneOf;
-use super::slot::{Reader, Slot, join, push};
+use super::slot::{Reader, Reading, Slot, join, kept, push};
 use super::suggest::quoted_list;
 use super::tree::{Member, Node};
 use crate::diagnostics::{Diagnostic, Place};
@@ -34,6 +34,15 @@ struct Missing {
     names: Vec<&'static str>,
     what: &'static str,
     hint: Option<String>,
+}
+
+/// What there was of a property that was asked for.
+#[derive(Clone, Copy, Debug)]
+enum Presence {
+    /// The schema is being written.
+    Described,
+    Written,
+    Absent,
 }
 
 impl<'a> Fields<'a> {
@@ -101,13 +110,16 @@ impl<'a> Fields<'a> {
         doc: &str,
         read: impl FnOnce(Slot<'_>) -> Option<T>,
     ) -> Option<T> {
+        let mut value = None;
         self.required.push(name);
-        match self.maybe(name, doc, read)? {
-            Some(value) => Some(value),
-            None => {
+        let presence = self.property(name, doc, &mut kept(&mut value, read));
+        match presence {
+            Presence::Written => value,
+            Presence::Absent => {
                 self.lack(name, None);
                 None
             }
+            Presence::Described => None,
         }
     }
 
@@ -118,19 +130,13 @@ impl<'a> Fields<'a> {
         doc: &str,
         read: impl FnOnce(Slot<'_>) -> Option<T>,
     ) -> Option<Option<T>> {
-        self.known.push(name);
-        if self.describing() {
-            let mut schema = self.child(name, None, read).1;
-            add_description(&mut schema, doc);
-            self.out.insert(name.to_owned(), schema);
-            return None;
+        let mut value = None;
+        let presence = self.property(name, doc, &mut kept(&mut value, read));
+        match presence {
+            Presence::Absent => Some(None),
+            Presence::Written => value.map(Some),
+            Presence::Described => None,
         }
-        let Some(member) = self.member(name) else {
-            return Some(None);
-        };
-        let (value, out) = self.child(name, Some((&member.value, &member.name_place)), read);
-        self.out.insert(name.to_owned(), out);
-        value.map(Some)
     }
 
     /// Reads a property that has a default, given as it would be written.
@@ -141,20 +147,40 @@ impl<'a> Fields<'a> {
         default: Json,
         read: impl FnOnce(Slot<'_>) -> Option<T>,
     ) -> Option<T> {
-        if self.describing() {
-            self.maybe(name, doc, read);
-            self.out[name]["default"] = default;
-            return None;
-        }
-        if self.has(name) {
-            return self.maybe(name, doc, read).flatten();
-        }
+        let mut value = None;
+        self.property_or(name, doc, default, &mut kept(&mut value, read));
+        value.filter(|_| !self.describing())
+    }
+
+    /// Reads a property, if it is there, or describes it.
+    fn property(&mut self, name: &'static str, doc: &str, read: Reading<'_>) -> Presence {
         self.known.push(name);
-        let place = self.place.clone();
-        let node = Node::filled_in(&default, &place);
-        let (value, out) = self.child(name, Some((&node, &place)), read);
+        if self.describing() {
+            let mut schema = self.child(name, None, read);
+            add_description(&mut schema, doc);
+            self.out.insert(name.to_owned(), schema);
+            return Presence::Described;
+        }
+        let Some(member) = self.member(name) else {
+            return Presence::Absent;
+        };
+        let out = self.child(name, Some((&member.value, &member.name_place)), read);
         self.out.insert(name.to_owned(), out);
-        value
+        Presence::Written
+    }
+
+    /// Reads a property or its default, or describes both.
+    fn property_or(&mut self, name: &'static str, doc: &str, default: Json, read: Reading<'_>) {
+        match self.property(name, doc, read) {
+            Presence::Written => {}
+            Presence::Described => self.out[name]["default"] = default,
+            Presence::Absent => {
+                let place = self.place.clone();
+                let node = Node::filled_in(&default, &place);
+                let out = self.child(name, Some((&node, &place)), read);
+                self.out.insert(name.to_owned(), out);
+            }
+        }
     }
 
     /// Reads a remark for people, which is no part of the canonical form.
@@ -272,22 +298,17 @@ impl<'a> Fields<'a> {
         true
     }
 
-    fn child<T>(
-        &mut self,
-        name: &str,
-        found: Option<(&Node, &Place)>,
-        read: impl FnOnce(Slot<'_>) -> Option<T>,
-    ) -> (Option<T>, Json) {
+    /// Reads a value inside this object; its canonical form or schema.
+    fn child(&mut self, name: &str, found: Option<(&Node, &Place)>, read: Reading<'_>) -> Json {
         let mut out = Json::Null;
-        let slot = Slot {
+        read(Slot {
             reader: self.reader,
             node: found.map(|found| found.0),
             name_place: found.map(|found| found.1.clone()),
             path: join(&self.path, name),
             out: &mut out,
-        };
-        let value = read(slot);
-        (value, out)
+        });
+        out
     }
 
     /// Reports unknown and missing properties. Returns whether there were

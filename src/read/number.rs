@@ -146,10 +146,16 @@ impl Slot<'_> {
     fn within(&mut self, value: f64, bounds: Bounds, unit: &str) -> Option<f64> {
         let name = last_name(&self.path);
         if !value.is_finite() {
-            let message = format!("{name} is too large for a number");
+            let (message, hint) = match value.is_nan() {
+                true => (format!("{name} is not a number"), "it was computed as NaN"),
+                false => (
+                    format!("{name} is too large for a number"),
+                    "numbers go up to about 1.8e308",
+                ),
+            };
             self.refuse("not-finite", message)
                 .hints
-                .push("numbers go up to about 1.8e308".to_owned());
+                .push(hint.to_owned());
             return None;
         }
         if !bounds.hold(value) {

@@ -7,21 +7,29 @@ use crate::diagnostics::Diagnostic;
 /// Reads a group of properties of which exactly one may be there.
 #[derive(Debug)]
 pub struct OneOf<'f, 'a, T> {
+    group: Group<'f, 'a>,
+    value: Option<T>,
+}
+
+/// The names of the group, whatever its values are.
+#[derive(Debug)]
+struct Group<'f, 'a> {
     fields: &'f mut Fields<'a>,
     /// What the group says, for messages: `its law`.
     what: &'static str,
     names: Vec<&'static str>,
     found: Vec<&'static str>,
-    value: Option<T>,
 }
 
 impl<'f, 'a, T> OneOf<'f, 'a, T> {
     pub(super) fn new(fields: &'f mut Fields<'a>, what: &'static str) -> Self {
         Self {
-            fields,
-            what,
-            names: Vec::new(),
-            found: Vec::new(),
+            group: Group {
+                fields,
+                what,
+                names: Vec::new(),
+                found: Vec::new(),
+            },
             value: None,
         }
     }
@@ -33,11 +41,8 @@ impl<'f, 'a, T> OneOf<'f, 'a, T> {
         doc: &str,
         read: impl FnOnce(Slot<'_>) -> Option<T>,
     ) -> &mut Self {
-        self.names.push(name);
-        if self.fields.has(name) {
-            self.found.push(name);
-        }
-        if let Some(Some(value)) = self.fields.maybe(name, doc, read) {
+        self.group.add(name);
+        if let Some(Some(value)) = self.group.fields.maybe(name, doc, read) {
             self.value = Some(value);
         }
         self
@@ -45,19 +50,34 @@ impl<'f, 'a, T> OneOf<'f, 'a, T> {
 
     /// The value of the one that is there.
     pub fn finish(self) -> Option<T> {
+        let alone = self.group.finish();
+        self.value.filter(|_| alone)
+    }
+}
+
+impl Group<'_, '_> {
+    fn add(&mut self, name: &'static str) {
+        self.names.push(name);
+        if self.fields.has(name) {
+            self.found.push(name);
+        }
+    }
+
+    /// Whether exactly one is there.
+    fn finish(self) -> bool {
         self.fields.alternatives.push(self.names.clone());
         match self.found.as_slice() {
-            [] if self.fields.describing() => None,
+            [] if self.fields.describing() => false,
             [] => {
                 self.fields.lack_one_of(self.names, self.what);
-                None
+                false
             }
-            [_] => self.value,
+            [_] => true,
             [first, others @ ..] => {
                 for other in others {
                     clash(self.fields, first, other, self.what);
                 }
-                None
+                false
             }
         }
     }

@@ -56,6 +56,19 @@ impl Reader {
     }
 }
 
+/// A reading whose value the caller keeps: what stands around values is
+/// compiled once, not once for every kind of value.
+pub(super) type Reading<'r> = &'r mut dyn FnMut(Slot<'_>);
+
+/// A [`Reading`] for one slot that leaves its value in `value`.
+pub(super) fn kept<T>(
+    value: &mut Option<T>,
+    read: impl FnOnce(Slot<'_>) -> Option<T>,
+) -> impl FnMut(Slot<'_>) {
+    let mut read = Some(read);
+    move |slot| *value = read.take().and_then(|read| read(slot))
+}
+
 /// The place of one value. Its methods consume it: a value is read once.
 #[derive(Debug)]
 pub struct Slot<'a> {
@@ -158,6 +171,16 @@ impl<'a> Slot<'a> {
         fault
     }
 
+    /// The value, where it was given in code and is of this type.
+    pub fn own<T: Clone + 'static>(&mut self) -> Option<T> {
+        let Value::Own(own) = &self.node?.value else {
+            return None;
+        };
+        let found = own.get::<T>()?.clone();
+        *self.out = json!({ "own": own.words() });
+        Some(found)
+    }
+
     /// Reads `true` or `false`.
     pub fn flag(mut self) -> Option<bool> {
         if self.describing() {
@@ -201,46 +224,48 @@ impl<'a> Slot<'a> {
     }
 
     /// Reads one of several names.
-    pub fn choice<T: Clone>(mut self, choices: &[(&'static str, T)]) -> Option<T> {
-        let names = || choices.iter().map(|choice| choice.0);
+    pub fn choice<T: Clone>(self, choices: &[(&'static str, T)]) -> Option<T> {
+        let names: Vec<_> = choices.iter().map(|choice| choice.0).collect();
+        let found = self.name_among(&names)?;
+        Some(choices[found].1.clone())
+    }
+
+    /// Reads one of several names; its number.
+    fn name_among(mut self, names: &[&'static str]) -> Option<usize> {
         if self.describing() {
-            *self.out = json!({ "enum": names().collect::<Vec<_>>() });
+            *self.out = json!({ "enum": names });
             return None;
         }
-        let wanted = || quoted_list(names(), "or");
+        let wanted = || quoted_list(names.iter().copied(), "or");
         let Some(text) = self.node?.text() else {
             self.wrong_type(&wanted());
             return None;
         };
-        if let Some(found) = choices.iter().find(|choice| choice.0 == text) {
+        if let Some(found) = names.iter().position(|name| *name == text) {
             *self.out = json!(text);
-            return Some(found.1.clone());
+            return Some(found);
         }
         let property = last_name(&self.path);
         let message = format!("unknown {} `{text}`", property.trim_matches('`'));
         let fault = self.refuse("unknown-choice", message);
-        fault.hints.extend(did_you_mean(text, names()));
+        fault
+            .hints
+            .extend(did_you_mean(text, names.iter().copied()));
         fault.hints.push(format!("it is one of {}", wanted()));
         None
     }
 
-    /// Reads a value inside this one.
-    pub(super) fn inner<T>(
-        &mut self,
-        suffix: &str,
-        node: Option<&Node>,
-        read: impl FnOnce(Slot<'_>) -> Option<T>,
-    ) -> (Option<T>, Json) {
+    /// Reads a value inside this one; its canonical form or schema.
+    pub(super) fn inner(&mut self, suffix: &str, node: Option<&Node>, read: Reading<'_>) -> Json {
         let mut out = Json::Null;
-        let slot = Slot {
+        read(Slot {
             reader: self.reader,
             node,
             name_place: None,
             path: format!("{}{suffix}", self.path),
             out: &mut out,
-        };
-        let value = read(slot);
-        (value, out)
+        });
+        out
     }
 }
 

@@ -2,6 +2,10 @@
 
 /// The candidate most like `word`, if any is like enough.
 pub fn closest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    most_like(word, &mut candidates.into_iter())
+}
+
+fn most_like<'a>(word: &str, candidates: &mut dyn Iterator<Item = &'a str>) -> Option<&'a str> {
     // Long strangers cannot be a slip of the pen, and would cost time.
     if word.len() > 64 {
         return None;
@@ -36,7 +40,11 @@ pub fn did_you_mean<'a>(
 
 /// `` `a`, `b` or `c` ``; a dash when there is nothing.
 pub fn quoted_list<'a>(names: impl IntoIterator<Item = &'a str>, last_word: &str) -> String {
-    let mut quoted: Vec<String> = names.into_iter().map(|name| format!("`{name}`")).collect();
+    quoted(&mut names.into_iter(), last_word)
+}
+
+fn quoted<'a>(names: &mut dyn Iterator<Item = &'a str>, last_word: &str) -> String {
+    let mut quoted: Vec<String> = names.map(|name| format!("`{name}`")).collect();
     match quoted.pop() {
         None => "—".to_owned(),
         Some(only) if quoted.is_empty() => only,

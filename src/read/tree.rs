@@ -1,5 +1,6 @@
 //! A JSON tree that knows its places.
 
+use super::own::Own;
 use crate::diagnostics::Place;
 
 /// A value with its place.
@@ -26,6 +27,8 @@ pub enum Value {
     List(Vec<Node>),
     /// An object; names are unique.
     Object(Vec<Member>),
+    /// What no text can state, given in code.
+    Own(Own),
 }
 
 /// A property of an object.
@@ -49,6 +52,7 @@ impl Node {
             Value::Text(_) => "a text",
             Value::List(_) => "a list",
             Value::Object(_) => "an object",
+            Value::Own(_) => "a value given in code",
         }
     }
 

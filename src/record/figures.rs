@@ -41,6 +41,8 @@ pub struct Units {
 /// thousandth, where that is more); samples and the energy audit likewise.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct ObjectFigures {
+    /// Greatest |δ|: how far the object strays from its law.
+    pub delta_abs: f64,
     /// Greatest δ.
     pub delta_max: f64,
     /// Least δ.
@@ -61,6 +63,14 @@ pub struct ObjectFigures {
     /// Friction in the joints of a linkage, where it acts on the motion.
     #[serde(flatten, skip_serializing_if = "Option::is_none")]
     pub joints: Option<JointFigures>,
+}
+
+/// The greatest magnitude between two extremes; not a number where one of them is none.
+pub fn greatest_magnitude(least: f64, greatest: f64) -> f64 {
+    if least.is_nan() || greatest.is_nan() {
+        return f64::NAN;
+    }
+    least.abs().max(greatest.abs())
 }
 
 /// Figures of a linkage whose joints have friction.

@@ -2,12 +2,14 @@
 
 mod addresses;
 mod audit;
+mod figure;
 mod figures;
 mod joints;
 mod observer;
 mod pairs;
 mod peaks;
 mod pieces;
+mod quantity;
 mod recorder;
 mod rows;
 mod smoothness;
@@ -18,9 +20,12 @@ mod window;
 
 pub use addresses::AddressError;
 pub use audit::EnergyAudit;
+pub use figure::Figure;
 pub use figures::{
     Figures, FinalState, JointFigures, ObjectFigures, PairFigures, RunSummary, Units,
+    greatest_magnitude,
 };
+pub use quantity::Quantity;
 pub use recorder::{Failure, Recorded, Recorder, RecorderSettings};
 pub use tee::Tee;
 pub use window::{choose_window, choose_window_of, drive_cycle};
@@ -43,8 +48,8 @@ pub struct Record {
 pub struct Column {
     /// Object id.
     pub object: String,
-    /// `displacement`, `speed`, `acceleration`, `delta`, `reaction`, `contact_force`.
-    pub quantity: &'static str,
+    /// What it shows.
+    pub quantity: Quantity,
     /// Unit: `rad`, `rad/s`, `N m`, …
     pub unit: &'static str,
     /// One value a sample.

@@ -3,6 +3,7 @@
 mod failure;
 mod works;
 
+use crate::order::Total;
 pub use failure::Failure;
 use failure::{is_sound, motion_of};
 
@@ -162,11 +163,8 @@ impl<'s> Recorder<'s> {
             figures[object].joints = Some(joints.finish(self.time));
         }
         let margins = self.margins(&mut figures);
-        self.separations.sort_by(|a, b| {
-            a.from
-                .total_cmp(&b.from)
-                .then_with(|| a.object.cmp(&b.object))
-        });
+        self.separations
+            .sort_by_cached_key(|interval| (Total(interval.from), interval.object.clone()));
         let audit = self.ledger.close();
         if !audit.error().is_finite() {
             self.fail(self.time, None);

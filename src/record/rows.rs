@@ -1,19 +1,8 @@
 //! The samples of a record: equally spaced rows, column by column.
 
-use super::Column;
-use crate::model::{Coordinate, Model};
+use super::{Column, Quantity};
+use crate::model::Model;
 use crate::system::ObjectState;
-
-/// The six quantities of every object: name, unit of turning objects, unit of
-/// sliding ones.
-const QUANTITIES: [(&str, &str, &str); 6] = [
-    ("displacement", "rad", "m"),
-    ("speed", "rad/s", "m/s"),
-    ("acceleration", "rad/s²", "m/s²"),
-    ("delta", "rad", "m"),
-    ("reaction", "N m", "N"),
-    ("contact_force", "N m", "N"),
-];
 
 /// Rows for which room is made at once; a longer record grows as it is filled.
 const MOST_ROOM: usize = 1 << 16;
@@ -34,13 +23,10 @@ impl Rows {
         let intervals = intervals.max(1);
         let room = intervals.min(MOST_ROOM) + 1;
         let columns = model.objects.iter().flat_map(|part| {
-            QUANTITIES.map(|(quantity, turning, sliding)| Column {
+            Quantity::ALL.map(|quantity| Column {
                 object: part.id.clone(),
                 quantity,
-                unit: match part.coordinate {
-                    Coordinate::Turning => turning,
-                    Coordinate::Sliding => sliding,
-                },
+                unit: quantity.unit(part.coordinate),
                 values: Vec::with_capacity(room),
             })
         });
@@ -72,7 +58,7 @@ impl Rows {
             return false;
         }
         self.times.push(time);
-        for (columns, state) in self.columns.chunks_mut(QUANTITIES.len()).zip(states) {
+        for (columns, state) in self.columns.chunks_mut(Quantity::ALL.len()).zip(states) {
             for (column, value) in columns.iter_mut().zip(values(state)) {
                 column.values.push(value);
             }
@@ -108,7 +94,7 @@ pub(crate) fn is_finite(state: &ObjectState) -> bool {
     values(state).iter().all(|value| value.is_finite())
 }
 
-/// The quantities of a row, in the order of [`QUANTITIES`].
+/// The quantities of a row, in the order of [`Quantity::ALL`].
 fn values(state: &ObjectState) -> [f64; 6] {
     [
         state.displacement,

@@ -2,7 +2,7 @@
 
 use super::peaks::{PLACES, Peak};
 use super::subdivision::{integral_of_magnitude, maximum, minimum};
-use super::{FinalState, ObjectFigures};
+use super::{FinalState, ObjectFigures, greatest_magnitude};
 use crate::model::{Closure, Model};
 use crate::polynomial::{MAX_DEGREE, Step};
 use crate::system::{ObjectState, System};
@@ -179,6 +179,7 @@ impl ObjectTracker {
             ..ObjectFigures::default()
         };
         if let Some(deviation) = self.deviation {
+            figures.delta_abs = greatest_magnitude(deviation.least, deviation.greatest);
             figures.delta_max = deviation.greatest;
             figures.delta_min = deviation.least;
             figures.sigma = if duration > 0.0 {

@@ -1,9 +1,9 @@
 //! Several runs of one scene over each other: figures side by side, curves in
 //! one frame.
 
-use crate::record::{Figures, ObjectFigures, Record};
+use crate::record::{Figures, ObjectFigures, Quantity, Record};
 use crate::report::diagram::Diagram;
-use crate::report::html::data::{PlotData, QUANTITIES, RunSeries, column};
+use crate::report::html::data::{PlotData, QUANTITIES, RunSeries};
 use crate::report::html::{facts, header, mechanism, scene, shell, tables, warnings};
 use crate::report::quantity::{escape, significant, with_unit};
 use crate::report::svg::chart::{Chart, Curve};
@@ -54,7 +54,8 @@ enum Unit {
     Count,
 }
 
-const COMPARED: [Compared; 13] = [
+const COMPARED: [Compared; 14] = [
+    row("greatest |δ|", Unit::Displacement, |o| Some(o.delta_abs)),
     row("δ<sub>max</sub>", Unit::Displacement, |o| {
         Some(o.delta_max)
     }),
@@ -114,7 +115,7 @@ pub fn page(report: &CompareReport<'_>) -> String {
     body.push_str(&mechanism(report.diagram));
     // Drives move alike in every run as a rule: they come last.
     let mut boxes: Vec<_> = report.diagram.boxes.iter().collect();
-    boxes.sort_by_key(|one| one.is_drive());
+    boxes.sort_by_cached_key(|one| usize::from(one.is_drive()));
     for one in boxes {
         body.push_str(&plots.section(&one.id, &one.kind.replace('_', " ")));
         body.push_str(&side_by_side(runs, &one.id));
@@ -262,12 +263,12 @@ fn footer(report: &CompareReport<'_>) -> String {
 
 /// The curves of one quantity of one object over each other; `None` when no run
 /// has it. With a single run its open intervals are shaded.
-pub fn chart(runs: &[ComparedRun<'_>], object: &str, quantity: &str) -> Option<Chart> {
+pub fn chart(runs: &[ComparedRun<'_>], object: &str, quantity: Quantity) -> Option<Chart> {
     let name = QUANTITIES.iter().find(|(key, _)| *key == quantity)?.1;
     let mut unit = None;
     let mut curves = Vec::new();
     for run in runs {
-        let Some(column) = column(run.record, object, quantity) else {
+        let Some(column) = run.record.column(object, quantity) else {
             continue;
         };
         unit = Some(column.unit);
@@ -296,6 +297,7 @@ pub fn chart(runs: &[ComparedRun<'_>], object: &str, quantity: &str) -> Option<C
 #[cfg(test)]
 mod tests {
     use super::{CompareReport, ComparedRun, chart, error_text, page};
+    use crate::record::Quantity;
     use crate::report::diagram::Diagram;
     use crate::report::fixture;
 
@@ -327,10 +329,9 @@ mod tests {
         });
         assert!(page.contains("errors against rocker.masses = 10"));
         assert!(page.contains("The paper&#39;s &lt;figures&gt;"));
-        let chart = chart(&runs, "rocker", "delta").unwrap();
+        let chart = chart(&runs, "rocker", Quantity::Delta).unwrap();
         assert_eq!((chart.curves.len(), chart.unit.as_str()), (3, "rad"));
-        assert!(super::chart(&runs, "rocker", "nonsense").is_none());
-        assert!(super::chart(&runs, "nobody", "delta").is_none());
+        assert!(super::chart(&runs, "nobody", Quantity::Delta).is_none());
         if std::env::var_os("DAM_PREVIEW").is_some() {
             std::fs::write("target/preview/compare.html", page).unwrap();
             std::fs::write("target/preview/chart.svg", chart.svg(760.0, 380.0)).unwrap();

@@ -27,7 +27,7 @@ pub fn record_csv(record: &Record) -> Result<String, csv::Error> {
     )
 }
 
-/// The table of a comparison as CSV: `figure`, then a column of values and one
+/// The table of a comparison as CSV: `figure`, `unit`, then a column of values and one
 /// of errors for every run; empty where there is none.
 ///
 /// # Errors
@@ -42,11 +42,13 @@ pub fn table_csv(table: &Table) -> Result<String, csv::Error> {
     let cell = |value: &Option<f64>| value.map(number).unwrap_or_default();
     let rows = table.rows.iter().map(|row| {
         let cells = row.values.iter().zip(&row.errors);
-        std::iter::once(row.figure.clone())
+        [row.figure.clone(), row.unit.clone()]
+            .into_iter()
             .chain(cells.flat_map(|(value, error)| [cell(value), cell(error)]))
             .collect::<Vec<String>>()
     });
-    write(std::iter::once("figure".to_owned()).chain(head), rows)
+    let first = ["figure", "unit"].map(str::to_owned);
+    write(first.into_iter().chain(head), rows)
 }
 
 /// A header and rows as CSV.
@@ -90,7 +92,7 @@ mod tests {
             times: vec![0.0, 0.1 + 0.2],
             columns: vec![Column {
                 object: "rocker".to_owned(),
-                quantity: "displacement",
+                quantity: crate::record::Quantity::Displacement,
                 unit: "rad",
                 values,
             }],
@@ -120,14 +122,15 @@ mod tests {
             labels: vec!["1".to_owned(), "2".to_owned()],
             rows: vec![TableRow {
                 figure: "rocker.sigma".to_owned(),
+                unit: "rad".to_owned(),
                 values: vec![Some(0.5), None],
                 errors: vec![Some(-0.25), None],
             }],
         };
         assert_eq!(
             table_csv(&table).unwrap(),
-            "figure,rocker.masses=1,error at rocker.masses=1,rocker.masses=2,error at rocker.masses=2\n\
-             rocker.sigma,0.5,-0.25,,\n"
+            "figure,unit,rocker.masses=1,error at rocker.masses=1,rocker.masses=2,error at rocker.masses=2\n\
+             rocker.sigma,rad,0.5,-0.25,,\n"
         );
     }
 

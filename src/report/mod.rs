@@ -1,6 +1,7 @@
 //! Pictures and texts of models and runs, as pure functions: data in, text out.
 //!
 //! * [`html`]: the page of a run; [`compare`]: the page of several runs over each other.
+//! * [`machine`]: the machine of a run, moving.
 //! * [`cam`]: disc cams: text, tables, drawings, DXF, the page on which they turn.
 //! * [`csv`]: the samples as a table.
 //! * [`law`]: laws of motion and synthesised strokes.
@@ -19,6 +20,7 @@ pub mod forces;
 pub mod html;
 pub mod kinematics;
 pub mod law;
+pub mod machine;
 pub mod map;
 pub mod math;
 pub mod mechanism;

@@ -12,6 +12,10 @@ const PREFIXES: [(i32, &str); 8] = [
     (9, "G"),
 ];
 
+/// Units that take every prefix, and those that take only the ones below themselves.
+pub(in crate::report) const TAKE_ALL: [&str; 6] = ["N", "J", "W", "Pa", "Hz", "Nm"];
+pub(in crate::report) const TAKE_SMALL: [&str; 3] = ["s", "m", "rad"];
+
 /// A scale for showing values of one unit: shown = value / `factor`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scale {
@@ -33,25 +37,66 @@ pub fn scale(magnitude: f64, unit: &str) -> Scale {
     }
     // A hair of slack keeps 999.9999… from being called 1000 of the lower prefix.
     let exponent = ((magnitude.abs().log10() + 1e-9) / 3.0).floor() as i32 * 3;
-    let bare = bare(unit);
-    let exponent = if exponent == 3 && bare { 0 } else { exponent };
-    let factor = 10f64.powi(exponent);
-    match PREFIXES.iter().find(|(power, _)| *power == exponent) {
-        Some((power, prefix)) if !bare || *power <= 0 => Scale {
-            factor,
-            unit: format!("{prefix}{unit}"),
-        },
-        _ => Scale {
-            factor,
-            unit: format!("10{} {unit}", superscript(exponent)),
-        },
+    let prefixes = Prefixes::of(unit);
+    let exponent = match prefixes {
+        Prefixes::All => exponent,
+        Prefixes::None if exponent == -3 => 0,
+        _ if exponent == 3 => 0,
+        _ => exponent,
+    };
+    Scale {
+        factor: 10f64.powi(exponent),
+        unit: prefixes
+            .before(unit, exponent)
+            .unwrap_or_else(|| format!("10{} {unit}", superscript(exponent))),
     }
 }
 
-/// Units that take no prefix above themselves: a kilosecond or a kilometre
-/// says less than the plain number. (A plain `rad` keeps counting turns.)
-fn bare(unit: &str) -> bool {
-    matches!(unit, "s" | "m" | "rad" | "m/s" | "m/s²" | "rad/s") || unit.starts_with("kg")
+/// The prefixes that a unit takes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Prefixes {
+    /// All of them.
+    All,
+    /// None above itself: a kilosecond or a kilometre says less than the plain
+    /// number, and a plain `rad` keeps counting turns.
+    Small,
+    /// None above itself; those below stand before the gram, since a kilogram has
+    /// a prefix already.
+    OfGram,
+    /// None: a prefix before a power would be raised with it (mm² are no thousandths of m²).
+    None,
+}
+
+impl Prefixes {
+    fn of(unit: &str) -> Self {
+        let first = unit.split([' ', '/']).next().unwrap_or(unit);
+        match first {
+            "kg" => Self::OfGram,
+            first if TAKE_SMALL.contains(&first) => Self::Small,
+            first if TAKE_ALL.contains(&first) => Self::All,
+            _ => Self::None,
+        }
+    }
+
+    /// The unit with the prefix of a power of ten; `None` where there is none.
+    fn before(self, unit: &str, exponent: i32) -> Option<String> {
+        if exponent == 0 {
+            return Some(unit.to_owned());
+        }
+        let prefix = |exponent: i32| {
+            let found = PREFIXES.iter().find(|(power, _)| *power == exponent);
+            found.map(|(_, prefix)| *prefix)
+        };
+        match self {
+            Self::All => prefix(exponent).map(|prefix| format!("{prefix}{unit}")),
+            Self::Small if exponent < 0 => prefix(exponent).map(|prefix| format!("{prefix}{unit}")),
+            Self::OfGram if exponent < 0 => {
+                let prefix = prefix(exponent + 3)?;
+                Some(format!("{prefix}{}", &unit[1..]))
+            }
+            _ => None,
+        }
+    }
 }
 
 /// A value with its unit, to `digits` significant digits: `7.50086 mrad`.
@@ -173,13 +218,53 @@ mod tests {
         assert_eq!(with_unit(-6e-5, "rad", 6), "−60 µrad");
         assert_eq!(with_unit(12345.0, "N m", 4), "12.35 kN m");
         assert_eq!(with_unit(98.69, "rad/s", 6), "98.69 rad/s");
-        assert_eq!(with_unit(4e6, "rad/s²", 3), "4 Mrad/s²");
+        assert_eq!(with_unit(4e6, "rad/s²", 3), "4·10⁶ rad/s²");
+        assert_eq!(with_unit(4e3, "rad/s²", 3), "4000 rad/s²");
+        assert_eq!(with_unit(0.05, "kg", 3), "50 g");
+        assert_eq!(with_unit(0.05, "kg m²", 3), "50 g m²");
+        assert_eq!(with_unit(2e-6, "kg m²", 3), "2 mg m²");
+        assert_eq!(with_unit(2500.0, "kg m²", 3), "2500 kg m²");
+        assert_eq!(with_unit(2e-3, "m²", 3), "0.002 m²");
+        assert_eq!(with_unit(2e-6, "m²", 3), "2·10⁻⁶ m²");
+        assert_eq!(with_unit(0.5, "deg", 3), "0.5 deg");
+        assert_eq!(with_unit(1e4, "m/s³", 3), "10000 m/s³");
         assert_eq!(with_unit(1234.5, "s", 6), "1234.5 s");
         assert_eq!(with_unit(-2.5e7, "rad", 6), "−25·10⁶ rad");
         assert_eq!(with_unit(3e-17, "m", 2), "30·10⁻¹⁸ m");
         assert_eq!(with_unit(0.0, "m", 3), "0 m");
         assert_eq!(scale(1000.0, "N").unit, "kN");
         assert_eq!(scale(999.0, "N").unit, "N");
+    }
+
+    #[test]
+    fn no_unit_gets_a_prefix_that_it_does_not_take() {
+        let units = [
+            "kg", "kg m²", "kg m²/s", "rad", "rad/s", "rad/s²", "rad/s³", "m", "m/s²",
+        ];
+        let units = units
+            .into_iter()
+            .chain(["s", "m²", "m³", "1/m", "deg", "%", "N m/rad"]);
+        for unit in units {
+            for power in -15..=15 {
+                let shown = scale(10f64.powi(power), unit);
+                let first = shown.unit.split([' ', '/']).next().unwrap();
+                let wrong = [
+                    "mkg", "kkg", "µkg", "krad", "Mrad", "km", "ks", "mdeg", "m%",
+                ];
+                assert!(!wrong.contains(&first), "{unit}: {shown:?}");
+                // A prefix before a power would be raised with it.
+                assert!(
+                    !["m²", "m³"].contains(&unit) || shown.unit.ends_with(unit),
+                    "{shown:?}"
+                );
+                assert!(
+                    shown.unit.starts_with("10")
+                        || (0.9..2000.0).contains(&(10f64.powi(power) / shown.factor))
+                        || shown.factor == 1.0,
+                    "{unit}: {shown:?}"
+                );
+            }
+        }
     }
 
     #[test]

@@ -57,6 +57,7 @@ pub fn verdict(figures: &Figures) -> Verdict {
 
 fn is_finite(object: &ObjectFigures) -> bool {
     [
+        object.delta_abs,
         object.delta_max,
         object.delta_min,
         object.sigma,

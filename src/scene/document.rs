@@ -1,13 +1,14 @@
 //! A scene's text, read once; decoded as often as wanted with other overrides.
 
 use super::overrides::{self, Overrides};
-use super::{Catalogue, Scene, address, root};
-use crate::diagnostics::{Diagnostic, Diagnostics, Place, Sources};
+use super::{Catalogue, TypedScene, address, root};
+use crate::diagnostics::{Diagnostic, Diagnostics, Place, Source, Sources};
 use crate::fault::Fault;
 use crate::object::Registry;
 use crate::read::{self, Member, Node, Reader, Value, did_you_mean};
 use sha2::{Digest, Sha256};
 use std::fmt::Write;
+use std::sync::{Arc, OnceLock};
 
 /// A scene's text as a tree, and the kinds of objects that it may name.
 #[derive(Clone, Debug)]
@@ -15,13 +16,15 @@ pub struct Document {
     sources: Sources,
     root: Node,
     registry: Registry,
+    /// Its text, where that is not what it was read from.
+    rewritten: Option<OnceLock<String>>,
 }
 
 /// A scene, read and checked, with what reading it left behind.
 #[derive(Debug)]
 pub struct Reading {
     /// The scene.
-    pub scene: Scene,
+    pub scene: TypedScene,
     /// What the user should know.
     pub warnings: Diagnostics,
     /// The canonical scene: defaults filled in, SI units, names sorted.
@@ -51,9 +54,33 @@ impl Document {
                 sources,
                 root,
                 registry: Registry::standard(),
+                rewritten: None,
             }),
             Err(faults) => Err(Diagnostics::new(sources, faults)),
         }
+    }
+
+    /// A scene made in code, of a tree without places: faults name the properties
+    /// alone. With the standard kinds of objects.
+    pub fn of_values(root: Node) -> Self {
+        let mut sources = Sources::default();
+        // Overrides are sources of their own, and come after it.
+        sources.add(Arc::new(Source {
+            name: "scene".to_owned(),
+            text: String::new(),
+        }));
+        Self {
+            sources,
+            root,
+            registry: Registry::standard(),
+            rewritten: Some(OnceLock::new()),
+        }
+    }
+
+    /// Changes the tree.
+    pub fn edit(&mut self, change: impl FnOnce(&mut Node)) {
+        change(&mut self.root);
+        self.rewritten = Some(OnceLock::new());
     }
 
     /// The same with the kinds of objects of a registry.
@@ -80,9 +107,16 @@ impl Document {
         bare
     }
 
-    /// The text itself.
+    /// The text itself; of a scene made or changed in code, the JSON that says the
+    /// same.
     pub fn text(&self) -> &str {
-        self.sources.get(0).map_or("", |source| &source.text)
+        match &self.rewritten {
+            None => self.sources.get(0).map_or("", |source| &source.text),
+            // A tree has no names that are no texts: it can be written.
+            Some(text) => {
+                text.get_or_init(|| serde_json::to_string_pretty(&self.root).unwrap_or_default())
+            }
+        }
     }
 
     /// Decodes the scene, with catalogue objects copied in and properties
@@ -105,7 +139,7 @@ impl Document {
         let diagnostics = Diagnostics::new(sources.clone(), faults);
         match read {
             Some(read) if !diagnostics.has_errors() => Ok(Reading {
-                scene: Scene {
+                scene: TypedScene {
                     name: read.name,
                     objects: read.objects,
                     run: read.run,

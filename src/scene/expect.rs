@@ -27,6 +27,7 @@ type Figure = (&'static str, fn(Measures) -> Wanted);
 
 /// Figures of an object.
 const OBJECT_FIGURES: &[Figure] = &[
+    ("delta_abs", Measures::displacement),
     ("delta_max", Measures::displacement),
     ("delta_min", Measures::displacement),
     ("sigma", Measures::displacement),

@@ -4,6 +4,7 @@ mod address;
 mod catalogue;
 mod document;
 mod expect;
+mod folder;
 mod objects;
 mod overrides;
 mod root;
@@ -14,6 +15,7 @@ mod variation;
 
 pub use catalogue::{BuiltIn, Catalogue, Layered};
 pub use document::{Document, Places, Reading};
+pub use folder::{Folder, read_bounded};
 pub use overrides::Overrides;
 pub use schema::{schema, schema_text};
 pub use variation::Variation;
@@ -25,7 +27,7 @@ use std::collections::BTreeMap;
 
 /// A scene, read and checked.
 #[derive(Debug)]
-pub struct Scene {
+pub struct TypedScene {
     /// Its name.
     pub name: String,
     /// The objects by id.
@@ -40,7 +42,7 @@ pub struct Scene {
     pub hash: String,
 }
 
-impl Scene {
+impl TypedScene {
     /// The mechanism: objects, joined by their ports.
     pub fn graph(&self) -> MechanismGraph<'_> {
         MechanismGraph::new(self.objects.iter().map(|(id, entry)| {

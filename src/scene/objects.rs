@@ -4,7 +4,7 @@ use super::SceneObject;
 use super::address::RESERVED;
 use crate::diagnostics::{Diagnostic, Related};
 use crate::graph::MechanismGraph;
-use crate::object::{Context, Inputs, Kind, KnownObject, Registry};
+use crate::object::{Context, Inputs, Kind, KnownObject, Object, OwnObject, Registry};
 use crate::read::{Fields, Node, Slot, is_name};
 use serde_json::{Value as Json, json};
 use std::collections::BTreeMap;
@@ -30,6 +30,33 @@ impl Known {
     fn kind_of(&self, node: &Node) -> Option<&Kind> {
         self.registry.kind(node.get("kind")?.text()?)
     }
+
+    /// How the inputs of an object are written; `None`: its kind is not known.
+    fn inputs_of(&self, node: &Node) -> Option<Inputs> {
+        let own = OwnObject::of(node).map(OwnObject::inputs);
+        own.or_else(|| Some(self.kind_of(node)?.inputs))
+    }
+
+    /// Takes down what the text tells of an object and its outputs.
+    fn note(&mut self, id: &str, node: &Node) {
+        let (coordinate, outputs) = match (OwnObject::of(node), self.kind_of(node)) {
+            (Some(own), _) => {
+                let others = own.ports().outputs.into_iter().skip(1);
+                let named = others.map(|port| (port.name.into_owned(), port.coordinate));
+                (Some(own.coordinate()), named.collect())
+            }
+            (None, Some(kind)) => ((kind.coordinate)(node), (kind.outputs)(node)),
+            (None, None) => (None, Vec::new()),
+        };
+        let masses = None;
+        self.objects
+            .insert(id.to_owned(), KnownObject { coordinate, masses });
+        for (output, coordinate) in outputs {
+            let masses = Some(0);
+            self.objects
+                .insert(format!("{id}.{output}"), KnownObject { coordinate, masses });
+        }
+    }
 }
 
 /// Reads the objects; fills in `known` on the way.
@@ -40,18 +67,7 @@ pub(super) fn read(mut slot: Slot<'_>, known: &mut Known) -> Option<BTreeMap<Str
     }
     let node = slot.node()?;
     for member in node.members() {
-        let kind = known.kind_of(&member.value).copied();
-        let object = KnownObject {
-            coordinate: kind.and_then(|kind| (kind.coordinate)(&member.value)),
-            masses: None,
-        };
-        known.objects.insert(member.name.clone(), object);
-        let outputs = kind.map(|kind| (kind.outputs)(&member.value));
-        for (output, coordinate) in outputs.unwrap_or_default() {
-            let id = format!("{}.{output}", member.name);
-            let masses = Some(0);
-            known.objects.insert(id, KnownObject { coordinate, masses });
-        }
+        known.note(&member.name, &member.value);
     }
     let objects = slot.look(|slot| slot.map(|id, slot| object(slot, id, known)));
     let sound = check_graph(&mut slot, node, known);
@@ -68,8 +84,20 @@ fn kind(fields: &mut Fields<'_>, registry: &Registry) -> Option<Kind> {
 /// Reads one object; notes in `known` how many masses it has.
 pub(super) fn object(mut slot: Slot<'_>, id: &str, known: &mut Known) -> Option<SceneObject> {
     let sound = check_id(&mut slot, id);
+    let is_own = slot
+        .node()
+        .is_some_and(|node| OwnObject::of(node).is_some());
     let object = slot.record(|fields| {
         fields.remark("description", "Remarks for people.");
+        if is_own {
+            let mut context = Context::among(&known.objects);
+            let object = OwnObject::read(fields, &mut context)?;
+            let connections = context.into_connections();
+            return Some(SceneObject {
+                object,
+                connections,
+            });
+        }
         // A `from` is still there only when nothing could be copied.
         let kind = match fields.has("from") {
             true => None,
@@ -126,12 +154,9 @@ fn check_id(slot: &mut Slot<'_>, id: &str) -> bool {
 /// Cycles, and whether there is a drive at all.
 fn check_graph(slot: &mut Slot<'_>, node: &Node, known: &Known) -> bool {
     let graph = MechanismGraph::new(node.members().iter().map(|member| {
-        let kind = known.kind_of(&member.value);
         // Without a kind it may yet become one with an input.
-        let inputs = match kind {
-            Some(kind) => kind.references(&member.value),
-            None => Kind::of_one_input(&member.value),
-        };
+        let inputs = known.inputs_of(&member.value).unwrap_or(Inputs::One);
+        let inputs = inputs.references(&member.value);
         (member.name.as_str(), None, inputs)
     }));
     let cycles = graph.cycles();
@@ -139,6 +164,7 @@ fn check_graph(slot: &mut Slot<'_>, node: &Node, known: &Known) -> bool {
         report_cycle(slot, node, known, cycle);
     }
     let is_drive = |node: &Node| match node.get("kind").and_then(Node::text) {
+        _ if OwnObject::of(node).is_some() => known.inputs_of(node) == Some(Inputs::None),
         Some(name) => {
             let kind = known.registry.kind(name);
             kind.is_none_or(|kind| kind.inputs == Inputs::None)
@@ -162,7 +188,7 @@ fn check_graph(slot: &mut Slot<'_>, node: &Node, known: &Known) -> bool {
 fn report_cycle(slot: &mut Slot<'_>, node: &Node, known: &Known, cycle: &[&str]) {
     let place = |id: &str| {
         let object = node.get(id)?;
-        let input = match known.kind_of(object).map(|kind| kind.inputs) {
+        let input = match known.inputs_of(object) {
             Some(Inputs::Several) => "inputs",
             _ => "input",
         };

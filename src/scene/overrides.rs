@@ -26,6 +26,13 @@ impl Overrides {
         self.0.push(format!("{path}={value}"));
     }
 
+    /// With one more, given in code.
+    #[must_use]
+    pub fn and(mut self, address: &str, value: &Node) -> Self {
+        self.0.push(format!("{address}={}", value.json()));
+        self
+    }
+
     /// The arguments.
     pub fn arguments(&self) -> &[String] {
         &self.0

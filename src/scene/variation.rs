@@ -3,7 +3,7 @@
 
 use super::address::{RESERVED, Step};
 use super::objects::{self, Known};
-use super::{Catalogue, Document, Overrides, Scene, StartSpec, overrides, run};
+use super::{Catalogue, Document, Overrides, StartSpec, TypedScene, overrides, run};
 use crate::diagnostics::{Diagnostic, Diagnostics, Severity, Sources};
 use crate::object::numbers;
 use crate::read::{Node, Reader};
@@ -13,7 +13,7 @@ use crate::read::{Node, Reader};
 #[derive(Debug)]
 pub struct Variation {
     root: Node,
-    scene: Scene,
+    scene: TypedScene,
     known: Known,
     /// The settings in force; none after settings that could not be taken.
     settings: Vec<String>,
@@ -53,7 +53,7 @@ impl Variation {
     }
 
     /// The scene as it stands.
-    pub fn scene(&self) -> &Scene {
+    pub fn scene(&self) -> &TypedScene {
         &self.scene
     }
 
@@ -67,7 +67,7 @@ impl Variation {
     /// Sets the properties, in the order of [`Self::new`]; `None`: the scene
     /// must be decoded as a whole, since there is something wrong with these
     /// settings or they reach beyond the object they address.
-    pub fn set(&mut self, settings: &[String]) -> Option<&Scene> {
+    pub fn set(&mut self, settings: &[String]) -> Option<&TypedScene> {
         let before = std::mem::take(&mut self.settings);
         let mut touched: Vec<String> = Vec::new();
         for (number, setting) in settings.iter().enumerate() {
@@ -174,7 +174,7 @@ mod tests {
     }
 
     /// What a scene is lowered to, and how it is run.
-    fn meaning(scene: &super::Scene) -> String {
+    fn meaning(scene: &super::TypedScene) -> String {
         let run = &scene.run;
         format!("{:?} {run:?} {}", lower(scene), scene.name)
     }

@@ -121,11 +121,12 @@ impl Machine<'_> {
             }
             // The first kink on the way: to its place, and on behind it.
             let kink = self.kinks[if after > before { before } else { before - 1 }];
-            let miss = |position: f64| match attempt(&mut f, at, position - at, state, TOLERANCE) {
-                Some((found, _)) => self.speed(piece, position, found[0]) - kink,
-                None => f64::NAN,
-            };
-            let found = bracketed(miss, [at, to], 1e-14 * kink.abs());
+            let mut miss =
+                |position: f64| match attempt(&mut f, at, position - at, state, TOLERANCE) {
+                    Some((found, _)) => self.speed(piece, position, found[0]) - kink,
+                    None => f64::NAN,
+                };
+            let found = bracketed(&mut miss, [at, to], 1e-14 * kink.abs());
             let place = match found.miss.is_finite() {
                 true if found.at > at => found.at,
                 _ => 0.5 * (at + to),

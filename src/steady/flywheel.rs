@@ -1,10 +1,12 @@
 //! The flywheel for a required coefficient of fluctuation.
 
-use super::law::Question;
+use super::law::{Question, SteadyFigures};
 use super::motion::{SteadyMotion, steady};
 use super::profile::Profile;
 use super::refusal::Refusal;
 use super::root::bracketed;
+use super::table::Table;
+use super::table_motion::TableMotion;
 use serde::Serialize;
 
 /// A flywheel: the moment of inertia to add to the input link.
@@ -52,7 +54,7 @@ pub fn by_tangents(profile: &Profile, fluctuation: f64, mean_speed: f64) -> f64 
     let height = |sense: f64| {
         let speed = mean_speed * (1.0 + sense * 0.5 * fluctuation);
         let slope = 0.5 * speed * speed;
-        let above = profile.extreme(sense, |point| {
+        let above = profile.extreme(sense, &|point| {
             [
                 point.rise_signed - slope * point.inertia,
                 point.moment - slope * point.inertia_slope,
@@ -65,7 +67,64 @@ pub fn by_tangents(profile: &Profile, fluctuation: f64, mean_speed: f64) -> f64 
 
 /// A motion with inertia added to the input link; `None` where the machine would
 /// stop.
-pub type WithInertia<'a> = &'a dyn Fn(f64) -> Result<Option<SteadyMotion>, Refusal>;
+pub type WithInertia<'a, M> = &'a dyn Fn(f64) -> Result<Option<M>, Refusal>;
+
+/// A steady motion of a machine, on functions or on samples.
+pub trait Motion {
+    /// Its figures.
+    fn figures(&self) -> &SteadyFigures;
+
+    /// Of the machine with `inertia` (kg·m²) less: greatest less least work (J), least
+    /// inertia (kg·m²), and the flywheel by Wittenbauer's tangents for the
+    /// fluctuation `fluctuation` (kg·m²).
+    ///
+    /// # Errors
+    /// The inertia left is not above zero.
+    fn bare(&self, inertia: f64, fluctuation: f64) -> Result<[f64; 3], Refusal>;
+}
+
+impl Motion for SteadyMotion {
+    fn figures(&self) -> &SteadyFigures {
+        &self.figures
+    }
+
+    fn bare(&self, inertia: f64, fluctuation: f64) -> Result<[f64; 3], Refusal> {
+        let bare = self.profile().with_inertia(-inertia)?;
+        let tangents = by_tangents(&bare, fluctuation, self.figures.mean_speed);
+        Ok([bare.range(), bare.least_inertia().value, tangents])
+    }
+}
+
+impl Motion for TableMotion {
+    fn figures(&self) -> &SteadyFigures {
+        &self.figures.steady
+    }
+
+    fn bare(&self, inertia: f64, fluctuation: f64) -> Result<[f64; 3], Refusal> {
+        let bare = self.table().with_inertia(-inertia);
+        let tangents = bare.by_tangents(fluctuation, self.figures.steady.mean_speed);
+        Ok([bare.range(), bare.least_inertia(), tangents])
+    }
+}
+
+/// The same on samples.
+///
+/// # Errors
+/// As [`size`].
+pub fn size_of_table(
+    table: &Table,
+    question: &Question,
+    fluctuation: f64,
+) -> Result<(Flywheel, TableMotion), Refusal> {
+    question.check()?;
+    let with = |inertia: f64| match table.with_inertia(inertia).steady(question) {
+        Ok(motion) => Ok(Some(motion)),
+        Err(Refusal::TooSlow { .. }) => Ok(None),
+        Err(refusal) => Err(refusal),
+    };
+    let first = by_energy(table.range(), fluctuation, question.mean_speed);
+    size_of(&with, fluctuation, first + table.least_inertia())
+}
 
 /// The flywheel for a coefficient of fluctuation δ = (ω_max − ω_min)/ω_av.
 ///
@@ -92,20 +151,20 @@ pub fn size(
 ///
 /// # Errors
 /// As [`size`].
-pub fn size_of(
-    with: WithInertia<'_>,
+pub fn size_of<M: Motion>(
+    with: WithInertia<'_, M>,
     fluctuation: f64,
     first: f64,
-) -> Result<(Flywheel, SteadyMotion), Refusal> {
+) -> Result<(Flywheel, M), Refusal> {
     if !(fluctuation > 0.0 && fluctuation < 2.0) {
         let message = format!("{fluctuation} is not between 0 and 2");
         let hint = "δ = (ω_max − ω_min)/ω_av; machine tools 0.02 … 0.05";
         return Err(Refusal::field("fluctuation", message, hint));
     }
     let own = with(0.0)?;
-    let without = own.as_ref().map(|motion| motion.figures.fluctuation);
+    let without = own.as_ref().map(|motion| motion.figures().fluctuation);
     let (inertia, motion) = match own {
-        Some(motion) if motion.figures.fluctuation <= fluctuation => (0.0, motion),
+        Some(motion) if motion.figures().fluctuation <= fluctuation => (0.0, motion),
         _ => {
             let inertia = search(with, fluctuation, first, without)?;
             let motion = with(inertia)?.ok_or_else(|| lost(fluctuation, without))?;
@@ -116,23 +175,22 @@ pub fn size_of(
         fluctuation,
         fluctuation_without: without,
         inertia,
-        fluctuation_with: motion.figures.fluctuation,
+        fluctuation_with: motion.figures().fluctuation,
         approximations: approximations(with, &motion, fluctuation, inertia)?,
     };
     Ok((flywheel, motion))
 }
 
 /// The textbooks' estimates, from the forces of the motion with the flywheel.
-fn approximations(
-    with: WithInertia<'_>,
-    motion: &SteadyMotion,
+fn approximations<M: Motion>(
+    with: WithInertia<'_, M>,
+    motion: &M,
     fluctuation: f64,
     inertia: f64,
 ) -> Result<Vec<Approximation>, Refusal> {
-    let speed = motion.figures.mean_speed;
-    let bare = motion.profile().with_inertia(-inertia)?;
-    let energy = by_energy(bare.range(), fluctuation, speed);
-    let least = bare.least_inertia().value;
+    let speed = motion.figures().mean_speed;
+    let [range, least, tangents] = motion.bare(inertia, fluctuation)?;
+    let energy = by_energy(range, fluctuation, speed);
     let estimates = [
         (
             "energy",
@@ -147,7 +205,7 @@ fn approximations(
         (
             "tangents",
             "Wittenbauer's tangents to the energy-mass curve",
-            by_tangents(&bare, fluctuation, speed).max(0.0),
+            tangents.max(0.0),
         ),
     ];
     let judge = |(name, words, estimate): (&'static str, &'static str, f64)| {
@@ -156,7 +214,7 @@ fn approximations(
             words,
             inertia: estimate,
             error: (inertia > 0.0).then(|| estimate / inertia - 1.0),
-            fluctuation: with(estimate)?.map(|motion| motion.figures.fluctuation),
+            fluctuation: with(estimate)?.map(|motion| motion.figures().fluctuation),
         })
     };
     estimates.into_iter().map(judge).collect()
@@ -173,15 +231,15 @@ fn lost(wanted: f64, without: Option<f64>) -> Refusal {
     }
 }
 
-fn search(
-    with: WithInertia<'_>,
+fn search<M: Motion>(
+    with: WithInertia<'_, M>,
     wanted: f64,
     first: f64,
     without: Option<f64>,
 ) -> Result<f64, Refusal> {
     let excess = |inertia: f64| -> Result<f64, Refusal> {
         // A machine that stops fluctuates by 2 at least in the limit.
-        Ok(with(inertia)?.map_or(2.0, |motion| motion.figures.fluctuation) - wanted)
+        Ok(with(inertia)?.map_or(2.0, |motion| motion.figures().fluctuation) - wanted)
     };
     let (mut low, mut high, mut tries) = (0.0, first, 0);
     while excess(high)? > 0.0 {
@@ -192,7 +250,7 @@ fn search(
     }
     let mut refused = None;
     let found = bracketed(
-        |inertia| match excess(inertia) {
+        &mut |inertia| match excess(inertia) {
             Ok(excess) => excess,
             Err(refusal) => {
                 refused = Some(refusal);

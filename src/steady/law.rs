@@ -135,6 +135,42 @@ pub struct SteadyFigures {
     pub warnings: Vec<String>,
 }
 
+impl SteadyFigures {
+    /// Numbers that are none are no answer: energies go with the square of the speed.
+    ///
+    /// # Errors
+    /// A figure is not finite.
+    pub(super) fn check(&self) -> Result<(), Refusal> {
+        let figures = [
+            self.means.time,
+            self.means.angle,
+            self.means.midrange,
+            self.period,
+            self.energy_at_start,
+            self.reference_energy,
+            self.least_speed.value,
+            self.greatest_speed.value,
+            self.fluctuation,
+            self.energy_fluctuation,
+            self.energy_ratio,
+            self.miss,
+        ];
+        let ends = self.bracket.iter().chain(&self.first_bracket);
+        if figures.iter().chain(ends).all(|figure| figure.is_finite()) {
+            return Ok(());
+        }
+        let message = format!(
+            "at {:e} rad/s energies, times or speeds are beyond all numbers",
+            self.mean_speed
+        );
+        Err(Refusal::field(
+            "mean_speed",
+            message,
+            "give a speed that a machine can have",
+        ))
+    }
+}
+
 /// All motions T(φ) = level + rise(φ), rise ≥ 0 being zero somewhere.
 pub(super) trait Family {
     /// The mean at a level (J).
@@ -202,10 +238,10 @@ pub(super) fn find(family: &impl Family, question: &Question) -> Result<Level, R
         }
         low = low.max(floor);
     }
-    let miss = |logarithm: f64| family.mean(logarithm.exp(), mean) - wanted;
+    let mut miss = |logarithm: f64| family.mean(logarithm.exp(), mean) - wanted;
     // A rounding wider, for a bracket that is a point.
     let ends = [low.ln() - 1e-14, high.ln() + 1e-14];
-    let found = bracketed(miss, ends, question.tolerance * wanted);
+    let found = bracketed(&mut miss, ends, question.tolerance * wanted);
     Ok(Level {
         level: found.at.exp(),
         iterations: iterations + found.iterations,

@@ -63,6 +63,7 @@ pub fn steady(profile: &Profile, question: &Question) -> Result<SteadyMotion, Re
     let level = find(&profile, question)?;
     let mut motion = SteadyMotion::at(profile, level.level, question);
     motion.tell(&level, question, surplus, balance);
+    motion.figures.check()?;
     Ok(motion)
 }
 
@@ -106,7 +107,7 @@ impl Profile {
     /// Least and greatest ω.
     fn speeds(&self, level: f64) -> [Extreme; 2] {
         [-1.0, 1.0].map(|sense| {
-            let square = self.extreme(sense, |point| {
+            let square = self.extreme(sense, &|point| {
                 let (energy, inertia) = (level + point.rise_signed, point.inertia);
                 let slope = point.moment - energy / inertia * point.inertia_slope;
                 [2.0 * energy / inertia, 2.0 * slope / inertia]

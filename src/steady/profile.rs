@@ -96,7 +96,7 @@ impl Profile {
             greatest_inertia: NOWHERE,
         };
         profile.count_from_start();
-        let least = profile.extreme(-1.0, |point| [point.rise_signed, point.moment]);
+        let least = profile.extreme(-1.0, &|point| [point.rise_signed, point.moment]);
         profile.refine(least.at);
         profile.count_from(least.at);
         profile.start = profile.at(0.0).rise;
@@ -104,14 +104,14 @@ impl Profile {
             value: -profile.start,
             at: least.at,
         };
-        let greatest = profile.extreme(1.0, |point| [point.rise_signed, point.moment]);
+        let greatest = profile.extreme(1.0, &|point| [point.rise_signed, point.moment]);
         profile.greatest_work = Extreme {
             value: greatest.value - profile.start,
             at: greatest.at,
         };
         let inertia = |point: &Signed| [point.inertia, point.inertia_slope];
-        profile.least_inertia = profile.extreme(-1.0, inertia);
-        profile.greatest_inertia = profile.extreme(1.0, inertia);
+        profile.least_inertia = profile.extreme(-1.0, &inertia);
+        profile.greatest_inertia = profile.extreme(1.0, &inertia);
         let Extreme { value, at } = profile.least_inertia;
         if !(value > NOTHING * profile.greatest_inertia.value) {
             return Err(Refusal::Inertia {
@@ -254,7 +254,7 @@ impl Profile {
 
     /// The greatest (`sense` 1) or least (−1) of a function, given with its
     /// derivative in φ; the first position where it is reached.
-    pub(super) fn extreme(&self, sense: f64, function: impl Fn(&Signed) -> [f64; 2]) -> Extreme {
+    pub(super) fn extreme(&self, sense: f64, function: &dyn Fn(&Signed) -> [f64; 2]) -> Extreme {
         let value = |panel: &Panel, place: f64| sense * function(&panel.signed(place))[0];
         let mut best = (f64::NEG_INFINITY, 0, 0.0, [0.0; 2]);
         for (index, panel) in self.panels.iter().enumerate() {
@@ -292,11 +292,11 @@ impl Profile {
         }
         let mut top = sample;
         for (panel, [low, high]) in places {
-            let slope = |place: f64| sense * function(&panel.signed(place))[1];
+            let mut slope = |place: f64| sense * function(&panel.signed(place))[1];
             if !(slope(low) > 0.0 && slope(high) < 0.0) {
                 continue;
             }
-            let at = bracketed(slope, [low, high], 0.0).at;
+            let at = bracketed(&mut slope, [low, high], 0.0).at;
             let found = sense * value(panel, at);
             // Within a panel the slope knows the place better than the values.
             let inside = around[0] < sample.at && sample.at < around[1];

@@ -23,7 +23,7 @@ const MOST: u32 = 200;
 /// (T. R. Chandrupatla, Advances in Engineering Software 28, 1997): the bracket
 /// shrinks in every step.
 pub(super) fn bracketed(
-    mut f: impl FnMut(f64) -> f64,
+    f: &mut dyn FnMut(f64) -> f64,
     [mut a, mut b]: [f64; 2],
     tolerance: f64,
 ) -> Found {
@@ -75,7 +75,7 @@ mod tests {
 
     #[test]
     fn roots_are_found_superlinearly_and_to_rounding() {
-        let found = bracketed(|x| x * x * x - 2.0, [0.0, 4.0], 0.0);
+        let found = bracketed(&mut |x| x * x * x - 2.0, [0.0, 4.0], 0.0);
         approx::assert_relative_eq!(found.at, 2f64.cbrt(), max_relative = 1e-15);
         assert!(found.iterations < 20, "{found:?}");
         assert!(found.bracket[0] <= found.at && found.at <= found.bracket[1]);
@@ -83,9 +83,9 @@ mod tests {
 
     #[test]
     fn a_flat_function_ends_by_its_bracket() {
-        let found = bracketed(|x: f64| (x - 1.0).powi(9), [0.0, 3.0], 0.0);
+        let found = bracketed(&mut |x: f64| (x - 1.0).powi(9), [0.0, 3.0], 0.0);
         assert!((found.at - 1.0).abs() < 1e-5, "{found:?}");
-        let none = bracketed(|_| f64::NAN, [0.0, 1.0], 1e-9);
+        let none = bracketed(&mut |_| f64::NAN, [0.0, 1.0], 1e-9);
         assert!(none.miss.is_nan());
     }
 }

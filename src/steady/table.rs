@@ -8,6 +8,9 @@ use super::samples::{LEAST, SAME, check_inertia, extreme, faults, repeats_end, t
 use super::table_motion::{Halving, TableMotion};
 use crate::motion::Spline;
 
+/// How closely the mean is met.
+const FINEST: f64 = 1e-16;
+
 /// J and the work as samples over one cycle.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Table {
@@ -163,6 +166,23 @@ impl Table {
         extreme(&self.positions, &self.work, 1.0).value - self.least_work().value
     }
 
+    /// Least J (kg·m²).
+    pub fn least_inertia(&self) -> f64 {
+        extreme(&self.positions, &self.inertia, -1.0).value
+    }
+
+    /// Flywheel by Wittenbauer's tangents to the samples of the energy-mass curve, at
+    /// the slopes ω_max²/2 and ω_min²/2.
+    pub(super) fn by_tangents(&self, fluctuation: f64, mean_speed: f64) -> f64 {
+        let height = |sense: f64| {
+            let speed = mean_speed * (1.0 + sense * 0.5 * fluctuation);
+            let above = self.rises().zip(&self.inertia);
+            let above = above.map(|(rise, inertia)| sense * (rise - 0.5 * speed * speed * inertia));
+            sense * above.fold(f64::NEG_INFINITY, f64::max)
+        };
+        (height(1.0) - height(-1.0)) / (fluctuation * mean_speed * mean_speed)
+    }
+
     pub(super) fn least_work(&self) -> Extreme {
         extreme(&self.positions, &self.work, -1.0)
     }
@@ -225,14 +245,16 @@ impl Table {
         question.check()?;
         let balance = question.balance(self.surplus, self.range(), self.cycle)?;
         let table = self.with(balance.unwrap_or(0.0), 0.0);
-        let level = find(&table, question)?;
-        Ok(TableMotion::new(
-            table,
-            &level,
-            question,
-            self.surplus,
-            balance,
-        ))
+        // Near stalling the figures amplify what the mean is off, and another mean of
+        // samples costs next to nothing.
+        let finest = Question {
+            tolerance: question.tolerance.min(FINEST),
+            ..*question
+        };
+        let level = find(&table, &finest)?;
+        let motion = TableMotion::new(table, &level, question, self.surplus, balance);
+        motion.figures.steady.check()?;
+        Ok(motion)
     }
 }
 

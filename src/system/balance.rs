@@ -6,6 +6,8 @@
 //! (springs, weights over a lever, followers on a curved law), so u is found
 //! by Newton's method with exact derivatives.
 
+mod krylov;
+
 use super::constraints::Chains;
 use super::frozen::{Chain, Frozen, Step};
 use super::pairs::OPEN;
@@ -17,6 +19,10 @@ use nalgebra::{DMatrix, DVector};
 
 /// Most iterations of Newton's method.
 const ITERATIONS: usize = 60;
+
+/// Coordinates above which the dense matrix of a step of Newton's method takes longer
+/// than some products with it.
+const MANY: usize = 40;
 
 /// Below this share of the forces added up, the force of a link is zero: loads
 /// that cancel leave no rounding behind that would choose a flank.
@@ -141,6 +147,11 @@ impl Frozen {
         let n = self.coordinates;
         if n == 0 {
             return Some(DVector::zeros(0));
+        }
+        if n > MANY
+            && let Some(step) = self.krylov_step(kind, state, modes, miss)
+        {
+            return Some(step);
         }
         let mut work = Work::new(self);
         let mut column = vec![Dual::default(); n];

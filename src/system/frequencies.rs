@@ -7,11 +7,10 @@
 //! and damping are left out of the natural frequencies.
 
 use super::System;
-use super::frozen::{Frozen, Step};
+use super::linearised::Linearised;
 use super::pairs::OPEN;
-use super::passes::{Extent, Work};
 use crate::integrate::{Dynamics, Modes};
-use crate::model::LoadLaw;
+use crate::order::Total;
 use nalgebra::{DMatrix, DVector, Schur, SymmetricEigen};
 
 /// Which links count.
@@ -48,28 +47,10 @@ impl System {
         if n == 0 {
             return Vec::new();
         }
-        let Linearised {
-            mass,
-            coupled,
-            stiffness,
-        } = self.frozen.linearised(regime, &self.start_modes());
-        let root: Vec<f64> = mass.iter().map(|mass| mass.sqrt()).collect();
-        let mut scaled = DMatrix::from_fn(n, n, |i, j| stiffness[(i, j)] / (root[i] * root[j]));
-        // What makes the masses unit ones: 1/√J, and where constraints couple them the
-        // inverse of the lower factor of the scaled mass matrix.
-        let mut unit = None;
-        if let Some(coupled) = coupled {
-            let matrix = DMatrix::from_fn(n, n, |i, j| coupled[(i, j)] / (root[i] * root[j]));
-            let factor = matrix.cholesky().map(|factor| factor.unpack());
-            let Some(inverse) = factor.and_then(|lower| lower.try_inverse()) else {
-                return Vec::new();
-            };
-            scaled = &inverse * scaled * inverse.transpose();
-            unit = Some(inverse.transpose());
-        }
-        if scaled.iter().any(|entry| !entry.is_finite()) {
+        let linearised = self.linearised(regime);
+        let Some((scaled, unit)) = linearised.scaled() else {
             return Vec::new();
-        }
+        };
         let eigen = SymmetricEigen::new(scaled);
         let highest = eigen
             .eigenvalues
@@ -84,31 +65,50 @@ impl System {
                     Some(unit) => unit * vector,
                     None => vector,
                 };
-                let shape = DVector::from_fn(n, |i, _| vector[i] / root[i]);
+                let shape = DVector::from_fn(n, |i, _| vector[i] / linearised.mass[i].sqrt());
                 VibrationMode {
                     frequency: if free { 0.0 } else { square.sqrt() },
                     shape: normalised(&shape),
                 }
             })
             .collect();
-        modes.sort_by(|a, b| a.frequency.total_cmp(&b.frequency));
+        modes.sort_by_cached_key(|mode| Total(mode.frequency));
         modes
+    }
+
+    /// The natural frequencies alone (rad/s), lowest first: of many masses in a small
+    /// part of the time that their shapes take.
+    pub fn natural_frequencies(&self, regime: Regime) -> Vec<f64> {
+        let Some(squares) = self.linearised(regime).squares() else {
+            return Vec::new();
+        };
+        let highest = squares.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
+        let each = squares.into_iter().map(|square| {
+            let free = square <= FREE * FREE * highest;
+            if free { 0.0 } else { square.sqrt() }
+        });
+        each.collect()
+    }
+
+    /// The equations of small vibrations at the position at t = 0.
+    fn linearised(&self, regime: Regime) -> Linearised {
+        self.frozen.linearised(regime, &self.start_modes())
     }
 
     /// The highest natural frequency with all pairs engaged (rad/s); 0 for a
     /// model without elastic objects.
     pub fn fastest_frequency(&self) -> f64 {
-        let modes = self.modes_of_vibration(Regime::Engaged);
-        modes.last().map_or(0.0, |mode| mode.frequency)
+        let all = self.natural_frequencies(Regime::Engaged);
+        all.last().copied().unwrap_or(0.0)
     }
 
     /// Highest natural frequency over the lowest that is not a free motion,
     /// all pairs engaged; 1 without elastic objects.
     pub fn stiffness_ratio(&self) -> f64 {
-        let modes = self.modes_of_vibration(Regime::Engaged);
-        let slowest = modes.iter().map(|mode| mode.frequency).find(|&w| w > 0.0);
-        match (slowest, modes.last()) {
-            (Some(slowest), Some(fastest)) => fastest.frequency / slowest,
+        let all = self.natural_frequencies(Regime::Engaged);
+        let slowest = all.iter().find(|&&frequency| frequency > 0.0);
+        match (slowest, all.last()) {
+            (Some(slowest), Some(fastest)) => fastest / slowest,
             _ => 1.0,
         }
     }
@@ -205,118 +205,6 @@ fn normalised(shape: &DVector<f64>) -> Vec<f64> {
     shape.iter().map(|entry| entry * factor).collect()
 }
 
-impl Frozen {
-    /// Mass and stiffness at the position at t = 0, on the law.
-    fn linearised(&self, regime: Regime, modes: &[i64]) -> Linearised {
-        let n = self.coordinates;
-        let mut work = Work::new(self);
-        self.motion(0.0, &self.law_state(), modes, Extent::Full, &mut work);
-        self.reduce_rigid(Extent::Full, &mut work);
-        // Every node's displacement is a sum of factors times free coordinates: none,
-        // where it is prescribed, and more than one only behind a constraint.
-        let mut moves: Vec<Vec<(usize, f64)>> = vec![Vec::new(); self.inertia.len()];
-        let through = |moves: &[(usize, f64)], slope: f64| -> Vec<(usize, f64)> {
-            moves.iter().map(|&(c, f)| (c, f * slope)).collect()
-        };
-        let mut mass = vec![1.0; n];
-        let mut stiffness = DMatrix::zeros(n, n);
-        for step in &self.steps {
-            match step {
-                Step::Prescribed(_) => {}
-                Step::Rotor(rotor) => {
-                    moves[rotor.node] = vec![(rotor.coordinate, 1.0)];
-                    mass[rotor.coordinate] = work.mass[rotor.node];
-                }
-                Step::Rigid(index) => {
-                    let rigid = self.rigids[*index];
-                    let slope = work.laws[rigid.law].first;
-                    moves[rigid.node] = through(&moves[self.laws[rigid.law].driver], slope);
-                }
-                Step::Chain(index) => {
-                    let chain = &self.chains[*index];
-                    let slope = work.laws[chain.law].first;
-                    for (node, coordinate) in chain.nodes().zip(chain.coordinates()) {
-                        moves[node] = vec![(coordinate, 1.0)];
-                        mass[coordinate] = work.mass[node];
-                    }
-                    let base = through(&moves[self.laws[chain.law].driver], slope);
-                    let first = chain.first_coordinate;
-                    if regime == Regime::Engaged || !chain.contact.can_open() {
-                        add_link(&mut stiffness, self.stiffness[first], first, &base);
-                    }
-                    for c in chain.coordinates().skip(1) {
-                        add_link(&mut stiffness, self.stiffness[c], c, &[(c - 1, 1.0)]);
-                    }
-                }
-                Step::Constrained(index) => {
-                    let constrained = &self.constraints[*index];
-                    let first = &work.constraints[*index].first;
-                    let mut sum: Vec<(usize, f64)> = Vec::new();
-                    for (&driver, &slope) in constrained.drivers.iter().zip(first) {
-                        for (c, f) in through(&moves[driver], slope) {
-                            match sum.iter_mut().find(|term| term.0 == c) {
-                                Some(term) => term.1 += f,
-                                None => sum.push((c, f)),
-                            }
-                        }
-                    }
-                    moves[constrained.node] = sum;
-                }
-            }
-        }
-        for load in &self.loads {
-            if let LoadLaw::Spring { rate, .. } = &load.law {
-                add_square(&mut stiffness, *rate, &moves[load.node]);
-            }
-        }
-        for (index, linkage) in self.linkages.iter().enumerate() {
-            let own = self.potential_stiffness(index, &work);
-            add_square(&mut stiffness, own, &moves[linkage.node]);
-        }
-        let coupled = (!self.heavy.is_empty()).then(|| {
-            let mut matrix = DMatrix::from_diagonal(&DVector::from_column_slice(&mass));
-            for &index in &self.heavy {
-                let node = self.constraints[index].node;
-                add_square(&mut matrix, work.mass[node], &moves[node]);
-            }
-            matrix
-        });
-        Linearised {
-            mass,
-            coupled,
-            stiffness,
-        }
-    }
-}
-
-/// The equations of small vibrations.
-struct Linearised {
-    /// The mass of every coordinate by itself.
-    mass: Vec<f64>,
-    /// The mass matrix, where inertia on constrained nodes couples the coordinates.
-    coupled: Option<DMatrix<f64>>,
-    stiffness: DMatrix<f64>,
-}
-
-/// Adds a·x², x a sum of factors times coordinates.
-fn add_square(matrix: &mut DMatrix<f64>, a: f64, x: &[(usize, f64)]) {
-    for &(i, f) in x {
-        for &(j, g) in x {
-            matrix[(i, j)] += a * f * g;
-        }
-    }
-}
-
-/// A spring between coordinate `end` and a sum of factors times others.
-fn add_link(stiffness: &mut DMatrix<f64>, c: f64, end: usize, base: &[(usize, f64)]) {
-    stiffness[(end, end)] += c;
-    add_square(stiffness, c, base);
-    for &(base, factor) in base {
-        stiffness[(end, base)] -= c * factor;
-        stiffness[(base, end)] -= c * factor;
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::super::testing::*;
@@ -352,8 +240,11 @@ mod tests {
             let exact = |k: usize| {
                 2.0 * n * 1e4 * ((2 * k - 1) as f64 * PI / (2.0 * (2.0 * n + 1.0))).sin()
             };
+            let alone = system.natural_frequencies(Regime::Engaged);
+            assert_eq!(alone.len(), modes.len());
             for (k, mode) in modes.iter().enumerate() {
                 approx::assert_relative_eq!(mode.frequency, exact(k + 1), max_relative = 1e-12);
+                approx::assert_relative_eq!(alone[k], exact(k + 1), max_relative = 1e-12);
             }
             approx::assert_relative_eq!(
                 system.fastest_rate(),

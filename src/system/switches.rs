@@ -5,6 +5,7 @@ use super::frozen::Frozen;
 use crate::integrate::{Edge, Guard, Modes, PhysicalStop, Watch};
 use crate::linkage::{Cause, Reach};
 use crate::model::{Coordinate, NodeMotion};
+use crate::units::shown;
 
 /// Span of a range that has one end only (rad or m).
 const ONE_SIDED_SPAN: f64 = 1.0;
@@ -159,7 +160,7 @@ impl System {
             _ => format!("{:.6}°", edge.place.to_degrees()),
         };
         let driver = driver.map_or("its driver", |driver| driver.id.as_str());
-        let at = format!("{driver} at {place}, reached at t = {time:.9} s");
+        let at = format!("{driver} at {place}, reached at t = {} s", shown(time, 9));
         let id = &part.id;
         // In a dead position speeds and forces grow beyond bounds; at the end of
         // a travel nothing happens but that it is not given to go further.

@@ -8,11 +8,15 @@
 //! stiffness) the quantity takes both.
 
 mod dimension;
+mod list;
 mod parse;
 mod quantity;
+mod shown;
 mod table;
 
 pub use dimension::Dimension;
+pub use list::{number_and_unit, with_common_unit};
 pub use parse::{Measure, UnitError, parse};
 pub use quantity::{Mismatch, Quantity, quantities};
+pub use shown::shown;
 pub use table::known_units;

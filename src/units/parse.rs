@@ -91,7 +91,7 @@ pub fn parse(text: &str) -> Result<Measure, UnitError> {
 }
 
 /// Length of the decimal number at the start of a text; 0 when there is none.
-fn number_length(text: &str) -> usize {
+pub(super) fn number_length(text: &str) -> usize {
     let bytes = text.as_bytes();
     let digits = |mut at: usize| {
         let from = at;

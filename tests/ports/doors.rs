@@ -161,7 +161,7 @@ const KIND: Kind = Kind {
     },
 };
 
-fn scene(carrier: &str, damping: f64) -> dam::scene::Scene {
+fn scene(carrier: &str, damping: f64) -> dam::scene::TypedScene {
     let objects = format!(
         r#""m": {{ "kind": "drive", "motor": {{ "inertia": 0.2, "speed": 6, "torque": {{ "constant": 0 }} }} }},
         "c": {{ "kind": "drive", {carrier} }},

@@ -187,6 +187,7 @@ fn it_is_mapped() {
         y: None,
         panels: Panels::default(),
         figure: None,
+        digits: 3,
         check_determined: false,
     };
     let study = Study::new(&document, &BuiltIn, question).unwrap();

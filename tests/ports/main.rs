@@ -11,7 +11,7 @@ use dam::analysis::{Control, RunSettings};
 use dam::integrate::Method;
 use dam::lower::lower;
 use dam::object::Registry;
-use dam::scene::{BuiltIn, Document, Overrides, Scene};
+use dam::scene::{BuiltIn, Document, Overrides, TypedScene};
 use dam::system::System;
 
 /// A scene of objects, run as said.
@@ -27,7 +27,7 @@ fn document(objects: &str, run: &str, registry: Registry) -> Document {
         .with_kinds(registry)
 }
 
-fn read(document: &Document) -> Scene {
+fn read(document: &Document) -> TypedScene {
     let reading = document.scene(&BuiltIn, &Overrides::none());
     reading.unwrap_or_else(|e| panic!("{e}")).scene
 }
@@ -37,7 +37,7 @@ fn system_of(objects: &str, run: &str) -> (System, RunSettings) {
     ready(&scene)
 }
 
-fn ready(scene: &Scene) -> (System, RunSettings) {
+fn ready(scene: &TypedScene) -> (System, RunSettings) {
     let model = lower(scene).unwrap_or_else(|faults| panic!("{faults:?}"));
     let system = System::new(model).unwrap_or_else(|faults| panic!("{faults:?}"));
     (system, RunSettings::of(scene).expect("settings"))

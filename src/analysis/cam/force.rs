@@ -170,7 +170,7 @@ impl<'m> CamForce<'m> {
     }
 
     fn extreme(&self, f: impl Fn([f64; 3]) -> f64) -> At {
-        greatest_over(&self.reduction.pieces, |piece, phi| f(self.at(piece, phi)))
+        greatest_over(&self.reduction.pieces, &|piece, phi| f(self.at(piece, phi)))
     }
 
     /// Everything about the contact.

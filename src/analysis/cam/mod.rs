@@ -14,13 +14,23 @@ use crate::cam::DiscCam;
 use crate::fault::{Fault, Faults};
 use crate::model::{Closure, Model, NodeMotion};
 use crate::position::Position;
-use crate::scene::Scene;
+use crate::scene::TypedScene;
 
 /// Ids of the objects of a scene that tell of their cam, ascending.
-pub fn objects_with_cam(scene: &Scene) -> Vec<&str> {
+pub fn objects_with_cam(scene: &TypedScene) -> Vec<&str> {
     let objects = scene.objects.iter();
     let with = objects.filter(|(_, object)| object.object.cam().is_some());
     with.map(|(id, _)| id.as_str()).collect()
+}
+
+/// The cams of a scene that can be, by the id of their follower: what is to be drawn
+/// of them. Why another cannot, [`disc_cam`] says.
+pub fn disc_cams(scene: &TypedScene, model: &Model) -> Vec<(String, DiscCam)> {
+    let cam = |id: &str| Some((id.to_owned(), disc_cam(scene, model, id).ok()?));
+    objects_with_cam(scene)
+        .into_iter()
+        .filter_map(cam)
+        .collect()
 }
 
 /// The cam of an object.
@@ -28,7 +38,7 @@ pub fn objects_with_cam(scene: &Scene) -> Vec<&str> {
 /// # Errors
 /// There is no such object or it tells of no cam; the cam cannot be; the pair
 /// opens towards the cam. Paths are those of the scene.
-pub fn disc_cam(scene: &Scene, model: &Model, id: &str) -> Result<DiscCam, Vec<Fault>> {
+pub fn disc_cam(scene: &TypedScene, model: &Model, id: &str) -> Result<DiscCam, Vec<Fault>> {
     let mut faults = Faults::default();
     let object = scene.objects.get(id);
     let geometry = object.and_then(|object| object.object.cam());

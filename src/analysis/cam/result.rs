@@ -187,7 +187,7 @@ impl From<[Option<At>; 2]> for Radii {
 fn both(cam: &DiscCam, f: impl Fn(crate::jet::Jet) -> f64) -> [At; 2] {
     let motion = cam.motion();
     let one = |sign: f64| {
-        let found = greatest(motion, |piece, phi| sign * f(motion.jet(piece, phi)));
+        let found = greatest(motion, &|piece, phi| sign * f(motion.jet(piece, phi)));
         At {
             value: 0.0 + sign * found.value,
             ..found

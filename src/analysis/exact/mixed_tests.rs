@@ -135,7 +135,7 @@ fn a_mixed_run_is_the_run_of_a_general_method() {
         approx::assert_abs_diff_eq!(own.time, other.time, epsilon = 1e-8 * DURATION);
     }
     for (own, other) in result.record.columns.iter().zip(&general.record.columns) {
-        if own.quantity != "delta" {
+        if own.quantity != crate::record::Quantity::Delta {
             continue;
         }
         let size = other.values.iter().fold(0.0f64, |a, b| a.max(b.abs()));
@@ -219,10 +219,7 @@ fn a_motor_beside_a_drive_is_a_rest_too() {
 fn limits_and_interrupts_reach_both() {
     let (system, settings) = prepare(&text(&objects()));
     let told = AtomicBool::new(true);
-    let control = Control {
-        interrupt: Some(&told),
-        ..Control::default()
-    };
+    let control = Control::interrupted_by(&told);
     let result = run(&system, &settings, &control, &mut []).unwrap();
     assert_eq!(result.outcome.stop, Stop::Interrupted);
     let few = RunSettings {

@@ -7,7 +7,7 @@ use crate::exact::{
 };
 use crate::fault::Fault;
 use crate::integrate::{Limits, Stop};
-use crate::record::{FinalState, ObjectFigures, PairFigures, choose_window_of};
+use crate::record::{FinalState, ObjectFigures, PairFigures, choose_window_of, greatest_magnitude};
 use crate::system::System;
 
 /// A system that is propagated exactly as a whole, ready to be run.
@@ -172,6 +172,7 @@ impl Quick {
         let (place, speed) = branch.tree.law().at(run.time);
         let mass = &branch.tree.problem().masses[watched.last];
         ObjectFigures {
+            delta_abs: greatest_magnitude(found.delta_min, found.delta_max),
             delta_max: found.delta_max,
             delta_min: found.delta_min,
             sigma: found.sigma,

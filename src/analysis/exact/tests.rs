@@ -1,6 +1,7 @@
 use super::{Quick, QuickRun};
 use crate::analysis::run::run as recorded;
 use crate::analysis::{Control, RunSettings};
+use crate::budget::Budget;
 use crate::exact::Asked;
 use crate::integrate::{Limits, Method, Stop};
 use crate::lower::lower;
@@ -15,8 +16,7 @@ const TWO_MASSES: &[u8] = include_bytes!("../../../scenarios/rocker/two_masses.j
 const UNLIMITED: Limits<'static> = Limits {
     switches: u64::MAX,
     steps: u64::MAX,
-    wall_clock: None,
-    interrupt: None,
+    budget: Budget::FREE,
 };
 
 fn prepared(overrides: &[&str]) -> (System, RunSettings) {
@@ -137,7 +137,7 @@ fn a_run_without_end_stops_when_it_is_told() {
     let quick = quick(&[]);
     let told = AtomicBool::new(true);
     let limits = Limits {
-        interrupt: Some(&told),
+        budget: Budget::interrupted_by(&told),
         ..UNLIMITED
     };
     let found = run(&quick, 1e9, Asked::ALL, &limits);
@@ -146,7 +146,7 @@ fn a_run_without_end_stops_when_it_is_told() {
     // From another thread, in the middle of it.
     let told = AtomicBool::new(false);
     let limits = Limits {
-        interrupt: Some(&told),
+        budget: Budget::interrupted_by(&told),
         ..UNLIMITED
     };
     let found = std::thread::scope(|scope| {
@@ -165,7 +165,7 @@ fn limits_of_time_steps_and_switches_end_a_run() {
     let quick = quick(&[]);
     let limit = Duration::from_millis(20);
     let limits = Limits {
-        wall_clock: Some(limit),
+        budget: Budget::FREE.within(limit),
         ..UNLIMITED
     };
     let begun = std::time::Instant::now();

@@ -31,6 +31,12 @@ impl PositionSource for LinkagePositions<'_> {
             Err(reason) => Err(reason.to_string()),
         }
     }
+
+    fn singular(&self) -> (Vec<f64>, Option<f64>) {
+        let range = self.linkage.range();
+        let changes = range.changes.iter().map(|change| change.at);
+        (changes.collect(), range.period.map(|period| period.length))
+    }
 }
 
 /// The course that a question asks for.
@@ -63,7 +69,9 @@ pub fn course_of(asked: &Asked<'_>) -> Result<Course, String> {
                 .period
                 .map_or(0.0, |found| found.length);
             let from = asked.first_input();
-            even(from, from + period, true)
+            // Along the motion, as the rows of the kinematics.
+            let sense = if speed < 0.0 { -1.0 } else { 1.0 };
+            even(from, from + sense * period, true)
         }
         Over::Range { from, to } => even(from, to, false),
         Over::Time { to } => {

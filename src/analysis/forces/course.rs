@@ -12,6 +12,12 @@ pub trait PositionSource {
     ///
     /// The linkage cannot be assembled there: why.
     fn at(&mut self, coordinate: f64) -> Result<&Self::At, String>;
+
+    /// Input coordinates of singular positions that the linkage passes, and the period after
+    /// which they come again, as far as they are known.
+    fn singular(&self) -> (Vec<f64>, Option<f64>) {
+        (Vec::new(), None)
+    }
 }
 
 /// What is asked of one position.
@@ -156,6 +162,25 @@ impl Course {
                 (to - from) / intervals.max(1) as f64
             }
             Self::Instants { .. } => 0.0,
+        }
+    }
+
+    /// The lesser end of the course and the greater, in its parameter; `None` where it has no
+    /// length.
+    pub(super) fn ends(&self) -> Option<[f64; 2]> {
+        let [from, to] = match self {
+            Self::Even { from, to, .. } => [*from, *to],
+            Self::Instants { times, .. } => [*times.first()?, *times.last()?],
+        };
+        (from != to && (to - from).is_finite()).then(|| [from.min(to), from.max(to)])
+    }
+
+    /// Number of rows that are shown: the positions, and of a turn its end, at which
+    /// everything is again as at first.
+    pub fn rows(&self) -> usize {
+        match self {
+            Self::Even { closed, .. } => self.len() + usize::from(*closed),
+            Self::Instants { .. } => self.len(),
         }
     }
 

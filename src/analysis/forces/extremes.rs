@@ -1,7 +1,8 @@
-//! Least and greatest values, between the positions too.
+//! Least and greatest values over what is free, between the positions too.
 
 use super::columns::{Column, columns};
 use super::row::{Row, Solver};
+use super::zones::{Zone, ZoneKind, approach, free_sides, unbounded};
 use super::{Course, PositionSource};
 
 /// Part of the distance that golden section keeps.
@@ -12,7 +13,8 @@ const STEPS: usize = 38;
 /// A value and where it is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Extreme {
-    /// The value, in the column's unit.
+    /// The value, in the column's unit; infinite where it grows without bound towards a
+    /// position without forces.
     pub value: f64,
     /// The course's parameter there: input coordinate or time.
     pub at: f64,
@@ -31,75 +33,189 @@ pub struct Extremes {
     pub greatest: Extreme,
 }
 
-/// Extremes of all figures of a course.
+/// Positions below which a course is looked at between them as well.
+const FEW: usize = 360;
+
+/// Extremes of all figures of a course over what is free, and the derivatives of the driving
+/// force that have none.
 pub(super) fn find<S: PositionSource>(
     solver: &mut Solver<'_, S>,
     course: &Course,
     rows: &[Row],
-) -> Vec<Extremes> {
+    zones: &[Zone],
+) -> (Vec<Extremes>, Vec<(String, f64)>) {
     let all = columns(solver.kinetostatics().spec(), solver.output());
+    let samples = samples(solver, course, rows);
+    let edges = edges(solver, course, zones);
+    let mut seeker = Seeker {
+        solver,
+        course,
+        samples: &samples,
+        blocked: zones
+            .iter()
+            .filter(|zone| zone.kind != ZoneKind::SelfLocking)
+            .map(|zone| [zone.from, zone.to])
+            .collect(),
+        edges: &edges,
+    };
     let figures = all.iter().filter(|column| column.figure);
-    figures
-        .filter_map(|column| {
-            Some(Extremes {
-                name: column.name.clone(),
-                unit: column.unit.clone(),
-                least: extreme(solver, course, rows, column, -1.0)?,
-                greatest: extreme(solver, course, rows, column, 1.0)?,
-            })
+    let extremes = figures.filter_map(|column| {
+        Some(Extremes {
+            name: column.name.clone(),
+            unit: column.unit.clone(),
+            least: seeker.extreme(column, -1.0)?,
+            greatest: seeker.extreme(column, 1.0)?,
         })
-        .collect()
+    });
+    let extremes = extremes.collect();
+    let changes = all.iter().filter(|column| column.name.contains("_by."));
+    let endless = changes.filter_map(|column| {
+        let ends = [1.0, -1.0].map(|sign| seeker.endless(column, sign));
+        let at = ends.into_iter().flatten().next()?;
+        Some((column.name.clone(), at))
+    });
+    (extremes, endless.collect())
 }
 
-/// The greatest value of `sign` times a quantity.
-fn extreme<S: PositionSource>(
+/// A row and its place on the course.
+type Sample = (f64, Row);
+
+/// The rows, and where these are few, rows between them; ascending.
+fn samples<S: PositionSource>(
     solver: &mut Solver<'_, S>,
     course: &Course,
     rows: &[Row],
-    column: &Column,
-    sign: f64,
-) -> Option<Extreme> {
-    let values = rows.iter().enumerate();
-    let values = values.filter_map(|(index, row)| Some((index, column.value(row)?)));
-    // Of equal values the first.
-    let (index, value) = values
-        .rev()
-        .max_by(|(_, a), (_, b)| (sign * a).total_cmp(&(sign * b)))?;
-    let here = Extreme {
-        value,
-        at: course.parameter(index),
-    };
-    let before = neighbour(course, index, -1)?;
-    let after = neighbour(course, index, 1)?;
-    let mut at = |parameter: f64| {
-        let row = solver.row(&course.between(parameter), false);
-        column
-            .value(&row)
-            .map_or(f64::NEG_INFINITY, |value| sign * value)
-    };
-    let found = golden([before, after], &mut at);
-    let value = sign * at(found);
-    Some(if sign * value > sign * here.value {
-        Extreme { value, at: found }
-    } else {
-        here
-    })
+) -> Vec<Sample> {
+    let own = rows.iter().enumerate();
+    let mut samples: Vec<Sample> = own
+        .map(|(index, row)| (course.parameter(index), row.clone()))
+        .collect();
+    if let (true, Some([from, to])) = (rows.len() < FEW, course.ends()) {
+        let open = usize::from(course.is_closed());
+        let places = (0..=FEW - open).map(|k| from + (to - from) * k as f64 / FEW as f64);
+        for place in places {
+            if samples.iter().all(|(known, _)| *known != place) {
+                samples.push((place, solver.row(&course.between(place), false)));
+            }
+        }
+    }
+    samples.sort_by(|a, b| a.0.total_cmp(&b.0));
+    samples
 }
 
-/// Parameter of the next position in a direction; the position itself at an end.
-fn neighbour(course: &Course, index: usize, direction: i64) -> Option<f64> {
-    let last = course.len().checked_sub(1)?;
-    match (direction, index) {
-        (-1, 0) => Some(match (course, course.period()) {
-            // Before the first position of a closed course lies its last.
-            (Course::Even { .. }, Some(period)) => course.parameter(last) - period,
-            _ => course.parameter(0),
-        }),
-        (1, index) if index == last => Some(match (course, course.period()) {
-            (Course::Even { .. }, Some(period)) => course.parameter(0) + period,
-            _ => course.parameter(last),
-        }),
-        (direction, index) => Some(course.parameter((index as i64 + direction) as usize)),
+/// A position towards which forces grow without bound, with rows ever nearer to it.
+struct Edge {
+    at: f64,
+    rows: Vec<Row>,
+}
+
+fn edges<S: PositionSource>(
+    solver: &mut Solver<'_, S>,
+    course: &Course,
+    zones: &[Zone],
+) -> Vec<Edge> {
+    let Some(ends) = course.ends() else {
+        return Vec::new();
+    };
+    let mut edges = Vec::new();
+    for index in 0..zones.len() {
+        let free = free_sides(zones, index, ends);
+        let zone = &zones[index];
+        for (side, at) in [zone.from, zone.to].into_iter().enumerate() {
+            if zone.unbounded[side] {
+                let places = approach(at, free[side]);
+                let rows = places.map(|place| solver.row(&course.between(place), true));
+                edges.push(Edge {
+                    at,
+                    rows: rows.into(),
+                });
+            }
+        }
+    }
+    edges
+}
+
+struct Seeker<'s, 'k, S> {
+    solver: &'s mut Solver<'k, S>,
+    course: &'s Course,
+    samples: &'s [Sample],
+    /// Zones without forces.
+    blocked: Vec<[f64; 2]>,
+    edges: &'s [Edge],
+}
+
+impl<S: PositionSource> Seeker<'_, '_, S> {
+    /// The first position towards which `sign` times a quantity grows without bound.
+    fn endless(&self, column: &Column, sign: f64) -> Option<f64> {
+        let grows = |edge: &&Edge| {
+            let values = edge.rows.iter().map(|row| column.value(row));
+            let values: Option<Vec<f64>> = values.map(|v| Some(sign * v?)).collect();
+            values.is_some_and(|values| unbounded(&values))
+        };
+        self.edges.iter().find(grows).map(|edge| edge.at)
+    }
+
+    /// The greatest value of `sign` times a quantity.
+    fn extreme(&mut self, column: &Column, sign: f64) -> Option<Extreme> {
+        if let Some(at) = self.endless(column, sign) {
+            let value = sign * f64::INFINITY;
+            return Some(Extreme { value, at });
+        }
+        let values = self.samples.iter().enumerate();
+        let values = values.filter_map(|(index, (_, row))| Some((index, column.value(row)?)));
+        // Of equal values the first.
+        let (index, value) = values
+            .rev()
+            .max_by(|(_, a), (_, b)| (sign * a).total_cmp(&(sign * b)))?;
+        let at = self.samples[index].0;
+        let here = Extreme { value, at };
+        let bracket = self.free_about(index);
+        let (solver, course) = (&mut *self.solver, self.course);
+        let mut worth = |place: f64| {
+            let row = solver.row(&course.between(place), false);
+            let value = column.value(&row);
+            value.map_or(f64::NEG_INFINITY, |value| sign * value)
+        };
+        let found = golden(bracket, &mut worth);
+        let value = sign * worth(found);
+        Some(if sign * value > sign * here.value {
+            Extreme { value, at: found }
+        } else {
+            here
+        })
+    }
+
+    /// From the sample before to the one after, as far as there are forces.
+    fn free_about(&self, index: usize) -> [f64; 2] {
+        let at = |index: usize| self.samples[index].0;
+        let (here, last) = (at(index), self.samples.len() - 1);
+        let period = match self.course {
+            Course::Even { .. } => self.course.period().map_or(0.0, f64::abs),
+            Course::Instants { .. } => 0.0,
+        };
+        // Before the first position of a closed course lies its last.
+        let before = match index.checked_sub(1) {
+            Some(before) => at(before),
+            None if period > 0.0 => at(last) - period,
+            None => here,
+        };
+        let after = match index == last {
+            false => at(index + 1),
+            true if period > 0.0 => at(0) + period,
+            true => here,
+        };
+        let [mut low, mut high] = [before, after];
+        for [from, to] in &self.blocked {
+            for shift in [-period, 0.0, period] {
+                if to + shift <= here {
+                    low = low.max(to + shift);
+                }
+                if from + shift >= here {
+                    high = high.min(from + shift);
+                }
+            }
+        }
+        [low, high]
     }
 }
 

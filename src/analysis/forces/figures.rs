@@ -112,9 +112,10 @@ impl ForceStudy {
 }
 
 fn end(extremes: &Extremes, what: &str) -> Option<f64> {
+    let finite = |value: f64| value.is_finite().then_some(value);
     match what {
-        "least" => Some(extremes.least.value),
-        "greatest" => Some(extremes.greatest.value),
+        "least" => finite(extremes.least.value),
+        "greatest" => finite(extremes.greatest.value),
         "least_at" => Some(extremes.least.at),
         "greatest_at" => Some(extremes.greatest.at),
         _ => None,

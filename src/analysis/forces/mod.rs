@@ -11,6 +11,7 @@ mod figures;
 mod massless;
 mod quadrature;
 mod row;
+mod scan;
 mod zones;
 
 pub use asked::{LinkagePositions, course_of, course_of_record, only_loaded_output};
@@ -64,10 +65,13 @@ pub struct ForceStudy {
     pub settings: ForceSettings,
     /// The linkage.
     pub linkage: LinkageSpec,
-    /// One row a position.
+    /// One row a position; of a turn its end as well.
     pub rows: Vec<Row>,
     /// Least and greatest value of each quantity, between the positions too.
     pub extremes: Vec<Extremes>,
+    /// Derivatives of the driving force that grow without bound: the column's name and the
+    /// place towards which.
+    pub unbounded: Vec<(String, f64)>,
     /// Work, losses and efficiency over the course; none where the input rests,
     /// or where there are no forces on the way.
     pub cycle: Option<CycleForces>,
@@ -91,23 +95,26 @@ pub fn study<S: PositionSource>(
 ) -> Result<ForceStudy, Vec<Fault>> {
     let kinetostatics = Kinetostatics::new(linkage)?;
     let mut solver = Solver::new(&kinetostatics, source, &settings);
-    let rows: Vec<Row> = (0..course.len())
+    let rows: Vec<Row> = (0..course.rows())
         .map(|index| {
             let mut row = solver.row(&course.instant(index), true);
             row.time = course.time(index);
             row
         })
         .collect();
-    let extremes = extremes::find(&mut solver, &course, &rows);
-    let zones = zones::find(&mut solver, &course, &rows);
-    let cycle = cycle::sum(&mut solver, &course, &rows);
-    let counterweight = counterweight::fit(linkage, &rows);
+    // The end of a turn counts once.
+    let positions = &rows[..course.len()];
+    let zones = zones::find(&mut solver, &course);
+    let (extremes, unbounded) = extremes::find(&mut solver, &course, positions, &zones);
+    let cycle = cycle::sum(&mut solver, &course, positions);
+    let counterweight = counterweight::fit(linkage, positions);
     Ok(ForceStudy {
         course,
         settings,
         linkage: linkage.clone(),
         rows,
         extremes,
+        unbounded,
         cycle,
         zones,
         counterweight,

@@ -135,6 +135,11 @@ impl<'a, S: PositionSource> Solver<'a, S> {
         self.kinetostatics
     }
 
+    /// Singular positions that the linkage passes, with their period.
+    pub(super) fn singular(&self) -> (Vec<f64>, Option<f64>) {
+        self.source.singular()
+    }
+
     /// The output asked for.
     pub(super) fn output(&self) -> Option<usize> {
         self.settings.output

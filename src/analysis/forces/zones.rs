@@ -1,27 +1,51 @@
-//! Where friction locks: intervals of the course, their ends bisected.
+//! Where friction locks: intervals of the course between roots of what decides.
+//!
+//! The course is scanned at places of its own, whatever positions are asked for: in equal
+//! steps, at singular positions of the linkage, and on both sides of places where the output
+//! turns back. Between two places that differ the change is closed in by bisection, and
+//! whatever lies between is told apart; between two that agree the least distance from a
+//! change is looked for.
 
 use super::row::{Row, Solver, Trouble};
+use super::scan::{scan, singular_places};
 use super::{Course, PositionSource};
-use crate::linkage::kinetostatics::ForceFailure;
+use crate::linkage::kinetostatics::{BAD_CONDITION, ForceFailure};
+use crate::order::Total;
 
 /// Bisections of an end.
-const BISECTIONS: usize = 44;
+const BISECTIONS: usize = 60;
 /// Ratio, in parts of the greatest, at which the output stands still.
 const STANDSTILL: f64 = 1e-9;
-/// Where zones are looked for beside a reversal of the output, in steps of the
-/// course.
+/// Where zones are looked for beside a reversal of the output or a singular position, in
+/// steps of the scan.
 const ASIDE: f64 = 1e-5;
+/// Most changes between two places of the scan.
+const MOST_CHANGES: usize = 16;
+/// Steps of the search for the least distance from a change, each a golden section.
+const SEARCH: usize = 30;
+/// Part of the distance that golden section keeps.
+const GOLDEN: f64 = 0.618_033_988_749_894_9;
+/// A zone of this part of the course is none.
+const NOTHING: f64 = 1e-9;
+/// Growth of a force over a tenth of the distance that has no end: by 10 where it goes with
+/// the distance, by 3 with its root; by 1 where it ends.
+const GROWTH: f64 = 2.0;
+/// Powers of ten of the distance over which growth is looked at.
+const DECADES: [i32; 4] = [-3, -4, -5, -6];
 
-/// An interval of the course in which something is wrong.
+/// An interval of the course in which something is wrong; a dead position that is
+/// passed at once is an interval of no width.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Zone {
     /// What.
     pub kind: ZoneKind,
-    /// Where it begins: input coordinate or time.
+    /// Where it begins: input coordinate or time, the lesser end.
     pub from: f64,
-    /// Where it ends; beyond the course's end where a closed course goes on
-    /// from its beginning.
+    /// Where it ends.
     pub to: f64,
+    /// Whether forces grow without bound towards its beginning from below, and towards its
+    /// end from above.
+    pub unbounded: [bool; 2],
 }
 
 /// What is wrong in a zone.
@@ -71,6 +95,9 @@ fn state(row: &Row) -> Option<ZoneKind> {
         Err(Trouble::Failure(ForceFailure::SelfLocking { .. })) => Some(ZoneKind::Locked),
         Err(Trouble::Failure(ForceFailure::DeadPosition { .. })) => Some(ZoneKind::Dead),
         Err(Trouble::Failure(_)) => Some(ZoneKind::Failed),
+        Ok(forces) if forces.solved.condition.is_some_and(|c| c > BAD_CONDITION) => {
+            Some(ZoneKind::Dead)
+        }
         Ok(forces) => {
             let found = forces.transmission?;
             let direction = if row.motion.speed < 0.0 { -1.0 } else { 1.0 };
@@ -81,98 +108,270 @@ fn state(row: &Row) -> Option<ZoneKind> {
     }
 }
 
-/// All zones of a course.
-pub(super) fn find<S: PositionSource>(
-    solver: &mut Solver<'_, S>,
-    course: &Course,
-    rows: &[Row],
-) -> Vec<Zone> {
-    let marks = marks(solver, course, rows);
+/// A place of the course and what is wrong there.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Mark {
+    place: f64,
+    state: Option<ZoneKind>,
+    /// Kinematic ratio of the output.
+    ratio: Option<f64>,
+    /// Distance from a change of the state, dimensionless: 0 where it changes.
+    ease: f64,
+}
+
+/// All zones of a course, ascending.
+pub(super) fn find<S: PositionSource>(solver: &mut Solver<'_, S>, course: &Course) -> Vec<Zone> {
+    let mut scanner = Scanner { solver, course };
+    let Some(marks) = scanner.marks() else {
+        return Vec::new();
+    };
     let mut zones: Vec<Zone> = Vec::new();
-    let mut open: Option<(ZoneKind, f64)> = marks.first().and_then(|m| Some((m.1?, m.0)));
-    for pair in marks.windows(2) {
-        let [(p0, s0), (p1, s1)] = [pair[0], pair[1]];
-        if s0 == s1 {
-            continue;
-        }
-        let edge = bisect(solver, course, [p0, p1], s0);
+    let mut open = marks[0].state.map(|kind| (kind, marks[0].place));
+    let mut close = |open: &mut Option<(ZoneKind, f64)>, to: f64| {
         if let Some((kind, from)) = open.take() {
             zones.push(Zone {
                 kind,
                 from,
-                to: edge[0],
+                to,
+                unbounded: [false; 2],
             });
         }
-        open = s1.map(|kind| (kind, edge[1]));
+    };
+    for pair in marks.windows(2) {
+        for change in scanner.changes(pair[0], pair[1]) {
+            close(&mut open, change.before);
+            open = change.state.map(|kind| (kind, change.after));
+        }
     }
-    if let (Some((kind, from)), Some(last)) = (open, marks.last()) {
-        zones.push(Zone {
-            kind,
-            from,
-            to: last.0,
-        });
+    let (first, last) = (marks[0].place, marks[marks.len() - 1].place);
+    close(&mut open, last);
+    let narrow = NOTHING * (last - first);
+    zones.retain(|zone| zone.kind == ZoneKind::Dead || zone.to - zone.from > narrow);
+    for index in 0..zones.len() {
+        let (free, kind) = (free_sides(&zones, index, [first, last]), zones[index].kind);
+        if kind != ZoneKind::SelfLocking {
+            let ends = [zones[index].from, zones[index].to];
+            zones[index].unbounded = [0, 1].map(|side| scanner.grows(ends[side], free[side]));
+        }
     }
-    join(zones, course, &marks)
+    zones
 }
 
-/// Positions with their states: those of the course, its end, and, so that no
-/// narrow zone is missed, places just before and after the output reverses.
-fn marks<S: PositionSource>(
-    solver: &mut Solver<'_, S>,
-    course: &Course,
-    rows: &[Row],
-) -> Vec<(f64, Option<ZoneKind>)> {
-    let mut places: Vec<(f64, &Row)> = rows
-        .iter()
-        .enumerate()
-        .map(|(index, row)| (course.parameter(index), row))
-        .collect();
-    if let (Course::Even { .. }, Some(period), Some(first)) =
-        (course, course.period(), rows.first())
-    {
-        places.push((course.parameter(0) + period, first));
+/// How far there are forces below and above a zone: to the next that has none. Where
+/// friction only locks the load, there are forces.
+pub(super) fn free_sides(zones: &[Zone], index: usize, [first, last]: [f64; 2]) -> [f64; 2] {
+    let blocked = |zone: &&Zone| zone.kind != ZoneKind::SelfLocking;
+    let below = zones[..index].iter().rev().find(blocked);
+    let above = zones[index + 1..].iter().find(blocked);
+    [
+        below.map_or(first, |zone| zone.to),
+        above.map_or(last, |zone| zone.from),
+    ]
+}
+
+/// A change of the state between two places next to each other.
+struct Change {
+    before: f64,
+    after: f64,
+    state: Option<ZoneKind>,
+}
+
+struct Scanner<'s, 'k, S> {
+    solver: &'s mut Solver<'k, S>,
+    course: &'s Course,
+}
+
+impl<S: PositionSource> Scanner<'_, '_, S> {
+    fn row(&mut self, place: f64) -> Row {
+        self.solver.row(&self.course.between(place), false)
     }
-    let mut marks: Vec<_> = places
-        .iter()
-        .map(|(place, row)| (*place, state(row)))
-        .collect();
-    let greatest = rows
-        .iter()
-        .filter_map(ratio)
-        .fold(0.0, |most: f64, i| most.max(i.abs()));
-    for (index, pair) in places.windows(2).enumerate() {
-        let [(low, before), (high, after)] = [pair[0], pair[1]];
-        let (Some(a), Some(b)) = (ratio(before), ratio(after)) else {
-            continue;
-        };
-        let rest = |i: f64| i.abs() <= STANDSTILL * greatest;
-        let mut reversals = Vec::new();
-        if rest(a) {
-            reversals.push(low);
-        } else if a * b < 0.0 && !rest(b) {
-            reversals.push(reversal(solver, course, [low, high], a));
+
+    fn mark(&mut self, place: f64) -> Mark {
+        let row = self.row(place);
+        Mark {
+            place,
+            state: state(&row),
+            ratio: ratio(&row),
+            ease: ease(&row),
         }
-        if rest(b) && index + 2 == places.len() {
-            reversals.push(high);
-        }
-        let (first, last) = (places[0].0, places[places.len() - 1].0);
-        let ends = [first.min(last), first.max(last)];
-        for place in reversals {
+    }
+
+    /// Places with their states, ascending; `None` for a course without length.
+    fn marks(&mut self) -> Option<Vec<Mark>> {
+        let places = scan(self.course)?;
+        let step = (places[places.len() - 1] - places[0]) / (places.len() - 1) as f64;
+        let ends = [places[0], places[places.len() - 1]];
+        let mut marks: Vec<Mark> = places.iter().map(|&place| self.mark(place)).collect();
+        let special = singular_places(self.solver, self.course, &places);
+        let mut aside: Vec<f64> = special.clone();
+        let greatest = marks.iter().filter_map(|mark| mark.ratio);
+        let greatest = greatest.fold(0.0, |most: f64, ratio| most.max(ratio.abs()));
+        for reversal in special.into_iter().chain(self.reversals(&marks, greatest)) {
             for side in [-ASIDE, ASIDE] {
-                let near = place + side * (high - low);
-                let near = if course.is_closed() {
-                    around(near, ends)
-                } else {
-                    near
+                let near = reversal + side * step;
+                let near = match self.course.is_closed() {
+                    true => around(near, ends),
+                    false => near,
                 };
                 if (ends[0]..=ends[1]).contains(&near) {
-                    marks.push((near, state(&solver.row(&course.between(near), false))));
+                    aside.push(near);
                 }
             }
         }
+        marks.extend(aside.into_iter().map(|place| self.mark(place)));
+        marks.sort_by_cached_key(|mark| Total(mark.place));
+        let nearest = self.nearest(&marks);
+        marks.extend(nearest);
+        marks.sort_by_cached_key(|mark| Total(mark.place));
+        Some(marks)
     }
-    marks.sort_by(|a, b| a.0.total_cmp(&b.0));
-    marks
+
+    /// Where the output turns back.
+    fn reversals(&mut self, marks: &[Mark], greatest: f64) -> Vec<f64> {
+        let mut reversals = Vec::new();
+        let rest = |ratio: f64| ratio.abs() <= STANDSTILL * greatest;
+        for pair in marks.windows(2) {
+            let (Some(a), Some(b)) = (pair[0].ratio, pair[1].ratio) else {
+                continue;
+            };
+            if rest(a) {
+                reversals.push(pair[0].place);
+            } else if a * b < 0.0 && !rest(b) {
+                let ends = [pair[0].place, pair[1].place];
+                reversals.push(self.reversal(ends, a));
+            }
+        }
+        if let Some(last) = marks.last().filter(|mark| mark.ratio.is_some_and(rest)) {
+            reversals.push(last.place);
+        }
+        reversals
+    }
+
+    /// Where the sign of the ratio changes.
+    fn reversal(&mut self, [mut low, mut high]: [f64; 2], sign: f64) -> f64 {
+        for _ in 0..BISECTIONS {
+            let middle = 0.5 * (low + high);
+            if ratio(&self.row(middle)).is_some_and(|ratio| ratio * sign > 0.0) {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        high
+    }
+
+    /// Places between free ones that are the nearest to a change, where they are beyond it.
+    fn nearest(&mut self, marks: &[Mark]) -> Vec<Mark> {
+        let mut found = Vec::new();
+        for three in marks.windows(3) {
+            let [before, here, after] = [three[0], three[1], three[2]];
+            let lowest = here.ease <= before.ease && here.ease <= after.ease;
+            let level = here.ease == before.ease && here.ease == after.ease;
+            let free = three.iter().all(|mark| mark.state.is_none());
+            if free && lowest && !level {
+                found.extend(self.beyond(before.place, after.place));
+            }
+        }
+        found
+    }
+
+    /// The place of least ease, once it is not free.
+    fn beyond(&mut self, mut low: f64, mut high: f64) -> Option<Mark> {
+        let inner =
+            |low: f64, high: f64| [high - GOLDEN * (high - low), low + GOLDEN * (high - low)];
+        let mut marks = inner(low, high).map(|place| self.mark(place));
+        for _ in 0..SEARCH {
+            if let Some(found) = marks.iter().find(|mark| mark.state.is_some()) {
+                return Some(*found);
+            }
+            if marks[0].ease <= marks[1].ease {
+                high = marks[1].place;
+                marks = [self.mark(inner(low, high)[0]), marks[0]];
+            } else {
+                low = marks[0].place;
+                marks = [marks[1], self.mark(inner(low, high)[1])];
+            }
+        }
+        None
+    }
+
+    /// All changes between two places.
+    fn changes(&mut self, mut low: Mark, high: Mark) -> Vec<Change> {
+        let mut changes = Vec::new();
+        while low.state != high.state && changes.len() < MOST_CHANGES {
+            let [before, after] = self.bisect(low, high);
+            changes.push(Change {
+                before: before.place,
+                after: after.place,
+                state: after.state,
+            });
+            low = after;
+        }
+        changes
+    }
+
+    /// Both sides of the place where the state of the first place ends.
+    fn bisect(&mut self, mut low: Mark, mut high: Mark) -> [Mark; 2] {
+        let before = low.state;
+        for _ in 0..BISECTIONS {
+            let middle = 0.5 * (low.place + high.place);
+            if middle <= low.place || middle >= high.place {
+                break;
+            }
+            let mark = self.mark(middle);
+            if mark.state == before {
+                low = mark;
+            } else {
+                high = mark;
+            }
+        }
+        [low, high]
+    }
+
+    /// Whether forces grow without bound from a free place towards an end.
+    fn grows(&mut self, end: f64, free: f64) -> bool {
+        let sizes = approach(end, free).map(|place| size(&self.row(place)).unwrap_or(f64::NAN));
+        free != end && sizes.windows(2).all(|pair| pair[1] > GROWTH * pair[0])
+    }
+}
+
+/// Places ever nearer to an end, on the side of a free place.
+pub(super) fn approach(end: f64, free: f64) -> [f64; 4] {
+    DECADES.map(|decade| end + 10f64.powi(decade) * (free - end))
+}
+
+/// True where values taken at these places grow without bound.
+pub(super) fn unbounded(values: &[f64]) -> bool {
+    values[0] > 0.0 && values.windows(2).all(|pair| pair[1] > GROWTH * pair[0])
+}
+
+/// Greatest force of a pair.
+fn size(row: &Row) -> Option<f64> {
+    let forces = row.forces.as_ref().ok()?;
+    let pairs = forces.pairs.iter().map(|pair| pair.size());
+    Some(pairs.fold(0.0, f64::max))
+}
+
+/// How far a free position is from one that locks: what is left of the power of a load that
+/// drives, in parts of all that flows.
+fn ease(row: &Row) -> f64 {
+    let Ok(forces) = &row.forces else { return 0.0 };
+    let balance = &forces.balance;
+    let flow = balance.drive.abs() + balance.forces.abs() + balance.loss;
+    let through = match flow > 0.0 {
+        true => 1.0 - balance.loss / flow,
+        false => 1.0,
+    };
+    let Some(found) = forces.transmission else {
+        return through;
+    };
+    let direction = if row.motion.speed < 0.0 { -1.0 } else { 1.0 };
+    let sum = found.load_power.abs() + balance.loss;
+    if found.load_drives(direction) && sum > 0.0 {
+        through.min((found.load_power - balance.loss) / sum)
+    } else {
+        through
+    }
 }
 
 /// Kinematic ratio of the output at a row.
@@ -190,56 +389,4 @@ fn around(place: f64, [first, last]: [f64; 2]) -> f64 {
     } else {
         place
     }
-}
-
-/// Where the sign of the ratio changes.
-fn reversal<S: PositionSource>(
-    solver: &mut Solver<'_, S>,
-    course: &Course,
-    [mut low, mut high]: [f64; 2],
-    sign: f64,
-) -> f64 {
-    for _ in 0..BISECTIONS {
-        let middle = 0.5 * (low + high);
-        let row = solver.row(&course.between(middle), false);
-        if ratio(&row).is_some_and(|ratio| ratio * sign > 0.0) {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    high
-}
-
-/// Both sides of the place where a state ends.
-fn bisect<S: PositionSource>(
-    solver: &mut Solver<'_, S>,
-    course: &Course,
-    [mut low, mut high]: [f64; 2],
-    before: Option<ZoneKind>,
-) -> [f64; 2] {
-    for _ in 0..BISECTIONS {
-        let middle = 0.5 * (low + high);
-        if state(&solver.row(&course.between(middle), false)) == before {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    [low, high]
-}
-
-/// On a closed course a zone at the end goes on at the beginning.
-fn join(mut zones: Vec<Zone>, course: &Course, marks: &[(f64, Option<ZoneKind>)]) -> Vec<Zone> {
-    let (Some(period), [first, .., last]) = (course.period(), marks) else {
-        return zones;
-    };
-    let wraps = first.1.is_some() && first.1 == last.1;
-    if wraps && zones.len() > 1 && zones.last().is_some_and(|zone| zone.to >= last.0) {
-        let beginning = zones.remove(0);
-        if let Some(end) = zones.last_mut() {
-            end.to = beginning.to + period;
-        }
-    }
-    zones
 }

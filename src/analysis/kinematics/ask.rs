@@ -4,8 +4,11 @@ use super::course::Course;
 use super::study::span;
 use super::subject::Subject;
 use crate::jet::Jet;
-use crate::linkage::Linkage;
+use crate::linkage::{Cause, Linkage, Reach};
 use crate::model::{Coordinate, Model};
+
+/// Part of a reach that is kept away from dead positions at its ends.
+const ROOM: f64 = 1e-6;
 
 /// Most rows of a study.
 pub const MOST_POSITIONS: usize = 1_000_000;
@@ -29,6 +32,9 @@ pub enum Over {
     },
 }
 
+/// Number of intervals between rows, unless another is asked for.
+pub const POSITIONS: usize = 360;
+
 /// A question as it is put.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Question {
@@ -44,10 +50,26 @@ pub struct Question {
     pub speed: Option<f64>,
     /// Acceleration of the input over a turn or range.
     pub acceleration: Option<f64>,
-    /// Duration of the scene's run (s), for [`Over::Time`] by default.
+    /// Duration of the scene's run (s), for [`Over::Time`] by default; 0: that of the
+    /// scene asked.
     pub duration: f64,
     /// A place on the axis that shall have a row of its own.
     pub also: Option<f64>,
+}
+
+impl Default for Question {
+    /// Of the only linkage, in 360 intervals, over what suits it.
+    fn default() -> Self {
+        Self {
+            object: None,
+            over: None,
+            positions: POSITIONS,
+            speed: None,
+            acceleration: None,
+            duration: 0.0,
+            also: None,
+        }
+    }
 }
 
 /// A question that can be answered.
@@ -95,6 +117,7 @@ impl<'a> Asked<'a> {
                 question.duration,
             ),
         };
+        let over = inside_reach(&subject.linkage, over);
         let asked = Self {
             object: subject.object,
             linkage: subject.linkage,
@@ -216,6 +239,36 @@ fn default_over(linkage: &Linkage, known: bool, uniform: Option<f64>, duration: 
     whole_travel(linkage)
 }
 
+/// A range that equals the reach, as far as its ends are told, lies inside it.
+fn inside_reach(linkage: &Linkage, over: Over) -> Over {
+    let (Over::Range { from, to }, &Reach::Interval { lower, upper }) =
+        (over, &linkage.range().reach)
+    else {
+        return over;
+    };
+    let room = ROOM * (upper.at - lower.at);
+    let mut work = linkage.workspace();
+    let mut inside = |place: f64| {
+        if linkage.solve(place, 0, &mut work).is_ok() {
+            return place;
+        }
+        for (end, inwards) in [(lower, room), (upper, -room)] {
+            if (place - end.at).abs() <= room {
+                return match end.cause {
+                    // Dead positions themselves are left out.
+                    Cause::DeadPosition { .. } => end.at + inwards,
+                    Cause::Travel | Cause::Unexplored => end.at,
+                };
+            }
+        }
+        place
+    };
+    Over::Range {
+        from: inside(from),
+        to: inside(to),
+    }
+}
+
 /// A period, or where there is none the whole reach but its very ends.
 pub fn whole_travel(linkage: &Linkage) -> Over {
     let range = linkage.range();
@@ -224,7 +277,7 @@ pub fn whole_travel(linkage: &Linkage) -> Over {
     }
     // Where it goes everywhere, the ends are no numbers, which is refused.
     let [from, to] = range.ends();
-    let room = 1e-6 * (to - from);
+    let room = ROOM * (to - from);
     Over::Range {
         from: from + room,
         to: to - room,

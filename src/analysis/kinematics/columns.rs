@@ -6,6 +6,10 @@ use crate::linkage::Workspace;
 use crate::linkage::spec::{PairKind, PointOf};
 use crate::model::Coordinate;
 
+/// First transfer function, in parts of the second, at which something stands still, and sine
+/// of the angle between them at which a path is straight.
+const AT_REST: f64 = 1e-12;
+
 /// What a column shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Quantity {
@@ -43,6 +47,17 @@ pub enum Quantity {
     AccelerationY,
     /// Size of its acceleration.
     AccelerationSize,
+    /// Component of its acceleration along its path, positive where it becomes faster.
+    AccelerationAlong,
+    /// Component of its acceleration across its path, positive to the left of the way it goes.
+    AccelerationAcross,
+    /// Radius of curvature of its path, positive where the path bends to the left as the
+    /// input grows; none where the path is straight or has a cusp.
+    CurvatureRadius,
+    /// The point of the plane about which the link turns at the moment; none where it does not turn.
+    InstantCentreX,
+    /// The point of the plane about which the link turns at the moment; none where it does not turn.
+    InstantCentreY,
     /// First transfer function of x.
     FirstX,
     /// First transfer function of y.
@@ -101,6 +116,11 @@ impl Quantity {
             Self::AccelerationX => "acceleration_x",
             Self::AccelerationY => "acceleration_y",
             Self::AccelerationSize => "acceleration",
+            Self::AccelerationAlong => "acceleration_along_path",
+            Self::AccelerationAcross => "acceleration_across_path",
+            Self::CurvatureRadius => "radius_of_curvature",
+            Self::InstantCentreX => "instant_centre_x",
+            Self::InstantCentreY => "instant_centre_y",
             Self::FirstX => "first_transfer_x",
             Self::FirstY => "first_transfer_y",
             Self::SecondX => "second_transfer_x",
@@ -120,9 +140,14 @@ impl Quantity {
 
     fn shape(self) -> Unit {
         match self {
-            Self::Displacement | Self::Angle | Self::X | Self::Y | Self::GuideDirection => {
-                Unit::Time(0)
-            }
+            Self::Displacement
+            | Self::Angle
+            | Self::X
+            | Self::Y
+            | Self::GuideDirection
+            | Self::CurvatureRadius
+            | Self::InstantCentreX
+            | Self::InstantCentreY => Unit::Time(0),
             Self::Speed
             | Self::AngularSpeed
             | Self::SpeedX
@@ -136,6 +161,8 @@ impl Quantity {
             | Self::AccelerationX
             | Self::AccelerationY
             | Self::AccelerationSize
+            | Self::AccelerationAlong
+            | Self::AccelerationAcross
             | Self::RelativeAcceleration
             | Self::TransportAccelerationAlong
             | Self::TransportAccelerationAcross
@@ -143,6 +170,28 @@ impl Quantity {
             Self::First | Self::FirstX | Self::FirstY => Unit::Transfer(1),
             Self::Second | Self::SecondX | Self::SecondY => Unit::Transfer(2),
             Self::Third | Self::ThirdX | Self::ThirdY => Unit::Transfer(3),
+        }
+    }
+}
+
+impl Quantity {
+    /// True for a quantity that goes through infinity in ordinary motion.
+    pub fn passes_infinity(self) -> bool {
+        matches!(
+            self,
+            Self::CurvatureRadius | Self::InstantCentreX | Self::InstantCentreY
+        )
+    }
+
+    /// What counts as of ordinary size, for a quantity of something of size `own` (1 rad, or
+    /// the size of the linkage) behind an input of size `input` with the motion `q`.
+    pub(super) fn scale(self, own: f64, input: f64, q: Jet) -> f64 {
+        let rate = q.first.abs() / input;
+        match self.shape() {
+            Unit::Time(0) => own,
+            Unit::Time(1) => own * rate,
+            Unit::Time(_) => own * (rate * rate + q.second.abs() / input),
+            Unit::Transfer(order) => own / input.powi(i32::from(order)),
         }
     }
 }
@@ -160,6 +209,8 @@ pub(super) struct Heading {
     pub(super) owner: String,
     pub(super) quantity: Quantity,
     pub(super) unit: String,
+    /// True for an angle and its derivatives.
+    pub(super) turning: bool,
 }
 
 fn heading(owner: &str, quantity: Quantity, own: &str, input: &str) -> Heading {
@@ -173,6 +224,7 @@ fn heading(owner: &str, quantity: Quantity, own: &str, input: &str) -> Heading {
         owner: owner.to_owned(),
         quantity,
         unit,
+        turning: own == "rad",
     }
 }
 
@@ -194,7 +246,8 @@ const LINK: [Quantity; 6] = [
     Quantity::Second,
     Quantity::Third,
 ];
-const POINT: [Quantity; 14] = [
+const CENTRE: [Quantity; 2] = [Quantity::InstantCentreX, Quantity::InstantCentreY];
+const POINT: [Quantity; 17] = [
     Quantity::X,
     Quantity::Y,
     Quantity::SpeedX,
@@ -209,6 +262,9 @@ const POINT: [Quantity; 14] = [
     Quantity::SecondY,
     Quantity::ThirdX,
     Quantity::ThirdY,
+    Quantity::AccelerationAlong,
+    Quantity::AccelerationAcross,
+    Quantity::CurvatureRadius,
 ];
 const OUTPUT: [Quantity; 6] = [
     Quantity::Displacement,
@@ -245,6 +301,7 @@ pub(super) fn headings(asked: &Asked<'_>) -> Vec<Heading> {
     for link in &spec.links {
         let name = format!("links.{}", link.name);
         out.extend(LINK.map(|quantity| heading(&name, quantity, "rad", input)));
+        out.extend(CENTRE.map(|quantity| heading(&name, quantity, "m", input)));
         for point in &link.points {
             let owner = format!("{name}.{}", point.name);
             out.extend(POINT.map(|quantity| heading(&owner, quantity, "m", input)));
@@ -291,6 +348,7 @@ pub(super) fn values(asked: &Asked<'_>, work: &Workspace, q: Jet, out: &mut Vec<
         };
         let [speed, acceleration] = moved(angle, q);
         out.extend([angle.value, speed, acceleration, first, second, third]);
+        out.extend(instant_centre(work, index));
         for point in &link.points {
             let at = PointOf {
                 link: Some(index),
@@ -316,6 +374,50 @@ fn point_values([x, y]: [Jet; 2], q: Jet, out: &mut Vec<f64>) {
     let ([vx, ax], [vy, ay]) = (moved(x, q), moved(y, q));
     out.extend([x.value, y.value, vx, vy, vx.hypot(vy), ax, ay, ax.hypot(ay)]);
     out.extend([x.first, y.first, x.second, y.second, x.third, y.third]);
+    let [along, across] = path_acceleration([x, y], q);
+    out.extend([along, across, curvature_radius([x, y])]);
+}
+
+/// The point that a link turns about: its velocity is θ′ times the quarter turn of the
+/// distance from there. Not a number where θ′ = 0.
+fn instant_centre(work: &Workspace, link: usize) -> [f64; 2] {
+    let pose = work.pose(link);
+    let [x, y, turning] = work.transfer(link, 1);
+    [pose.x - y / turning, pose.y + x / turning].map(|place| match place.is_finite() {
+        true => place,
+        false => f64::NAN,
+    })
+}
+
+/// Acceleration of a point along and across its path, which at a reversal is taken as
+/// just after it.
+fn path_acceleration([x, y]: [Jet; 2], q: Jet) -> [f64; 2] {
+    let ([vx, ax], [vy, ay]) = (moved(x, q), moved(y, q));
+    let sense = if q.first < 0.0 { -1.0 } else { 1.0 };
+    let (tangent, bend) = ([x.first, y.first], [x.second, y.second]);
+    let rest = AT_REST * bend[0].hypot(bend[1]);
+    let [tx, ty] = match () {
+        () if tangent[0].hypot(tangent[1]) <= rest => bend,
+        () if vx != 0.0 || vy != 0.0 => [vx, vy],
+        () => tangent.map(|t| sense * t),
+    };
+    let length = tx.hypot(ty);
+    if length == 0.0 {
+        // A point that does not move has no path.
+        return [0.0; 2];
+    }
+    [(tx * ax + ty * ay) / length, (tx * ay - ty * ax) / length]
+}
+
+/// |r′|³/(r′ × r″); not a number where the path is straight or has a cusp.
+fn curvature_radius([x, y]: [Jet; 2]) -> f64 {
+    let speed = x.first.hypot(y.first);
+    let bend = x.second.hypot(y.second);
+    let cross = x.first * y.second - y.first * x.second;
+    match cross.abs() > AT_REST * speed * bend && speed > AT_REST * bend {
+        true => speed.powi(3) / cross,
+        false => f64::NAN,
+    }
 }
 
 /// The composition of a block's motion: with the guide (transport), along the

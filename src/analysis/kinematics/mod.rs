@@ -5,14 +5,16 @@
 mod ask;
 mod columns;
 mod course;
+mod equilibria;
 mod extremes;
 mod figures;
 mod study;
 mod subject;
 mod summary;
 
-pub use ask::{Asked, MOST_POSITIONS, Over, Question, whole_travel};
+pub use ask::{Asked, MOST_POSITIONS, Over, POSITIONS, Question, whole_travel};
 pub use columns::Quantity;
+pub use equilibria::Equilibrium;
 pub use study::{even_motion, kinematics};
 pub use subject::{Subject, linkage_of, reaches};
 
@@ -45,6 +47,8 @@ pub struct Kinematics {
     pub extremes: Vec<Extremes>,
     /// Forward and return strokes of the outputs over a period.
     pub strokes: Vec<Stroke>,
+    /// Where it rests by itself, with its input free and nothing on its outputs.
+    pub equilibria: Vec<Equilibrium>,
     /// Transmission angles.
     pub transmission: Vec<Transmission>,
     /// Where the input's travel ends, and why.
@@ -76,8 +80,13 @@ pub struct Column {
     pub quantity: Quantity,
     /// SI unit.
     pub unit: String,
-    /// A value a row.
+    /// A value a row; not a number where it is infinite or not determined.
     pub values: Vec<f64>,
+    /// Greatest estimated error of the values that are determined: what the rounding of
+    /// the linkage's numbers leaves open, much near singular positions.
+    pub error: f64,
+    /// Rows at which the error is so great that the value is not determined.
+    pub undetermined: usize,
 }
 
 impl Column {

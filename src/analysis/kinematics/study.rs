@@ -2,12 +2,16 @@
 
 use super::ask::{Asked, Over};
 use super::columns::{self, unit_of};
+use super::equilibria::equilibria;
 use super::extremes::extremes;
 use super::summary;
 use super::{Axis, Column, Kinematics, Limit, Stopped};
 use crate::jet::Jet;
-use crate::linkage::{Cause, OutOfReach, Reach, Workspace};
+use crate::linkage::{Cause, OutOfReach, Reach, Rounding, Workspace};
 use crate::model::Coordinate;
+
+/// Share of its own size, or of what is ordinary for it, that the error of a value may have.
+const DETERMINED: f64 = 1e-3;
 
 /// Positions, speeds and accelerations of a linkage over what was asked.
 pub fn kinematics(asked: &Asked<'_>) -> Kinematics {
@@ -30,10 +34,11 @@ pub fn kinematics(asked: &Asked<'_>) -> Kinematics {
         times: times(asked, &places, &inputs),
         extremes,
         strokes: summary::strokes(asked),
+        equilibria: equilibria(asked),
         transmission: summary::transmission(asked, &places),
         limits: limits(asked),
         closed,
-        warnings: warnings(&columns),
+        warnings: warnings(&columns, places.len()),
         axis: axis(asked, places),
         columns,
         frames,
@@ -56,20 +61,38 @@ fn axis(asked: &Asked<'_>, values: Vec<f64>) -> Axis {
     }
 }
 
-/// Quantities that are beyond what can be written as a number.
-fn warnings(columns: &[Column]) -> Vec<String> {
-    let lost = |column: &&Column| !column.values.iter().all(|value| value.is_finite());
-    let names: Vec<String> = columns.iter().filter(lost).map(Column::name).collect();
-    let Some(first) = names.first() else {
-        return Vec::new();
+/// Quantities that are not determined somewhere, or beyond what can be written as a number.
+fn warnings(columns: &[Column], rows: usize) -> Vec<String> {
+    let mut warnings = Vec::new();
+    let doubtful = columns.iter().filter(|column| column.undetermined > 0);
+    if let Some(names) = named(doubtful.clone()) {
+        let most = doubtful.map(|column| column.undetermined).max();
+        warnings.push(format!(
+            "{names} cannot be told at up to {} of {rows} positions: so near to a singular position \
+             rounding changes them by more than {DETERMINED:.0e} of their size",
+            most.unwrap_or(0)
+        ));
+    }
+    let lost = |column: &&Column| {
+        let missing = column.values.iter().filter(|value| !value.is_finite());
+        !column.quantity.passes_infinity() && missing.count() > column.undetermined
     };
-    let others = match names.len() {
-        1 => String::new(),
-        count => format!(" and {} others", count - 1),
-    };
-    vec![format!(
-        "`{first}`{others} grow beyond all numbers: the speed is too great"
-    )]
+    if let Some(names) = named(columns.iter().filter(lost)) {
+        warnings.push(format!(
+            "{names} grow beyond all numbers: the speed is too great"
+        ));
+    }
+    warnings
+}
+
+/// The first of several columns by its name, and how many others there are.
+fn named<'c>(mut columns: impl Iterator<Item = &'c Column>) -> Option<String> {
+    let first = columns.next()?.name();
+    Some(match columns.count() {
+        0 => format!("`{first}`"),
+        1 => format!("`{first}` and another"),
+        count => format!("`{first}` and {count} others"),
+    })
 }
 
 /// How the input moves, in words.
@@ -144,26 +167,37 @@ fn cause(asked: &Asked<'_>, cause: Cause) -> String {
 struct Rows<'q, 'a> {
     asked: &'q Asked<'a>,
     work: Workspace,
+    rounding: Rounding,
+    errors: Vec<f64>,
     places: Vec<f64>,
     inputs: Vec<Jet>,
     columns: Vec<Column>,
+    /// Of each column: true for an angle and its derivatives.
+    turning: Vec<bool>,
     frames: Vec<Vec<[f64; 4]>>,
 }
 
 impl<'q, 'a> Rows<'q, 'a> {
     fn new(asked: &'q Asked<'a>) -> Self {
+        let headings = columns::headings(asked);
+        let turning = headings.iter().map(|heading| heading.turning).collect();
         let column = |heading: columns::Heading| Column {
             owner: heading.owner,
             quantity: heading.quantity,
             unit: heading.unit,
             values: Vec::with_capacity(asked.positions + 1),
+            error: 0.0,
+            undetermined: 0,
         };
         Self {
             asked,
             work: asked.linkage.workspace(),
+            rounding: Rounding::of(&asked.linkage),
+            errors: Vec::new(),
             places: Vec::new(),
             inputs: Vec::new(),
-            columns: columns::headings(asked).into_iter().map(column).collect(),
+            columns: headings.into_iter().map(column).collect(),
+            turning,
             frames: Vec::new(),
         }
     }
@@ -196,8 +230,29 @@ impl<'q, 'a> Rows<'q, 'a> {
         let q = self.asked.input_at(place);
         self.asked.linkage.solve(q.value, 3, &mut self.work)?;
         columns::values(self.asked, &self.work, q, values);
-        for (column, value) in self.columns.iter_mut().zip(values.iter()) {
-            column.values.push(*value);
+        let asked = self.asked;
+        self.rounding.errors(
+            q.value,
+            values,
+            |_, work, out| columns::values(asked, work, q, out),
+            &mut self.errors,
+        );
+        let size = asked.linkage.size();
+        let unit = |turning: bool| if turning { 1.0 } else { size };
+        let input = unit(asked.input == Coordinate::Turning);
+        let found = values.iter().zip(&self.errors);
+        let columns = self.columns.iter_mut().zip(&self.turning);
+        for ((column, turning), (value, error)) in columns.zip(found) {
+            let own = unit(*turning);
+            let ordinary = column.quantity.scale(own, input, q).max(value.abs());
+            if *error > DETERMINED * ordinary {
+                let counts = value.is_finite() && !column.quantity.passes_infinity();
+                column.undetermined += usize::from(counts);
+                column.values.push(f64::NAN);
+            } else {
+                column.error = column.error.max(*error);
+                column.values.push(*value);
+            }
         }
         let links = self.asked.linkage.spec().links.len();
         let frame = (0..links).map(|link| {

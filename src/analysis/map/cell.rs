@@ -8,15 +8,14 @@ use super::scenes::{Kept, Scenes};
 use super::study::Study;
 use super::verdict::Verdict;
 use crate::analysis::run::{RunResult, run};
-use crate::analysis::spread::{CHANGE, DETERMINED, changed_loads};
+use crate::analysis::spread::{CHANGE, changed_loads};
 use crate::analysis::{Control, RunSettings, Warning};
 use crate::fault::Fault;
 use crate::integrate::{Method, Stop};
 use crate::lower::lower;
-use crate::record::{Record, drive_cycle};
-use crate::scene::Scene;
+use crate::record::{Quantity, Record, drive_cycle};
+use crate::scene::TypedScene;
 use crate::system::System;
-use std::sync::atomic::Ordering::Relaxed;
 
 /// Most steps of the run of one cell: where a general method would crawl, a
 /// map says so and goes on.
@@ -37,8 +36,14 @@ pub struct Cell {
     /// Its cause in words.
     pub cause: String,
     /// How far the figure moves when all loads and gaps change by one part in
-    /// 10¹⁰, as a share of its scale; `None`: not asked, or no value.
+    /// 10¹⁰, as a share of its scale; `None`: not asked, no value, or the figure is
+    /// gone then.
     pub moved: Option<f64>,
+    /// Whether the figure is known to the digits asked for ([`Question::digits`]):
+    /// it moves by no more than one of the last; `None`: not asked, or no value.
+    ///
+    /// [`Question::digits`]: super::Question::digits
+    pub determined: Option<bool>,
     /// Least force of the force-closed pairs of the rigid mechanism: see
     /// [`RigidMotion::margin`].
     pub rigid_margin: Option<f64>,
@@ -51,6 +56,7 @@ impl Cell {
             verdict,
             cause,
             moved: None,
+            determined: None,
             rigid_margin: None,
         }
     }
@@ -110,7 +116,7 @@ fn judged(
 }
 
 /// A system and how to run it within a map.
-fn prepare(scene: &Scene) -> Result<(System, RunSettings), Vec<Fault>> {
+fn prepare(scene: &TypedScene) -> Result<(System, RunSettings), Vec<Fault>> {
     let system = System::new(lower(scene)?)?;
     let mut settings = RunSettings::of(scene).map_err(|fault| vec![fault])?;
     settings.max_steps = settings.max_steps.min(MOST_STEPS);
@@ -137,7 +143,7 @@ fn answer(
     control: &Control<'_>,
 ) -> Result<Option<Cell>, Vec<Fault>> {
     let result = run(system, settings, control, &mut [])?;
-    if result.outcome.stop == Stop::Interrupted {
+    if result.outcome.stop.is_from_outside() {
         return Ok(None);
     }
     if let Some(cell) = failed(&result) {
@@ -167,7 +173,7 @@ fn answer(
         steady: &mut again,
     });
     // What was interrupted in between may have been judged by half of it.
-    if control.interrupt.is_some_and(|flag| flag.load(Relaxed)) {
+    if control.is_spent() {
         return Ok(None);
     }
     let value = read(&result.figures, &study.figure).filter(|value| value.is_finite());
@@ -181,7 +187,7 @@ fn answer(
         let Some(moved) = moves(study, system, settings, &result, value, control)? else {
             return Ok(None);
         };
-        mark(&mut cell, moved, bound(&result, settings));
+        mark(&mut cell, moved, bound(study, &result, settings));
     }
     Ok(Some(cell))
 }
@@ -218,8 +224,7 @@ fn steady(
     cycle: Option<f64>,
 ) -> Option<[f64; 2]> {
     let ([_, end], cycle) = (window?, cycle?);
-    let column =
-        (record.columns.iter()).find(|column| column.object == id && column.quantity == "delta")?;
+    let column = record.column(id, Quantity::Delta)?;
     let over = |from: f64, to: f64| {
         let samples = record.times.iter().zip(&column.values);
         samples
@@ -252,7 +257,7 @@ fn moves(
     let changed = changed_loads(system.model().clone(), 1.0 + CHANGE);
     let changed = System::new(changed)?;
     let other = run(&changed, &same_method, control, &mut [])?;
-    if other.outcome.stop == Stop::Interrupted {
+    if other.outcome.stop.is_from_outside() {
         return Ok(None);
     }
     let scale = base.figures.scale(&study.figure);
@@ -272,24 +277,30 @@ pub(super) fn share(difference: f64, scale: f64) -> f64 {
     }
 }
 
-/// The greatest move of a figure that is still determined: 1e-7, and for a
-/// general method at least ten times its tolerance.
-fn bound(result: &RunResult, settings: &RunSettings) -> f64 {
+/// The greatest move of a figure that is still determined: one of the last digit
+/// asked for, and for a general method at least ten times its tolerance.
+fn bound(study: &Study<'_>, result: &RunResult, settings: &RunSettings) -> f64 {
     match result.method {
-        Method::Rk4 => DETERMINED,
-        _ => DETERMINED.max(OWN_NOISE * settings.tolerance),
+        Method::Rk4 => study.precision(),
+        _ => study.precision().max(OWN_NOISE * settings.tolerance),
     }
 }
 
-/// Notes how far the figure moves, and marks the cell where that is too far.
+/// Notes how far the figure moves, and whether that is too far; the verdict on the
+/// mechanism stays.
 pub(super) fn mark(cell: &mut Cell, moved: f64, bound: f64) {
-    if moved.is_nan() || moved > bound {
-        cell.cause = format!(
-            "moves by {moved:.1e} of its scale when the loads change by {CHANGE:e}; otherwise {}: {}",
-            cell.verdict.words(),
-            cell.cause
-        );
-        cell.verdict = Verdict::NotDetermined;
+    let determined = moved <= bound;
+    if !determined {
+        let how = match moved.is_finite() {
+            true => format!("moves by {moved:.1e} of its scale"),
+            false => "is gone".to_owned(),
+        };
+        let not = format!("the figure {how} when the loads change by {CHANGE:e}: not determined");
+        cell.cause = match cell.cause.as_str() {
+            "" => not,
+            cause => format!("{cause}; {not}"),
+        };
     }
+    cell.determined = Some(determined);
     cell.moved = moved.is_finite().then_some(moved);
 }

@@ -3,10 +3,10 @@
 use crate::analysis::document::blank;
 use crate::exact::Asked;
 use crate::fault::Fault;
-use crate::model::{Coordinate, Model, owner_of};
+use crate::model::{Model, owner_of};
 use crate::record::{AddressError, Figures, ObjectFigures};
 
-/// The figure of a map when none is asked for: δ_max of the last elastic
+/// The figure of a map when none is asked for: the greatest |δ| of the last elastic
 /// object, drivers before what they drive; `None` when nothing is elastic.
 pub(super) fn default_figure(model: &Model, order: &[String]) -> Option<String> {
     let elastic = |id: &&String| {
@@ -14,7 +14,7 @@ pub(super) fn default_figure(model: &Model, order: &[String]) -> Option<String> 
         part.is_some_and(|part| !part.links.is_empty())
     };
     let last = order.iter().rev().find(elastic)?;
-    Some(format!("{last}.delta_max"))
+    Some(format!("{last}.delta_abs"))
 }
 
 /// Why there is no figure to begin with, and which there are in every cell: those
@@ -27,7 +27,7 @@ pub(super) fn nothing_elastic(model: &Model) -> String {
     let all = all.map(|name| format!("{id}.{name}")).join(", ");
     format!(
         "nothing in this scene is elastic at the corners and in the middle of the map, so that \
-         there is no δ_max to map; name a figure with --figure, every cell has for example {all}"
+         there is no δ to map; name a figure with --figure, every cell has for example {all}"
     )
 }
 
@@ -55,6 +55,7 @@ pub(super) fn check_figure(figure: &str, model: &Model) -> Result<(), Fault> {
 pub(super) fn quick_read(figures: &ObjectFigures, name: &str) -> Option<f64> {
     let pair = figures.pair.as_ref();
     Some(match name {
+        "delta_abs" => figures.delta_abs,
         "delta_max" => figures.delta_max,
         "delta_min" => figures.delta_min,
         "sigma" => figures.sigma,
@@ -92,9 +93,9 @@ pub(super) fn quick_needs(name: &str) -> Asked {
 /// What a difference in a figure that [`quick_read`] knows is measured against:
 /// [`Figures::scale`] without a document. `time` is that of the run (s).
 pub(super) fn quick_scale(figures: &ObjectFigures, name: &str, time: f64) -> f64 {
-    let delta = figures.delta_max.abs().max(figures.delta_min.abs());
+    let delta = figures.delta_abs;
     match name {
-        "delta_max" | "delta_min" | "sigma" | "pair.max_lift" => delta,
+        "delta_abs" | "delta_max" | "delta_min" | "sigma" | "pair.max_lift" => delta,
         "final.displacement" if delta > 0.0 => delta,
         "final.speed" => figures.peak_speed,
         "pair.separations" | "pair.closures" => 1.0,
@@ -112,23 +113,8 @@ pub(super) fn read(figures: &Figures, figure: &str) -> Option<f64> {
 }
 
 /// SI unit of a figure; empty for counts and answers.
-pub(super) fn unit(figure: &str, model: &Model) -> &'static str {
-    let (id, name) = owner_of(figure, |id| model.objects.iter().any(|part| part.id == id));
-    let part = model.objects.iter().find(|part| part.id == id);
-    let turning = part.is_none_or(|part| part.coordinate == Coordinate::Turning);
-    let either = |turned, slid| if turning { turned } else { slid };
-    match name {
-        "delta_max" | "delta_min" | "sigma" | "final.displacement" | "pair.max_lift" => {
-            either("rad", "m")
-        }
-        "peak_speed" | "final.speed" | "pair.max_approach_speed" => either("rad/s", "m/s"),
-        "peak_acceleration" => either("rad/s²", "m/s²"),
-        "peak_reaction" | "pair.max_contact_force" | "pair.margin" => either("N m", "N"),
-        "pair.separated_time" | "pair.longest_separation" => "s",
-        "time" if part.is_none() => "s",
-        name if name.starts_with("pair.switch_times.") => "s",
-        _ => "",
-    }
+pub(super) fn unit(figure: &str, model: &Model) -> String {
+    blank(model).unit(figure)
 }
 
 #[cfg(test)]
@@ -140,6 +126,7 @@ mod tests {
     #[test]
     fn figures_read_without_a_document_are_those_of_the_document() {
         let figures = result_with(|rocker| {
+            rocker.delta_abs = 2.0;
             rocker.delta_max = 1.0;
             rocker.delta_min = -2.0;
             rocker.sigma = 3.0;
@@ -176,6 +163,6 @@ mod tests {
             let scale = quick_scale(rocker, name, figures.run.time);
             assert_eq!(scale, figures.scale(&address), "{address}");
         }
-        assert_eq!(known, 15);
+        assert_eq!(known, 16);
     }
 }

@@ -54,15 +54,9 @@ pub fn map(
     listener: &dyn Listener,
 ) -> Result<MapResult, String> {
     let work = Work::new(study, known, control, listener);
-    if threads == Some(1) {
-        work.go();
-    } else {
-        let pool = rayon::ThreadPoolBuilder::new()
-            .num_threads(threads.unwrap_or(0))
-            .build()
-            .map_err(|error| format!("cannot start the threads of the map: {error}"))?;
-        pool.broadcast(|_| work.go());
-    }
+    let cores = || std::thread::available_parallelism().map_or(1, usize::from);
+    work.go_with(threads.unwrap_or_else(cores))
+        .map_err(|error| format!("cannot start the threads of the map: {error}"))?;
     match work.trouble.into_inner() {
         Ok(Some(message)) => Err(message),
         _ => Ok(assemble(study, lock(&work.rows).split_off(&0))),
@@ -130,15 +124,26 @@ impl<'w> Work<'w> {
         }
     }
 
+    /// All threads take cells; the calling one is the first of them.
+    fn go_with(&self, threads: usize) -> std::io::Result<()> {
+        std::thread::scope(|scope| {
+            for _ in 1..threads {
+                let started = std::thread::Builder::new().spawn_scoped(scope, || self.go());
+                if let Err(error) = started {
+                    self.stop.store(true, Relaxed);
+                    return Err(error);
+                }
+            }
+            self.go();
+            Ok(())
+        })
+    }
+
     /// Takes cells until there are none, or the map is stopped.
     fn go(&self) {
         let mut scenes = Scenes::new(self.study);
         loop {
-            let interrupted = self
-                .control
-                .interrupt
-                .is_some_and(|flag| flag.load(Relaxed));
-            if interrupted || self.stop.load(Relaxed) {
+            if self.control.is_spent() || self.stop.load(Relaxed) {
                 return;
             }
             let number = self.next.fetch_add(1, Relaxed);
@@ -239,6 +244,7 @@ mod tests {
             panels: Panels::default(),
             figure: None,
             check_determined: true,
+            digits: 7,
         }
     }
 
@@ -249,10 +255,7 @@ mod tests {
         let study = Study::new(&document, &BuiltIn, question(&endless)).unwrap();
         for threads in [1, 2] {
             let told = AtomicBool::new(false);
-            let control = Control {
-                interrupt: Some(&told),
-                ..Control::default()
-            };
+            let control = Control::interrupted_by(&told);
             let begun = Instant::now();
             let found = std::thread::scope(|scope| {
                 scope.spawn(|| {

@@ -24,8 +24,16 @@ struct Head {
     hash: String,
 }
 
-/// Cells in a line: value, verdict, cause, how far it moves, rigid margin.
-type Stored = (Option<f64>, Verdict, String, Option<f64>, Option<f64>);
+/// Cells in a line: value, verdict, cause, how far it moves, whether it is
+/// determined, rigid margin.
+type Stored = (
+    Option<f64>,
+    Verdict,
+    String,
+    Option<f64>,
+    Option<bool>,
+    Option<f64>,
+);
 
 /// One row.
 #[derive(Debug, Deserialize, Serialize)]
@@ -46,7 +54,7 @@ pub struct Journal {
 /// The first line of a study's journal.
 pub fn head(study: &Study<'_>) -> String {
     line(&Head {
-        dam_map: 1,
+        dam_map: 2,
         hash: study.hash.clone(),
     })
 }
@@ -59,6 +67,7 @@ pub fn row(row: usize, cells: &[Cell]) -> String {
             cell.verdict,
             cell.cause.clone(),
             cell.moved,
+            cell.determined,
             cell.rigid_margin,
         )
     };
@@ -138,12 +147,13 @@ fn body<T: for<'de> Deserialize<'de>>(line: &[u8]) -> Option<T> {
     (found == digest(body)).then(|| serde_json::from_str(body).ok())?
 }
 
-fn restored((value, verdict, cause, moved, rigid_margin): Stored) -> Cell {
+fn restored((value, verdict, cause, moved, determined, rigid_margin): Stored) -> Cell {
     Cell {
         value,
         verdict,
         cause,
         moved,
+        determined,
         rigid_margin,
     }
 }

@@ -125,7 +125,7 @@ fn in_words(evidence: &Evidence<'_>, pair: &PairFigures) -> String {
 }
 
 fn greatest(figures: &ObjectFigures) -> f64 {
-    figures.delta_max.abs().max(figures.delta_min.abs())
+    figures.delta_abs
 }
 
 /// Why an object that stays engaged is in resonance; `None`: it is not.
@@ -180,14 +180,13 @@ fn id(model: &Model, object: usize) -> &str {
 /// The natural frequency that lies nearest to a harmonic of `drive` (rad/s), in
 /// ratio, with the number of the harmonic and kΩ/ω.
 fn nearest_harmonic(system: &System, drive: f64) -> Option<(f64, u64, f64)> {
-    let modes = system.modes_of_vibration(Regime::Engaged);
-    let candidates = modes
-        .iter()
-        .filter(|mode| mode.frequency > 0.0)
-        .map(|mode| {
-            let harmonic = (mode.frequency / drive).round().max(1.0);
-            let ratio = harmonic * drive / mode.frequency;
-            (mode.frequency, harmonic as u64, ratio)
+    let frequencies = system.natural_frequencies(Regime::Engaged).into_iter();
+    let candidates = frequencies
+        .filter(|&frequency| frequency > 0.0)
+        .map(|frequency| {
+            let harmonic = (frequency / drive).round().max(1.0);
+            let ratio = harmonic * drive / frequency;
+            (frequency, harmonic as u64, ratio)
         });
     candidates.min_by(|a, b| (a.2 - 1.0).abs().total_cmp(&(b.2 - 1.0).abs()))
 }

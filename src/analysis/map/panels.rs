@@ -1,5 +1,6 @@
 //! Several maps in one study: `--panels`.
 
+use crate::analysis::list::ValueList;
 use serde::Serialize;
 
 /// Most panels of a study.
@@ -84,12 +85,8 @@ fn joined(outer: &Panel, inner: &Panel) -> Panel {
 fn parse_one(text: &str) -> Result<Vec<Panel>, String> {
     let mut panels: Vec<Panel> = Vec::new();
     for (index, list) in text.split(';').enumerate() {
-        let (path, values) = list.split_once('=').ok_or("no `=`")?;
-        let path = path.trim();
-        let values: Vec<&str> = values.split(',').map(str::trim).collect();
-        if path.is_empty() || values.iter().any(|value| value.is_empty()) {
-            return Err("an address or a value is missing".to_owned());
-        }
+        let list = ValueList::parse(list)?;
+        let (path, values) = (list.path.as_str(), &list.values);
         let twice = |panel: &Panel| {
             panel
                 .settings
@@ -150,10 +147,24 @@ mod tests {
     }
 
     #[test]
+    fn a_unit_after_the_last_value_is_that_of_all() {
+        let found = parse(&["a.preload=100,250 N; d.speed=1,5 rev/s"]).unwrap();
+        assert_eq!(
+            found.panels[0].settings,
+            ["a.preload=100 N", "d.speed=1 rev/s"]
+        );
+        assert_eq!(
+            found.panels[1].label,
+            "a.preload = 250 N, d.speed = 5 rev/s"
+        );
+    }
+
+    #[test]
     fn what_is_wrong_is_said() {
         for (text, word) in [
             ("a.b", "no `=`"),
             ("=1,2", "missing"),
+            ("a.b=1 N,2", "`2` has no unit"),
             ("a.b=1,,2", "missing"),
             ("a.b=1,2; c.d=1", "1 values"),
             ("a.b=1,2; a.b=3,4", "`a.b` is varied twice"),

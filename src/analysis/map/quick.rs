@@ -15,7 +15,7 @@ use super::rigid::RigidMotion;
 use super::study::Study;
 use super::verdict::Verdict;
 use crate::analysis::exact::{Quick, QuickRun, whole_with};
-use crate::analysis::spread::{CHANGE, DETERMINED, changed_loads};
+use crate::analysis::spread::{CHANGE, changed_loads};
 use crate::analysis::{Control, RunSettings};
 use crate::exact::{Asked, KeptLaws};
 use crate::fault::Fault;
@@ -24,7 +24,6 @@ use crate::model::{Closure, ObjectPart};
 use crate::record::{ObjectFigures, drive_cycle};
 use crate::system::System;
 use std::cell::RefCell;
-use std::sync::atomic::Ordering::Relaxed;
 
 /// Samples in a cycle where the last cycles are looked at.
 const SAMPLES: f64 = 256.0;
@@ -83,12 +82,12 @@ pub(super) fn answer(
     {
         let scale = quick_scale(figures[object], name, run.time);
         match task.moves(value, scale) {
-            Some(moved) => mark(&mut cell, moved, DETERMINED),
+            Some(moved) => mark(&mut cell, moved, study.precision()),
             None => return Some(Ok(None)),
         }
     }
     // What was interrupted in between may have been judged by half of it.
-    let interrupted = control.interrupt.is_some_and(|flag| flag.load(Relaxed));
+    let interrupted = control.is_spent();
     Some(Ok((!interrupted).then_some(cell)))
 }
 
@@ -203,10 +202,7 @@ impl Task<'_> {
             };
             task.propagate(0)?.ok()
         });
-        if run
-            .as_ref()
-            .is_some_and(|run| run.stop == Stop::Interrupted)
-        {
+        if run.as_ref().is_some_and(|run| run.stop.is_from_outside()) {
             return None;
         }
         let nothing = ObjectFigures::default();
@@ -222,12 +218,11 @@ impl Task<'_> {
 fn failed(run: &QuickRun) -> Option<Option<Cell>> {
     let why = match &run.stop {
         Stop::Complete => return None,
-        Stop::Interrupted => return Some(None),
+        Stop::Interrupted | Stop::WallClock { .. } => return Some(None),
         Stop::TooManySwitches { bound } => format!("more than {bound} switches"),
         Stop::TooManySteps { bound } => {
             format!("more than {bound} steps in the search for switches")
         }
-        Stop::WallClock { limit } => format!("it took longer than {limit:?}"),
         other => format!("{other:?}"),
     };
     let cause = format!(

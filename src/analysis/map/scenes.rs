@@ -6,7 +6,7 @@ use super::study::Study;
 use crate::diagnostics::Diagnostics;
 use crate::exact::KeptLaws;
 use crate::model::Model;
-use crate::scene::{Scene, Variation};
+use crate::scene::{TypedScene, Variation};
 use crate::system::Sampled;
 use std::cell::RefCell;
 use std::sync::Arc;
@@ -71,7 +71,7 @@ impl<'s> Scenes<'s> {
         &mut self,
         panel: usize,
         cell: usize,
-        to: impl FnOnce(Result<(&Scene, &mut Kept), Diagnostics>) -> T,
+        to: impl FnOnce(Result<(&TypedScene, &mut Kept), Diagnostics>) -> T,
     ) -> T {
         let settings = self.study.varied(cell);
         let before = self.bench.take().filter(|(of, _)| *of == panel);

@@ -29,11 +29,13 @@ pub struct Question {
     pub y: Option<Axis>,
     /// The maps.
     pub panels: Panels,
-    /// Address of the figure; `None`: δ_max of the last elastic object.
+    /// Address of the figure; `None`: the greatest |δ| of the last elastic object.
     pub figure: Option<String>,
     /// True: every cell is run a second time with its loads changed by one part
     /// in 10¹⁰, to see whether its figure is determined.
     pub check_determined: bool,
+    /// Digits to which a figure is to be known, so as to count as determined.
+    pub digits: u8,
 }
 
 /// A question about a scene, found to make sense.
@@ -56,12 +58,14 @@ pub struct Study<'a> {
     /// Address of the figure.
     pub figure: String,
     /// Its SI unit; empty for counts and answers.
-    pub unit: &'static str,
+    pub unit: String,
     /// Units in which the x and the y parameter are written: those of the axes,
     /// else the SI unit where it is known, else empty.
     pub parameter_units: [String; 2],
     /// See [`Question::check_determined`].
     pub check_determined: bool,
+    /// See [`Question::digits`].
+    pub digits: u8,
     /// SHA-256 (hex) of everything that the results depend on: version of the
     /// program, text of the scene, what its `from` copies, and the question.
     pub hash: String,
@@ -102,9 +106,10 @@ impl<'a> Study<'a> {
             y: question.y,
             panels: question.panels,
             figure: question.figure.unwrap_or_default(),
-            unit: "",
+            unit: String::new(),
             parameter_units: Default::default(),
             check_determined: question.check_determined,
+            digits: question.digits,
             hash: String::new(),
         };
         let mut hashes = Vec::new();
@@ -183,7 +188,7 @@ impl<'a> Study<'a> {
         let model = system.model();
         check_figure(&self.figure, model).map_err(|fault| {
             let hint = match fault.hint.is_empty() {
-                true => "write object.figure, for example rocker.delta_max",
+                true => "write object.figure, for example rocker.delta_abs",
                 false => fault.hint.as_str(),
             };
             StudyFault::Question(format!("{}; {hint}", fault.message))
@@ -208,6 +213,7 @@ impl<'a> Study<'a> {
             "panels": self.panels,
             "figure": self.figure,
             "check_determined": self.check_determined,
+            "digits": self.digits,
         });
         let mut hash = String::new();
         for byte in Sha256::digest(all.to_string().as_bytes()) {
@@ -215,6 +221,12 @@ impl<'a> Study<'a> {
             let _ = write!(hash, "{byte:02x}");
         }
         hash
+    }
+
+    /// How far a figure may move, as a share of its scale, and still be known to
+    /// the digits asked for.
+    pub(super) fn precision(&self) -> f64 {
+        10f64.powi(-i32::from(self.digits))
     }
 
     /// Decodes a cell's scene.

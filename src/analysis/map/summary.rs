@@ -28,6 +28,8 @@ pub struct PanelSummary {
     pub label: String,
     /// Number of cells of each verdict that occurs.
     pub verdicts: BTreeMap<Verdict, usize>,
+    /// Cells whose figure is not known to the digits asked for.
+    pub undetermined: usize,
     /// Cells that are not known, because the map was interrupted.
     pub missing: usize,
     /// Least value; `None` when no cell has one.
@@ -48,6 +50,11 @@ pub fn summary(study: &Study<'_>, result: &MapResult) -> Vec<PanelSummary> {
             PanelSummary {
                 label: panel.label.clone(),
                 verdicts,
+                undetermined: cells
+                    .iter()
+                    .flatten()
+                    .filter(|cell| cell.determined == Some(false))
+                    .count(),
                 missing: cells.iter().filter(|cell| cell.is_none()).count(),
                 least: extreme(study, cells, |new, old| new < old),
                 greatest: extreme(study, cells, |new, old| new > old),

@@ -51,9 +51,6 @@ pub enum Verdict {
     Resonance,
     /// The mechanism cannot go on: a dead position.
     Stopped,
-    /// A change of the loads by one part in 10¹⁰ moves the figure by more than
-    /// one part in 10⁷ of its scale.
-    NotDetermined,
     /// The computation failed: the method gave up, a number was not finite, the
     /// energies do not balance, or the budget of steps or switches was spent (no
     /// other method is tried then). The energies of a cell that is propagated in
@@ -69,8 +66,6 @@ pub enum Verdict {
 pub enum Family {
     /// The mechanism.
     Mechanism,
-    /// The question: its answer hangs on what nobody can know.
-    Question,
     /// The computation.
     Computation,
     /// The scene.
@@ -79,7 +74,7 @@ pub enum Family {
 
 impl Verdict {
     /// All verdicts, in the order of legends.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 9] = [
         Self::InWorkingOrder,
         Self::LiftOffDiesAway,
         Self::LiftOff,
@@ -87,7 +82,6 @@ impl Verdict {
         Self::ThrownOff,
         Self::Resonance,
         Self::Stopped,
-        Self::NotDetermined,
         Self::NumericalFailure,
         Self::Refused,
     ];
@@ -102,7 +96,6 @@ impl Verdict {
             Self::ThrownOff => "thrown_off",
             Self::Resonance => "resonance",
             Self::Stopped => "stopped",
-            Self::NotDetermined => "not_determined",
             Self::NumericalFailure => "numerical_failure",
             Self::Refused => "refused",
         }
@@ -123,7 +116,6 @@ impl Verdict {
             Self::ThrownOff => "thrown off",
             Self::Resonance => "resonance",
             Self::Stopped => "dead position",
-            Self::NotDetermined => "not determined",
             Self::NumericalFailure => "computation failed",
             Self::Refused => "no such mechanism",
         }
@@ -132,7 +124,6 @@ impl Verdict {
     /// What the verdict speaks of.
     pub fn family(self) -> Family {
         match self {
-            Self::NotDetermined => Family::Question,
             Self::NumericalFailure => Family::Computation,
             Self::Refused => Family::Scene,
             _ => Family::Mechanism,

@@ -86,10 +86,7 @@ impl Attempt {
 
     /// Runs once more with the recorder, for the figures.
     fn record(&mut self, problem: &Problem<'_>, effort: &Effort<'_>) {
-        let control = Control {
-            wall_clock: Some(effort.limit * RECORDED_TAKES),
-            ..effort.control
-        };
+        let control = effort.control.within(effort.limit * RECORDED_TAKES);
         let settings = problem.with(self.method, self.setting);
         let recorded = run(problem.system, &settings, &control, &mut []);
         self.figures = recorded
@@ -106,10 +103,7 @@ impl Attempt {
         effort: &Effort<'_>,
     ) -> Self {
         let settings = problem.with(method, setting);
-        let control = Control {
-            wall_clock: Some(effort.limit),
-            ..effort.control
-        };
+        let control = effort.control.within(effort.limit);
         let run = light_run(
             problem.system,
             problem.tracks,
@@ -135,10 +129,7 @@ impl Attempt {
         let settings = problem.with(self.method, self.setting);
         let limit = effort.limit.as_secs_f64().min(MOST_REPEATING);
         while self.seconds.len() < effort.repeats && self.seconds.iter().sum::<f64>() < limit {
-            let control = Control {
-                wall_clock: Some(effort.limit * 2),
-                ..effort.control
-            };
+            let control = effort.control.within(effort.limit * 2);
             let again = light_run(
                 problem.system,
                 problem.tracks,

@@ -268,7 +268,7 @@ fn exact_run(
 fn greatest(run: &exact::QuickRun, object: usize) -> f64 {
     let own = run.objects.iter().find(|own| own.object == object);
     let figures = own.and_then(|own| own.figures.as_ref());
-    figures.map_or(0.0, |figures| figures.delta_max.max(-figures.delta_min))
+    figures.map_or(0.0, |figures| figures.delta_abs)
 }
 
 /// Every reason against a method, in one line.

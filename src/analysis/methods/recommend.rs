@@ -1,6 +1,7 @@
 //! Which method to take for the asked accuracy.
 
 use super::study::MethodLine;
+use crate::order::Total;
 use serde::Serialize;
 
 /// The fastest point with an error within the asked accuracy.
@@ -32,7 +33,7 @@ pub fn recommend(lines: &[MethodLine], accuracy: f64) -> Recommendation {
     let fit = points().filter(|(_, p)| p.error.is_some_and(|error| error <= accuracy));
     let seconds = |point: &super::Point| point.measured_seconds.unwrap_or(f64::INFINITY);
     let mut ranked: Vec<_> = fit.collect();
-    ranked.sort_by(|a, b| seconds(a.1).total_cmp(&seconds(b.1)));
+    ranked.sort_by_cached_key(|(_, point)| Total(seconds(point)));
     let Some((line, point)) = ranked.first() else {
         // The error of the reference is how far the next one is from it: no distance
         // from the truth by which it could be the nearest.

@@ -14,7 +14,6 @@ use crate::fault::Fault;
 use crate::integrate::Method;
 use crate::system::{InitialState, System};
 use serde::Serialize;
-use std::sync::atomic::Ordering;
 use std::time::Duration;
 
 /// What to try.
@@ -139,14 +138,11 @@ pub fn study(
     let (own, complete) = attempts(&problem, plan, &spectrum, &effort, progress);
     let attempts: Vec<Attempt> = beside.into_iter().chain(own).collect();
     // What was done before an interrupt is still judged; no limits are measured.
-    let interrupt = control.interrupt.filter(|_| complete);
-    let effort = Effort {
-        control: Control {
-            interrupt,
-            ..*control
-        },
-        ..effort
+    let control = match complete {
+        true => *control,
+        false => Control::FREE,
     };
+    let effort = Effort { control, ..effort };
     let found = find(&problem, &attempts, &effort);
     let mut methods = lines(system, plan, &spectrum, &attempts, found.as_ref().ok());
     if let (Ok(truth), true) = (&found, complete) {
@@ -231,8 +227,7 @@ fn attempts(
                 setting,
             });
             let attempt = Attempt::new(problem, method, setting, effort);
-            let flag = effort.control.interrupt;
-            if attempt.was_interrupted() || flag.is_some_and(|f| f.load(Ordering::Relaxed)) {
+            if attempt.was_interrupted() || effort.control.is_spent() {
                 return (attempts, false);
             }
             let last = attempt.ends_ladder();

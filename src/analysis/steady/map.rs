@@ -1,7 +1,8 @@
 //! The map of the state over a period of the drive, and its derivative.
 
 use super::sink::{Grid, Last};
-use crate::exact::{Cursor, PairState, Part, Request, TreeProblem};
+use crate::budget::Budget;
+use crate::exact::{Cursor, ExactRun, ExactTree, Halt, PairState, Part, Request, TreeProblem};
 use crate::integrate::{Dynamics, Limits, Method, Settings, Sink, Stop, integrate};
 use crate::system::System;
 use nalgebra::DMatrix;
@@ -48,9 +49,9 @@ impl<'a> TreeMap<'a> {
         let tree = part.tree_at(&state[..n], &state[n..]);
         let request = Request {
             all_masses: true,
-            ..Request::new(period, 256)
+            ..request(period, 256)
         };
-        let run = tree.run(&request).map_err(|refusal| refusal.reason)?;
+        let run = whole(&tree, &request)?;
         let mut scales: Vec<f64> = state.iter().map(|entry| entry.abs()).collect();
         for row in run.samples.chunks_exact(2 * n) {
             for (scale, value) in scales.iter_mut().zip(row) {
@@ -72,12 +73,7 @@ impl Map for TreeMap<'_> {
     fn apply(&self, state: &[f64], time: f64) -> Result<Vec<f64>, String> {
         let n = self.masses();
         let tree = self.part.tree_at(&state[..n], &state[n..]);
-        let run = tree
-            .run(&Request::new(time, 0))
-            .map_err(|refusal| refusal.reason)?;
-        if !run.complete {
-            return Err(format!("too many switches before t = {} s", run.time));
-        }
+        let run = whole(&tree, &request(time, 0))?;
         Ok(run.displacement.into_iter().chain(run.speed).collect())
     }
 
@@ -88,6 +84,9 @@ impl Map for TreeMap<'_> {
         let mut cursor = Cursor::new(&tree, time).map_err(|refusal| refusal.reason)?;
         let mut product = DMatrix::identity(2 * n, 2 * n);
         while cursor.advance().map_err(|refusal| refusal.reason)? {
+            if cursor.counts().0 > MOST_STEPS {
+                return Err(crawling(cursor.time()));
+            }
             let phase = (rates(problem, cursor.states()) * cursor.length()).exp();
             product = phase * product;
             if let Some(switch) = cursor.switch()
@@ -107,9 +106,9 @@ impl Map for TreeMap<'_> {
         let tree = self.part.tree_at(&state[..n], &state[n..]);
         let request = Request {
             all_masses: true,
-            ..Request::new(time, count)
+            ..request(time, count)
         };
-        let run = tree.run(&request).map_err(|refusal| refusal.reason)?;
+        let run = whole(&tree, &request)?;
         let column = |mass: usize| {
             run.samples
                 .iter()
@@ -128,6 +127,34 @@ impl Map for TreeMap<'_> {
     fn how(&self) -> &'static str {
         "exact propagation of the variations through every switch"
     }
+}
+
+/// Most phases, and most steps of the search for switches, of a map: a mode that
+/// vibrates so often in a turn would be followed for hours.
+const MOST_STEPS: u64 = 1_000_000;
+
+fn request(end: f64, samples: usize) -> Request {
+    Request {
+        all_steps: MOST_STEPS,
+        ..Request::new(end, samples)
+    }
+}
+
+/// A run to its end.
+fn whole(tree: &ExactTree, request: &Request) -> Result<ExactRun, String> {
+    let run = tree.run(request).map_err(|refusal| refusal.reason)?;
+    match run.halt {
+        None => Ok(run),
+        Some(Halt::Switches) => Err(format!("too many switches before t = {} s", run.time)),
+        Some(Halt::Steps | Halt::Told) => Err(crawling(run.time)),
+    }
+}
+
+fn crawling(time: f64) -> String {
+    format!(
+        "its fastest mode makes exact propagation crawl: after {MOST_STEPS} steps it stands at \
+         t = {time:e} s"
+    )
 }
 
 /// The matrix of the variations between switches: (δq, δq̇)′ = A·(δq, δq̇).
@@ -255,8 +282,7 @@ impl SystemMap<'_> {
         let limits = Limits {
             switches: 1_000_000,
             steps: 10_000_000,
-            wall_clock: None,
-            interrupt: None,
+            budget: Budget::FREE,
         };
         let outcome = integrate(
             self.system,

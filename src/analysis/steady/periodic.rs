@@ -8,6 +8,7 @@ use crate::exact::Parts;
 use crate::fault::Fault;
 use crate::integrate::Dynamics;
 use crate::model::Coordinate;
+use crate::order::Total;
 use crate::record::drive_cycle;
 use crate::scene::SteadySpec;
 use crate::system::System;
@@ -126,7 +127,7 @@ fn multipliers(monodromy: &DMatrix<f64>) -> Vec<Multiplier> {
             modulus: value.re.hypot(value.im),
         })
         .collect();
-    found.sort_by(|a, b| b.modulus.total_cmp(&a.modulus).then(b.im.total_cmp(&a.im)));
+    found.sort_by_cached_key(|one| [one.modulus, one.im].map(|x| Total(-x)));
     found
 }
 

@@ -3,6 +3,7 @@
 use super::machine::freed;
 use super::rigid::RigidAnswer;
 use super::sink::Last;
+use crate::budget::Budget;
 use crate::integrate::{Dynamics, Limits, Method, Settings, Stop, integrate};
 use crate::model::Model;
 use crate::system::System;
@@ -71,8 +72,7 @@ pub(super) fn simulate(
     let limits = Limits {
         switches: 1_000_000,
         steps: 1_000_000,
-        wall_clock: None,
-        interrupt: None,
+        budget: Budget::FREE,
     };
     // Not at the end of a cycle, where tables like to have their points.
     let end = (f64::from(cycles) - 0.382) * answer.figures.period;

@@ -151,7 +151,7 @@ impl DiscCam {
     /// Least prime radius of a translating roller follower with an offset.
     fn prime_for_pressure(&self, limits: PressureLimits, offset: f64) -> f64 {
         let motion = self.motion();
-        let needed = greatest(motion, |piece, phi| {
+        let needed = greatest(motion, &|piece, phi| {
             let jet = motion.jet(piece, phi);
             (jet.first - offset).abs() / limits.tangent(jet.first) - jet.value
         });
@@ -167,7 +167,7 @@ impl DiscCam {
     /// Greatest |tan α| by the tangent of the limit in force, and where.
     fn pressure_share(&self, limits: PressureLimits) -> At {
         let motion = self.motion();
-        greatest(motion, |piece, phi| {
+        greatest(motion, &|piece, phi| {
             let pressure = self.touch(piece, phi).pressure;
             pressure.abs() / limits.tangent(motion.jet(piece, phi).first)
         })

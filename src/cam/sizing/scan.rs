@@ -39,7 +39,7 @@ impl DiscCam {
                 best = (base(place), value);
             }
             let edge = |other: usize| match values[other].is_finite() {
-                true => base(root(excess, places[other], place)),
+                true => base(root(&excess, places[other], place)),
                 false => base(place),
             };
             let before = index.checked_sub(1).filter(|&other| values[other] > 0.0);

@@ -1,6 +1,6 @@
 //! Arguments of `dam cam`.
 
-use super::{OutArgs, SceneArgs, positive_seconds};
+use super::{OutArgs, SceneArgs};
 use clap::{Args, ValueEnum};
 
 /// Arguments of `dam cam`.
@@ -45,9 +45,6 @@ pub(crate) struct CamArgs {
     pub(crate) form: CamForm,
     #[command(flatten)]
     pub(crate) out: OutArgs,
-    /// End each run after this much wall-clock time (seconds)
-    #[arg(long, value_name = "SECONDS", value_parser = positive_seconds)]
-    pub(crate) time_limit: Option<f64>,
 }
 
 /// Forms of output.

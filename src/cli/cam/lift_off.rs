@@ -4,7 +4,7 @@ use crate::cli::args::CamArgs;
 use crate::cli::console;
 use crate::cli::failure::Failure;
 use crate::cli::input::{Input, Ready};
-use crate::cli::run::control;
+use crate::cli::interrupt;
 use dam::analysis::cam::{CamForce, Steady, steady_contact};
 use dam::analysis::law::{LiftOff, lift_off};
 use dam::model::{Closure, Model, NodeMotion};
@@ -60,14 +60,13 @@ pub(super) fn search(
     // The scene's own ratio from drive to cam: another --speed scales both.
     let scene_force = CamForce::new(model, object, force.cam(), None);
     let ratio = scene_force.map_or(1.0, |scene| scene.speed() / speed);
-    let control = control(args.time_limit);
     let opens = |cam_speed: f64| -> Result<bool, Ended> {
         let tried = cam_speed / ratio.abs() * speed.signum();
         if !args.scene.quiet {
             console::talk(&format!("run at {cam_speed:.6} rad/s of the cam"));
         }
         let one = input.prepare(&[format!("{}.motion.speed={tried}", drive.id)])?;
-        let found = steady_contact(&one.system, object, &one.settings, &control)
+        let found = steady_contact(&one.system, object, &one.settings, interrupt::budget())
             .map_err(|faults| one.reading.places.diagnose(&faults))?;
         match found {
             Steady::Closed => Ok(false),

@@ -7,8 +7,9 @@ use super::args::{CamArgs, CamForm};
 use super::console;
 use super::failure::{Failure, Status};
 use super::input::{Input, Ready};
+use super::interrupt;
 use super::law::told;
-use super::output::{OutputFolder, ResultFile};
+use super::output::{self, OutputFolder, ResultFile};
 use dam::analysis::cam::{CamFigures, CamForce, disc_cam, figures, objects_with_cam};
 use dam::cam::DiscCam;
 use dam::report::cam::{
@@ -56,6 +57,7 @@ pub(crate) fn command(args: &CamArgs) -> Result<Status, Failure> {
     let mut found =
         figures(&cam, &asked.question, force_or_why).map_err(|faults| told(&faults, "--"))?;
     let mut status = Status::Answered;
+    let _keeping = args.lift_off.then(interrupt::keep);
     if args.lift_off {
         match lift_off::search(args, &input, &ready, &id, force.as_ref().ok())? {
             Some(speed) => {
@@ -63,7 +65,7 @@ pub(crate) fn command(args: &CamArgs) -> Result<Status, Failure> {
                     force.elastic = Some(speed);
                 }
             }
-            None => status = Status::Interrupted,
+            None => status = interrupt::status(),
         }
     }
     let curves = curves(&cam, asked.tolerance, asked.cutter);
@@ -76,13 +78,12 @@ pub(crate) fn command(args: &CamArgs) -> Result<Status, Failure> {
         curves: curves.map_err(|fault| told(&[fault], "--"))?,
         tolerance: asked.tolerance,
     };
-    if let Some(folder) = &folder {
-        folder.write("cam", &ready.scene().hash, &found.files(&input)?)?;
-    }
-    match args.scene.json {
-        true => console::json(&found.document())?,
+    let show = || match args.scene.json {
+        true => console::json(&found.document()),
         false => console::data(&found.shown(args.form)?),
-    }
+    };
+    let (hash, files) = (&ready.scene().hash, || found.files(&input));
+    output::deliver(folder.as_ref(), "cam", hash, files, show)?;
     if let (Some(folder), false) = (&folder, args.scene.quiet) {
         folder.tell_report();
     }

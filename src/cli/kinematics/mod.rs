@@ -6,7 +6,7 @@ use super::console;
 use super::expected;
 use super::failure::{Failure, Status};
 use super::input::{Input, Ready};
-use super::output::{OutputFolder, ResultFile};
+use super::output::{self, OutputFolder, ResultFile};
 use dam::analysis::expectations::Verdict;
 use dam::analysis::kinematics::{
     Asked, Kinematics, Over, Question, Subject, kinematics, whole_travel,
@@ -21,6 +21,7 @@ use dam::report::kinematics::{
     KinematicsReport, document, drawing, kinematics_csv, page, picture, text,
 };
 use dam::units::quantities as q;
+use dam::units::with_common_unit;
 
 const FILES: [&str; 4] = [
     "kinematics.csv",
@@ -43,11 +44,10 @@ pub(crate) fn command(args: &KinematicsArgs) -> Result<Status, Failure> {
     let folder = OutputFolder::asked(&args.out, &ready.scene().name, &FILES)?;
     let found = kinematics(&asked);
     let verdicts = verdicts(args, &ready, &found);
-    if let Some(folder) = &folder {
-        let files = files(&input, &ready, &found, &verdicts)?;
-        folder.write("kinematics", &ready.scene().hash, &files)?;
-    }
-    show(args, &ready, &found, &verdicts, question.also)?;
+    let files = || files(&input, &ready, &found, &verdicts);
+    let show = || show(args, &ready, &found, &verdicts, question.also);
+    let hash = &ready.scene().hash;
+    output::deliver(folder.as_ref(), "kinematics", hash, files, show)?;
     if !args.scene.quiet {
         for warning in &found.warnings {
             console::talk(&format!("warning: {warning}"));
@@ -92,7 +92,7 @@ fn show(
     if let Some(at) = also {
         let row = found.axis.values.iter().position(|&place| place == at);
         match row {
-            Some(row) => console::data(&picture(found, row)),
+            Some(row) => console::data(&picture(found, row))?,
             None => {
                 return Err("the linkage cannot be assembled at that place"
                     .to_owned()
@@ -103,9 +103,9 @@ fn show(
         let document = document(&scene.name, &scene.hash, found);
         console::json(&expected::beside(document, verdicts))?;
     } else if args.csv {
-        console::data(&kinematics_csv(found).map_err(|error| error.to_string())?);
+        console::data(&kinematics_csv(found).map_err(|error| error.to_string())?)?;
     } else {
-        console::data(&text(&scene.name, found));
+        console::data(&text(&scene.name, found))?;
     }
     Ok(())
 }
@@ -181,20 +181,15 @@ fn place(
 
 /// `FROM:TO`, each with its unit or the last unit for both.
 pub(super) fn range_of(text: &str, own: Measures) -> Result<Over, Failure> {
-    let Some((from, to)) = text.split_once(':') else {
-        let message = format!("--range {text}: give FROM:TO, as 0:180 deg");
-        return Err(Failure::Other(message));
+    let wrong = |what: &str| {
+        let message = format!("--range {text}: {what}; give FROM:TO, as 0:180 deg");
+        Failure::Other(message)
     };
-    let bare = |text: &str| text.trim().parse::<f64>().is_ok();
-    let unit = to.trim().trim_start_matches(|c: char| !c.is_alphabetic());
-    let from = if bare(from) && !bare(to) {
-        format!("{} {unit}", from.trim())
-    } else {
-        from.trim().to_owned()
-    };
+    let ends = text.split_once(':').ok_or_else(|| wrong("no `:`"))?;
+    let ends = with_common_unit(&[ends.0, ends.1]).map_err(|what| wrong(&what))?;
     Ok(Over::Range {
-        from: quantity("--range", &from, own.displacement())?,
-        to: quantity("--range", to.trim(), own.displacement())?,
+        from: quantity("--range", &ends[0], own.displacement())?,
+        to: quantity("--range", &ends[1], own.displacement())?,
     })
 }
 

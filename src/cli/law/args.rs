@@ -1,6 +1,6 @@
 //! Arguments of `dam law …`.
 
-use crate::cli::args::{SceneArgs, positive_seconds};
+use crate::cli::args::SceneArgs;
 use clap::{Args, Subcommand, ValueEnum};
 
 /// Commands on laws of motion.
@@ -158,9 +158,6 @@ pub(crate) struct CompareArgs {
     /// Print a table as CSV
     #[arg(long, conflicts_with = "json")]
     pub(crate) csv: bool,
-    /// End each run after this much wall-clock time (seconds)
-    #[arg(long, value_name = "SECONDS", value_parser = positive_seconds)]
-    pub(crate) time_limit: Option<f64>,
 }
 
 /// Figures of the response.

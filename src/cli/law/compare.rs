@@ -5,10 +5,10 @@ use super::told;
 use crate::cli::console;
 use crate::cli::failure::{Failure, Status};
 use crate::cli::input::{Input, Ready};
-use crate::cli::run::{control, run_with_progress};
+use crate::cli::interrupt;
+use crate::cli::run::run_with_progress;
+use dam::analysis::RunSettings;
 use dam::analysis::law::{ComparedLaw, Figure, LawResponse, lift_off, response};
-use dam::analysis::{Control, RunSettings};
-use dam::integrate::Stop;
 use dam::model::{Model, NodeMotion};
 use dam::motion::{DriveMotion, Law, LawName};
 use dam::object::law::stroke_law;
@@ -28,19 +28,19 @@ const MOST: usize = 30;
 pub(super) fn command(args: &CompareArgs) -> Result<Status, Failure> {
     let names = laws(args)?;
     let input = Input::load(&args.scene)?;
-    let control = control(args.time_limit);
+    let mut keeping = None;
     let (mut compared, mut trusted, mut interrupted) = (Vec::new(), true, false);
     for name in &names {
         let one = Comparison {
             input: &input,
             args,
-            control: &control,
             law: format!("{}={}", args.at, quoted(name)),
         };
         let spec = stroke_law(name)?;
         let law = Law::of_stroke(&spec).map_err(|faults| told(&faults, ""))?;
         match one.response()? {
             Some((found, sound)) => {
+                keeping.get_or_insert_with(interrupt::keep);
                 trusted &= sound;
                 compared.push(ComparedLaw {
                     name: spec.words(),
@@ -62,12 +62,12 @@ pub(super) fn command(args: &CompareArgs) -> Result<Status, Failure> {
             .collect();
         console::json(&json!({ "dam": 1, "by": by.name(), "laws": compared, "places": places }))?;
     } else if args.csv {
-        console::data(&comparison_csv(&compared).map_err(|error| error.to_string())?);
+        console::data(&comparison_csv(&compared).map_err(|error| error.to_string())?)?;
     } else {
-        console::data(&comparison_text(&compared, by));
+        console::data(&comparison_text(&compared, by))?;
     }
     Ok(match (interrupted, trusted) {
-        (true, _) => Status::Interrupted,
+        (true, _) => interrupt::status(),
         (false, true) => Status::Answered,
         (false, false) => Status::NotTrusted,
     })
@@ -116,7 +116,6 @@ fn figure(by: RankBy) -> Figure {
 struct Comparison<'a> {
     input: &'a Input,
     args: &'a CompareArgs,
-    control: &'a Control<'a>,
     law: String,
 }
 
@@ -127,8 +126,8 @@ impl Comparison<'_> {
         let (object, drive, speed) = self.place(ready.system.model())?;
         let settings = settings(&ready, speed, SAMPLES);
         let quiet = self.args.scene.quiet;
-        let result = run_with_progress(&ready, &settings, self.control, quiet)?;
-        if result.outcome.stop == Stop::Interrupted {
+        let result = run_with_progress(&ready, &settings, interrupt::budget(), quiet)?;
+        if result.outcome.stop.is_from_outside() {
             return Ok(None);
         }
         if !result.is_complete() {
@@ -159,8 +158,8 @@ impl Comparison<'_> {
         let overrides = [self.law.clone(), format!("{drive}.motion.speed={speed}")];
         let ready = self.input.prepare(&overrides)?;
         let settings = settings(&ready, speed, 100);
-        let result = run_with_progress(&ready, &settings, self.control, true)?;
-        if result.outcome.stop == Stop::Interrupted {
+        let result = run_with_progress(&ready, &settings, interrupt::budget(), true)?;
+        if result.outcome.stop.is_from_outside() {
             return Err(Ended::Interrupted);
         }
         let id = &ready.system.model().objects[object].id;

@@ -47,15 +47,15 @@ pub(super) fn command(args: &CycleArgs) -> Result<(), Failure> {
                 "{}: {}",
                 part.id,
                 cycle_text(&found, units[0], units[1])
-            ));
+            ))?;
         }
         Form::Csv => {
             let text = cycle_csv(&law.position, law.lever, units, args.samples as usize);
-            console::data(&text.map_err(|error| error.to_string())?);
+            console::data(&text.map_err(|error| error.to_string())?)?;
         }
         Form::Svg => {
             let chart = cycle_chart(&part.id, &law.position, law.lever, &found, units[1]);
-            console::data(&chart.svg(PICTURE.0, PICTURE.1));
+            console::data(&chart.svg(PICTURE.0, PICTURE.1))?;
         }
     }
     Ok(())

@@ -57,17 +57,17 @@ fn list(args: &ListArgs) -> Result<(), Failure> {
     let rows: Vec<LawRow> = strokes.iter().map(|(row, _)| row.clone()).collect();
     if args.csv {
         let all: Vec<LawRow> = rows.into_iter().chain(run_ups).collect();
-        console::data(&constants_csv(&all).map_err(|error| error.to_string())?);
+        console::data(&constants_csv(&all).map_err(|error| error.to_string())?)?;
         return Ok(());
     }
-    console::data("Full strokes, from rest to rest; stroke 1, duration 1\n\n");
-    console::data(&constants_table(&rows));
-    console::data("\nRun-ups, from rest to uniform motion; run-outs are counted backwards\n\n");
-    console::data(&constants_table(&run_ups));
-    console::data("\nNames in the guideline VDI 2143\n\n");
+    console::data("Full strokes, from rest to rest; stroke 1, duration 1\n\n")?;
+    console::data(&constants_table(&rows))?;
+    console::data("\nRun-ups, from rest to uniform motion; run-outs are counted backwards\n\n")?;
+    console::data(&constants_table(&run_ups))?;
+    console::data("\nNames in the guideline VDI 2143\n\n")?;
     for (row, vdi) in strokes {
         if let Some(vdi) = vdi {
-            console::data(&format!("{:<20} {vdi}\n", row.name));
+            console::data(&format!("{:<20} {vdi}\n", row.name))?;
         }
     }
     Ok(())
@@ -111,11 +111,11 @@ fn show(args: &ShowArgs) -> Result<(), Failure> {
         return Ok(());
     }
     match args.form.form {
-        Form::Text => console::data(&law_text(&row, &law)),
-        Form::Csv => console::data(&law_csv(&law, samples).map_err(|error| error.to_string())?),
+        Form::Text => console::data(&law_text(&row, &law))?,
+        Form::Csv => console::data(&law_csv(&law, samples).map_err(|error| error.to_string())?)?,
         Form::Svg => {
             let chart = law_chart(&row.name, &law, &row.constants);
-            console::data(&chart.svg(PICTURE.0, PICTURE.1));
+            console::data(&chart.svg(PICTURE.0, PICTURE.1))?;
         }
     }
     Ok(())

@@ -47,20 +47,20 @@ pub(super) fn command(args: &SynthesizeArgs) -> Result<(), Failure> {
     }
     match args.form.form {
         Form::Text => {
-            console::data(&format!("{words}\n{}", stroke_text(&stroke, unit)));
+            console::data(&format!("{words}\n{}", stroke_text(&stroke, unit)))?;
             if let Some(changes) = against_none(&spec, &stroke) {
-                console::data(&changes_text(changes));
+                console::data(&changes_text(changes))?;
             }
             if let Skewness::Optimum(criterion) = spec.skewness {
                 let value = criterion.of(stroke.figures());
-                console::data(&format!("  {:<28} {value:>16e}\n", "criterion"));
+                console::data(&format!("  {:<28} {value:>16e}\n", "criterion"))?;
             }
         }
         Form::Csv => {
             let text = stroke_csv(&stroke, unit, args.form.samples as usize);
-            console::data(&text.map_err(|error| error.to_string())?);
+            console::data(&text.map_err(|error| error.to_string())?)?;
         }
-        Form::Svg => console::data(&stroke_chart(&words, &stroke).svg(PICTURE.0, PICTURE.1)),
+        Form::Svg => console::data(&stroke_chart(&words, &stroke).svg(PICTURE.0, PICTURE.1))?,
     }
     Ok(())
 }

@@ -8,8 +8,8 @@ use super::args::MethodsArgs;
 use super::console;
 use super::failure::{Failure, Status};
 use super::input::{Input, Ready};
-use super::output::OutputFolder;
-use super::run::control;
+use super::interrupt;
+use super::output::{self, OutputFolder};
 use bar::PointBar;
 use dam::analysis::Control;
 use dam::analysis::axis::Axis;
@@ -30,25 +30,22 @@ pub(crate) fn command(args: &MethodsArgs) -> Result<Status, Failure> {
     let ready = input.prepare(&further)?;
     let plan = plan(args, &ready)?;
     let folder = prepare_folder(args, &ready)?;
-    let control = control(None);
+    let control = interrupt::budget();
+    let hash = &ready.scene().hash;
     let complete = match &axis {
         None => {
-            let found = single(args, &ready, &plan, &control)?;
-            if let Some(folder) = &folder {
-                let files = files::of_study(input.text(), &ready, &found)?;
-                folder.write("methods", &ready.scene().hash, &files)?;
-            }
-            show(args, &found, || text::study(&found))?;
+            let found = single(args, &ready, &plan, control)?;
+            let files = || files::of_study(input.text(), &ready, &found);
+            let show = || show(args, &found, || text::study(&found));
+            output::deliver(folder.as_ref(), "methods", hash, files, show)?;
             found.complete
         }
         Some(axis) => {
-            let found = over(args, &input, &ready, axis, &plan, &control)?;
-            if let Some(folder) = &folder {
-                let files = files::of_sweep(input.text(), &ready, &found)?;
-                folder.write("methods", &ready.scene().hash, &files)?;
-            }
+            let found = over(args, &input, &ready, axis, &plan, control)?;
             let scene = &ready.scene().name;
-            show(args, &found, || text::sweep(scene, &plan.methods, &found))?;
+            let files = || files::of_sweep(input.text(), &ready, &found);
+            let show = || show(args, &found, || text::sweep(scene, &plan.methods, &found));
+            output::deliver(folder.as_ref(), "methods", hash, files, show)?;
             found.complete
         }
     };
@@ -57,7 +54,7 @@ pub(crate) fn command(args: &MethodsArgs) -> Result<Status, Failure> {
     }
     Ok(match complete {
         true => Status::Answered,
-        false => Status::Interrupted,
+        false => interrupt::status(),
     })
 }
 
@@ -77,12 +74,10 @@ fn show(
     document: &impl serde::Serialize,
     text: impl FnOnce() -> String,
 ) -> Result<(), Failure> {
-    if args.scene.json {
-        console::json(document)?;
-    } else {
-        console::data(&text());
+    match args.scene.json {
+        true => console::json(document),
+        false => console::data(&text()),
     }
-    Ok(())
 }
 
 fn axis(text: &str) -> Result<Axis, Failure> {
@@ -144,7 +139,11 @@ fn single(
     control: &Control<'_>,
 ) -> Result<Study, Failure> {
     let bar = PointBar::new(1, args.scene.quiet);
-    let mut tell = |now: &_| bar.at(0, now);
+    let mut keeping = None;
+    let mut tell = |now: &_| {
+        keeping.get_or_insert_with(interrupt::keep);
+        bar.at(0, now);
+    };
     let found = study(&ready.system, &ready.settings, plan, control, &mut tell);
     bar.finish();
     found.map_err(|faults| ready.reading.places.diagnose(&faults).into())
@@ -160,6 +159,7 @@ fn over(
     control: &Control<'_>,
 ) -> Result<Sweep, Failure> {
     let bar = PointBar::new(axis.count, args.scene.quiet);
+    let mut keeping = None;
     let found = sweep(
         axis,
         plan,
@@ -175,7 +175,10 @@ fn over(
             }
             first.reading.places.diagnose(&faults).into()
         },
-        &mut |index, now| bar.at(index, now),
+        &mut |index, now| {
+            keeping.get_or_insert_with(interrupt::keep);
+            bar.at(index, now);
+        },
     );
     bar.finish();
     found

@@ -7,7 +7,7 @@ use std::path::PathBuf;
 /// Arguments of `dam steady`.
 #[derive(Debug, Args)]
 pub(crate) struct SteadyArgs {
-    /// The scene: a JSON file
+    /// The scene: a JSON file; - reads it from standard input
     #[arg(required_unless_present_any = ["table", "inertia"])]
     pub(crate) scene: Option<PathBuf>,
     /// Set a property before anything else: crank.inertia=0.02

@@ -6,7 +6,9 @@ use crate::cli::failure::{Failure, Status};
 use dam::analysis::steady::{ROWS, by_energy, csv};
 use dam::report::steady::Shown;
 use dam::scene::SteadySpec;
-use dam::steady::{Formula, Given, Profile, Question, Refusal};
+use dam::steady::flywheel::{Flywheel, size_of_table};
+use dam::steady::{Formula, Given, Profile, Question, Refusal, TableFigures};
+use serde::Serialize;
 use std::io::Read;
 use std::path::Path;
 
@@ -54,6 +56,15 @@ fn refused(refusal: &Refusal) -> Failure {
     })
 }
 
+/// The steady motion on a table, as JSON tells it.
+#[derive(Serialize)]
+struct TableAnswer<'a> {
+    #[serde(flatten)]
+    figures: &'a TableFigures,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    flywheel: Option<&'a Flywheel>,
+}
+
 fn table(
     args: &SteadyArgs,
     path: &Path,
@@ -61,32 +72,37 @@ fn table(
     question: &Question,
 ) -> Result<Status, Failure> {
     let shown = path.display().to_string();
-    if spec.fluctuation.is_some() {
-        let why = "--fluctuation: a flywheel is sized for scenes and expressions, not for tables";
-        return Err(Failure::Other(why.to_owned()));
-    }
     let mut text = String::new();
     std::fs::File::open(path)
         .and_then(|file| file.take(LARGEST).read_to_string(&mut text))
         .map_err(|error| format!("cannot read the table `{shown}`: {error}"))?;
     let table = csv::table(&text, spec.cycle).map_err(|refusal| refused(&refusal))?;
-    let motion = table
-        .steady(question)
-        .map_err(|refusal| refused(&refusal))?;
+    let (flywheel, motion) = match spec.fluctuation {
+        None => table.steady(question).map(|motion| (None, motion)),
+        Some(wanted) => size_of_table(&table, question, wanted)
+            .map(|(flywheel, motion)| (Some(flywheel), motion)),
+    }
+    .map_err(|refusal| refused(&refusal))?;
     let folder = folder(args, &shown)?;
     let rows = motion.rows();
     let answered = Answered {
         title: &shown,
         hash: "",
         scene: None,
-        document: machine_document(&shown, &motion.figures),
+        document: machine_document(
+            &shown,
+            &TableAnswer {
+                figures: &motion.figures,
+                flywheel: flywheel.as_ref(),
+            },
+        ),
         rigid: Some(Shown {
             title: &shown,
             cycle: table.cycle(),
             figures: &motion.figures.steady,
             rows: &rows,
             regime: None,
-            flywheel: None,
+            flywheel: flywheel.as_ref(),
             agreement: None,
             halving: motion.figures.halving.as_ref(),
         }),

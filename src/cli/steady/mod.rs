@@ -7,7 +7,8 @@ use super::console;
 use super::expected;
 use super::failure::{Failure, Status};
 use super::input::{Input, Ready};
-use super::output::{OutputFolder, ResultFile};
+use super::output::{self, OutputFolder, ResultFile};
+use super::run::doubts;
 use args::{Form, MeanChoice, QuestionArgs, SteadyArgs};
 use dam::analysis::expectations::Verdict;
 use dam::analysis::steady::{Answer, ROWS, check, steady_motion};
@@ -47,7 +48,7 @@ pub(crate) fn command(args: &SteadyArgs) -> Result<Status, Failure> {
     let ready = input.prepare(&[])?;
     let folder = folder(args, &ready.scene().name)?;
     if !args.quiet && !ready.reading.warnings.is_empty() {
-        console::talk(&ready.reading.warnings.render(console::colour()));
+        console::diagnose(&ready.reading.warnings);
     }
     let mut spec = ready.scene().steady.clone().unwrap_or_default();
     asked(&args.question, &mut spec)?;
@@ -158,6 +159,8 @@ fn document(ready: &Ready, answer: &Answer, verdicts: &[Verdict]) -> Result<Valu
         answer: &'a Answer,
         #[serde(skip_serializing_if = "<[Verdict]>::is_empty")]
         expect: &'a [Verdict],
+        #[serde(skip_serializing_if = "Option::is_none")]
+        diagnostics: Option<Value>,
     }
     let document = Document {
         dam: 1,
@@ -165,6 +168,7 @@ fn document(ready: &Ready, answer: &Answer, verdicts: &[Verdict]) -> Result<Valu
         hash: &ready.scene().hash,
         answer,
         expect: verdicts,
+        diagnostics: doubts(ready),
     };
     Ok(serde_json::to_value(document).map_err(|error| error.to_string())?)
 }
@@ -183,35 +187,41 @@ fn tell(
             .transpose()?
             .unwrap_or_default(),
     };
-    if args.json {
-        console::json(&answered.document)?;
-    } else {
-        match (args.form, &answered.rigid, answered.periodic) {
-            (Form::Csv, ..) => console::data(&csv),
-            (Form::Svg, Some(shown), _) => {
-                console::data(&wittenbauer(shown).svg(PICTURE.0, PICTURE.1));
-            }
-            (Form::Svg, None, _) => {
-                let why = "only machines with rigid objects have an energy-mass diagram";
-                return Err(Failure::Other(why.to_owned()));
-            }
-            (Form::Text, Some(shown), _) => console::data(&rigid_text(shown)),
-            (Form::Text, None, Some(answer)) => {
-                console::data(&periodic_text(answered.title, answer));
-            }
-            (Form::Text, None, None) => {}
-        }
+    let files = || files(answered, &csv);
+    let show = || show(args, answered, &csv);
+    output::deliver(folder, "steady", answered.hash, files, show)?;
+    if args.quiet {
+        return Ok(());
     }
-    if !args.quiet
-        && let Some(shown) = &answered.rigid
-    {
+    if let Some(shown) = &answered.rigid {
         for warning in &shown.figures.warnings {
             console::talk(&format!("warning: {warning}"));
         }
     }
-    let Some(folder) = folder else {
-        return Ok(());
-    };
+    if let Some(folder) = folder {
+        folder.tell_report();
+    }
+    Ok(())
+}
+
+fn show(args: &SteadyArgs, answered: &Answered<'_>, csv: &str) -> Result<(), Failure> {
+    if args.json {
+        return console::json(&answered.document);
+    }
+    match (args.form, &answered.rigid, answered.periodic) {
+        (Form::Csv, ..) => console::data(csv),
+        (Form::Svg, Some(shown), _) => console::data(&wittenbauer(shown).svg(PICTURE.0, PICTURE.1)),
+        (Form::Svg, None, _) => {
+            let why = "only machines with rigid objects have an energy-mass diagram";
+            Err(Failure::Other(why.to_owned()))
+        }
+        (Form::Text, Some(shown), _) => console::data(&rigid_text(shown)),
+        (Form::Text, None, Some(answer)) => console::data(&periodic_text(answered.title, answer)),
+        (Form::Text, None, None) => Ok(()),
+    }
+}
+
+fn files(answered: &Answered<'_>, csv: &str) -> Result<Vec<ResultFile>, Failure> {
     let report = page(&SteadyReport {
         title: answered.title,
         rigid: answered.rigid,
@@ -220,16 +230,11 @@ fn tell(
         hash: answered.hash,
         version: env!("CARGO_PKG_VERSION"),
     });
-    let files = [
+    Ok(vec![
         ResultFile::new(FILES[0], format!("{:#}\n", answered.document)),
         ResultFile::new(FILES[1], csv),
         ResultFile::new(FILES[2], report),
-    ];
-    folder.write("steady", answered.hash, &files)?;
-    if !args.quiet {
-        folder.tell_report();
-    }
-    Ok(())
+    ])
 }
 
 /// Deviations over a period; parts have periods of their own, so that each row

@@ -66,7 +66,7 @@ pub(super) fn build(system: &System, laws: &mut KeptLaws) -> Parts {
         return builder.finish();
     }
     let mut order: Vec<usize> = (0..model.objects.len()).collect();
-    order.sort_by_key(|&object| model.objects[object].nodes[0]);
+    order.sort_by_cached_key(|&object| model.objects[object].nodes[0]);
     for object in order {
         builder.object(object);
     }

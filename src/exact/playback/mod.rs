@@ -24,8 +24,6 @@ use bernstein::{DEGREE, Output};
 use branch::Branch;
 use given::Given;
 use paces::Paces;
-use std::sync::atomic::Ordering;
-use std::time::Instant;
 use tracks::Tracks;
 
 pub(crate) use beside::{Beside, play_beside};
@@ -94,7 +92,6 @@ struct Player<'a> {
     limits: &'a Limits<'a>,
     steps: u64,
     switches: u64,
-    begun: Instant,
     stop: Option<Stop>,
 }
 
@@ -129,7 +126,6 @@ impl<'a> Player<'a> {
             limits,
             steps: 0,
             switches: 0,
-            begun: Instant::now(),
             stop: None,
         })
     }
@@ -290,21 +286,15 @@ impl<'a> Player<'a> {
 
     fn check_limits(&mut self) {
         let limits = self.limits;
-        let raised = |flag: &std::sync::atomic::AtomicBool| flag.load(Ordering::Relaxed);
         if self.stop.is_some() || self.time >= self.piece.end {
-        } else if limits.interrupt.is_some_and(raised) {
-            self.stop = Some(Stop::Interrupted);
         } else if self.switches > limits.switches {
             let bound = limits.switches;
             self.stop = Some(Stop::TooManySwitches { bound });
         } else if self.steps >= limits.steps {
             let bound = limits.steps;
             self.stop = Some(Stop::TooManySteps { bound });
-        } else if let Some(limit) = limits
-            .wall_clock
-            .filter(|&limit| self.begun.elapsed() > limit)
-        {
-            self.stop = Some(Stop::WallClock { limit });
+        } else if let Some(spent) = limits.budget.spent() {
+            self.stop = Some(spent.into());
         }
     }
 

@@ -6,6 +6,7 @@ use super::{CUTS, Scene, Track, piece};
 use crate::exact::bound::reversed;
 use crate::exact::hermite::{End, Piece, Point};
 use crate::exact::lanes::{Arith, Task};
+use crate::order::by_first;
 
 /// A summit is looked for first where the last one was, if that is so near to
 /// where it is expected, in lengths of the piece.
@@ -180,7 +181,7 @@ impl Track {
             self.pieces.push(Piece { a: piece.a, b: cut });
         }
         if self.roots.len() > 1 {
-            self.roots.sort_by(|x, y| x.0.total_cmp(&y.0));
+            by_first(&mut self.roots);
         }
         for &(_, primitive) in &self.roots {
             self.area += (primitive - self.turned).abs();

@@ -7,6 +7,7 @@ mod switches;
 mod traps;
 
 use super::*;
+use crate::budget::Budget;
 use crate::polynomial::Step;
 
 /// A sink that keeps what the tests ask for.
@@ -58,8 +59,7 @@ impl Sink for Keeper {
 pub(super) const FREE: Limits<'static> = Limits {
     switches: 1_000_000,
     steps: 100_000_000,
-    wall_clock: None,
-    interrupt: None,
+    budget: Budget::FREE,
 };
 
 pub(super) fn settings(method: Method, tolerance: f64, step: Option<f64>) -> Settings {

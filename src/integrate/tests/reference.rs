@@ -106,11 +106,15 @@ fn at_a_tight_tolerance_the_rocker_agrees_to_ten_digits() {
 /// Ten masses are stiff: overdamped modes of 10⁷ 1/s beside a lever of 10⁴ rad/s.
 #[test]
 fn ten_masses_agree_with_an_implicit_method() {
-    for (method, tolerance) in [
+    let methods = [
         (Method::Bdf, 1e-8),
         (Method::Rodas5p, 1e-9),
         (Method::Radau, 1e-9),
-    ] {
+    ];
+    for (method, tolerance) in methods {
+        if !method.is_available() {
+            continue;
+        }
         let (end, late) = errors(&TEN, method, tolerance);
         assert!(end < 1e-8, "{method}: {end:e}");
         assert!(late < 1e-8, "{method}: {late:e}");
@@ -120,15 +124,8 @@ fn ten_masses_agree_with_an_implicit_method() {
 #[test]
 fn every_method_finds_all_switches_at_an_ordinary_tolerance() {
     for case in [ONE, TWO] {
-        for method in [
-            Method::Dopri5,
-            Method::Dop853,
-            Method::Taylor,
-            Method::Rodas5p,
-            Method::Radau,
-            Method::Bdf,
-            Method::Esdirk34,
-        ] {
+        let left_out = [Method::Rk4, Method::TrBdf2];
+        for method in Method::available().filter(|method| !left_out.contains(method)) {
             let (end, late) = errors(&case, method, 1e-6);
             assert!(end < 1e-6, "{method}, {} masses: {end:e}", case.masses);
             assert!(late < 1e-6, "{method}, {} masses: {late:e}", case.masses);

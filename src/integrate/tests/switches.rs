@@ -17,7 +17,7 @@ fn two_crossings_within_one_step_are_both_found() {
     let gravity = 8.0;
     let level = 4.0 * 0.45 - 4.0 * 0.45 * 0.45;
     let system = Thrown::new(gravity, level);
-    for method in Method::ALL {
+    for method in Method::available() {
         let (outcome, keeper) = run(&system, 1.0, &[0.0, 4.0], &[0], &ordinary(method, 1.0));
         assert_eq!(outcome.stop, Stop::Complete);
         assert_eq!(outcome.statistics.switches, 2);
@@ -71,7 +71,7 @@ fn a_switch_at_the_end_of_a_step_or_of_the_run_is_found_once() {
 #[test]
 fn a_switch_just_after_the_start_is_found() {
     let system = Thrown::new(0.0, 1e-12);
-    for method in Method::ALL {
+    for method in Method::available() {
         let (_, keeper) = run(&system, 1.0, &[0.0, 1.0], &[0], &ordinary(method, 0.5));
         close(&keeper.times(), &[1e-12], 1e-16);
     }
@@ -97,7 +97,7 @@ fn a_switch_that_brings_another_makes_both_at_one_instant() {
         follow: Follow::Second,
         ..Thrown::new(0.0, 0.3)
     };
-    for method in Method::ALL {
+    for method in Method::available() {
         let (_, keeper) = run(&system, 1.0, &[0.0, 1.0], &[0, 0], &ordinary(method, 0.5));
         let components: Vec<_> = keeper.switches.iter().map(|s| s.1).collect();
         assert_eq!(components, [Some(0), Some(1)], "{method}");
@@ -111,7 +111,7 @@ fn switching_to_and_fro_for_ever_ends_the_run_with_a_word() {
         follow: Follow::Back,
         ..Thrown::new(0.0, 0.3)
     };
-    for method in Method::ALL {
+    for method in Method::available() {
         let (outcome, _) = run(&system, 1.0, &[0.0, 1.0], &[0], &ordinary(method, 0.5));
         assert!(
             matches!(&outcome.stop, Stop::Method { reason, .. } if reason.contains("to and fro")),
@@ -136,6 +136,9 @@ fn switch_times_of_a_bouncing_mass_agree_with_the_closed_form() {
         (Method::Esdirk34, 1e-8, 1e-5),
         (Method::TrBdf2, 1e-8, 1e-4),
     ] {
+        if !method.is_available() {
+            continue;
+        }
         let (outcome, keeper) = run(
             &system,
             1.0,

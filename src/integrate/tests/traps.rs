@@ -141,6 +141,9 @@ fn the_tolerance_is_relative_to_the_scale_of_each_state() {
         (outcome.statistics, (keeper.y[0] / unit - 18f64.cos()).abs())
     };
     for method in [Method::Dopri5, Method::Dop853, Method::Bdf] {
+        if !method.is_available() {
+            continue;
+        }
         let (statistics, error) = count(1.0, method);
         // Powers of two: not even the rounding differs.
         assert_eq!(count(2f64.powi(-40), method), (statistics, error));
@@ -164,6 +167,9 @@ fn no_unit_of_time_is_built_in() {
         Method::Bdf,
         Method::Esdirk34,
     ] {
+        if !method.is_available() {
+            continue;
+        }
         let steps = count(1.0, method);
         for omega in [2f64.powi(-20), 2f64.powi(30)] {
             let other = count(omega, method);

@@ -69,6 +69,14 @@ pub(super) fn wrenches(
             [Some(Wrench::force(point.link, at, force)), None]
         }
         ForceLaw::Couple { link, couple } => [Some(Wrench::couple(Some(*link), *couple)), None],
+        ForceLaw::CoupleTable {
+            link,
+            points,
+            period,
+        } => {
+            let couple = interpolate(points, *period, input.coordinate)[0];
+            [Some(Wrench::couple(Some(*link), couple)), None]
+        }
         ForceLaw::Torsion {
             pair: index,
             rate,

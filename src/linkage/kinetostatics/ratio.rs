@@ -74,7 +74,9 @@ impl Kinetostatics {
             ForceLaw::Force { point, .. } | ForceLaw::Table { point, .. } => {
                 point.link == Some(link)
             }
-            ForceLaw::Couple { link: on, .. } => *on == link,
+            ForceLaw::Couple { link: on, .. } | ForceLaw::CoupleTable { link: on, .. } => {
+                *on == link
+            }
             ForceLaw::Strut { .. } | ForceLaw::Torsion { .. } => false,
         };
         let forces = self.spec.forces.iter().enumerate();

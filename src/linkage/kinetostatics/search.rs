@@ -4,6 +4,7 @@
 use super::friction::Law;
 use super::iteration::{Convergence, Method};
 use super::workspace::ForceWorkspace;
+use crate::order::Total;
 
 /// Sweeps of the power iteration in [`ForceWorkspace::is_contraction`].
 const SWEEPS: usize = 6;
@@ -92,7 +93,7 @@ impl ForceWorkspace {
                 self.collect(course, &mut found);
             }
         }
-        found.sort_by(|a, b| size(a).total_cmp(&size(b)));
+        found.sort_by_cached_key(|friction| Total(size(friction)));
         found
     }
 

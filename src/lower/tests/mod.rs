@@ -10,7 +10,7 @@ use crate::model::{
 };
 use crate::object::{Connection, INPUT, ModelBuilder, Object, Place, Ports};
 use crate::position::PositionSpec;
-use crate::scene::{RunSpec, Scene, SceneObject, StartSpec};
+use crate::scene::{RunSpec, SceneObject, StartSpec, TypedScene};
 use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
 
@@ -43,7 +43,7 @@ impl Object for Part {
     }
 }
 
-fn scene(parts: Vec<(&str, Option<&str>, Part)>) -> Scene {
+fn scene(parts: Vec<(&str, Option<&str>, Part)>) -> TypedScene {
     let objects = parts
         .into_iter()
         .map(|(id, input, part)| {
@@ -58,7 +58,7 @@ fn scene(parts: Vec<(&str, Option<&str>, Part)>) -> Scene {
             (id.to_owned(), entry)
         })
         .collect();
-    Scene {
+    TypedScene {
         name: "test".into(),
         objects,
         run: RunSpec {

@@ -137,8 +137,8 @@ impl Law {
     /// A run-up must not turn back, and be fastest at its end.
     fn check_run_up(&self) -> Result<(), Vec<Fault>> {
         let mut faults = Faults::default();
-        let (end, peak) = (self.at(1.0).first, self.peak_of(|jet| jet.first));
-        let least = self.peak_of(|jet| -jet.first);
+        let (end, peak) = (self.at(1.0).first, self.peak_of(&|jet| jet.first));
+        let least = self.peak_of(&|jet| -jet.first);
         if -least.value < -SLACK {
             let message = format!("the speed θ′ is {} at τ = {}", -least.value, least.at);
             faults.add("", message, "a run-up must not turn back");

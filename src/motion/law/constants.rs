@@ -66,16 +66,16 @@ impl Law {
     /// Extremes are exact to rounding; their places too, except of the jerk
     /// (about 1e-8).
     pub fn constants(&self) -> LawConstants {
-        let speed = self.sharp_peak(|j| j.first, |j| j.second);
-        let acceleration = self.sharp_peak(|j| j.second, |j| j.third);
+        let speed = self.sharp_peak(&|j| j.first, &|j| j.second);
+        let acceleration = self.sharp_peak(&|j| j.second, &|j| j.third);
         let deceleration = self
-            .sharp_peak(|j| -j.second, |j| -j.third)
+            .sharp_peak(&|j| -j.second, &|j| -j.third)
             .negated(acceleration.value);
         let product = |j: &Jet| j.first * j.second;
         let slope = |j: &Jet| j.second * j.second + j.first * j.third;
-        let torque = self.sharp_peak(product, slope);
+        let torque = self.sharp_peak(&product, &slope);
         let braking = self
-            .sharp_peak(|j| -product(j), |j| -slope(j))
+            .sharp_peak(&|j| -product(j), &|j| -slope(j))
             .negated(torque.value);
         let last = self.last_at_speed(speed);
         let after = !self.run_up;
@@ -85,7 +85,7 @@ impl Law {
             centre_after: after.then(|| last + (1.0 - self.at(last).value) / speed.value),
             filling: speed.value / (speed.at * acceleration.value),
             centre: speed.at - self.value_before(speed.at) / speed.value,
-            jerk: self.peak_of(|j| j.third.abs()),
+            jerk: self.peak_of(&|j| j.third.abs()),
             speed,
             acceleration,
             deceleration,

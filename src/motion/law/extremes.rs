@@ -6,18 +6,20 @@ use crate::motion::extremes::greatest;
 
 impl Law {
     /// The greatest value of a function of the law, and the first τ where it is reached.
-    pub(super) fn peak_of(&self, value: impl Fn(&Jet) -> f64) -> Peak {
-        greatest(self.pieces(), |piece, tau| value(&self.jet(piece, tau)))
+    pub(super) fn peak_of(&self, value: &dyn Fn(&Jet) -> f64) -> Peak {
+        greatest(&mut self.pieces(), &|piece, tau| {
+            value(&self.jet(piece, tau))
+        })
     }
 
     /// As [`Self::peak_of`], the place sharpened where the `slope` of the
     /// value along τ changes its sign.
     pub(super) fn sharp_peak(
         &self,
-        value: impl Fn(&Jet) -> f64,
-        slope: impl Fn(&Jet) -> f64,
+        value: &dyn Fn(&Jet) -> f64,
+        slope: &dyn Fn(&Jet) -> f64,
     ) -> Peak {
-        let rough = self.peak_of(&value);
+        let rough = self.peak_of(value);
         let reach = 1e-4;
         for (piece, from, to) in self.pieces() {
             let (low, high) = ((rough.at - reach).max(from), (rough.at + reach).min(to));
@@ -26,7 +28,7 @@ impl Law {
             }
             let at = |tau: f64| slope(&self.jet(piece, tau));
             if at(low) > 0.0 && at(high) < 0.0 {
-                let place = bisect(at, low, high);
+                let place = bisect(&at, low, high);
                 return Peak {
                     value: value(&self.jet(piece, place)),
                     at: place,
@@ -38,7 +40,7 @@ impl Law {
 }
 
 /// The place where a function falls through zero.
-fn bisect(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
+fn bisect(f: &dyn Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
     for _ in 0..60 {
         let middle = 0.5 * (low + high);
         if f(middle) > 0.0 {

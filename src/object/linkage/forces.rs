@@ -6,7 +6,7 @@ use crate::linkage::spec::{ForceLaw, ForceSpec, PairSpec};
 use crate::model::Coordinate;
 use crate::object::load::points;
 use crate::object::measures::Measures;
-use crate::read::{Bounds, Fields, Slot};
+use crate::read::{Bounds, Fields, Slot, Wanted};
 use crate::units::quantities as q;
 use serde_json::json;
 use std::f64::consts::FRAC_PI_2;
@@ -50,7 +50,7 @@ pub(super) fn read(
     input: Measures,
 ) -> Option<Vec<ForceSpec>> {
     let doc = "Springs, dampers and forces by name.";
-    let forces = fields.or("forces", doc, json!({}), |slot| {
+    fields.or("forces", doc, json!({}), |slot| {
         slot.names(|name, slot| {
             slot.defined("linkage_force", |slot| {
                 let law = slot.record(|fields| law(fields, names, pairs, input))?;
@@ -60,8 +60,7 @@ pub(super) fn read(
                 })
             })
         })
-    });
-    Some(forces?.into_values().collect())
+    })
 }
 
 fn law(
@@ -93,6 +92,11 @@ fn law(
         "table",
         "A force on a point along a direction, over the input coordinate.",
         |slot| slot.record(|fields| table(fields, names, input)),
+    );
+    law.case(
+        "couple_table",
+        "A couple on a link, counterclockwise, over the input coordinate.",
+        |slot| slot.record(|fields| couple_table(fields, names, input)),
     );
     law.finish()
 }
@@ -194,8 +198,38 @@ fn table(fields: &mut Fields<'_>, names: &Names, input: Measures) -> Option<Forc
         slot.quantity(q::ANGLE, Bounds::ANY)
     });
     let doc = "List of [input coordinate, force]: linear between the points, constant outside.";
+    let (points, period) = over_input(fields, doc, q::FORCE.into(), input)?;
+    Some(ForceLaw::Table {
+        point: point?,
+        direction: direction?,
+        points,
+        period,
+    })
+}
+
+fn couple_table(fields: &mut Fields<'_>, names: &Names, input: Measures) -> Option<ForceLaw> {
+    let link = fields.need("link", "The link.", |slot| names.link(slot));
+    let doc = "List of [input coordinate, couple]: linear between the points, constant outside.";
+    let (points, period) = over_input(fields, doc, q::MOMENT.into(), input)?;
+    Some(ForceLaw::CoupleTable {
+        link: link?,
+        points,
+        period,
+    })
+}
+
+/// Points over the input coordinate, and after how much of it they repeat.
+type OverInput = (Vec<(f64, f64)>, Option<f64>);
+
+/// Reads a table over the input coordinate.
+fn over_input(
+    fields: &mut Fields<'_>,
+    doc: &'static str,
+    value: Wanted,
+    input: Measures,
+) -> Option<OverInput> {
     let list = fields.need("points", doc, |slot| {
-        points(slot, input.displacement(), q::FORCE.into(), 1)
+        points(slot, input.displacement(), value, 1)
     });
     let doc = "Repeats after this much of the input coordinate";
     let period = fields.maybe("period", doc, |slot| {
@@ -210,10 +244,5 @@ fn table(fields: &mut Fields<'_>, names: &Names, input: Measures) -> Option<Forc
             return None;
         }
     }
-    Some(ForceLaw::Table {
-        point: point?,
-        direction: direction?,
-        points: list,
-        period,
-    })
+    Some((list, period))
 }

@@ -5,7 +5,6 @@ use crate::linkage::spec::{LinkSpec, NamedPoint};
 use crate::read::{Bounds, Fields, Slot};
 use crate::units::quantities as q;
 use serde_json::json;
-use std::collections::BTreeMap;
 
 /// Reads `[x, y]`.
 pub(super) fn place(slot: Slot<'_>) -> Option<[f64; 2]> {
@@ -15,17 +14,16 @@ pub(super) fn place(slot: Slot<'_>) -> Option<[f64; 2]> {
 }
 
 fn points(slot: Slot<'_>) -> Option<Vec<NamedPoint>> {
-    let points = slot.names(|name, mut slot| {
+    slot.names(|name, mut slot| {
         if name == ORIGIN {
             let owner = slot.name_place();
             let message = "`origin` is the origin of the frame and cannot be given";
             slot.refuse("bad-id", message).place = Some(owner);
             return None;
         }
-        place(slot)
-    })?;
-    let named = |(name, at)| NamedPoint { name, at };
-    Some(points.into_iter().map(named).collect())
+        let name = name.to_owned();
+        place(slot).map(|at| NamedPoint { name, at })
+    })
 }
 
 /// Reads `ground` and `links`; fills their coordinates in among the names.
@@ -50,7 +48,6 @@ pub(super) fn read(
             slot.defined("linkage_link", |slot| link(slot, name))
         })
     });
-    let links: Option<Vec<LinkSpec>> = links.map(|links| links.into_values().collect());
     names.fill_in(
         ground.as_deref().unwrap_or_default(),
         links.as_deref().unwrap_or_default(),
@@ -62,20 +59,20 @@ fn link(slot: Slot<'_>, name: &str) -> Option<LinkSpec> {
     slot.record(|fields| {
         let doc = "Points by name, each [x, y] in the frame of the link; `origin` is always there.";
         let points = fields.or("points", doc, json!({}), points);
-        let known = points.as_deref().map(by_name);
+        let known = points.as_deref().map(with_origin);
         let mass = fields.maybe("mass", "Mass; default 0", |slot| {
             slot.quantity(q::MASS, Bounds::NOT_NEGATIVE)
         });
         let doc = "Centre of mass: [x, y] in the frame of the link, or the name of a point; default its origin.";
         let centre = fields.maybe("centre", doc, |slot| {
-            slot.text_or(|slot| one_of(slot, name, known.as_ref()), place)
+            slot.text_or(|slot| one_of(slot, name, known.as_deref()), place)
         });
         let doc = "Moment of inertia about the centre of mass; default 0";
         let moment = fields.maybe("moment", doc, |slot| {
             slot.quantity(q::INERTIA, Bounds::NOT_NEGATIVE)
         });
         let doc = "A uniform bar between two points, in place of `mass`, `centre` and `moment`.";
-        let bar = fields.maybe("geometry", doc, |slot| bar(slot, name, known.as_ref()));
+        let bar = fields.maybe("geometry", doc, |slot| bar(slot, name, known.as_deref()));
         let mut clash = false;
         for given in ["mass", "centre", "moment"] {
             clash |= fields.clash("geometry", given, "they give the same parameter in two ways");
@@ -107,22 +104,25 @@ struct Body {
     moment: f64,
 }
 
-type Known = BTreeMap<String, [f64; 2]>;
-
-fn by_name(points: &[NamedPoint]) -> Known {
-    let at = |point: &NamedPoint| (point.name.clone(), point.at);
-    let origin = (ORIGIN.to_owned(), [0.0; 2]);
-    points.iter().map(at).chain([origin]).collect()
+/// The points that a link has, in the order of their names.
+fn with_origin(points: &[NamedPoint]) -> Vec<NamedPoint> {
+    let mut all = points.to_vec();
+    all.push(NamedPoint {
+        name: ORIGIN.to_owned(),
+        at: [0.0; 2],
+    });
+    all.sort_by_cached_key(|point| point.name.clone());
+    all
 }
 
 /// Reads the name of one of the points; `known` is `None` when they are faulty.
-fn one_of(mut slot: Slot<'_>, link: &str, known: Option<&Known>) -> Option<[f64; 2]> {
+fn one_of(mut slot: Slot<'_>, link: &str, known: Option<&[NamedPoint]>) -> Option<[f64; 2]> {
     let name = slot.look(|slot| slot.text())?;
     let known = known?;
-    if let Some(at) = known.get(&name) {
-        return Some(*at);
+    if let Some(point) = known.iter().find(|point| point.name == name) {
+        return Some(point.at);
     }
-    let names = || known.keys().map(String::as_str);
+    let names = || known.iter().map(|point| point.name.as_str());
     let hint = crate::read::did_you_mean(&name, names())
         .unwrap_or_else(|| format!("there are {}", crate::read::quoted_list(names(), "and")));
     slot.refuse("unknown-part", format!("`{link}` has no point `{name}`"))
@@ -133,7 +133,7 @@ fn one_of(mut slot: Slot<'_>, link: &str, known: Option<&Known>) -> Option<[f64;
 
 /// m = ρ·w·h·L, in the middle, with m·(L² + h²)/12: a uniform bar of rectangular
 /// section between two points.
-fn bar(slot: Slot<'_>, link: &str, known: Option<&Known>) -> Option<Body> {
+fn bar(slot: Slot<'_>, link: &str, known: Option<&[NamedPoint]>) -> Option<Body> {
     slot.record(|fields| {
         let end = |slot: Slot<'_>| one_of(slot, link, known);
         let doc = "Point at which the bar begins; both ends may be left out when the link has two points, or one besides its origin.";
@@ -158,11 +158,11 @@ fn bar(slot: Slot<'_>, link: &str, known: Option<&Known>) -> Option<Body> {
         );
         let weight = weight.finish();
         let known = known?;
-        let mut own = known.iter().filter(|(name, _)| *name != ORIGIN);
+        let mut own = known.iter().filter(|point| point.name != ORIGIN);
         let (from, to) = match (from?, to?, own.next(), own.next(), own.next()) {
             (Some(from), Some(to), ..) => (from, to),
-            (None, None, Some((_, one)), Some((_, other)), None) => (*one, *other),
-            (None, None, Some((_, one)), None, None) => ([0.0; 2], *one),
+            (None, None, Some(one), Some(other), None) => (one.at, other.at),
+            (None, None, Some(one), None, None) => ([0.0; 2], one.at),
             _ => {
                 let message = "the bar does not say between which points it lies";
                 fields

@@ -105,10 +105,11 @@ fn read(fields: &mut Fields<'_>, driver: Measures) -> Option<DrivenLinkage> {
     let travel = fields.maybe("travel", doc, |slot| travel(slot, input));
     let gravity = forces::gravity(fields);
     let forces = forces::read(fields, &names, pairs.as_deref(), input);
-    let outputs = outputs::read(fields, &names);
+    let outputs = outputs::read(fields, &names, pairs.as_deref());
     let doc = "True: the friction of the pairs acts on the motion in `dam run`, and the linkage may come to rest by it; false: it counts in `dam forces` only.";
     let joint_friction = fields.or("joint_friction", doc, json!(false), |slot| slot.flag());
     let (ground, links) = parts?;
+    let (outputs, loads) = outputs?;
     Some(DrivenLinkage {
         coordinate: kind?,
         position: position?,
@@ -123,8 +124,9 @@ fn read(fields: &mut Fields<'_>, driver: Measures) -> Option<DrivenLinkage> {
             travel: travel?,
             gravity: gravity?,
             forces: forces?,
-            outputs: outputs?,
+            outputs,
         },
+        loads,
     })
 }
 

@@ -5,12 +5,16 @@ use super::pairs;
 use crate::linkage::spec::{OutputKind, OutputSpec, PairSpec};
 use crate::model::Coordinate;
 use crate::object::Outputs;
+use crate::object::load::{self, On};
+use crate::object::measures::Measures;
+use crate::object::spec::LoadSpec;
 use crate::read::{Bounds, Fields, Node, Slot};
 use crate::units::quantities as q;
 use serde_json::json;
 
 /// Names that the figures of the linkage itself have.
-const TAKEN: [&str; 11] = [
+const TAKEN: [&str; 12] = [
+    "delta_abs",
     "delta_max",
     "delta_min",
     "sigma",
@@ -62,8 +66,15 @@ pub(super) fn of_pair(linkage: &Node, pair: &str) -> Option<Coordinate> {
     }
 }
 
+/// Outputs, and of each its loads.
+type OutputsAndLoads = (Vec<OutputSpec>, Vec<Vec<LoadSpec>>);
+
 /// Reads `outputs`, in the order of their names.
-pub(super) fn read(fields: &mut Fields<'_>, names: &Names) -> Option<Vec<OutputSpec>> {
+pub(super) fn read(
+    fields: &mut Fields<'_>,
+    names: &Names,
+    pairs: Option<&[PairSpec]>,
+) -> Option<OutputsAndLoads> {
     let doc = "Outputs by name: other objects take them as `input`, as in `press.ram`, and they are recorded.";
     let outputs = fields.or("outputs", doc, json!({}), |slot| {
         slot.names(|name, mut slot| {
@@ -75,14 +86,19 @@ pub(super) fn read(fields: &mut Fields<'_>, names: &Names) -> Option<Vec<OutputS
                 fault.place = Some(place);
                 fault.hints.push("choose another name".to_owned());
             }
-            let output = slot.defined("linkage_output", |slot| output(slot, name, names));
+            let output = slot.defined("linkage_output", |slot| output(slot, name, names, pairs));
             output.filter(|_| free)
         })
     });
-    Some(outputs?.into_values().collect())
+    Some(outputs?.into_iter().unzip())
 }
 
-fn output(slot: Slot<'_>, name: &str, names: &Names) -> Option<OutputSpec> {
+fn output(
+    slot: Slot<'_>,
+    name: &str,
+    names: &Names,
+    pairs: Option<&[PairSpec]>,
+) -> Option<(OutputSpec, Vec<LoadSpec>)> {
     slot.record(|fields| {
         let mut kind = fields.one_of("what it is");
         kind.case("angle", "The angle of a link.", |slot| {
@@ -119,9 +135,9 @@ fn output(slot: Slot<'_>, name: &str, names: &Names) -> Option<OutputSpec> {
                 return None;
             }
         };
-        Some(OutputSpec {
-            name: name.to_owned(),
-            kind,
-        })
+        let own = pairs.map(|pairs| coordinate(&kind, pairs));
+        let loads = load::read_all(fields, On::Output(Measures(own)))?;
+        let name = name.to_owned();
+        Some((OutputSpec { name, kind }, loads))
     })
 }

@@ -20,10 +20,9 @@ pub(super) fn coordinate(kind: &PairKind) -> Coordinate {
 
 /// Reads `pairs`, in the order of their names.
 pub(super) fn read(fields: &mut Fields<'_>, names: &Names) -> Option<Vec<PairSpec>> {
-    let pairs = fields.need("pairs", "The kinematic pairs by name.", |slot| {
+    fields.need("pairs", "The kinematic pairs by name.", |slot| {
         slot.names(|name, slot| slot.defined("linkage_pair", |slot| pair(slot, name, names)))
-    });
-    Some(pairs?.into_values().collect())
+    })
 }
 
 fn pair(slot: Slot<'_>, name: &str, names: &Names) -> Option<PairSpec> {
@@ -167,8 +166,8 @@ fn towards(fields: &mut Fields<'_>, from: PointOf, to: PointOf) -> Option<f64> {
 pub(super) fn assembly(fields: &mut Fields<'_>, names: &Names) -> Option<Vec<AssemblySpec>> {
     let doc =
         "How a group of links is put together, by one of its links: default by its branch `+`.";
-    let choices = fields.or("assembly", doc, json!({}), |slot| {
-        slot.map(|name, mut slot| {
+    fields.or("assembly", doc, json!({}), |slot| {
+        slot.values(|name, mut slot| {
             let link = names.link_named(&mut slot, name);
             let choice = slot.defined("linkage_assembly", |slot| choice(slot, name, names));
             Some(AssemblySpec {
@@ -176,8 +175,7 @@ pub(super) fn assembly(fields: &mut Fields<'_>, names: &Names) -> Option<Vec<Ass
                 choice: choice?,
             })
         })
-    });
-    Some(choices?.into_values().collect())
+    })
 }
 
 fn choice(slot: Slot<'_>, link: &str, names: &Names) -> Option<AssemblyChoice> {

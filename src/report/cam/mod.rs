@@ -12,8 +12,10 @@ mod view;
 pub use dxf::dxf;
 pub use page::{CamReport, page};
 pub use picture::picture;
+pub(in crate::report) use picture::{Follower, bodies, drawing, drawn, style};
 pub use tables::{cycle_csv, polygon_csv};
 pub use text::cam_text;
+pub(in crate::report) use view::view;
 
 use crate::cam::{DiscCam, Polygon};
 use crate::fault::Fault;

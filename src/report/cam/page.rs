@@ -1,24 +1,24 @@
 //! The page of a cam: the cam turning with its follower, figures, diagrams.
 
-use super::picture::{drawing, drawn, style};
+use super::picture::{Follower, bodies, drawing, drawn, style};
 use super::remarks::remarks;
 use super::tables::rows;
 use super::text::{describe, facts as cam_facts};
-use super::view::{mover, view};
+use super::view::{View, view};
 use super::{NamedCurve, charts};
 use crate::analysis::cam::{CamFigures, CamForce};
 use crate::cam::DiscCam;
 use crate::report::html::data::PlotData;
+use crate::report::html::player::{Coordinates, Player, Reading, RowAxis, Shown, short};
 use crate::report::html::{facts, header, scene, shell};
 use crate::report::quantity::escape;
 use crate::report::verdict::{Sort, Verdict};
-use serde_json::json;
 use std::fmt::Write as _;
 
-const SCRIPT: &str = include_str!("turning.js");
-
-/// Places of the cam that the page's script knows.
+/// Places of the cam that the page's player knows.
 const PLACES: usize = 720;
+/// How long a turn is played at normal speed (s).
+const SECONDS: f64 = 6.0;
 
 /// Everything that goes into the page of a cam.
 #[derive(Clone, Copy, Debug)]
@@ -52,9 +52,7 @@ pub fn page(report: &CamReport<'_>) -> String {
     let mut body = header(&title, &subtitle, Some(&verdict(report)));
     let _ = write!(
         body,
-        "<style>\n{}\n.turning{{display:flex;flex-wrap:wrap;gap:12px 28px;align-items:flex-start}}\
-         .turning svg{{max-width:100%;height:auto}}.turning>div{{flex:1;min-width:260px;max-width:440px}}\
-         .turning .bar input{{flex:1;min-width:180px}}.now{{stroke:#8a1c1c;stroke-width:1;fill:none}}\n\
+        "<style>\n{}\n\
          .charts{{display:grid;grid-template-columns:repeat(auto-fit,minmax(420px,1fr));gap:8px 20px}}\
          .charts svg{{width:100%;height:auto}}</style>\n<main>\n",
         style()
@@ -84,10 +82,8 @@ pub fn page(report: &CamReport<'_>) -> String {
     ];
     let _ = write!(
         body,
-        "</main>\n<footer>\n<h2>Provenance</h2>\n{}</footer>\n\
-         <script id=\"turning\" type=\"application/json\">{}</script>\n<script>\n{SCRIPT}</script>\n",
-        facts(&rows),
-        data(report)
+        "</main>\n<footer>\n<h2>Provenance</h2>\n{}</footer>\n",
+        facts(&rows)
     );
     shell(&title, &body, &PlotData::new(&[]).json())
 }
@@ -132,20 +128,25 @@ fn turning(report: &CamReport<'_>) -> String {
     let curves = drawn(report.cam);
     let view = view(report.cam, &curves);
     let [w, h] = view.size.map(|size| format!("{size:.0}"));
+    let picture = format!(
+        "<svg class=\"mechanism\" viewBox=\"0 0 {w} {h}\" width=\"{w}\" height=\"{h}\" role=\"img\" \
+         aria-label=\"cam and follower\">\n{}</svg>\n",
+        drawing(
+            report.cam,
+            &curves,
+            &view,
+            report.cam.motion().range().0,
+            None
+        )
+    );
     format!(
-        "<h2>Cam and follower</h2>\n<div class=\"turning\">\n<svg viewBox=\"0 0 {w} {h}\" \
-         width=\"{w}\" height=\"{h}\" role=\"img\" aria-label=\"cam and follower\">\n{}</svg>\n\
-         <div>\n<div class=\"bar\"><button id=\"cam-play\" type=\"button\">Turn</button>\
-         <label for=\"cam-angle\">φ</label><input id=\"cam-angle\" type=\"range\" min=\"0\" \
-         max=\"{PLACES}\" step=\"1\" value=\"0\"></div>\n<dl class=\"facts\" id=\"cam-reading\"></dl>\n\
-         <p class=\"soft\">Dotted: base circle; dashed: pitch curve. The mark on the cam points along \
-         the follower at φ = 0.</p>\n</div>\n</div>\n",
-        drawing(report.cam, &curves, &view, report.cam.motion().range().0)
+        "<h2>Cam and follower</h2>\n{}<p class=\"soft\">Dotted: base circle; dashed: pitch curve. \
+         The mark on the cam points along the follower at φ = 0.</p>\n",
+        player(report, &view).figure(&picture)
     )
 }
 
 fn diagrams(report: &CamReport<'_>) -> String {
-    let (from, to) = report.cam.motion().range();
     let pictures: String = charts::charts(report.cam, report.figures, report.force)
         .into_iter()
         .map(|chart| {
@@ -160,27 +161,17 @@ fn diagrams(report: &CamReport<'_>) -> String {
             chart.svg(760.0, 340.0)
         )
     });
-    format!(
-        "<h2>Over the turn</h2>\n<div class=\"charts\" data-from=\"{}\" data-to=\"{}\">\n{pictures}</div>\n{springs}",
-        from.to_degrees(),
-        to.to_degrees()
-    )
+    format!("<h2>Over the turn</h2>\n<div class=\"charts\">\n{pictures}</div>\n{springs}")
 }
 
-/// What the script turns: places of the follower and readings over the turn.
-fn data(report: &CamReport<'_>) -> String {
+/// What the player moves: cam and follower, and readings over the turn.
+fn player(report: &CamReport<'_>, view: &View) -> Player {
     let cam = report.cam;
     let (from, to) = cam.motion().range();
-    let view = view(cam, &drawn(cam));
-    let mover = mover(cam, &view);
     let places: Vec<f64> = (0..=PLACES)
         .map(|step| from + (to - from) * step as f64 / PLACES as f64)
         .collect();
-    let mut columns: Vec<(&str, &str, Vec<f64>)> = vec![(
-        "angle φ",
-        "deg",
-        places.iter().map(|phi| phi.to_degrees()).collect(),
-    )];
+    let mut columns: Vec<(&str, &str, Vec<f64>)> = Vec::new();
     let column = |f: &dyn Fn(f64) -> f64| places.iter().map(|&phi| f(phi)).collect::<Vec<f64>>();
     let state = |phi: f64| {
         let (piece, phi) = cam.motion().locate(phi);
@@ -215,24 +206,41 @@ fn data(report: &CamReport<'_>) -> String {
         columns.push(("torque of the cam", "N m", column(&|phi| at(phi)[2])));
     }
     // Numbers for reading: six digits, nothing for what is not finite.
-    let plain = |value: &f64| match value.is_finite() {
-        true => json!(format!("{value:.5e}").parse::<f64>().unwrap_or(0.0)),
-        false => json!(null),
-    };
-    let columns: Vec<_> = columns
-        .iter()
-        .map(|(name, unit, values)| {
-            json!({ "name": name, "unit": unit, "values": values.iter().map(plain).collect::<Vec<_>>() })
-        })
-        .collect();
-    let document = json!({
-        "from": from, "to": to, "closed": cam.motion().is_closed(),
-        "lift": lift.iter().map(|s| json!(s)).collect::<Vec<_>>(),
-        "shift": mover.shift, "turn": mover.turn, "about": mover.about,
-        "cam": mover.cam, "axis": mover.axis, "columns": columns,
+    let plain = |value: &f64| format!("{value:.5e}").parse::<f64>().ok();
+    let plain = |value: &f64| plain(value).filter(|value| value.is_finite());
+    let readings = columns.iter().map(|(name, unit, values)| Reading {
+        name: (*name).to_owned(),
+        unit: (*unit).to_owned(),
+        values: values.iter().map(plain).collect(),
     });
-    // A closing tag within a text must not end the element.
-    document.to_string().replace('<', "\\u003c")
+    let follower = Follower {
+        column: 1,
+        factor: 1.0,
+        base: 0.0,
+        shown: Shown::True,
+    };
+    Player {
+        id: "cam".to_owned(),
+        axis: Some(RowAxis {
+            name: "φ".to_owned(),
+            unit: "deg".to_owned(),
+            values: places
+                .iter()
+                .map(|phi: &f64| short(phi.to_degrees(), 6))
+                .collect(),
+            times: Vec::new(),
+            closed: cam.motion().is_closed(),
+        }),
+        seconds: SECONDS,
+        readings: readings.collect(),
+        columns: vec![
+            Coordinates::Own { values: places },
+            Coordinates::Own { values: lift },
+        ],
+        bodies: bodies(cam, view, 0, &follower).into(),
+        charts: Some(".charts"),
+        ..Player::default()
+    }
 }
 
 /// Angles of the diagrams (rad), with the piece of each.

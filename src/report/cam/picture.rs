@@ -1,29 +1,31 @@
-//! The cam with its follower as a drawing: stand-alone, and with named groups
-//! that the page's script turns and moves.
+//! The cam with its follower as a drawing: stand-alone, and with groups that the
+//! player of a page turns and moves.
 
 use super::NamedCurve;
 use super::view::{Mover, View, mover, parts, rim_radius, view};
 use crate::cam::{Contact, DiscCam, Guide, Surface};
+use crate::report::html::player::{Body, Shown};
 use crate::report::quantity::escape;
+use crate::report::svg::without_variables;
 use std::fmt::Write as _;
 
 const STYLE: &str = "\
-.cam-body{fill:#dfe7f0;stroke:#1d5a9e;stroke-width:1.8;stroke-linejoin:round;fill-rule:evenodd}\
-.cam-open{fill:none;stroke:#1d5a9e;stroke-width:1.8}\
-.cam-pitch{fill:none;stroke:#7d8893;stroke-width:1;stroke-dasharray:6 4}\
+.cam-body{fill:var(--box-drive, #dfe7f0);stroke:var(--series-0, #1d5a9e);stroke-width:1.8;stroke-linejoin:round;fill-rule:evenodd}\
+.cam-open{fill:none;stroke:var(--series-0, #1d5a9e);stroke-width:1.8}\
+.cam-pitch{fill:none;stroke:var(--ink-soft, #7d8893);stroke-width:1;stroke-dasharray:6 4}\
 .cam-base{fill:none;stroke:#a9b2bb;stroke-width:1;stroke-dasharray:2 4}\
-.cam-mark{fill:none;stroke:#1d5a9e;stroke-width:1.4}\
-.cam-axis{fill:#fff;stroke:#17202a;stroke-width:1.4}\
+.cam-mark{fill:none;stroke:var(--series-0, #1d5a9e);stroke-width:1.4}\
+.cam-axis{fill:var(--paper, #fff);stroke:var(--ink, #17202a);stroke-width:1.4}\
 .cam-line{fill:none;stroke:#a9b2bb;stroke-width:1;stroke-dasharray:10 4 2 4}\
-.follower{fill:#f6e3d6;stroke:#c04f15;stroke-width:1.8;stroke-linejoin:round}\
-.follower-arm{fill:none;stroke:#c04f15;stroke-width:7;stroke-linecap:round;stroke-opacity:.75}\
-.follower-pin{fill:#fff;stroke:#c04f15;stroke-width:1.6}";
+.follower{fill:var(--mechanism-back, #f6e3d6);stroke:var(--series-1, #c04f15);stroke-width:1.8;stroke-linejoin:round}\
+.follower-arm{fill:none;stroke:var(--series-1, #c04f15);stroke-width:7;stroke-linecap:round;stroke-opacity:.75}\
+.follower-pin{fill:var(--paper, #fff);stroke:var(--series-1, #c04f15);stroke-width:1.6}";
 
 /// Chord tolerance of drawn curves, of the prime circle: a tenth of a pixel.
 const FINE: f64 = 3e-4;
 
 /// The curves as they are drawn: no finer than can be seen.
-pub(super) fn drawn(cam: &DiscCam) -> Vec<NamedCurve> {
+pub(in crate::report) fn drawn(cam: &DiscCam) -> Vec<NamedCurve> {
     super::curves(cam, FINE * cam.geometry().prime_radius(), None).unwrap_or_default()
 }
 
@@ -34,15 +36,23 @@ pub fn picture(title: &str, cam: &DiscCam, phi: f64) -> String {
     let [w, h] = view.size.map(short);
     format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {w} {h}\" width=\"{w}\" \
-         height=\"{h}\" role=\"img\" aria-label=\"{}\">\n<style>{STYLE}</style>\n\
+         height=\"{h}\" role=\"img\" aria-label=\"{}\">\n<style>{}</style>\n\
          <rect width=\"{w}\" height=\"{h}\" fill=\"#fff\"/>\n{}</svg>\n",
         escape(title),
-        drawing(cam, &curves, &view, phi)
+        without_variables(STYLE),
+        drawing(cam, &curves, &view, phi, None)
     )
 }
 
-/// Cam and follower as groups `cam-turning` and `cam-follower`.
-pub(super) fn drawing(cam: &DiscCam, curves: &[NamedCurve], view: &View, phi: f64) -> String {
+/// The cam at φ as part 0 of a picture and its follower as part 1; with `beside`, an
+/// outward displacement, the follower stands there, and once more, pale, as part 2.
+pub(in crate::report) fn drawing(
+    cam: &DiscCam,
+    curves: &[NamedCurve],
+    view: &View,
+    phi: f64,
+    beside: Option<f64>,
+) -> String {
     let mover = mover(cam, view);
     let (piece, at) = cam.motion().locate(phi);
     let lift = cam.motion().jet(piece, at).value;
@@ -51,8 +61,9 @@ pub(super) fn drawing(cam: &DiscCam, curves: &[NamedCurve], view: &View, phi: f6
     let [x, y] = mover.axis.map(short);
     let _ = writeln!(
         out,
-        "<g id=\"cam-turning\" transform=\"{}\">\n{}</g>",
-        cam_transform(&mover, phi),
+        "<g data-link=\"0\" transform=\"{}\">{}\n{}</g></g>",
+        turned(mover.axis, mover.cam * phi),
+        about(mover.axis),
         body(cam, curves, view)
     );
     let _ = writeln!(
@@ -64,10 +75,21 @@ pub(super) fn drawing(cam: &DiscCam, curves: &[NamedCurve], view: &View, phi: f6
         out,
         "<circle class=\"cam-axis\" cx=\"{x}\" cy=\"{y}\" r=\"6\"/><path class=\"cam-mark\" d=\"M{x} {y}m-9 0h18m-9 -9v18\"/>"
     );
+    if let Some(law) = beside {
+        let _ = writeln!(
+            out,
+            "<g class=\"law\" data-link=\"2\" transform=\"{}\">{}\n{}</g></g>",
+            follower_transform(&mover, law),
+            about(mover.about),
+            follower(cam, view)
+        );
+    }
+    let lift = beside.unwrap_or(lift);
     let _ = writeln!(
         out,
-        "<g id=\"cam-follower\" transform=\"{}\">\n{}</g>",
+        "<g data-link=\"1\" transform=\"{}\">{}\n{}</g></g>",
         follower_transform(&mover, lift),
+        about(mover.about),
         follower(cam, view)
     );
     if let Guide::Turning { .. } = cam.geometry().guide {
@@ -80,18 +102,77 @@ pub(super) fn drawing(cam: &DiscCam, curves: &[NamedCurve], view: &View, phi: f6
     out
 }
 
-fn cam_transform(mover: &Mover, phi: f64) -> String {
-    let [x, y] = mover.axis.map(short);
-    format!("rotate({} {x} {y})", short(mover.cam * phi))
+/// Opens a group whose own origin is a pixel of the picture.
+fn about(place: [f64; 2]) -> String {
+    let [x, y] = place.map(|value| short(-value));
+    format!("<g transform=\"translate({x} {y})\">")
+}
+
+/// A turn about a pixel, by degrees clockwise.
+fn turned(place: [f64; 2], degrees: f64) -> String {
+    let [x, y] = place.map(short);
+    format!("translate({x} {y}) rotate({})", short(degrees))
 }
 
 fn follower_transform(mover: &Mover, lift: f64) -> String {
-    let [x, y] = mover.about.map(short);
-    let [dx, dy] = mover.shift.map(|shift| short(shift * lift));
-    format!(
-        "translate({dx} {dy}) rotate({} {x} {y})",
-        short(mover.turn * lift)
-    )
+    let [x, y] = [0, 1].map(|axis| mover.about[axis] + mover.shift[axis] * lift);
+    turned([x, y], mover.turn * lift)
+}
+
+/// How the player moves cam and follower: the cam by the coordinate `cam_angle`
+/// (rad), the follower by the outward displacement factor · coordinate − base.
+pub(in crate::report) fn bodies(
+    cam: &DiscCam,
+    view: &View,
+    cam_angle: usize,
+    follower: &Follower,
+) -> [Body; 2] {
+    let mover = mover(cam, view);
+    let Follower {
+        column,
+        factor,
+        base,
+        shown,
+    } = *follower;
+    // On the screen degrees count clockwise.
+    let counterclockwise = |degrees: f64| -degrees.to_radians();
+    let cam_body = Body::Turn {
+        column: cam_angle,
+        at: mover.axis,
+        sense: counterclockwise(mover.cam),
+        offset: 0.0,
+        shown: Shown::True,
+    };
+    let turn = counterclockwise(mover.turn);
+    let follower_body = match cam.geometry().guide {
+        Guide::Turning { .. } => Body::Turn {
+            column,
+            at: mover.about,
+            sense: turn * factor,
+            offset: -turn * base,
+            shown,
+        },
+        Guide::Translating { .. } => Body::Slide {
+            column,
+            at: [0, 1].map(|axis| mover.about[axis] - mover.shift[axis] * base),
+            by: mover.shift.map(|shift| shift * factor),
+            shown,
+        },
+    };
+    [cam_body, follower_body]
+}
+
+/// What moves a follower on a picture.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::report) struct Follower {
+    /// The coordinate.
+    pub(in crate::report) column: usize,
+    /// Outward displacement by unit of the coordinate.
+    pub(in crate::report) factor: f64,
+    /// What is to be taken away from it, so that it is 0 where the follower is innermost.
+    pub(in crate::report) base: f64,
+    /// Which displacement is shown.
+    pub(in crate::report) shown: Shown,
 }
 
 /// The cam's body in its own frame.
@@ -215,7 +296,7 @@ fn follower(cam: &DiscCam, view: &View) -> String {
 }
 
 /// The style of the drawing, for pages.
-pub(super) fn style() -> &'static str {
+pub(in crate::report) fn style() -> &'static str {
     STYLE
 }
 

@@ -47,7 +47,7 @@ pub(super) fn remarks(found: &CamFigures) -> Vec<(bool, String)> {
                 .map(|note| (false, format!("note: {note}"))),
         );
     }
-    list.sort_by_key(|(grave, _)| !grave);
+    list.sort_by_cached_key(|(grave, _)| usize::from(!grave));
     list
 }
 

@@ -10,11 +10,11 @@ const SIZE: f64 = 560.0;
 const MARGIN: f64 = 24.0;
 
 /// Scale and place of the drawing: pixels from the machine's metres.
-pub(super) struct View {
-    pub(super) scale: f64,
-    pub(super) origin: [f64; 2],
+pub(in crate::report) struct View {
+    pub(in crate::report) scale: f64,
+    pub(in crate::report) origin: [f64; 2],
     /// Width and height (pixels).
-    pub(super) size: [f64; 2],
+    pub(in crate::report) size: [f64; 2],
 }
 
 impl View {
@@ -43,7 +43,7 @@ pub(super) struct Parts {
     pub(super) outward: [f64; 2],
 }
 
-/// How the page's script moves the follower.
+/// How cam and follower move on the picture.
 pub(super) struct Mover {
     /// Pixels by metre of outward displacement (translating), else zero.
     pub(super) shift: [f64; 2],
@@ -57,7 +57,7 @@ pub(super) struct Mover {
     pub(super) axis: [f64; 2],
 }
 
-/// What the script needs to know.
+/// Of a cam on a picture.
 pub(super) fn mover(cam: &DiscCam, view: &View) -> Mover {
     let geometry = cam.geometry();
     let (shift, turn, about) = match geometry.guide {
@@ -141,7 +141,7 @@ pub(super) fn parts(cam: &DiscCam) -> Parts {
 }
 
 /// A view that shows the cam at every angle, and the follower in and out.
-pub(super) fn view(cam: &DiscCam, curves: &[NamedCurve]) -> View {
+pub(in crate::report) fn view(cam: &DiscCam, curves: &[NamedCurve]) -> View {
     let pitch = curves.iter().filter(|curve| curve.name == "pitch");
     let pitch = pitch.flat_map(|curve| &curve.polygon.points);
     let radius = pitch

@@ -2,6 +2,7 @@
 
 use super::ForcesReport;
 use crate::analysis::forces::{Column, columns};
+use crate::order::by_first;
 use crate::report::quantity::significant;
 use crate::report::svg::chart::{Axis, Chart, Curve};
 
@@ -137,22 +138,11 @@ fn over_course(
     }
 }
 
-/// The zones; one that goes on from the beginning of a closed course in two.
+/// The zones.
 fn shaded(report: &ForcesReport<'_>) -> Vec<[f64; 2]> {
-    let course = &report.study.course;
-    let mut list = Vec::new();
-    for zone in &report.study.zones {
-        match (course.period(), course.len()) {
-            (Some(period), 1..) if zone.to > course.parameter(0) + period => {
-                let (first, last) = (course.parameter(0), course.parameter(0) + period);
-                list.push([zone.from.min(last), last]);
-                list.push([first, zone.to - period]);
-            }
-            _ => list.push([zone.from, zone.to]),
-        }
-    }
-    let ends = list.into_iter();
-    ends.map(|ends| ends.map(|at| report.axis_value(at)))
+    let zones = report.study.zones.iter();
+    zones
+        .map(|zone| [zone.from, zone.to].map(|at| report.axis_value(at)))
         .collect()
 }
 
@@ -187,7 +177,7 @@ pub fn ratio_chart(report: &ForcesReport<'_>) -> Option<Chart> {
     };
     let mut ideal: Vec<(f64, f64)> = found.iter().map(|(i, ..)| (*i, sign * i.abs())).collect();
     ideal.push((0.0, 0.0));
-    ideal.sort_by(|a, b| a.0.total_cmp(&b.0));
+    by_first(&mut ideal);
     let unit = |name: &str| {
         let all = columns(&study.linkage, study.settings.output);
         let column = all.into_iter().find(|column| column.name == name);

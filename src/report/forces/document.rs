@@ -48,7 +48,7 @@ pub fn document(report: &ForcesReport<'_>) -> Value {
             "unique": study.solved().all(|(_, forces)| forces.solved.unique),
         }),
     );
-    object.insert("warnings".into(), json!(study.warnings()));
+    object.insert("warnings".into(), json!(report.warnings));
     object.insert("columns".into(), values(study));
     if let Some(found) = massless {
         object.insert("massless".into(), comparison(found));
@@ -58,7 +58,11 @@ pub fn document(report: &ForcesReport<'_>) -> Value {
 
 fn extremes(study: &ForceStudy) -> Value {
     let entries = study.extremes.iter().map(|found| {
-        let end = |extreme: &Extreme| json!({ "value": extreme.value, "at": extreme.at });
+        // An infinite value is null in JSON.
+        let end = |extreme: &Extreme| match extreme.value.is_finite() {
+            true => json!({ "value": extreme.value, "at": extreme.at }),
+            false => json!({ "value": null, "unbounded_towards": extreme.at }),
+        };
         let value = json!({
             "unit": found.unit,
             "least": end(&found.least),
@@ -66,14 +70,15 @@ fn extremes(study: &ForceStudy) -> Value {
         });
         (found.name.clone(), value)
     });
-    Value::Object(entries.collect())
+    let mut all = Map::new();
+    all.extend(entries);
+    Value::Object(all)
 }
 
 fn cycle(cycle: &CycleForces, study: &ForceStudy) -> Value {
     let pairs = study.linkage.pairs.iter().zip(&cycle.pair_losses);
-    let losses: Map<String, Value> = pairs
-        .map(|(p, loss)| (p.name.clone(), json!(loss)))
-        .collect();
+    let mut losses = Map::new();
+    losses.extend(pairs.map(|(p, loss)| (p.name.clone(), json!(loss))));
     json!({
         "closed": cycle.closed,
         "duration": cycle.duration,
@@ -89,10 +94,17 @@ fn cycle(cycle: &CycleForces, study: &ForceStudy) -> Value {
 }
 
 fn zones(study: &ForceStudy) -> Value {
-    let zones = study
-        .zones
-        .iter()
-        .map(|zone| json!({ "kind": zone.kind.name(), "from": zone.from, "to": zone.to }));
+    let zones = study.zones.iter().map(|zone| {
+        let ends = [zone.from, zone.to].into_iter().zip(zone.unbounded);
+        let ends = ends.filter(|(_, unbounded)| *unbounded);
+        let towards: Vec<f64> = ends.map(|(at, _)| at).collect();
+        json!({
+            "kind": zone.kind.name(),
+            "from": zone.from,
+            "to": zone.to,
+            "unbounded_towards": towards,
+        })
+    });
     Value::Array(zones.collect())
 }
 

@@ -16,7 +16,7 @@ pub use hodograph::Hodograph;
 pub use page::page;
 pub use text::text;
 
-use crate::analysis::forces::{ForceStudy, MasslessComparison};
+use crate::analysis::forces::{Extreme, ForceStudy, MasslessComparison, Zone};
 use crate::report::quantity::{significant, with_unit};
 
 /// Everything that is told of a study.
@@ -24,6 +24,8 @@ use crate::report::quantity::{significant, with_unit};
 pub struct ForcesReport<'a> {
     /// What was found.
     pub study: &'a ForceStudy,
+    /// What the user should know besides the figures.
+    pub warnings: &'a [String],
     /// The comparison of the massless with the full model, where it was asked for.
     pub massless: Option<&'a MasslessComparison>,
     /// The linkage's id.
@@ -70,6 +72,33 @@ impl ForcesReport<'_> {
             significant(self.axis_value(at), 6),
             self.axis_unit()
         )
+    }
+}
+
+impl ForcesReport<'_> {
+    /// The value of an extreme and where it is.
+    fn extreme(&self, found: &Extreme, unit: &str) -> [String; 2] {
+        let place = self.place(found.at);
+        match found.value.is_finite() {
+            true => [shown(found.value, unit), place],
+            false => ["unbounded".to_owned(), format!("→ {place}")],
+        }
+    }
+
+    /// What a zone is, in words, and towards where forces grow without bound.
+    fn zone(&self, zone: &Zone) -> String {
+        let ends = [zone.from, zone.to].into_iter().zip(zone.unbounded);
+        let ends = ends.filter(|(_, unbounded)| *unbounded);
+        let mut places: Vec<String> = ends.map(|(at, _)| self.place(at)).collect();
+        places.dedup();
+        match places.is_empty() {
+            true => zone.kind.words().to_owned(),
+            false => format!(
+                "{}; forces unbounded towards {}",
+                zone.kind.words(),
+                places.join(" and ")
+            ),
+        }
     }
 }
 

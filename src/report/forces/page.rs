@@ -3,6 +3,7 @@
 use super::charts::{groups, massless_chart, ratio_chart};
 use super::text::verdict;
 use super::{ForcesReport, Hodograph, drawing, shown};
+use crate::analysis::forces::Extreme;
 use crate::report::html::data::PlotData;
 use crate::report::html::{facts, header, scene, shell, warnings};
 use crate::report::quantity::{escape, significant};
@@ -21,7 +22,7 @@ pub fn page(report: &ForcesReport<'_>) -> String {
     let subtitle = format!("forces of {}, {}", report.object, report.motion);
     let mut body = header(report.name, &subtitle, None);
     body.push_str("<main>\n");
-    body.push_str(&warnings(&study.warnings()));
+    body.push_str(&warnings(report.warnings));
     if study.solved().next().is_some() {
         body.push_str("<h2>The mechanism with its forces</h2>\n");
         body.push_str(&drawing(report).section("mechanism"));
@@ -94,7 +95,7 @@ fn zones(report: &ForcesReport<'_>) -> String {
             "<tr><td>{}</td><td>{}</td><td class=\"left\">{}</td></tr>\n",
             report.place(zone.from),
             report.place(zone.to),
-            escape(zone.kind.words())
+            escape(&report.zone(zone))
         )
     });
     format!(
@@ -152,14 +153,18 @@ fn massless(report: &ForcesReport<'_>) -> String {
 
 fn extremes(report: &ForcesReport<'_>) -> String {
     let rows = report.study.extremes.iter().map(|found| {
+        let cell = |end: &Extreme| {
+            let [value, at] = report.extreme(end, &found.unit);
+            let at = match end.value.is_finite() {
+                true => format!("at {at}"),
+                false => at,
+            };
+            format!("<td>{}<span class=\"sub\">{at}</span></td>", escape(&value))
+        };
+        let (least, greatest) = (cell(&found.least), cell(&found.greatest));
         format!(
-            "<tr><th>{}</th><td>{}<span class=\"sub\">at {}</span></td><td>{}<span class=\"sub\">at \
-             {}</span></td></tr>\n",
-            escape(&found.name),
-            escape(&shown(found.least.value, &found.unit)),
-            report.place(found.least.at),
-            escape(&shown(found.greatest.value, &found.unit)),
-            report.place(found.greatest.at)
+            "<tr><th>{}</th>{least}{greatest}</tr>\n",
+            escape(&found.name)
         )
     });
     format!(

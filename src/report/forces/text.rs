@@ -56,14 +56,12 @@ fn extremes(out: &mut String, report: &ForcesReport<'_>) {
         "EXTREMES", "least", "at", "greatest", "at"
     );
     for found in &report.study.extremes {
+        let [least, least_at] = report.extreme(&found.least, &found.unit);
+        let [greatest, greatest_at] = report.extreme(&found.greatest, &found.unit);
         let _ = writeln!(
             out,
-            "{:<width$} {:>16} {:>16} {:>16} {:>16}",
+            "{:<width$} {least:>16} {least_at:>16} {greatest:>16} {greatest_at:>16}",
             found.name,
-            shown(found.least.value, &found.unit),
-            report.place(found.least.at),
-            shown(found.greatest.value, &found.unit),
-            report.place(found.greatest.at)
         );
     }
 }
@@ -74,13 +72,12 @@ fn zones(out: &mut String, report: &ForcesReport<'_>) {
     }
     out.push_str("\nZONES\n");
     for zone in &report.study.zones {
-        let _ = writeln!(
-            out,
-            "{} to {}: {}",
-            report.place(zone.from),
-            report.place(zone.to),
-            zone.kind.words()
-        );
+        let (from, to) = (report.place(zone.from), report.place(zone.to));
+        let what = report.zone(zone);
+        let _ = match from == to {
+            true => writeln!(out, "at {from}: {what}"),
+            false => writeln!(out, "{from} to {to}: {what}"),
+        };
     }
 }
 
@@ -154,6 +151,19 @@ fn sensitivities(out: &mut String, report: &ForcesReport<'_>) {
             continue;
         };
         let name = column.name.trim_start_matches("drive_by.");
+        let endless = study
+            .unbounded
+            .iter()
+            .find(|(known, _)| *known == column.name);
+        if let Some((_, at)) = endless {
+            let place = format!("→ {}", report.place(*at));
+            let _ = writeln!(
+                rows,
+                "{name:<26} {:>20} {place:>16} {:>18}",
+                "unbounded", "unbounded"
+            );
+            continue;
+        }
         let chi = all
             .iter()
             .find(|other| other.name == format!("chi_by.{name}"));

@@ -1,6 +1,6 @@
 //! The data of a page's plots, as compact JSON for its script.
 
-use crate::record::{Column, Record};
+use crate::record::{Column, Quantity, Record};
 use crate::report::quantity::escape;
 use serde::Serialize;
 
@@ -33,6 +33,7 @@ struct Group {
 
 #[derive(Clone, Debug, Serialize)]
 struct Panel {
+    quantity: &'static str,
     name: &'static str,
     unit: &'static str,
     series: Vec<Series>,
@@ -52,13 +53,13 @@ struct Shade {
 }
 
 /// Quantities in the order they are shown, with their names on the plots.
-pub const QUANTITIES: [(&str, &str); 6] = [
-    ("displacement", "Displacement φ"),
-    ("speed", "Speed φ\u{307}"),
-    ("acceleration", "Acceleration φ\u{308}"),
-    ("delta", "Positioning error δ"),
-    ("reaction", "Reaction F"),
-    ("contact_force", "Contact force N"),
+pub const QUANTITIES: [(Quantity, &str); 6] = [
+    (Quantity::Displacement, "Displacement φ"),
+    (Quantity::Speed, "Speed φ\u{307}"),
+    (Quantity::Acceleration, "Acceleration φ\u{308}"),
+    (Quantity::Delta, "Positioning error δ"),
+    (Quantity::Reaction, "Reaction F"),
+    (Quantity::ContactForce, "Contact force N"),
 ];
 
 impl PlotData {
@@ -86,6 +87,11 @@ impl PlotData {
             times: runs.iter().map(times).collect(),
             groups,
         }
+    }
+
+    /// The place of an object's group among all; `None` when no run has samples of it.
+    pub(in crate::report) fn place(&self, id: &str) -> Option<usize> {
+        self.groups.iter().position(|group| group.id == id)
     }
 
     /// The section of an object: heading, tool bar, place of the plots. Empty
@@ -161,7 +167,7 @@ fn group(index: usize, id: &str, runs: &[RunSeries<'_>]) -> Group {
         let columns: Vec<(usize, &Column)> = runs
             .iter()
             .enumerate()
-            .filter_map(|(run, one)| Some((run, column(one.record, id, quantity)?)))
+            .filter_map(|(run, one)| Some((run, one.record.column(id, quantity)?)))
             .collect();
         let Some((_, first)) = columns.first() else {
             continue;
@@ -174,6 +180,7 @@ fn group(index: usize, id: &str, runs: &[RunSeries<'_>]) -> Group {
             continue;
         }
         panels.push(Panel {
+            quantity: quantity.name(),
             name,
             unit: first.unit,
             series: columns
@@ -203,22 +210,12 @@ fn group(index: usize, id: &str, runs: &[RunSeries<'_>]) -> Group {
 
 /// The quantities as they stand on the page: where runs are compared, what
 /// they are compared for comes first.
-fn order(runs: usize) -> Vec<(&'static str, &'static str)> {
+fn order(runs: usize) -> Vec<(Quantity, &'static str)> {
     let mut list = QUANTITIES.to_vec();
     if runs > 1 {
-        list.sort_by_key(|(quantity, _)| *quantity != "delta");
+        list.sort_by_cached_key(|(quantity, _)| usize::from(*quantity != Quantity::Delta));
     }
     list
-}
-
-/// A column of a record.
-pub(in crate::report) fn column<'a>(
-    record: &'a Record,
-    id: &str,
-    quantity: &str,
-) -> Option<&'a Column> {
-    let wanted = |c: &&Column| c.object == id && c.quantity == quantity;
-    record.columns.iter().find(wanted)
 }
 
 fn series(run: usize, column: &Column) -> Series {

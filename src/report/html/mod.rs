@@ -1,10 +1,13 @@
 //! Pages that open without a network: style, script and data are in them.
 
 pub mod data;
+pub(in crate::report) mod player;
 pub mod tables;
 
 use crate::record::{Figures, Record};
 use crate::report::diagram::Diagram;
+use crate::report::machine::Machine;
+use crate::report::mechanism;
 use crate::report::quantity::{escape, significant, with_unit};
 use crate::report::svg::graph;
 use crate::report::verdict::{Sort, Verdict, verdict};
@@ -12,6 +15,7 @@ use data::{PlotData, RunSeries};
 
 const STYLE: &str = include_str!("style.css");
 const SCRIPT: &str = include_str!("script.js");
+const PLAYER: &str = include_str!("player.js");
 
 /// Everything that goes into the page of one run.
 #[derive(Clone, Copy, Debug)]
@@ -22,6 +26,8 @@ pub struct RunReport<'a> {
     pub record: &'a Record,
     /// The object graph.
     pub diagram: &'a Diagram,
+    /// What is drawn moving; `None`: nothing is.
+    pub machine: Option<Machine<'a>>,
     /// The scene's text, shown as it is.
     pub scene: &'a str,
     /// Version of `dam`.
@@ -40,6 +46,10 @@ pub fn page(report: &RunReport<'_>) -> String {
     body.push_str("<main>\n");
     body.push_str(&warnings(&figures.warnings));
     body.push_str(&mechanism(report.diagram));
+    if let Some(machine) = &report.machine {
+        let place = |id: &str| plots.place(id);
+        body.push_str(&machine.section(figures, report.record, &place));
+    }
     body.push_str("<h2>Figures</h2>\n");
     body.push_str(&tables::figures(figures));
     body.push_str(&tables::pairs(figures));
@@ -57,17 +67,24 @@ pub fn page(report: &RunReport<'_>) -> String {
     shell(&figures.scene, &body, &plots.json())
 }
 
-/// A complete document around `body`, with the data of its plots.
+/// A complete document around `body`, with the data of its plots, and with the
+/// player where something moves.
 pub(in crate::report) fn shell(title: &str, body: &str, data: &str) -> String {
+    let moves = body.contains("<figure class=\"moving\"");
+    let player = match moves {
+        true => format!("<script>\n{PLAYER}</script>\n"),
+        false => String::new(),
+    };
+    let moving = if moves { mechanism::STYLE } else { "" };
     format!(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
          <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; \
          style-src 'unsafe-inline'; script-src 'unsafe-inline'\">\n\
          <meta name=\"generator\" content=\"dam\">\n\
-         <title>{}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n{body}\
+         <title>{}</title>\n<style>\n{STYLE}{moving}</style>\n</head>\n<body>\n{body}\
          <script id=\"data\" type=\"application/json\">{data}</script>\n\
-         <script>\n{SCRIPT}</script>\n</body>\n</html>\n",
+         <script>\n{SCRIPT}</script>\n{player}</body>\n</html>\n",
         escape(title)
     )
 }

@@ -7,20 +7,28 @@
   const LEFT = 64, RIGHT = 14, TOP = 28, BOTTOM = 24;
   const DASHES = ["", "7 3", "2 2.5", "9 3 2 3", "4 2", "12 4", "1.5 3.5", "6 2 1 2 1 2"];
   const PREFIXES = { "-12": "p", "-9": "n", "-6": "µ", "-3": "m", 0: "", 3: "k", 6: "M", 9: "G" };
-  const BARE = ["s", "m", "rad", "m/s", "m/s²", "rad/s"];
+  const TAKE_ALL = ["N", "J", "W", "Pa", "Hz", "Nm"], TAKE_SMALL = ["s", "m", "rad"];
+  const machine = document.querySelector("figure.moving") !== null;
   let printing = false;
+  // The instant that all cursors and the machine stand at; null: none is shown.
+  let instant = null;
 
   // ---- numbers -------------------------------------------------------------
   const superscript = (n) => String(n).replace(/./g, (c) => c === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[+c]);
   const minus = (text) => text.replace(/-/g, "−");
 
+  // As `scale` of quantity.rs: small prefixes of a kilogram stand before the gram.
   function scaleFor(magnitude, unit) {
-    if (!(magnitude > 0) || !isFinite(magnitude)) return { factor: 1, unit };
+    if (!(magnitude > 0) || !isFinite(magnitude) || !unit || unit.startsWith("1")) return { factor: 1, unit };
     let exponent = Math.floor((Math.log10(magnitude) + 1e-9) / 3) * 3;
-    const bare = BARE.includes(unit) && exponent > 0;
-    if (bare && exponent === 3) exponent = 0;
-    const prefix = bare && exponent > 0 ? undefined : PREFIXES[exponent];
-    return { factor: 10 ** exponent, unit: prefix === undefined ? `10${superscript(exponent)} ${unit}` : prefix + unit };
+    const first = unit.split(/[ /]/)[0], gram = first === "kg", all = TAKE_ALL.includes(first);
+    const some = all || gram || TAKE_SMALL.includes(first);
+    if ((!all && exponent === 3) || (!some && exponent === -3)) exponent = 0;
+    const factor = 10 ** exponent;
+    if (exponent === 0) return { factor, unit };
+    const prefix = all || (some && exponent < 0) ? PREFIXES[gram ? exponent + 3 : exponent] : undefined;
+    if (prefix === undefined) return { factor, unit: `10${superscript(exponent)} ${unit}` };
+    return { factor, unit: prefix + (gram ? unit.slice(1) : unit) };
   }
 
   function significant(value, digits) {
@@ -212,6 +220,7 @@
     group.panels.forEach((panel) => drawPlot(group, panel));
     const whole = group.range[0] === group.whole[0] && group.range[1] === group.whole[1];
     if (group.reset) group.reset.disabled = whole;
+    if (instant !== null) showPointer(group, instant);
   }
 
   // ---- reading and zooming -------------------------------------------------
@@ -232,6 +241,7 @@
         readings.push([series.run, withUnit(v, panel.unit, 6)]);
       });
       if (at === null) continue;
+      if (x(time) < LEFT - 1 || x(time) > LEFT + width + 1) { panel.pointer.setAttribute("visibility", "hidden"); panel.reading.replaceChildren(); continue; }
       const place = Math.min(Math.max(x(at), LEFT), LEFT + width);
       panel.pointer.setAttribute("x1", place);
       panel.pointer.setAttribute("x2", place);
@@ -256,6 +266,18 @@
       panel.reading.replaceChildren();
     }
   }
+
+  // All cursors go together, and the machine with them.
+  function tell(time) {
+    if (machine && time !== null) document.dispatchEvent(new CustomEvent("instant", { detail: { time, by: "plots" } }));
+    else standAt(time);
+  }
+
+  function standAt(time) {
+    instant = time;
+    data.groups.forEach((group) => { if (time === null) hidePointer(group); else showPointer(group, time); });
+  }
+  document.addEventListener("instant", (event) => standAt(event.detail.time));
 
   function zoom(group, from, to) {
     const [low, high] = group.whole;
@@ -287,7 +309,7 @@
     });
     svg.addEventListener("pointermove", (event) => {
       const time = timeAt(event);
-      showPointer(group, time);
+      tell(time);
       if (start === null) return;
       const a = panel.geometry.x(Math.min(start, time)), b = panel.geometry.x(Math.max(start, time));
       for (const other of group.panels) {
@@ -306,7 +328,7 @@
       zoom(group, Math.min(from, end), Math.max(from, end));
     });
     svg.addEventListener("pointercancel", () => { start = null; });
-    svg.addEventListener("pointerleave", () => { if (start === null) hidePointer(group); });
+    svg.addEventListener("pointerleave", () => { if (start === null && !machine) tell(null); });
     svg.addEventListener("dblclick", (event) => { event.preventDefault(); zoom(group, ...group.whole); });
     // A wheel over a page full of plots means scrolling until a plot has been clicked.
     svg.addEventListener("wheel", (event) => {

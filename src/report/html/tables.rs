@@ -53,9 +53,8 @@ fn name(id: &str) -> String {
 pub fn figures(figures: &Figures) -> String {
     let head = head(&[
         "Object",
-        "δ<sub>max</sub>",
-        "δ<sub>min</sub>",
-        "σ, mean |δ|",
+        "greatest <span class=\"nobr\">|δ|</span>",
+        "σ, mean <span class=\"nobr\">|δ|</span>",
         "peak speed",
         "peak acceleration",
         "peak reaction",
@@ -67,8 +66,6 @@ pub fn figures(figures: &Figures) -> String {
         let displacement = units.displacement;
         let speed = format!("{displacement}/s");
         let cells = [
-            (object.delta_max, displacement),
-            (object.delta_min, displacement),
             (object.sigma, displacement),
             (object.peak_speed, &speed),
             (object.peak_acceleration, &format!("{displacement}/s²")),
@@ -80,9 +77,26 @@ pub fn figures(figures: &Figures) -> String {
             .iter()
             .map(|(value, unit)| cell(*value, unit))
             .collect();
-        format!("<tr>{}{cells}</tr>\n", name(id))
+        let deviation = deviation(object, displacement);
+        format!("<tr>{}{deviation}{cells}</tr>\n", name(id))
     };
     table(&head, &figures.objects.iter().map(row).collect::<String>())
+}
+
+/// Greatest |δ|, and below it the extremes of δ in the same scale.
+fn deviation(object: &ObjectFigures, unit: &str) -> String {
+    if !(object.delta_abs > 0.0) {
+        return cell(object.delta_abs, unit);
+    }
+    let shown = scale(object.delta_abs, unit);
+    let end = |value: f64| significant(value / shown.factor, 4);
+    format!(
+        "{}<span class=\"sub\">{} to {} {}</span></td>",
+        cell(object.delta_abs, unit).trim_end_matches("</td>"),
+        end(object.delta_min),
+        end(object.delta_max),
+        escape(&shown.unit)
+    )
 }
 
 /// Figures of every pair that can open; nothing when there is none.

@@ -2,6 +2,7 @@ use super::{RunReport, page};
 use crate::record::SwitchRow;
 use crate::report::diagram::Diagram;
 use crate::report::fixture;
+use crate::report::machine::Machine;
 
 const SCENE: &str = "{\n  \"name\": \"</pre><script>alert(1)</script>\"\n}\n";
 
@@ -14,6 +15,10 @@ fn rendered(
         figures: &figures,
         record: &record,
         diagram: &Diagram::of(&fixture::rocker(2)),
+        machine: Some(Machine {
+            model: &fixture::rocker(2),
+            cams: &[],
+        }),
         scene: SCENE,
         version: "0.1.0",
     })
@@ -36,7 +41,8 @@ fn a_page_needs_nothing_from_outside_and_lets_nothing_in() {
     }
     assert!(!page.contains("<script>alert"));
     assert!(page.contains("&lt;two masses&gt;"));
-    assert_eq!(page.matches("</script>").count(), 2);
+    // Data and script of the plots, data and script of the player.
+    assert_eq!(page.matches("</script>").count(), 4);
 }
 
 #[test]

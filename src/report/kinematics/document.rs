@@ -18,6 +18,8 @@ pub fn document(scene: &str, hash: &str, found: &Kinematics) -> Value {
                 "unit": column.unit,
                 "least": end(extremes.least),
                 "greatest": end(extremes.greatest),
+                "error": column.error,
+                "undetermined": column.undetermined,
                 "values": column.values,
             }),
         );
@@ -33,6 +35,7 @@ pub fn document(scene: &str, hash: &str, found: &Kinematics) -> Value {
         "axis": { "name": found.axis.name, "unit": found.axis.unit, "values": found.axis.values },
         "strokes": strokes(found),
         "transmission_angles": transmission(found),
+        "equilibria": equilibria(found),
         "stopped": found.stopped.as_ref().map(|stop| json!({
             "at": stop.at, "input": stop.input, "because": stop.cause,
         })),
@@ -74,4 +77,20 @@ fn transmission(found: &Kinematics) -> Vec<Value> {
         })
     });
     angles.collect()
+}
+
+fn equilibria(found: &Kinematics) -> Vec<Value> {
+    let equilibria = found.equilibria.iter().map(|rest| {
+        json!({
+            "input": rest.at,
+            "stable": rest.is_stable(),
+            "stiffness": rest.stiffness,
+            "inertia": rest.inertia,
+            "damping": rest.damping,
+            "angular_frequency": rest.frequency(),
+            "damping_ratio": rest.damping_ratio(),
+            "growth": rest.growth(),
+        })
+    });
+    equilibria.collect()
 }

@@ -33,6 +33,8 @@ pub(super) fn input(found: &Kinematics, at: f64) -> String {
 /// A value with its unit, an angle in degrees.
 pub(super) fn angle_or(value: f64, unit: &str) -> String {
     match unit {
+        // Nowhere determined, or infinite.
+        _ if !value.is_finite() => "–".to_owned(),
         "rad" => format!("{} deg", significant(value.to_degrees(), 8)),
         "1" => significant(value, 8),
         // A prefix does not go with a reciprocal.

@@ -1,6 +1,6 @@
 //! The kinematics as a page that opens without a network.
 
-use super::text::reach;
+use super::text::{behaviour, reach};
 use super::{angle_or, drawing, input, place, plots};
 use crate::analysis::kinematics::Kinematics;
 use crate::report::html::data::PlotData;
@@ -62,6 +62,7 @@ pub fn page(report: &KinematicsReport<'_>) -> String {
         }
         body.push_str("</div>\n");
     }
+    body.push_str(&equilibria(found));
     body.push_str(&extremes(found));
     body.push_str(&scene(report.scene));
     body.push_str("</main>\n");
@@ -142,6 +143,25 @@ fn transmission(found: &Kinematics) -> String {
         "<h2>Transmission angles</h2>\n<div class=\"scroll\"><table>\n<thead><tr><th>dyad</th>\
          <th>least</th><th>greatest</th></tr></thead>\n<tbody>\n{rows}</tbody></table></div>\n\
          <p class=\"soft\">90 deg is best; at 0 the pushed link is in a dead position.</p>\n"
+    )
+}
+
+fn equilibria(found: &Kinematics) -> String {
+    if found.equilibria.is_empty() {
+        return String::new();
+    }
+    let rows = found.equilibria.iter().map(|rest| {
+        format!(
+            "<tr><th>{}</th><td class=\"left\">{}</td></tr>\n",
+            input(found, rest.at),
+            escape(&behaviour(rest))
+        )
+    });
+    format!(
+        "<h2>Equilibria</h2>\n<div class=\"scroll\"><table>\n<thead><tr><th>input</th>\
+         <th class=\"left\">a small push</th></tr></thead>\n<tbody>\n{}</tbody></table></div>\n\
+         <p class=\"soft\">The linkage alone, its input free and nothing on its outputs.</p>\n",
+        rows.collect::<String>()
     )
 }
 

@@ -1,9 +1,13 @@
 //! The kinematics on the terminal.
 
 use super::{angle_or, input, place};
-use crate::analysis::kinematics::{Column, Extremes, Kinematics, Quantity};
+use crate::analysis::kinematics::{Column, Equilibrium, Extremes, Kinematics, Quantity};
 use crate::report::quantity::{significant, with_unit};
+use std::f64::consts::TAU;
 use std::fmt::Write as _;
+
+/// An error above this share of a quantity would be seen in its digits.
+const SHOWN: f64 = 1e-8;
 
 /// Structure, extremes, strokes, transmission angles, limits.
 pub fn text(scene: &str, found: &Kinematics) -> String {
@@ -27,6 +31,7 @@ pub fn text(scene: &str, found: &Kinematics) -> String {
     }
     strokes(&mut out, found);
     transmission(&mut out, found);
+    equilibria(&mut out, found);
     out
 }
 
@@ -74,9 +79,15 @@ fn row(out: &mut String, found: &Kinematics, column: &Column, extremes: &Extreme
     let ((least, at_least), (greatest, at_greatest)) =
         (end(extremes.least), end(extremes.greatest));
     let name = column.name();
+    let size = extremes.least.1.abs().max(extremes.greatest.1.abs());
+    let doubt = match (column.undetermined, column.error > SHOWN * size.max(1.0)) {
+        (0, false) => String::new(),
+        (0, true) => format!("  ± {}", angle_or(column.error, &column.unit)),
+        (count, _) => format!("  not determined at {count} positions"),
+    };
     let _ = writeln!(
         out,
-        "  {name:<34} {least:>22} at {at_least:<16} {greatest:>22} at {at_greatest}"
+        "  {name:<34} {least:>22} at {at_least:<16} {greatest:>22} at {at_greatest}{doubt}"
     );
 }
 
@@ -127,5 +138,40 @@ fn transmission(out: &mut String, found: &Kinematics) {
             angle_or(angle.greatest.1, "rad"),
             place(found, angle.greatest.0)
         );
+    }
+}
+
+fn equilibria(out: &mut String, found: &Kinematics) {
+    if found.equilibria.is_empty() {
+        return;
+    }
+    out.push_str("\nEQUILIBRIA (the linkage alone, its input free)\n");
+    for rest in &found.equilibria {
+        let _ = writeln!(out, "  {}: {}", input(found, rest.at), behaviour(rest));
+    }
+}
+
+/// What becomes of a small push, in words.
+pub(super) fn behaviour(rest: &Equilibrium) -> String {
+    if let (Some(frequency), Some(ratio)) = (rest.frequency(), rest.damping_ratio()) {
+        let damped = match ratio > 0.0 {
+            true => format!(", damping ratio {}", significant(ratio, 6)),
+            false => String::new(),
+        };
+        return format!(
+            "stable, natural frequency {}{damped}",
+            with_unit(frequency / TAU, "Hz", 8)
+        );
+    }
+    match rest.growth() {
+        Some(growth) if growth > 0.0 => {
+            format!(
+                "unstable, a push grows by e in {}",
+                with_unit(growth.recip(), "s", 8)
+            )
+        }
+        _ if rest.stiffness == 0.0 => "neither stable nor unstable to first order".to_owned(),
+        _ if rest.is_stable() => "stable, nothing has inertia".to_owned(),
+        _ => "unstable, nothing has inertia".to_owned(),
     }
 }

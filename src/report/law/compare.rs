@@ -9,7 +9,7 @@ use std::fmt::Write as _;
 pub fn comparison_text(laws: &[ComparedLaw], by: Figure) -> String {
     let places = by.ranks(laws);
     let mut order: Vec<usize> = (0..laws.len()).collect();
-    order.sort_by_key(|&index| (places[index].unwrap_or(usize::MAX), index));
+    order.sort_by_cached_key(|&index| (places[index].unwrap_or(usize::MAX), index));
     let width = laws.iter().map(|law| law.name.chars().count());
     let width = width.max().unwrap_or(0).max(3);
     let shown: Vec<Figure> = Figure::ALL

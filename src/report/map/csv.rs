@@ -21,8 +21,8 @@ pub fn map_csv(study: &Study<'_>, result: &MapResult) -> Result<String, csv::Err
     names.extend(several.then(|| "settings".to_owned()));
     names.push(head(&study.x.path, x_unit));
     names.extend(study.y.as_ref().map(|y| head(&y.path, y_unit)));
-    names.push(head(&study.figure, study.unit));
-    names.extend(["verdict", "cause", "moved", "rigid_margin"].map(str::to_owned));
+    names.push(head(&study.figure, &study.unit));
+    names.extend(["verdict", "cause", "determined", "moved", "rigid_margin"].map(str::to_owned));
     writer.write_record(&names)?;
     let number = |value: Option<f64>| value.map(|value| format!("{value:?}")).unwrap_or_default();
     for (panel, cells) in result.panels.iter().enumerate() {
@@ -36,6 +36,11 @@ pub fn map_csv(study: &Study<'_>, result: &MapResult) -> Result<String, csv::Err
             row.push(number(cell.value));
             row.push(cell.verdict.name().to_owned());
             row.push(cell.cause.clone());
+            row.push(
+                cell.determined
+                    .map(|yes| yes.to_string())
+                    .unwrap_or_default(),
+            );
             row.extend([number(cell.moved), number(cell.rigid_margin)]);
             writer.write_record(&row)?;
         }

@@ -2,7 +2,7 @@
 
 use crate::analysis::axis::Axis;
 use crate::analysis::map::{Cell, MapResult, NEAR_HARMONIC, RESONANCE, Study, THROWN_OFF, summary};
-use crate::analysis::spread::{CHANGE, DETERMINED};
+use crate::analysis::spread::CHANGE;
 use serde_json::{Value, json};
 
 /// The document that `dam map --json` prints. Cells stand in the order of the
@@ -23,6 +23,7 @@ pub fn document(study: &Study<'_>, result: &MapResult) -> Value {
                 "values": of(cells, &|cell| json!(cell.value)),
                 "verdicts": of(cells, &|cell| json!(cell.verdict)),
                 "causes": of(cells, &|cell| json!(cell.cause)),
+                "determined": of(cells, &|cell| json!(cell.determined)),
                 "moved": of(cells, &|cell| json!(cell.moved)),
                 "rigid_margin": of(cells, &|cell| json!(cell.rigid_margin)),
             })
@@ -42,7 +43,7 @@ pub fn document(study: &Study<'_>, result: &MapResult) -> Value {
             "resonance": RESONANCE,
             "near_harmonic": NEAR_HARMONIC,
             "change_of_loads": study.check_determined.then_some(CHANGE),
-            "determined": study.check_determined.then_some(DETERMINED),
+            "digits": study.check_determined.then_some(study.digits),
         },
         "panels": panels,
     })

@@ -3,6 +3,7 @@
 mod csv;
 mod document;
 mod page;
+mod pointing;
 mod text;
 
 pub use csv::map_csv;

@@ -1,11 +1,12 @@
 //! A map as a page that opens without a network.
 
+use super::pointing;
 use crate::analysis::axis::Axis;
 use crate::analysis::map::{
     Cell, MOST_STEPS, MapResult, NEAR_HARMONIC, RESONANCE, STEADY, Study, THROWN_OFF, Verdict,
     summary,
 };
-use crate::analysis::spread::{CHANGE, DETERMINED};
+use crate::analysis::spread::CHANGE;
 use crate::report::html::data::PlotData;
 use crate::report::html::{facts, header, scene, shell};
 use crate::report::quantity::{escape, significant, with_unit};
@@ -23,6 +24,9 @@ pub struct MapReport<'a> {
     pub study: &'a Study<'a>,
     /// What came out.
     pub result: &'a MapResult,
+    /// The command that runs the scene with the settings of all cells, word by
+    /// word: `dam`, `run`, `scene.json`, `--set`, `rocker.masses=2`.
+    pub command: &'a [String],
     /// The scene's text, shown as it is.
     pub scene: &'a str,
     /// Version of `dam`.
@@ -38,11 +42,7 @@ pub fn page(report: &MapReport<'_>) -> String {
     };
     let mut body = header(&study.scene, &over, None);
     body.push_str("<main>\n");
-    let _ = write!(
-        body,
-        "<div class=\"graph scroll\">\n{}</div>\n",
-        svg::map::svg(study, report.result)
-    );
+    body.push_str(&pointing::section(report));
     body.push_str(&counts(report));
     body.push_str(&meanings(report));
     body.push_str(&causes(report));
@@ -98,7 +98,7 @@ fn counts(report: &MapReport<'_>) -> String {
                     .unwrap_or_default();
                 format!(
                     "{}<span class=\"sub\">at {}{}</span>",
-                    escape(&with_unit(extreme.value, report.study.unit, 6)),
+                    escape(&with_unit(extreme.value, &report.study.unit, 6)),
                     escape(&extreme.x),
                     escape(&y)
                 )
@@ -116,14 +116,30 @@ fn counts(report: &MapReport<'_>) -> String {
 
 /// What the verdicts that occur mean, with the bounds they rest on.
 fn meanings(report: &MapReport<'_>) -> String {
-    let mut occurring: BTreeMap<Verdict, ()> = BTreeMap::new();
+    let mut occurring: BTreeMap<Verdict, usize> = BTreeMap::new();
     for cell in report.result.panels.iter().flatten().flatten() {
-        occurring.insert(cell.verdict, ());
+        *occurring.entry(cell.verdict).or_insert(0) += 1;
     }
-    let rows: Vec<(&str, String)> = (occurring.keys())
+    let mut rows: Vec<(&str, String)> = (occurring.keys())
         .map(|&verdict| (verdict.words(), meaning(verdict)))
         .collect();
+    if report.study.check_determined {
+        rows.push(("not determined", not_determined(report.study)));
+    }
     format!("<h2>What they mean</h2>\n{}", facts(&rows))
+}
+
+/// What a ring upon a cell means.
+fn not_determined(study: &Study<'_>) -> String {
+    format!(
+        "A ring upon a cell: the loads changed by one part in {:e} move the figure by more than \
+         {:e} of its scale (ten times the tolerance of a general method, where that is more), so \
+         that nobody knows it to the {} digits asked for. The verdict on the mechanism holds; how \
+         far every figure moves is in map.csv.",
+        1.0 / CHANGE,
+        10f64.powi(-i32::from(study.digits)),
+        study.digits
+    )
 }
 
 fn meaning(verdict: Verdict) -> String {
@@ -154,12 +170,6 @@ fn meaning(verdict: Verdict) -> String {
             100.0 * STEADY
         ),
         Verdict::Stopped => "The mechanism reaches a dead position.".to_owned(),
-        Verdict::NotDetermined => format!(
-            "The loads changed by one part in {:e} move the figure by more than {DETERMINED:e} of \
-             its scale (ten times the tolerance of a general method, where that is more): nobody \
-             knows the figure to more digits than the map shows as settled.",
-            1.0 / CHANGE
-        ),
         Verdict::NumericalFailure => format!(
             "The computation failed: the method gave up, a number was not finite, the energies do \
              not balance, or more than {MOST_STEPS} steps or the switches allowed were needed (no other \
@@ -176,11 +186,8 @@ fn causes(report: &MapReport<'_>) -> String {
     let told = |cell: &Cell| {
         matches!(
             cell.verdict,
-            Verdict::NotDetermined
-                | Verdict::NumericalFailure
-                | Verdict::Refused
-                | Verdict::Stopped
-        )
+            Verdict::NumericalFailure | Verdict::Refused | Verdict::Stopped
+        ) || cell.determined == Some(false)
     };
     let mut rows = String::new();
     for (panel, cells) in report.result.panels.iter().enumerate() {

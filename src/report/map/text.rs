@@ -48,6 +48,10 @@ fn one_panel(text: &mut String, study: &Study<'_>, panel: &PanelSummary) {
     for (verdict, &count) in &panel.verdicts {
         row(verdict.words(), count);
     }
+    if panel.undetermined > 0 {
+        let words = format!("not determined to {} digits", study.digits);
+        row(&words, panel.undetermined);
+    }
     if panel.missing > 0 {
         row("not worked out", panel.missing);
     }
@@ -65,7 +69,7 @@ fn extreme_in_words(study: &Study<'_>, extreme: &Extreme) -> String {
     }
     format!(
         "{} at {place} ({})",
-        with_unit(extreme.value, study.unit, 7),
+        with_unit(extreme.value, &study.unit, 7),
         extreme.verdict.words()
     )
 }

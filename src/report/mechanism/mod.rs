@@ -10,6 +10,9 @@ mod section;
 mod shape;
 mod view;
 
+pub(in crate::report) use section::STYLE;
+pub(in crate::report) use view::View;
+
 use crate::linkage::spec::LinkageSpec;
 
 /// A link's frame in the frame of the ground.

@@ -2,12 +2,15 @@
 
 use super::view::View;
 use super::{Drawing, arrows, parts};
+use crate::report::html::player::{Arrows, Body, Player, RowAxis, short};
 use crate::report::quantity::{escape, significant};
-use crate::report::svg::coordinate;
-use serde_json::{Value, json};
+use crate::report::svg::{coordinate, without_variables};
 
-const STYLE: &str = include_str!("mechanism.css");
-const SCRIPT: &str = include_str!("mechanism.js");
+/// The style of the drawings: with the colours of a page, or with their own.
+pub(in crate::report) const STYLE: &str = include_str!("mechanism.css");
+
+/// How long all positions are played at normal speed (s).
+const SECONDS: f64 = 4.0;
 
 impl Drawing<'_> {
     /// The picture of one position as a complete SVG document on white ground.
@@ -18,8 +21,9 @@ impl Drawing<'_> {
         format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"mechanism\" viewBox=\"0 0 {w} {h}\" \
              width=\"{w}\" height=\"{h}\" role=\"img\" aria-label=\"{label}\">\n\
-             <style>{STYLE}</style>\n<rect width=\"{w}\" height=\"{h}\" fill=\"#fff\"/>\n\
+             <style>{style}</style>\n<rect width=\"{w}\" height=\"{h}\" fill=\"#fff\"/>\n\
              {markers}\n{parts}{layer}<text class=\"note\" x=\"14\" y=\"{foot}\">{note}</text>\n</svg>\n",
+            style = without_variables(STYLE),
             label = escape(&self.note(frame)),
             markers = arrows::markers(self),
             parts = parts::picture(self, &view, frame),
@@ -45,82 +49,77 @@ impl Drawing<'_> {
             .collect()
     }
 
-    /// The moving picture for a page: drawing, controls and the script that
-    /// moves it. One page may hold several, told apart by `id`.
+    /// The moving picture for a page, with its controls. One page may hold
+    /// several, told apart by `id`.
     pub fn section(&self, id: &str) -> String {
         let view = View::of(self);
         let (w, h) = (coordinate(view.width), coordinate(view.height));
-        let id = escape(id);
-        format!(
-            "<style>{STYLE}</style>\n<figure class=\"moving\" id=\"{id}\">\n\
-             <svg class=\"mechanism\" viewBox=\"0 0 {w} {h}\" width=\"{w}\" height=\"{h}\" role=\"img\" \
-             aria-label=\"the mechanism, to scale\">\n{markers}\n{parts}{layer}</svg>\n\
-             <div class=\"bar controls\"></div>\n</figure>\n\
-             <script type=\"application/json\" id=\"{id}-data\">{data}</script>\n\
-             <script>\n{SCRIPT}(\"{id}\");\n</script>\n",
+        let picture = format!(
+            "<svg class=\"mechanism\" viewBox=\"0 0 {w} {h}\" width=\"{w}\" height=\"{h}\" role=\"img\" \
+             aria-label=\"the mechanism, to scale\">\n{markers}\n{parts}{layer}</svg>\n",
             markers = arrows::markers(self),
             parts = parts::picture(self, &view, 0),
             layer = arrows::layer(self, &view, 0),
-            data = self.data(&view),
-        )
+        );
+        self.player(id, &view).figure(&picture)
+    }
+
+    /// The parts at a position, without arrows.
+    pub(in crate::report) fn parts(&self, view: &View, frame: usize) -> String {
+        parts::picture(self, view, frame)
+    }
+
+    /// The place of a link over all positions: x, y, cosine, sine in pixels.
+    pub(in crate::report) fn table(&self, view: &View, link: usize) -> Vec<Option<f64>> {
+        let placed = self.frames.iter().map(|frame| &frame[link]);
+        let flat = placed.flat_map(|placement| {
+            let [x, y] = view.pixel(placement.at);
+            let [c, s] = placement.turn;
+            [short(x, 2), short(y, 2), short(c, 6), short(s, 6)]
+        });
+        flat.collect()
     }
 
     /// Everything that moves, in pixels.
-    fn data(&self, view: &View) -> Value {
-        let short = |value: f64, digits: i32| {
-            let factor = 10f64.powi(digits);
-            let rounded = (value * factor).round() / factor;
-            if rounded.is_finite() {
-                json!(rounded)
-            } else {
-                Value::Null
+    fn player(&self, id: &str, view: &View) -> Player {
+        let all = |values: &[f64], digits: i32| values.iter().map(|v| short(*v, digits)).collect();
+        let arrows = |set: &super::ArrowSet| {
+            let scale = arrows::pixels(set, view);
+            let arrow = |arrow: &super::Arrow| -> Vec<Option<f64>> {
+                let both = arrow.at.iter().zip(&arrow.vector);
+                both.flat_map(|(at, vector)| {
+                    let [x, y] = view.pixel(*at);
+                    let (dx, dy) = (vector[0] * scale, -vector[1] * scale);
+                    [short(x, 2), short(y, 2), short(dx, 2), short(dy, 2)]
+                })
+                .collect()
+            };
+            Arrows {
+                name: set.name.clone(),
+                caption: arrows::caption(set),
+                shown: set.shown,
+                arrows: set.arrows.iter().map(arrow).collect(),
             }
         };
-        let frames: Vec<Vec<Value>> = (self.frames.iter())
-            .map(|frame| {
-                let flat = frame.iter().flat_map(|placement| {
-                    let [x, y] = view.pixel(placement.at);
-                    let [c, s] = placement.turn;
-                    [short(x, 2), short(y, 2), short(c, 6), short(s, 6)]
-                });
-                flat.collect()
-            })
-            .collect();
-        let sets: Vec<Value> = (self.arrows.iter())
-            .map(|set| {
-                let scale = arrows::pixels(set, view);
-                let arrow = |arrow: &super::Arrow| -> Vec<Value> {
-                    let both = arrow.at.iter().zip(&arrow.vector);
-                    both.flat_map(|(at, vector)| {
-                        let [x, y] = view.pixel(*at);
-                        [
-                            short(x, 2),
-                            short(y, 2),
-                            short(vector[0] * scale, 2),
-                            short(-vector[1] * scale, 2),
-                        ]
-                    })
-                    .collect()
-                };
-                json!({
-                    "name": set.name,
-                    "caption": arrows::caption(set),
-                    "shown": set.shown,
-                    "arrows": set.arrows.iter().map(arrow).collect::<Vec<_>>(),
+        let links = 0..self.spec.links.len();
+        Player {
+            id: id.to_owned(),
+            axis: Some(RowAxis {
+                name: self.axis.name.clone(),
+                unit: self.axis.unit.clone(),
+                values: all(&self.axis.values, 6),
+                times: all(&self.axis.times, 9),
+                closed: self.axis.closed,
+            }),
+            seconds: SECONDS,
+            bodies: links
+                .map(|link| Body::Rows {
+                    table: self.table(view, link),
                 })
-            })
-            .collect();
-        json!({
-            "axis": {
-                "name": self.axis.name,
-                "unit": self.axis.unit,
-                "values": self.axis.values.iter().map(|v| short(*v, 6)).collect::<Vec<_>>(),
-                "times": self.axis.times.iter().map(|v| short(*v, 9)).collect::<Vec<_>>(),
-                "closed": self.axis.closed,
-            },
-            "paths": self.paths.iter().map(|path| path.name.clone()).collect::<Vec<_>>(),
-            "frames": frames,
-            "sets": sets,
-        })
+                .collect(),
+            sets: self.arrows.iter().map(arrows).collect(),
+            charts: Some(".plots"),
+            ..Player::default()
+        }
     }
 }

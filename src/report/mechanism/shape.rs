@@ -1,6 +1,7 @@
 //! Outlines of links, in their own frames (m).
 
 use crate::linkage::spec::{LinkageSpec, PairKind, PairSpec};
+use crate::order::Total;
 
 /// The distinct places of a link where something is: named points, pins, the
 /// reference points of blocks and guides.
@@ -27,7 +28,7 @@ pub(super) fn corners(spec: &LinkageSpec, link: usize) -> Vec<[f64; 2]> {
 
 /// The convex hull (Andrew's monotone chain).
 fn hull(mut points: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
-    points.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
+    points.sort_by_cached_key(|point| point.map(Total));
     if points.len() < 3 {
         return points;
     }

@@ -12,22 +12,22 @@ const EDGE: f64 = 6.0;
 
 /// From metres to pixels.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct View {
+pub(in crate::report) struct View {
     /// Size of the picture (pixels).
-    pub(super) width: f64,
+    pub(in crate::report) width: f64,
     /// Size of the picture (pixels).
-    pub(super) height: f64,
+    pub(in crate::report) height: f64,
     /// Pixels a metre.
-    pub(super) scale: f64,
+    pub(in crate::report) scale: f64,
     /// Place of the ground's origin (pixels).
-    pub(super) origin: [f64; 2],
+    pub(in crate::report) origin: [f64; 2],
     /// Largest extent of the mechanism itself (m).
-    pub(super) extent: f64,
+    pub(in crate::report) extent: f64,
 }
 
 impl View {
     /// The view that holds every position of the drawing.
-    pub(super) fn of(drawing: &Drawing<'_>) -> Self {
+    pub(in crate::report) fn of(drawing: &Drawing<'_>) -> Self {
         let mut area = Area::default();
         for point in &drawing.spec.ground {
             area.take(point.at);
@@ -97,7 +97,7 @@ impl View {
     }
 
     /// A place in pixels.
-    pub(super) fn pixel(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+    pub(in crate::report) fn pixel(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         [
             self.origin[0] + x * self.scale,
             self.origin[1] - y * self.scale,
@@ -106,7 +106,7 @@ impl View {
 
     /// The transform that puts a link, drawn in pixels of its own frame with y
     /// upwards, into the picture.
-    pub(super) fn transform(&self, placement: &Placement) -> String {
+    pub(in crate::report) fn transform(&self, placement: &Placement) -> String {
         let [x, y] = self.pixel(placement.at);
         let [c, s] = placement.turn;
         format!("matrix({c:.6} {:.6} {s:.6} {c:.6} {x:.3} {y:.3})", -s)

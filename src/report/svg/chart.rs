@@ -81,6 +81,14 @@ impl Frame {
         LEFT + (time - self.time[0]) / (self.time[1] - self.time[0]) * self.width
     }
 
+    /// Left, top, width and height of the frame (pixels), and the ends of its
+    /// horizontal axis: what a cursor needs to know.
+    fn place(&self) -> String {
+        let [left, top, width, height] = [LEFT, self.top, self.width, self.height].map(coordinate);
+        let [from, to] = self.time;
+        format!("{left} {top} {width} {height} {from} {to}")
+    }
+
     fn y(&self, value: f64) -> f64 {
         self.top + (self.value[1] - value) / (self.value[1] - self.value[0]) * self.height
     }
@@ -105,10 +113,11 @@ impl Chart {
         let (w, h) = (coordinate(width), coordinate(height));
         format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {w} {h}\" width=\"{w}\" \
-             height=\"{h}\" role=\"img\" aria-label=\"{title}\">\n<style>{STYLE}</style>\n\
+             height=\"{h}\" role=\"img\" aria-label=\"{title}\" data-frame=\"{place}\">\n<style>{STYLE}</style>\n\
              <rect width=\"{w}\" height=\"{h}\" fill=\"#fff\"/>\n\
              <text class=\"title\" x=\"{LEFT}\" y=\"20\">{title}{unit}</text>\n\
              {legend}{shades}{axes}{curves}</svg>\n",
+            place = frame.place(),
             title = escape(&self.title),
             unit = escape(&after_comma(&scale.unit)),
             shades = self.shades(&frame),

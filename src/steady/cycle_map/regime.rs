@@ -37,7 +37,7 @@ impl Machine<'_> {
         for i in (1..speeds.len()).rev() {
             if works[i - 1] > 0.0 && works[i] <= 0.0 {
                 let ends = [speeds[i - 1], speeds[i]];
-                found.push(bracketed(|speed| self.work_at(speed), ends, 0.0).at);
+                found.push(bracketed(&mut |speed| self.work_at(speed), ends, 0.0).at);
             }
         }
         found

@@ -5,6 +5,7 @@ use crate::integrate::PhysicalStop;
 use crate::linkage::kinetostatics::ForceFailure;
 use crate::system::System;
 use crate::system::passes::Work;
+use crate::units::shown;
 
 /// How far beyond a state the reason of a stop is looked for, in parts of the time.
 const AHEAD: [f64; 5] = [0.0, 1e-15, 1e-14, 1e-12, 1e-9];
@@ -21,8 +22,9 @@ impl System {
         PhysicalStop {
             name: "several_solutions",
             message: format!(
-                "{id} stands at t = {time:.9} s and may start in either direction: with the \
-                 friction of its joints the motion is not determined"
+                "{id} stands at t = {} s and may start in either direction: with the \
+                 friction of its joints the motion is not determined",
+                shown(time, 9)
             ),
             object: id,
         }

@@ -43,7 +43,10 @@ impl Parts {
                     parts.potential |= *rate > 0.0;
                     parts.damping |= *damping > 0.0;
                 }
-                ForceLaw::Force { .. } | ForceLaw::Couple { .. } | ForceLaw::Table { .. } => {
+                ForceLaw::Force { .. }
+                | ForceLaw::Couple { .. }
+                | ForceLaw::CoupleTable { .. }
+                | ForceLaw::Table { .. } => {
                     parts.applied = true;
                 }
             }

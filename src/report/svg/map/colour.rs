@@ -59,7 +59,7 @@ pub(super) fn colour(shade: usize) -> String {
 #[derive(Clone, Debug)]
 pub(super) struct Values {
     figure: String,
-    unit: &'static str,
+    unit: String,
     /// Least and greatest, never equal.
     pub(super) range: [f64; 2],
     /// True: colours follow the logarithm.
@@ -92,7 +92,7 @@ impl Values {
         };
         Self {
             figure: study.figure.clone(),
-            unit: study.unit,
+            unit: study.unit.clone(),
             range,
             log,
             sizes: log && low <= 0.0,
@@ -127,7 +127,7 @@ impl Values {
         } else {
             ticks(low, high, count).values
         };
-        let label = |value: f64| (value, with_unit(value, self.unit, 3));
+        let label = |value: f64| (value, with_unit(value, &self.unit, 3));
         values.into_iter().map(label).collect()
     }
 
@@ -148,7 +148,7 @@ impl Values {
             };
             return Scale::between(title, range, true, 1.0);
         }
-        let shown = scale(low.abs().max(high.abs()), self.unit);
+        let shown = scale(low.abs().max(high.abs()), &self.unit);
         let margin = 0.06 * (high - low);
         let title = match shown.unit.as_str() {
             "" => self.figure.clone(),

@@ -2,7 +2,7 @@
 
 use super::verdict::{hatching, plain};
 use super::{Drawing, coordinate};
-use crate::analysis::map::Verdict;
+use crate::analysis::map::Cell;
 use std::fmt::Write as _;
 
 /// Height of the strip with its distance from the plot.
@@ -20,13 +20,13 @@ pub(super) fn plot(drawing: &Drawing<'_>) -> String {
     out
 }
 
-fn points<'a>(drawing: &'a Drawing<'_>) -> impl Iterator<Item = Option<(f64, f64, Verdict)>> + 'a {
+fn points<'a>(drawing: &'a Drawing<'_>) -> impl Iterator<Item = Option<(f64, f64, &'a Cell)>> + 'a {
     (0..drawing.cells.len()).map(|column| {
         let cell = drawing.cell(column, 0)?;
         let x = drawing.frame.x(drawing.x.middles[column]);
         // On a logarithmic axis a zero stands on the floor.
         let y = drawing.frame.y(drawing.y.share(cell.value?).max(0.0));
-        Some((x, y, cell.verdict))
+        Some((x, y, cell))
     })
 }
 
@@ -34,7 +34,7 @@ fn points<'a>(drawing: &'a Drawing<'_>) -> impl Iterator<Item = Option<(f64, f64
 fn curve(drawing: &Drawing<'_>) -> String {
     let (mut path, mut pen_down) = (String::new(), false);
     for point in points(drawing) {
-        match point.filter(|point| point.2 != Verdict::NotDetermined) {
+        match point.filter(|point| point.2.determined != Some(false)) {
             Some((x, y, _)) => {
                 let command = if pen_down { 'L' } else { 'M' };
                 let _ = write!(path, "{command}{} {}", coordinate(x), coordinate(y));
@@ -49,15 +49,15 @@ fn curve(drawing: &Drawing<'_>) -> String {
 fn marks(drawing: &Drawing<'_>) -> String {
     let few = drawing.cells.len() < MOST_MARKS;
     let mut out = String::new();
-    for (x, y, verdict) in points(drawing).flatten() {
-        let undetermined = verdict == Verdict::NotDetermined;
+    for (x, y, cell) in points(drawing).flatten() {
+        let undetermined = cell.determined == Some(false);
         if !(few || undetermined) {
             continue;
         }
         let (x, y) = (coordinate(x), coordinate(y));
         let look = match undetermined {
             true => "class=\"undetermined\" r=\"3.2\"".to_owned(),
-            false => format!("fill=\"{}\" r=\"2.4\"", plain(verdict)),
+            false => format!("fill=\"{}\" r=\"2.4\"", plain(cell.verdict)),
         };
         let _ = writeln!(out, "<circle cx=\"{x}\" cy=\"{y}\" {look}/>");
     }
@@ -86,9 +86,6 @@ fn strip(drawing: &Drawing<'_>) -> String {
         let _ = writeln!(out, "<rect {place} fill=\"{}\"/>", plain(own));
         if let Some(name) = hatching(own) {
             let _ = writeln!(out, "<rect {place} fill=\"url(#{name})\"/>");
-        }
-        if own == Verdict::NotDetermined {
-            let _ = writeln!(out, "<rect {place} fill=\"none\" stroke=\"#10161c\"/>");
         }
     }
     out

@@ -104,15 +104,11 @@ fn hatchings(drawing: &Drawing<'_>) -> String {
     paths.into_iter().map(one).collect()
 }
 
-/// Lines between regions of different verdicts. Cells that are not determined
-/// lie scattered and carry marks instead.
+/// Lines between regions of different verdicts.
 fn borders(drawing: &Drawing<'_>) -> String {
     let (columns, rows) = size(drawing);
     let frame = &drawing.frame;
-    let region = |column, row| {
-        let verdict = drawing.cell(column, row)?.verdict;
-        (verdict != Verdict::NotDetermined).then_some(verdict)
-    };
+    let region = |column, row| Some(drawing.cell(column, row)?.verdict);
     let differ = |a: Option<Verdict>, b: Option<Verdict>| a.zip(b).is_some_and(|(a, b)| a != b);
     let mut path = String::new();
     for row in 0..rows {
@@ -255,8 +251,8 @@ fn marks(drawing: &Drawing<'_>) -> String {
     let mut path = String::new();
     for row in 0..rows {
         for column in 0..columns {
-            let verdict = drawing.cell(column, row).map(|cell| cell.verdict);
-            if verdict == Some(Verdict::NotDetermined) {
+            let determined = drawing.cell(column, row).and_then(|cell| cell.determined);
+            if determined == Some(false) {
                 let (x, y) = place(drawing, (column as f64, row as f64));
                 let (r, d) = (coordinate(radius), coordinate(2.0 * radius));
                 let _ = write!(

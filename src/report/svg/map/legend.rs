@@ -53,6 +53,7 @@ pub(super) fn bar(values: &Values, frame: Frame) -> String {
 fn last_name(figure: &str) -> String {
     let name = figure.rsplit('.').next().unwrap_or(figure);
     match name {
+        "delta_abs" => "|δ| max".to_owned(),
         "delta_max" => "δ max".to_owned(),
         "delta_min" => "δ min".to_owned(),
         "sigma" => "σ".to_owned(),
@@ -63,8 +64,9 @@ fn last_name(figure: &str) -> String {
 /// What the hatchings mean, and how often they occur; with its height.
 pub(super) fn legend(study: &Study<'_>, result: &MapResult, width: f64, top: f64) -> (String, f64) {
     let mut counts: BTreeMap<Verdict, usize> = BTreeMap::new();
-    let mut edge = [false; 2];
+    let (mut edge, mut undetermined) = ([false; 2], 0);
     for cell in result.panels.iter().flatten().flatten() {
+        undetermined += usize::from(cell.determined == Some(false));
         *counts.entry(cell.verdict).or_insert(0) += 1;
         if let Some(margin) = cell.rigid_margin {
             edge[usize::from(margin < 0.0)] = true;
@@ -81,6 +83,11 @@ pub(super) fn legend(study: &Study<'_>, result: &MapResult, width: f64, top: f64
             )
         })
         .collect();
+    if undetermined > 0 {
+        let ring = "<circle class=\"undetermined\" cx=\"13\" cy=\"8\" r=\"3.6\"/>";
+        let words = format!("not determined to {} digits ({undetermined})", study.digits);
+        entries.push((ring.to_owned(), words));
+    }
     if edge == [true; 2] {
         let line = "<path class=\"edge-back\" d=\"M0 8h26\"/><path class=\"edge\" d=\"M0 8h26\"/>";
         entries.push((
@@ -118,9 +125,6 @@ fn swatch(verdict: Verdict, map: bool) -> String {
         format!("<rect {rect} fill=\"{ground}\" stroke=\"#5a6572\" stroke-width=\".6\"/>");
     if let Some(name) = hatching(verdict) {
         let _ = write!(out, "<rect {rect} fill=\"url(#{name})\"/>");
-    }
-    if verdict == Verdict::NotDetermined {
-        out.push_str("<circle class=\"undetermined\" cx=\"13\" cy=\"8\" r=\"3.6\"/>");
     }
     out
 }

@@ -193,5 +193,21 @@ fn panel(drawing: &Drawing<'_>, title: &[String], index: usize, count: usize) ->
         out.push_str(&scale::axes(drawing, curve::STRIP));
         out.push_str(&curve::plot(drawing));
     }
+    out.push_str(&pointed(drawing, index));
     out
+}
+
+/// Where the cells of a panel are, for what answers pointing; nothing is seen of it.
+fn pointed(drawing: &Drawing<'_>, index: usize) -> String {
+    let frame = &drawing.frame;
+    let strip = match drawing.study.y {
+        Some(_) => 0.0,
+        None => curve::STRIP,
+    };
+    let place = [frame.left, frame.top, frame.width, frame.height + strip];
+    let [x, y, width, height] = place.map(coordinate);
+    format!(
+        "<rect data-panel=\"{index}\" x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\" \
+         fill=\"none\" pointer-events=\"all\"/>\n"
+    )
 }

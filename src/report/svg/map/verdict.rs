@@ -23,7 +23,6 @@ pub(super) fn plain(verdict: Verdict) -> &'static str {
         Verdict::LiftOffNotJudged => "#6f8396",
         Verdict::ThrownOff => "#16324f",
         Verdict::Resonance => "#d98a1c",
-        Verdict::NotDetermined => "#ffffff",
         other => ground(other),
     }
 }
@@ -31,7 +30,7 @@ pub(super) fn plain(verdict: Verdict) -> &'static str {
 /// Name of the hatching of a verdict; `None`: left plain.
 pub(super) fn hatching(verdict: Verdict) -> Option<&'static str> {
     match verdict {
-        Verdict::InWorkingOrder | Verdict::NotDetermined => None,
+        Verdict::InWorkingOrder => None,
         Verdict::LiftOffDiesAway => Some("dam-dies"),
         Verdict::LiftOff => Some("dam-lifts"),
         Verdict::LiftOffNotJudged => Some("dam-unjudged"),

@@ -9,6 +9,11 @@ use std::f64::consts::PI;
 const TAIL: usize = 3;
 /// … to this share of the function.
 const NEGLIGIBLE: f64 = 2e-14;
+/// What has not died away is rounding of the linkage itself where it is no more than this …
+const NOISE: f64 = 1e-11;
+/// … and where half a piece still has this part of it: what a smooth function leaves over is
+/// divided by thousands.
+const STAYS: f64 = 0.125;
 /// Share of the greatest value that counts where a function is small.
 const SMALL: f64 = 1e-2;
 /// Most positions that are solved for the whole.
@@ -38,7 +43,7 @@ pub(super) fn repeats(linkage: &Linkage, start: f64, span: f64) -> bool {
         ForceLaw::Torsion { pair, rate, .. } => {
             rate == 0.0 || (after[pair] - before[pair]).abs() < 1e-9
         }
-        ForceLaw::Table { .. } => false,
+        ForceLaw::Table { .. } | ForceLaw::CoupleTable { .. } => false,
         ForceLaw::Strut { .. } | ForceLaw::Force { .. } | ForceLaw::Couple { .. } => true,
     })
 }
@@ -98,14 +103,15 @@ impl<'a> Builder<'a> {
             .map(|piece| self.sample(FIRST, piece))
             .collect();
         for (piece, sampled) in (0..).zip(whole) {
-            self.fit(FIRST, piece, sampled);
+            self.fit(FIRST, piece, sampled, f64::INFINITY);
         }
     }
 
-    /// Interpolates piece number `piece` of 2^`depth`, or divides it.
-    fn fit(&mut self, depth: u32, piece: u32, sampled: Option<Sample>) {
+    /// Interpolates piece number `piece` of 2^`depth`, or divides it; `before` is what the piece
+    /// that it is a half of left over.
+    fn fit(&mut self, depth: u32, piece: u32, sampled: Option<Sample>, before: f64) {
         let (centre, half) = self.place(depth, piece);
-        let left_over = match sampled.map(|sampled| self.interpolated(half, &sampled)) {
+        let left_over = match sampled.map(|sampled| self.interpolated(half, &sampled, before)) {
             Some(Ok(found)) => {
                 let number = self.table.pieces.len() as u16;
                 let finest = 1usize << (DEEPEST - depth);
@@ -117,15 +123,20 @@ impl<'a> Builder<'a> {
                 return;
             }
             Some(Err(left_over)) => left_over,
-            None => 0.0,
+            // Where it cannot be assembled, halves are tried as they are.
+            None => f64::INFINITY,
         };
-        let wanted = if left_over > HOPELESS { 2 } else { 1 };
+        let wanted = if left_over.is_finite() && left_over > HOPELESS {
+            2
+        } else {
+            1
+        };
         let levels = wanted.min(DEEPEST - depth);
         for part in 0..(1 << levels) {
             if levels > 0 && self.positions < MOST_POSITIONS {
                 let (depth, piece) = (depth + levels, (piece << levels) + part);
                 let sampled = self.sample(depth, piece);
-                self.fit(depth, piece, sampled);
+                self.fit(depth, piece, sampled, left_over);
             }
         }
     }
@@ -174,7 +185,7 @@ impl<'a> Builder<'a> {
 
     /// The polynomials of a piece, or the greatest share of a function that has
     /// not died away.
-    fn interpolated(&self, half: f64, sampled: &Sample) -> Result<Vec<Four>, f64> {
+    fn interpolated(&self, half: f64, sampled: &Sample, before: f64) -> Result<Vec<Four>, f64> {
         let mut found = vec![[0.0; POINTS]; self.sizes.len()];
         let mut left_over = 0.0f64;
         for (k, values) in sampled.functions.iter().enumerate() {
@@ -201,7 +212,8 @@ impl<'a> Builder<'a> {
                 found[k] = self.in_powers(&coefficients);
             }
         }
-        if !(left_over <= NEGLIGIBLE) {
+        let is_noise = before <= NOISE && (STAYS * before..=NOISE).contains(&left_over);
+        if !(left_over <= NEGLIGIBLE || is_noise) {
             return Err(left_over);
         }
         let slope = differentiated(&found[0], half);

@@ -1,0 +1,74 @@
+//! Places of a course at which zones are looked for: its own, whatever positions are asked for.
+
+use super::row::Solver;
+use super::{Course, PositionSource};
+
+/// Intervals of a course, at least.
+const INTERVALS: usize = 720;
+/// Bisections of a place over time.
+const BISECTIONS: usize = 60;
+
+/// Places from the lesser end of a course to the greater, both included; `None` where it has
+/// no length.
+pub(super) fn scan(course: &Course) -> Option<Vec<f64>> {
+    let [from, to] = course.ends()?;
+    let even = |from: f64, to: f64, count: usize| {
+        (0..count).map(move |k| from + (to - from) * k as f64 / count as f64)
+    };
+    let mut places: Vec<f64> = match course {
+        Course::Even { .. } => even(from, to, INTERVALS).collect(),
+        Course::Instants { times, .. } => {
+            let parts = INTERVALS.div_ceil(times.len().saturating_sub(1).max(1));
+            times
+                .windows(2)
+                .flat_map(|pair| even(pair[0], pair[1], parts))
+                .collect()
+        }
+    };
+    places.push(to);
+    Some(places)
+}
+
+/// Places of a course at which the linkage passes a singular position that is known
+/// beforehand.
+pub(super) fn singular_places<S: PositionSource>(
+    solver: &Solver<'_, S>,
+    course: &Course,
+    places: &[f64],
+) -> Vec<f64> {
+    let (singular, period) = solver.singular();
+    let mut found = Vec::new();
+    for pair in places.windows(2) {
+        let q = [pair[0], pair[1]].map(|place| course.between(place).motion.coordinate);
+        for &at in &singular {
+            let at = match period {
+                Some(period) => at + period * ((0.5 * (q[0] + q[1]) - at) / period).round(),
+                None => at,
+            };
+            if (q[0] - at) * (q[1] - at) <= 0.0 && q[0] != q[1] {
+                found.push(place_of(course, [pair[0], pair[1]], at));
+            }
+        }
+    }
+    found.sort_by(f64::total_cmp);
+    found.dedup();
+    found
+}
+
+/// The place at which the input passes a coordinate, between two places.
+fn place_of(course: &Course, [mut low, mut high]: [f64; 2], at: f64) -> f64 {
+    if matches!(course, Course::Even { .. }) {
+        return at.clamp(low, high);
+    }
+    let off = |place: f64| course.between(place).motion.coordinate - at;
+    let sign = off(high);
+    for _ in 0..BISECTIONS {
+        let middle = 0.5 * (low + high);
+        if off(middle) * sign > 0.0 {
+            high = middle;
+        } else {
+            low = middle;
+        }
+    }
+    high
+}

@@ -1,0 +1,104 @@
+//! A scene made ready to be asked.
+
+use super::RunOptions;
+use crate::Error;
+use crate::analysis::expectations::unknown_figures;
+use crate::analysis::run::{RunResult, run};
+use crate::analysis::steady::{Answer, steady_motion};
+use crate::analysis::{Control, RunSettings, plausible, studied};
+use crate::fault::Fault;
+use crate::lower::lower;
+use crate::model::Model;
+use crate::scene::{Reading, TypedScene};
+use crate::system::System;
+
+/// A scene that was checked, lowered and frozen: it is asked without being read again.
+#[derive(Debug)]
+pub struct Mechanism {
+    /// The scene with what its reading left behind: warnings, canonical form, places.
+    pub reading: Reading,
+    /// Its equations of motion.
+    pub system: System,
+    /// How it is to be run.
+    pub settings: RunSettings,
+}
+
+impl Mechanism {
+    /// Makes a scene ready that has been read.
+    ///
+    /// # Errors
+    /// Every fault of the first stage that finds any: of the model, of what the scene
+    /// expects, of the start.
+    pub fn of(reading: Reading) -> Result<Self, Error> {
+        let diagnose = |faults: Vec<Fault>| reading.places.diagnose(&faults);
+        let mut model = lower(&reading.scene).map_err(diagnose)?;
+        let expect = &reading.scene.expect;
+        let mut faults = unknown_figures(expect, &model);
+        faults.extend(studied::unknown_figures(expect, &model));
+        if !faults.is_empty() {
+            return Err(diagnose(faults).into());
+        }
+        let settings = RunSettings::of(&reading.scene).map_err(|fault| diagnose(vec![fault]))?;
+        let unlikely = plausible::warnings(&model, settings.duration);
+        model.warnings.extend(unlikely);
+        let system = System::new(model).map_err(diagnose)?;
+        Ok(Self {
+            reading,
+            system,
+            settings,
+        })
+    }
+
+    /// The scene, typed and in SI units.
+    pub fn scene(&self) -> &TypedScene {
+        &self.reading.scene
+    }
+
+    /// The model: nodes, links, loads.
+    pub fn model(&self) -> &Model {
+        self.system.model()
+    }
+
+    /// Runs it as the scene says.
+    ///
+    /// # Errors
+    /// The start cannot be found; the method asked for cannot be used.
+    pub fn run(&self) -> Result<RunResult, Error> {
+        self.run_within(&Control::default())
+    }
+
+    /// The same, ended from outside: by a flag, or after a time.
+    ///
+    /// # Errors
+    /// The start cannot be found; the method asked for cannot be used.
+    pub fn run_within(&self, control: &Control<'_>) -> Result<RunResult, Error> {
+        let found = run(&self.system, &self.settings, control, &mut []);
+        found.map_err(|faults| self.diagnose(&faults))
+    }
+
+    /// The steady motion that the scene's `steady` block asks for.
+    ///
+    /// # Errors
+    /// Every fault of the question, or why there is no steady motion.
+    pub fn steady(&self) -> Result<Answer, Error> {
+        let spec = self.scene().steady.clone().unwrap_or_default();
+        let found = steady_motion(&self.system, &self.settings, &spec);
+        found.map_err(|faults| self.diagnose(&faults))
+    }
+
+    /// Faults found later, with their places.
+    pub(super) fn diagnose(&self, faults: &[Fault]) -> Error {
+        self.reading.places.diagnose(faults).into()
+    }
+}
+
+impl super::Scene {
+    /// Runs the scene with some settings changed.
+    ///
+    /// # Errors
+    /// Everything that is wrong with it or with the settings.
+    pub fn run_with(&self, options: &RunOptions<'_>) -> Result<RunResult, Error> {
+        let changed = options.apply(self.clone()).prepare()?;
+        changed.run_within(&options.control)
+    }
+}

@@ -1,0 +1,30 @@
+//! Asking in code: a [`Scene`] is read or built, run, and answers with arrays and
+//! figures by typed keys.
+//!
+//! [`Scene`] is the description, cheap to copy and change; [`Mechanism`] is a scene that
+//! was checked and made ready, to be asked several things. Both are asked alike:
+//!
+//! | method | question | answer |
+//! | --- | --- | --- |
+//! | [`run`](Scene::run) | how does it move | [`RunResult`] |
+//! | [`compare`](Scene::compare) | what does a parameter change | [`Comparison`](crate::analysis::compare::Comparison) |
+//! | [`map`](Scene::map) | in which range does it work | [`Map`] |
+//! | [`kinematics`](Scene::kinematics) | how does a linkage move | [`Kinematics`](crate::analysis::kinematics::Kinematics) |
+//! | [`forces`](Scene::forces) | which forces do its pairs carry | [`ForceStudy`](crate::analysis::forces::ForceStudy) |
+//! | [`steady`](Scene::steady) | how evenly does the machine turn | [`Answer`](crate::analysis::steady::Answer) |
+//!
+//! All fail with the one [`Error`](crate::Error).
+
+mod linkages;
+mod map;
+mod mechanism;
+mod run;
+mod scene;
+
+pub use map::{Map, MapQuestion};
+pub use mechanism::Mechanism;
+pub use run::RunOptions;
+pub use scene::Scene;
+
+#[doc(no_inline)]
+pub use crate::analysis::run::RunResult;

@@ -1,0 +1,299 @@
+//! Scenes as the library's user holds them.
+
+use super::Mechanism;
+use crate::Error;
+use crate::analysis::compare::{Comparison, compare};
+use crate::analysis::forces::ForceStudy;
+use crate::analysis::kinematics::{Kinematics, Question};
+use crate::analysis::run::RunResult;
+use crate::analysis::steady::Answer;
+use crate::diagnostics::{Diagnostic, Diagnostics};
+use crate::object::{Kind, Registry};
+use crate::read::Node;
+use crate::scene::{
+    BuiltIn, Catalogue, Document, Folder, Layered, Overrides, Reading, read_bounded,
+};
+use std::fmt;
+use std::path::Path;
+use std::str::FromStr;
+use std::sync::Arc;
+
+/// A scene: a mechanism, and how it is run. Read from JSON or built in code, with
+/// properties set afterwards; checked whenever it is asked something.
+///
+/// ```
+/// use dam::prelude::*;
+///
+/// let scene = Scene::new("A rocker on a shaft")
+///     .add("shaft", Drive::speed("10 rev/s"))
+///     .add("rocker", Rocker::on("shaft").position(Position::sine("90 deg")).masses(0).inertia(0.1))
+///     .duration(0.2);
+/// let run = scene.run()?;
+/// assert_eq!(run.times().len(), run.speed("rocker")?.len());
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Clone)]
+pub struct Scene {
+    document: Document,
+    settings: Overrides,
+    catalogue: Option<Arc<dyn Catalogue + Send + Sync>>,
+    /// What is wrong with the building itself.
+    faults: Vec<Diagnostic>,
+}
+
+impl Scene {
+    /// A scene without objects.
+    pub fn new(name: &str) -> Self {
+        let mut root = Node::object();
+        root.put("dam", 1);
+        root.put("name", name);
+        root.put("objects", Node::object());
+        root.put("run", Node::object());
+        Self::of(Document::of_values(root))
+    }
+
+    /// Reads a scene's file. Objects are copied (`from`) out of the folder `objects`
+    /// beside it, then out of what is built in.
+    ///
+    /// # Errors
+    /// The file cannot be read, or is not strict JSON. What is wrong with the scene
+    /// itself shows when it is asked something.
+    pub fn read(path: impl AsRef<Path>) -> Result<Self, Error> {
+        let path = path.as_ref();
+        let read = std::fs::File::open(path).and_then(read_bounded);
+        let bytes = read.map_err(|error| Error::file(path, error))?;
+        let document = Document::parse(&path.display().to_string(), &bytes)?;
+        Ok(Self::of(document).with_catalogue(Folder::beside(path)))
+    }
+
+    /// A scene from its JSON text.
+    ///
+    /// # Errors
+    /// The text is not strict JSON.
+    pub fn from_json(text: &str) -> Result<Self, Error> {
+        Ok(Self::of(Document::parse("scene", text.as_bytes())?))
+    }
+
+    /// A scene of a document.
+    pub fn of(document: Document) -> Self {
+        Self {
+            document,
+            settings: Overrides::none(),
+            catalogue: None,
+            faults: Vec::new(),
+        }
+    }
+
+    /// With a further kind of objects, which takes the place of one of the same name.
+    #[must_use]
+    pub fn with_kind(mut self, kind: Kind) -> Self {
+        let registry: Registry = self.document.kinds().clone();
+        self.document = self.document.with_kinds(registry.with(kind));
+        self
+    }
+
+    /// With a catalogue that is looked into before what is built in.
+    #[must_use]
+    pub fn with_catalogue(mut self, catalogue: impl Catalogue + Send + Sync + 'static) -> Self {
+        self.catalogue = Some(Arc::new(catalogue));
+        self
+    }
+
+    /// Adds an object, of a builder of [`dam::build`](crate::build).
+    #[must_use]
+    pub fn add(mut self, id: &str, object: impl Into<Node>) -> Self {
+        let (object, mut given_before) = (object.into(), false);
+        self.document.edit(|root| {
+            let objects = root.property("objects");
+            given_before = objects.get(id).is_some();
+            objects.put(id, object);
+        });
+        if given_before {
+            let message = format!("the object `{id}` is given twice");
+            let fault = Diagnostic::error("duplicate-property", message).path(id);
+            self.faults
+                .push(fault.hint("give each object an id of its own"));
+        }
+        self
+    }
+
+    /// Sets a property by its address: `rocker.pair.gap`, `run.tolerance`. Later
+    /// settings win; they also reach what an object copies from the catalogue.
+    #[must_use]
+    pub fn set(mut self, address: &str, value: impl Into<Node>) -> Self {
+        self.settings = self.settings.and(address, &value.into());
+        self
+    }
+
+    /// Simulated time (s).
+    #[must_use]
+    pub fn duration(self, duration: impl Into<Node>) -> Self {
+        self.set("run.duration", duration)
+    }
+
+    /// Error wanted in each object's δ, relative to its scale; default 1e-6.
+    #[must_use]
+    pub fn tolerance(self, tolerance: f64) -> Self {
+        self.set("run.tolerance", tolerance)
+    }
+
+    /// Method of integration by its name; default `"auto"`.
+    #[must_use]
+    pub fn method(self, method: &str) -> Self {
+        self.set("run.method", method)
+    }
+
+    /// Number of equal intervals between samples; default 1000.
+    #[must_use]
+    pub fn samples(self, samples: usize) -> Self {
+        self.set("run.samples", samples)
+    }
+
+    /// Start of the run: `"kinetostatic"` (default), `"static"`, `"on_law"`.
+    #[must_use]
+    pub fn start(self, start: &str) -> Self {
+        self.set("run.start", start)
+    }
+
+    /// Window of steady figures (s, s); default: the last whole cycle of the drive.
+    #[must_use]
+    pub fn window(self, from: impl Into<Node>, to: impl Into<Node>) -> Self {
+        self.set("run.window", (from, to))
+    }
+
+    /// The scene's text as JSON; settings are not in it. Values that no text can state
+    /// stand there by their `Debug` texts.
+    pub fn json(&self) -> &str {
+        self.document.text()
+    }
+
+    /// The scene as a document, without its settings.
+    pub fn document(&self) -> &Document {
+        &self.document
+    }
+
+    /// The settings made.
+    pub fn settings(&self) -> &Overrides {
+        &self.settings
+    }
+
+    /// Reads the scene: typed, in SI units, defaults filled in.
+    ///
+    /// # Errors
+    /// Everything that is wrong with its text.
+    pub fn decode(&self) -> Result<Reading, Error> {
+        let found = self.looking(|catalogue| self.document.scene(catalogue, &self.settings));
+        let mut found = match found {
+            Ok(reading) if self.faults.is_empty() => return Ok(reading),
+            Ok(reading) => reading.warnings,
+            Err(diagnostics) => diagnostics,
+        };
+        found.items.splice(0..0, self.faults.iter().cloned());
+        Err(found.into())
+    }
+
+    /// Makes the scene ready to be asked several things.
+    ///
+    /// # Errors
+    /// Everything that is wrong with it.
+    pub fn prepare(&self) -> Result<Mechanism, Error> {
+        Mechanism::of(self.decode()?)
+    }
+
+    /// Whether the scene is right; what its user should know all the same.
+    ///
+    /// # Errors
+    /// Everything that is wrong with it.
+    pub fn check(&self) -> Result<Diagnostics, Error> {
+        Ok(self.prepare()?.reading.warnings)
+    }
+
+    /// Runs the scene.
+    ///
+    /// # Errors
+    /// Everything that is wrong with it. A run that stops early is no error: see
+    /// [`RunResult::is_complete`] and [`RunResult::is_trusted`].
+    pub fn run(&self) -> Result<RunResult, Error> {
+        self.prepare()?.run()
+    }
+
+    /// Runs the scene for several values of a parameter, and compares the figures with
+    /// those of the last: `compare("rocker.masses", [1, 2, 10])`.
+    ///
+    /// # Errors
+    /// Everything that is wrong with the scene for the first value with which anything
+    /// is.
+    pub fn compare<T: Into<Node>>(
+        &self,
+        address: &str,
+        values: impl IntoIterator<Item = T>,
+    ) -> Result<Comparison, Error> {
+        let values: Vec<Node> = values.into_iter().map(Into::into).collect();
+        let labels: Vec<String> = values.iter().map(Node::words).collect();
+        let mut values = values.into_iter();
+        compare(address, &labels, |label| {
+            let value = values.next().unwrap_or_else(|| label.into());
+            self.clone().set(address, value).run()
+        })
+    }
+
+    /// How a linkage of the scene moves.
+    ///
+    /// # Errors
+    /// Everything that is wrong with the scene; what cannot be answered.
+    pub fn kinematics(&self, question: &Question) -> Result<Kinematics, Error> {
+        self.prepare()?.kinematics(question)
+    }
+
+    /// Which forces a linkage of the scene carries.
+    ///
+    /// # Errors
+    /// Everything that is wrong with the scene; what cannot be answered.
+    pub fn forces(&self, question: &Question) -> Result<ForceStudy, Error> {
+        self.prepare()?.forces(question)
+    }
+
+    /// The steady motion that the scene's `steady` block asks for.
+    ///
+    /// # Errors
+    /// Everything that is wrong with the scene; why there is no steady motion.
+    pub fn steady(&self) -> Result<Answer, Error> {
+        self.prepare()?.steady()
+    }
+
+    /// Whether nothing went wrong in building it.
+    pub(super) fn built_soundly(&self) -> Result<(), Error> {
+        match self.faults.as_slice() {
+            [] => Ok(()),
+            faults => Err(Diagnostics::new(Default::default(), faults.to_vec()).into()),
+        }
+    }
+
+    /// Uses the catalogues.
+    pub(super) fn looking<T>(&self, read: impl FnOnce(&(dyn Catalogue + Sync)) -> T) -> T {
+        match &self.catalogue {
+            Some(own) => {
+                let own: &(dyn Catalogue + Sync) = &**own;
+                read(&Layered(own, &BuiltIn))
+            }
+            None => read(&BuiltIn),
+        }
+    }
+}
+
+impl FromStr for Scene {
+    type Err = Error;
+
+    fn from_str(text: &str) -> Result<Self, Error> {
+        Self::from_json(text)
+    }
+}
+
+impl fmt::Debug for Scene {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Scene")
+            .field("document", &self.document)
+            .field("settings", &self.settings)
+            .finish_non_exhaustive()
+    }
+}

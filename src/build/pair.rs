@@ -1,0 +1,107 @@
+//! Driving pairs, dimensions, disc cams.
+
+use super::{builder, only};
+use crate::read::Node;
+
+builder! {
+    /// The driving pair of an object: what holds it on its driver.
+    Pair {
+        /// Gap of a form-closed pair (rad or m).
+        gap;
+        /// Side towards which a force-closed pair opens: `"+"` (default) or `"-"`.
+        opens;
+        /// Law of the contact force: `"kelvin_voigt"` (default), `"hunt_crossley"`.
+        law;
+    }
+}
+
+impl Pair {
+    /// It holds both ways, without a gap.
+    pub fn bilateral() -> Self {
+        Self(only("closure", "bilateral"))
+    }
+
+    /// A force holds it closed: it may lift off.
+    pub fn force_closed() -> Self {
+        Self(only("closure", "force"))
+    }
+
+    /// Form-closed with a gap (rad or m).
+    pub fn form(gap: impl Into<Node>) -> Self {
+        Self(only("closure", "form")).gap(gap)
+    }
+
+    /// Contact force by Hunt and Crossley with κ, seconds per unit of penetration.
+    pub fn hunt_crossley(self, kappa: impl Into<Node>) -> Self {
+        self.set("law.hunt_crossley.kappa", kappa)
+    }
+}
+
+builder! {
+    /// Dimensions (m) and material of an object, from which inertia and stiffness follow.
+    Geometry {
+        /// Length.
+        length;
+        /// Width of a lever's section.
+        width;
+        /// Height of a lever's section.
+        height;
+        /// Diameter of a shaft or round rod.
+        diameter;
+        /// Bore of a hollow shaft.
+        bore;
+        /// Width and height of a rod's section.
+        section;
+        /// Area of a rod's section (m²).
+        area;
+        /// Density (kg/m³).
+        density;
+        /// Young's modulus (Pa).
+        modulus;
+        /// Shear modulus of a shaft (Pa).
+        shear_modulus;
+    }
+}
+
+impl Geometry {
+    /// Dimensions, none given yet; the material is steel unless said otherwise.
+    #[allow(clippy::new_without_default)]
+    pub fn new() -> Self {
+        Self(Node::object())
+    }
+}
+
+builder! {
+    /// The disc cam that moves an object, as the study of cams needs it. Lengths in m.
+    DiscCam {
+        /// Radius of the base circle.
+        base_radius;
+        /// Offset of a sliding follower's axis from the cam's.
+        offset;
+        /// Distance between the axes of cam and turning follower.
+        centre_distance;
+        /// Length of a turning follower's arm.
+        arm;
+        /// `"knife_edge"`, or what describes a roller or a flat face.
+        contact;
+        /// Sense in which the cam turns: `"counterclockwise"`, `"clockwise"`.
+        sense;
+        /// Which way the follower swings: `"with"` or `"against"` the cam.
+        swing;
+        /// Whether positive displacement leads `"outward"` or `"inward"`.
+        positive;
+        /// `"disc"`, `"hollow"` or `"groove"`.
+        surface;
+        /// Direction of the follower's motion (rad).
+        direction;
+        /// Part of the turn that is cut: [from, to].
+        range;
+    }
+}
+
+impl DiscCam {
+    /// A disc cam with a base circle.
+    pub fn new(base_radius: impl Into<Node>) -> Self {
+        Self(only("base_radius", base_radius))
+    }
+}

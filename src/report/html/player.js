@@ -1,0 +1,230 @@
+"use strict";
+// Moves the machine of a page: one player for linkages, cams and whole scenes. Every
+// moving part is a group that is placed anew; where it goes is a table over the rows, a
+// table over a coordinate, a turn or a slide by a coordinate. The player follows the
+// cursor of the charts, and the charts' cursors follow the player.
+(() => {
+  const SVG = "http://www.w3.org/2000/svg";
+  const page = JSON.parse(document.getElementById("data").textContent);
+  const minus = (text) => text.replace(/-/g, "−");
+
+  // A coordinate over the rows, and its deviation from the law.
+  function column(given) {
+    if (given.group === undefined) return { values: given.values, deviation: null };
+    const panels = page.groups[given.group].panels;
+    const of = (quantity) => {
+      const panel = panels.find((one) => one.quantity === quantity);
+      return panel ? panel.series[0].values : null;
+    };
+    return { values: of("displacement"), deviation: of("delta") };
+  }
+
+  const number = (value) => {
+    if (value === null || !isFinite(value)) return "–";
+    const size = Math.abs(value);
+    return minus(size !== 0 && (size < 1e-3 || size >= 1e6) ? value.toExponential(3) : String(+value.toPrecision(5)));
+  };
+
+  // Between two rows, or at the nearer one where the other has no value.
+  function between(values, place) {
+    if (!values) return 0;
+    const below = Math.min(Math.floor(place), values.length - 1), above = Math.min(below + 1, values.length - 1);
+    const share = place - below, a = values[below], b = values[above];
+    if (a === null || b === null) return share < 0.5 ? a : b;
+    return a + (b - a) * share;
+  }
+
+  // A row of a flat table x, y, cos, sin; the direction keeps its length.
+  function pose(table, place) {
+    const count = table.length / 4, below = Math.min(Math.max(Math.floor(place), 0), count - 1), above = Math.min(below + 1, count - 1);
+    const share = Math.min(Math.max(place - below, 0), 1), at = (row, k) => table[4 * row + k];
+    if (at(below, 0) === null || at(above, 0) === null) {
+      const row = at(below, 0) === null ? above : below;
+      return at(row, 0) === null ? null : [0, 1, 2, 3].map((k) => at(row, k));
+    }
+    const mixed = [0, 1, 2, 3].map((k) => at(below, k) + (at(above, k) - at(below, k)) * share);
+    const size = Math.hypot(mixed[2], mixed[3]) || 1;
+    return [mixed[0], mixed[1], mixed[2] / size, mixed[3] / size];
+  }
+
+  function player(figure) {
+    const data = JSON.parse(document.getElementById(`${figure.id}-data`).textContent);
+    const axis = data.axis || { name: "t", unit: "s", values: page.times[0], times: page.times[0], closed: false };
+    const { values, times, closed } = axis, count = values.length;
+    if (!count) return;
+    const columns = data.columns.map(column);
+    const controls = figure.querySelector(".controls");
+    let factor = data.magnify ? data.magnify.factor : 1;
+    let place = 0, playing = false, last = null, clock = 0;
+
+    const drawings = [...figure.querySelectorAll("svg.mechanism")].map((svg) => {
+      const first = +(svg.dataset.first || 0);
+      return {
+        links: [...svg.querySelectorAll("[data-link]")].map((node) => ({ node, body: first + +node.dataset.link })),
+        pins: [...svg.querySelectorAll("[data-on]")].filter((node) => +node.dataset.on >= 0)
+          .map((node) => ({ node, body: first + +node.dataset.on, at: node.dataset.at.split(" ").map(Number) })),
+      };
+    });
+    const sets = data.sets.map((_, index) => figure.querySelector(`[data-set="${index}"]`));
+    const words = [...figure.querySelectorAll("[data-column]")];
+    const cells = data.readings.map((reading) => {
+      const list = figure.querySelector(".readings"), name = document.createElement("dt"), value = document.createElement("dd");
+      name.textContent = reading.name;
+      list.append(name, value);
+      return value;
+    });
+
+    // The coordinate of a part: as it is, on its law, or with its deviation magnified.
+    function coordinate(body, at) {
+      const { values: own, deviation } = columns[body.column];
+      const share = body.shown === "law" ? -1 : body.shown === "magnified" ? factor - 1 : 0;
+      return between(own, at) + share * between(deviation, at);
+    }
+
+    function placed(body, at) {
+      if (body.kind === "rows") return pose(body.table, at);
+      const q = coordinate(body, at);
+      if (q === null || !isFinite(q)) return null;
+      if (body.kind === "turn") {
+        const angle = body.offset + body.sense * q;
+        return [body.at[0], body.at[1], Math.cos(angle), Math.sin(angle)];
+      }
+      if (body.kind === "slide") return [body.at[0] + body.by[0] * q, body.at[1] + body.by[1] * q, 1, 0];
+      let share = (q - body.from) / (body.to - body.from);
+      share = body.repeats ? share - Math.floor(share) : Math.min(Math.max(share, 0), 1);
+      return pose(body.table, share * (body.table.length / 4 - 1));
+    }
+
+    // Lines at the present place in the charts drawn beforehand.
+    const charts = data.charts ? [...document.querySelectorAll(`${data.charts} svg[data-frame]`)] : [];
+    const lines = charts.map((svg) => {
+      const [left, top, width, height, from, to] = svg.dataset.frame.split(" ").map(Number);
+      const line = document.createElementNS(SVG, "path");
+      line.setAttribute("class", "now");
+      svg.append(line);
+      const box = () => svg.getBoundingClientRect();
+      svg.addEventListener("pointermove", (event) => {
+        if (playing) return;
+        const x = (event.clientX - box().left) * svg.viewBox.baseVal.width / box().width;
+        goTo(from + Math.min(1, Math.max(0, (x - left) / width)) * (to - from));
+      });
+      return (value) => {
+        const x = left + (value - from) / (to - from) * width;
+        line.setAttribute("d", x >= left - 0.5 && x <= left + width + 0.5 ? `M${x} ${top}v${height}` : "");
+      };
+    });
+
+    function show(at) {
+      place = at;
+      const poses = data.bodies.map((body) => placed(body, at));
+      for (const drawing of drawings) {
+        for (const { node, body } of drawing.links) {
+          const pose = poses[body];
+          node.setAttribute("visibility", pose ? "inherit" : "hidden");
+          if (pose) node.setAttribute("transform", `matrix(${pose[2]} ${-pose[3]} ${pose[3]} ${pose[2]} ${pose[0]} ${pose[1]})`);
+        }
+        for (const { node, body, at: [px, py] } of drawing.pins) {
+          const pose = poses[body];
+          if (pose) node.setAttribute("transform", `translate(${(pose[0] + pose[2] * px + pose[3] * py).toFixed(2)} ${(pose[1] - pose[3] * px + pose[2] * py).toFixed(2)})`);
+        }
+      }
+      const row = Math.round(at);
+      data.sets.forEach((set, index) => {
+        const nodes = sets[index].querySelectorAll("line");
+        set.arrows.forEach((arrow, i) => {
+          const [x, y, dx, dy] = arrow.slice(4 * row, 4 * row + 4), line = nodes[i];
+          const visible = x !== null && dx !== null && Math.hypot(dx, dy) >= 1;
+          line.setAttribute("visibility", visible ? "inherit" : "hidden");
+          if (!visible) return;
+          line.setAttribute("x1", x); line.setAttribute("y1", y);
+          line.setAttribute("x2", x + dx); line.setAttribute("y2", y + dy);
+        });
+      });
+      for (const node of words) {
+        const { values: own, deviation } = columns[node.dataset.column];
+        const { scale, unit, deltaScale, deltaUnit } = node.dataset;
+        node.textContent = `φ ${number(between(own, at) * scale)} ${unit}` + (deviation ? `, δ ${number(between(deviation, at) * deltaScale)} ${deltaUnit}` : "");
+      }
+      data.readings.forEach((reading, index) => {
+        const value = reading.values[row];
+        cells[index].textContent = value === null ? "straight" : `${number(value)} ${reading.unit}`;
+      });
+      const value = between(values, at);
+      lines.forEach((line) => line(value));
+      slider.value = at;
+      reading.textContent = minus(`${axis.name} ${data.axis ? +value.toPrecision(6) : number(value)} ${axis.unit}`);
+      return value;
+    }
+
+    // Row of a value of the axis.
+    function rowOf(value) {
+      const rising = values[count - 1] >= values[0];
+      let low = 0, high = count - 1;
+      while (high - low > 1) {
+        const middle = (low + high) >> 1;
+        if (rising ? values[middle] <= value : values[middle] >= value) low = middle; else high = middle;
+      }
+      const span = values[high] - values[low];
+      return span === 0 ? low : low + Math.min(1, Math.max(0, (value - values[low]) / span));
+    }
+    const goTo = (value) => show(rowOf(value));
+    const tell = (value) => { if (!data.axis) document.dispatchEvent(new CustomEvent("instant", { detail: { time: value, by: "player" } })); };
+
+    // Where the times say nothing, rows follow each other evenly.
+    const timed = times.length === count && times.every((t, i) => t !== null && (i === 0 || t >= times[i - 1])) && times[count - 1] > times[0];
+    const clockAt = (row) => timed ? (between(times, row) - times[0]) / (times[count - 1] - times[0]) : row / Math.max(1, count - 1);
+    function rowAt(share) {
+      if (!timed) return share * (count - 1);
+      const time = times[0] + share * (times[count - 1] - times[0]);
+      let low = 0, high = count - 1;
+      while (high - low > 1) { const middle = (low + high) >> 1; if (times[middle] <= time) low = middle; else high = middle; }
+      const span = times[high] - times[low];
+      return span > 0 ? low + Math.min(1, (time - times[low]) / span) : high;
+    }
+    function step(now) {
+      if (!playing) return;
+      if (last !== null) clock += (now - last) / (1000 * data.seconds / +pace.value);
+      last = now;
+      if (clock > 1) clock = closed ? clock % 1 : 1;
+      tell(show(rowAt(clock)));
+      if (clock >= 1 && !closed) { toggle(); return; }
+      requestAnimationFrame(step);
+    }
+    function toggle() {
+      playing = !playing;
+      button.textContent = playing ? "pause" : "play";
+      if (playing) { clock = place >= count - 1 ? 0 : clockAt(place); last = null; requestAnimationFrame(step); }
+    }
+
+    const make = (name, properties) => { const node = Object.assign(document.createElement(name), properties); controls.appendChild(node); return node; };
+    const labelled = (name, text, properties) => {
+      const label = make("label", {}), node = Object.assign(document.createElement(name), properties);
+      label.append(text, node);
+      return node;
+    };
+    const button = make("button", { type: "button", textContent: "play" });
+    button.addEventListener("click", toggle);
+    const slider = make("input", { type: "range", min: 0, max: count - 1, step: "any", value: 0 });
+    slider.setAttribute("aria-label", axis.name);
+    slider.addEventListener("input", () => { if (playing) toggle(); tell(show(+slider.value)); });
+    const reading = make("output", {});
+    const pace = make("select", { title: "speed of playing" });
+    pace.setAttribute("aria-label", "speed of playing");
+    for (const [value, text] of [[0.1, "slowest"], [0.25, "slow"], [1, "normal"], [4, "fast"], [16, "fastest"]]) pace.add(new Option(text, value, value === 1, value === 1));
+    if (data.magnify) {
+      const choice = labelled("select", "deflection δ ", { title: "factor by which the deflection is magnified" });
+      for (const value of data.magnify.choices) choice.add(new Option(value === 1 ? "true to scale" : `× ${value}`, value, value === factor, value === factor));
+      choice.addEventListener("change", () => { factor = +choice.value; show(place); });
+    }
+    const check = (text, shown, change) => {
+      const label = make("label", {}), box = Object.assign(document.createElement("input"), { type: "checkbox", checked: shown });
+      label.append(box, text);
+      box.addEventListener("change", () => change(box.checked));
+    };
+    data.sets.forEach((set, index) => check(set.caption, set.shown, (on) => sets[index].setAttribute("visibility", on ? "visible" : "hidden")));
+    if (figure.querySelector("[data-path]")) check("paths", true, (on) => figure.querySelectorAll("[data-path]").forEach((node) => node.setAttribute("visibility", on ? "visible" : "hidden")));
+    if (!data.axis) document.addEventListener("instant", (event) => { if (event.detail.by !== "player" && !playing) goTo(event.detail.time); });
+    show(0);
+  }
+  document.querySelectorAll("figure.moving").forEach(player);
+})();

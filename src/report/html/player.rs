@@ -1,0 +1,183 @@
+//! What the player of a page moves: parts, the coordinates that they follow, and
+//! what it shows beside them. There is one player for all pages, `player.js`.
+
+use crate::report::quantity::escape;
+use serde::Serialize;
+
+/// A picture whose parts move, for a page; told apart from others on it by its id.
+#[derive(Clone, Debug, Default, Serialize)]
+pub(in crate::report) struct Player {
+    /// Identifier of the figure within its page.
+    #[serde(skip)]
+    pub(in crate::report) id: String,
+    /// What leads from one row to the next; `None`: the time of the page's plots,
+    /// whose cursors then go with it.
+    pub(in crate::report) axis: Option<RowAxis>,
+    /// How long the whole axis is played at normal speed (s).
+    pub(in crate::report) seconds: f64,
+    /// Coordinates that parts follow.
+    pub(in crate::report) columns: Vec<Coordinates>,
+    /// The parts, by the number that their group bears as `data-link`, counted from
+    /// the `data-first` of its picture.
+    pub(in crate::report) bodies: Vec<Body>,
+    /// Arrows.
+    pub(in crate::report) sets: Vec<Arrows>,
+    /// Numbers shown beside the picture.
+    pub(in crate::report) readings: Vec<Reading>,
+    /// How deflections are magnified, where some are shown.
+    pub(in crate::report) magnify: Option<Magnify>,
+    /// Selector of the drawn charts that get a cursor; their horizontal axis is
+    /// [`RowAxis::values`].
+    pub(in crate::report) charts: Option<&'static str>,
+}
+
+/// What leads from one row to the next.
+#[derive(Clone, Debug, Default, Serialize)]
+pub(in crate::report) struct RowAxis {
+    /// Its name: `crank angle`.
+    pub(in crate::report) name: String,
+    /// The unit in which it is shown.
+    pub(in crate::report) unit: String,
+    /// Its value in every row.
+    pub(in crate::report) values: Vec<Option<f64>>,
+    /// The time of every row (s).
+    pub(in crate::report) times: Vec<Option<f64>>,
+    /// True when the first row follows the last.
+    pub(in crate::report) closed: bool,
+}
+
+/// A coordinate over the rows.
+#[derive(Clone, Debug, Serialize)]
+#[serde(untagged)]
+pub(in crate::report) enum Coordinates {
+    /// Displacement and deviation of a group of the page's plots.
+    Plotted {
+        /// Its index.
+        group: usize,
+    },
+    /// Numbers of its own.
+    Own {
+        /// One a row.
+        values: Vec<f64>,
+    },
+}
+
+/// Which displacement a part shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub(in crate::report) enum Shown {
+    /// The true one.
+    True,
+    /// The one of the law, without deviation.
+    Law,
+    /// That of the law and the magnified deviation.
+    Magnified,
+}
+
+/// Where a part is; all in pixels, y downwards, angles counterclockwise.
+#[derive(Clone, Debug, Serialize)]
+#[serde(tag = "kind", rename_all = "snake_case")]
+pub(in crate::report) enum Body {
+    /// By the row.
+    Rows {
+        /// x, y, cosine and sine of every row, one after the other.
+        table: Vec<Option<f64>>,
+    },
+    /// By a coordinate, at even distances between two values of it.
+    Over {
+        /// The coordinate.
+        column: usize,
+        /// Its value at the first place.
+        from: f64,
+        /// Its value at the last.
+        to: f64,
+        /// True when everything repeats from there on.
+        repeats: bool,
+        /// Which displacement is shown.
+        shown: Shown,
+        /// x, y, cosine and sine of every place, one after the other.
+        table: Vec<Option<f64>>,
+    },
+    /// Turned about a place by offset + sense · coordinate.
+    Turn {
+        /// The coordinate (rad).
+        column: usize,
+        /// Where it turns.
+        at: [f64; 2],
+        /// Counterclockwise angle by radian.
+        sense: f64,
+        /// Angle at zero (rad).
+        offset: f64,
+        /// Which displacement is shown.
+        shown: Shown,
+    },
+    /// Pushed from a place by the coordinate.
+    Slide {
+        /// The coordinate.
+        column: usize,
+        /// Its place at zero.
+        at: [f64; 2],
+        /// Pixels by unit of the coordinate.
+        by: [f64; 2],
+        /// Which displacement is shown.
+        shown: Shown,
+    },
+}
+
+/// Arrows of one kind.
+#[derive(Clone, Debug, Serialize)]
+pub(in crate::report) struct Arrows {
+    /// What they show.
+    pub(in crate::report) name: String,
+    /// The same with the scale.
+    pub(in crate::report) caption: String,
+    /// True when they are shown from the beginning.
+    pub(in crate::report) shown: bool,
+    /// x, y, dx, dy of every row, for every arrow.
+    pub(in crate::report) arrows: Vec<Vec<Option<f64>>>,
+}
+
+/// A number shown beside the picture.
+#[derive(Clone, Debug, Serialize)]
+pub(in crate::report) struct Reading {
+    /// What it is.
+    pub(in crate::report) name: String,
+    /// Its unit.
+    pub(in crate::report) unit: String,
+    /// One value a row; none where it is not finite.
+    pub(in crate::report) values: Vec<Option<f64>>,
+}
+
+/// Magnification of deflections.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub(in crate::report) struct Magnify {
+    /// The factor to begin with, one of the choices.
+    pub(in crate::report) factor: f64,
+    /// Factors to choose from.
+    pub(in crate::report) choices: Vec<f64>,
+}
+
+impl Player {
+    /// The figure of a page: pictures with moving parts, controls, data.
+    pub(in crate::report) fn figure(&self, pictures: &str) -> String {
+        // Plain numbers, strings and lists: writing them cannot fail.
+        let data = serde_json::to_string(self).unwrap_or_else(|_| "null".into());
+        let readings = match self.readings.is_empty() {
+            true => "",
+            false => "<dl class=\"facts readings\"></dl>\n",
+        };
+        let id = escape(&self.id);
+        format!(
+            "<figure class=\"moving\" id=\"{id}\">\n{pictures}<div class=\"bar controls\"></div>\n\
+             {readings}</figure>\n<script type=\"application/json\" id=\"{id}-data\">{}</script>\n",
+            data.replace('<', "\\u003c")
+        )
+    }
+}
+
+/// A number for the player, with that many digits after the point; none for what is no number.
+pub(in crate::report) fn short(value: f64, digits: i32) -> Option<f64> {
+    let factor = 10f64.powi(digits);
+    let rounded = (value * factor).round() / factor;
+    rounded.is_finite().then_some(rounded)
+}

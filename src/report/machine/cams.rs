@@ -1,0 +1,64 @@
+//! Cams of the machine with their followers, to scale.
+
+use super::Machine;
+use super::station::{Picture, Way};
+use crate::cam::{DiscCam, Guide};
+use crate::model::{NodeMotion, ObjectPart};
+use crate::report::cam::{Follower, bodies, drawing, drawn, view};
+use crate::report::html::player::Shown;
+
+/// The picture of a follower whose cam is known, `columns` being the coordinates of
+/// the cam and of the follower.
+pub(super) fn picture(
+    machine: &Machine<'_>,
+    part: &ObjectPart,
+    way: &Way,
+    columns: [usize; 2],
+    elastic: bool,
+) -> Option<Picture> {
+    let (_, cam) = machine.cams.iter().find(|(id, _)| *id == part.id)?;
+    let lever = match &machine.model.nodes[*part.nodes.last()?].motion {
+        NodeMotion::Mass { law } | NodeMotion::Rigid { law } => law.lever,
+        _ => return None,
+    };
+    let curves = drawn(cam);
+    let view = view(cam, &curves);
+    let outward = cam.geometry().outward;
+    let follower = |shown: Shown| Follower {
+        column: columns[1],
+        factor: outward / lever,
+        base: outward * cam.motion().innermost(),
+        shown,
+    };
+    let shown = if elastic {
+        Shown::Magnified
+    } else {
+        Shown::True
+    };
+    let mut all = bodies(cam, &view, columns[0], &follower(shown)).to_vec();
+    if elastic {
+        let [_, law] = bodies(cam, &view, columns[0], &follower(Shown::Law));
+        all.push(law);
+    }
+    let start = follower(shown).factor * way.start - follower(shown).base;
+    Some(Picture {
+        drawn: drawing(
+            cam,
+            &curves,
+            &view,
+            cam.motion().range().0,
+            Some(start).filter(|_| elastic),
+        ),
+        size: view.size,
+        bodies: all,
+        pixels: pixels(cam, view.scale) / lever.abs(),
+    })
+}
+
+/// How far a unit of outward displacement goes: of a turning follower at its tip.
+fn pixels(cam: &DiscCam, scale: f64) -> f64 {
+    match cam.geometry().guide {
+        Guide::Translating { .. } => scale,
+        Guide::Turning { arm, .. } => scale * arm,
+    }
+}

@@ -1,0 +1,117 @@
+//! Linkages of the machine: to scale, over their input coordinate.
+
+use super::station::{Picture, Way};
+use crate::linkage::Linkage;
+use crate::model::{Model, NodeMotion, ObjectPart};
+use crate::report::html::player::{Body, Shown};
+use crate::report::mechanism::{Axis, Drawing, Placement, View};
+
+/// Places over the reach that is drawn.
+const PLACES: usize = 361;
+
+/// The picture of an object that is a linkage; `column` is its input coordinate.
+pub(super) fn picture(
+    model: &Model,
+    part: &ObjectPart,
+    way: &Way,
+    column: usize,
+) -> Option<Picture> {
+    let own = |index: usize| {
+        model
+            .objects
+            .get(index)
+            .is_some_and(|object| object.id == part.id)
+    };
+    let body = model.linkages.iter().find(|body| own(body.object))?;
+    Some(drawn(&body.linkage, way, column))
+}
+
+/// The linkage that an object's law is the short form of; `way` and `column` are those
+/// of its driver.
+pub(super) fn law(model: &Model, part: &ObjectPart, way: &Way, column: usize) -> Option<Picture> {
+    let law = match &model.nodes[*part.nodes.last()?].motion {
+        NodeMotion::Mass { law } | NodeMotion::Rigid { law } => law,
+        _ => return None,
+    };
+    let linkage = Linkage::new(law.position.as_linkage(way.start)?).ok()?;
+    Some(drawn(&linkage, way, column))
+}
+
+fn drawn(linkage: &Linkage, way: &Way, column: usize) -> Picture {
+    let (from, to, repeats) = reach(linkage, way);
+    let inputs: Vec<f64> = (0..PLACES)
+        .map(|place| from + (to - from) * place as f64 / (PLACES - 1) as f64)
+        .collect();
+    let drawing = Drawing {
+        spec: linkage.spec(),
+        frames: frames(linkage, &inputs),
+        axis: Axis {
+            name: String::new(),
+            unit: String::new(),
+            times: Vec::new(),
+            values: inputs,
+            closed: repeats,
+        },
+        paths: Vec::new(),
+        arrows: Vec::new(),
+    };
+    let view = View::of(&drawing);
+    let share = (way.start - from) / (to - from);
+    let share = if repeats {
+        share.rem_euclid(1.0)
+    } else {
+        share.clamp(0.0, 1.0)
+    };
+    let start = (share * (PLACES - 1) as f64).round() as usize;
+    let bodies = (0..linkage.spec().links.len()).map(|link| Body::Over {
+        column,
+        from,
+        to,
+        repeats,
+        shown: Shown::True,
+        table: drawing.table(&view, link),
+    });
+    Picture {
+        bodies: bodies.collect(),
+        drawn: drawing.parts(&view, start),
+        size: [view.width, view.height],
+        // Its links are rigid.
+        pixels: 0.0,
+    }
+}
+
+/// A period of the input where the run goes through all of it, else as far as it goes.
+fn reach(linkage: &Linkage, way: &Way) -> (f64, f64, bool) {
+    let [least, greatest] = way.range;
+    match linkage.range().period {
+        Some(period) if way.travel() >= period.length => (least, least + period.length, true),
+        _ if greatest > least => (least, greatest, false),
+        // It does not move: any reach will do.
+        _ => (least, least + 1.0, false),
+    }
+}
+
+/// The links at every input; places that are no numbers where they cannot be.
+fn frames(linkage: &Linkage, inputs: &[f64]) -> Vec<Vec<Placement>> {
+    let mut work = linkage.workspace();
+    let links = linkage.spec().links.len();
+    let frame = |&input: &f64| match linkage.solve(input, 0, &mut work) {
+        Ok(()) => (0..links)
+            .map(|link| {
+                let pose = work.pose(link);
+                Placement {
+                    at: [pose.x, pose.y],
+                    turn: [pose.cos, pose.sin],
+                }
+            })
+            .collect(),
+        Err(_) => vec![
+            Placement {
+                at: [f64::NAN; 2],
+                turn: [1.0, 0.0],
+            };
+            links
+        ],
+    };
+    inputs.iter().map(frame).collect()
+}

@@ -1,0 +1,125 @@
+//! The machine of a run, moving: every object as a picture of its own, to scale
+//! where the scene tells its geometry (cams, linkages), else as a lever of unit
+//! length or a slide on its guide. Where objects deflect, the place that the law
+//! asks for is drawn pale beside the true one, the deflection magnified.
+
+mod cams;
+mod linkages;
+mod magnify;
+mod station;
+
+use super::cam;
+use super::html::player::{Coordinates, Player};
+use super::quantity::escape;
+use crate::cam::DiscCam;
+use crate::model::{Model, OUTPUT, ObjectPart};
+use crate::record::{Figures, Record, drive_cycle};
+use magnify::magnify;
+use station::Station;
+
+/// Most objects that are drawn; more would fill no screen.
+const MOST: usize = 24;
+
+/// How long a turn of the drive is played at normal speed, and a run without
+/// turns (s).
+const SECONDS_A_TURN: f64 = 2.5;
+const SECONDS_A_RUN: f64 = 8.0;
+
+/// What there is to draw.
+#[derive(Clone, Copy, Debug)]
+pub struct Machine<'a> {
+    /// The mechanism.
+    pub model: &'a Model,
+    /// Cams whose geometry is known, by the id of their follower.
+    pub cams: &'a [(String, DiscCam)],
+}
+
+impl Machine<'_> {
+    /// The section of a page. `group` is the place of an object's samples among
+    /// the plots of the page. Empty where nothing can be drawn.
+    pub(in crate::report) fn section(
+        &self,
+        figures: &Figures,
+        record: &Record,
+        group: &dyn Fn(&str) -> Option<usize>,
+    ) -> String {
+        let all = self.drivers_first();
+        let plotted = all
+            .iter()
+            .filter_map(|&part| Some((part, group(&part.id)?)));
+        let (drawn, groups): (Vec<&ObjectPart>, Vec<usize>) = plotted.take(MOST).unzip();
+        let mut player = Player {
+            id: "machine".to_owned(),
+            seconds: self.seconds(record),
+            columns: groups
+                .iter()
+                .map(|&group| Coordinates::Plotted { group })
+                .collect(),
+            ..Player::default()
+        };
+        let of = |column: usize| Station::of(self, record, column, &drawn);
+        let stations: Vec<Station> = (0..drawn.len()).flat_map(of).collect();
+        if stations.is_empty() || record.times.len() < 2 {
+            return String::new();
+        }
+        let deflections = stations.iter().map(|station| {
+            let own = figures.objects.get(&station.id);
+            own.map_or(0.0, |own| own.delta_abs) * station.pixels
+        });
+        player.magnify = magnify(deflections.fold(0.0, f64::max));
+        let style = match self.cams.is_empty() {
+            true => String::new(),
+            false => format!("<style>\n{}\n</style>\n", cam::style()),
+        };
+        let mut pictures = style + "<div class=\"stations\">\n";
+        for mut station in stations {
+            let first = player.bodies.len();
+            player.bodies.append(&mut station.bodies);
+            let delta = figures
+                .objects
+                .get(&station.id)
+                .map_or(0.0, |own| own.delta_abs);
+            pictures.push_str(&station.html(first, delta));
+        }
+        pictures.push_str("</div>\n");
+        format!(
+            "<h2>The machine moving</h2>\n{}{}",
+            player.figure(&pictures),
+            note(&player, all.len(), drawn.len())
+        )
+    }
+
+    /// The scene's objects, drivers before what they drive; outputs belong to
+    /// their linkage.
+    fn drivers_first(&self) -> Vec<&ObjectPart> {
+        let own = |part: &&ObjectPart| part.kind != OUTPUT && !part.nodes.is_empty();
+        let mut parts: Vec<&ObjectPart> = self.model.objects.iter().filter(own).collect();
+        parts.sort_by_key(|part| part.nodes[0]);
+        parts
+    }
+
+    fn seconds(&self, record: &Record) -> f64 {
+        let duration = record.times.last().copied().unwrap_or(0.0);
+        match drive_cycle(self.model) {
+            Ok(cycle) if cycle > 0.0 => (SECONDS_A_TURN * duration / cycle).max(2.0),
+            _ => SECONDS_A_RUN,
+        }
+    }
+}
+
+fn note(player: &Player, all: usize, drawn: usize) -> String {
+    let mut text = String::from(
+        "Angles are true; cams and linkages are to scale, a lever without geometry has unit \
+         length. The cursors of the plots below go with the machine.",
+    );
+    if player.magnify.is_some() {
+        text.push_str(
+            " Pale: where the law asks the object to be; in full: where it is, its deflection δ \
+             magnified by the factor beside the controls.",
+        );
+    }
+    if drawn < all {
+        text.push_str(&format!(" {drawn} of {all} objects are drawn."));
+    }
+    format!("<p class=\"soft\">{}</p>\n", escape(&text))
+}

@@ -1,0 +1,347 @@
+//! One object of the machine: its picture, its moving parts, its readings.
+
+use super::Machine;
+use super::{cams, linkages};
+use crate::model::{Coordinate, ObjectPart};
+use crate::record::{Column, Quantity, Record};
+use crate::report::html::player::{Body, Shown};
+use crate::report::quantity::{escape, scale, with_unit};
+use crate::report::svg::coordinate;
+use std::f64::consts::TAU;
+use std::fmt::Write as _;
+
+/// Size of a diagram (pixels).
+const WIDTH: f64 = 210.0;
+const HEIGHT: f64 = 190.0;
+/// Length of a lever and radius of a wheel (pixels).
+const LEVER: f64 = 76.0;
+const WHEEL: f64 = 56.0;
+/// Travel of a slide on the picture (pixels), and half the size of its block.
+const TRAVEL: f64 = 120.0;
+const BLOCK: [f64; 2] = [19.0, 14.0];
+
+/// One object with its picture.
+#[derive(Clone, Debug)]
+pub(super) struct Station {
+    /// Its id.
+    pub(super) id: String,
+    kind: String,
+    /// The picture: what stands within its `<svg>`, and its size.
+    picture: String,
+    size: [f64; 2],
+    /// Moving parts, in the order of their numbers.
+    pub(super) bodies: Vec<Body>,
+    /// How far a unit of its displacement goes on the picture (pixels).
+    pub(super) pixels: f64,
+    column: usize,
+    coordinate: Coordinate,
+}
+
+/// A picture with its parts.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Picture {
+    /// What stands within its `<svg>`.
+    pub(super) drawn: String,
+    /// Width and height (pixels).
+    pub(super) size: [f64; 2],
+    /// Its parts.
+    pub(super) bodies: Vec<Body>,
+    /// How far a unit of the displacement goes (pixels).
+    pub(super) pixels: f64,
+}
+
+impl Station {
+    /// The pictures of one of the objects that are drawn, whose coordinates are
+    /// numbered in their order: what its geometry is, and where that does not show its
+    /// deflection, a diagram. None where it has no samples.
+    pub(super) fn of(
+        machine: &Machine<'_>,
+        record: &Record,
+        column: usize,
+        drawn: &[&ObjectPart],
+    ) -> Vec<Self> {
+        let part = drawn[column];
+        let way = |part: &ObjectPart| Way::of(record.column(&part.id, Quantity::Displacement)?);
+        let Some(own) = way(part) else {
+            return Vec::new();
+        };
+        let elastic = !part.links.is_empty();
+        let driver = part.driver().and_then(|driver| {
+            let id = &machine.model.objects[driver].id;
+            drawn.iter().position(|one| one.id == *id)
+        });
+        let geometry = linkages::picture(machine.model, part, &own, column)
+            .or_else(|| cams::picture(machine, part, &own, [driver?, column], elastic));
+        let law = || linkages::law(machine.model, part, &way(drawn[driver?])?, driver?);
+        let diagram = || match part.coordinate {
+            Coordinate::Turning => turning(&own, column, elastic),
+            Coordinate::Sliding => sliding(&own, column, elastic),
+        };
+        let kind = part.kind.replace('_', " ");
+        let own_kind = |picture: Picture| (kind.clone(), picture);
+        let its_law = |picture: Picture| (format!("the law of the {kind}"), picture);
+        let pictures: Vec<(String, Picture)> = match (geometry, elastic) {
+            (Some(picture), _) => vec![own_kind(picture)],
+            (None, true) => law()
+                .map(its_law)
+                .into_iter()
+                .chain([own_kind(diagram())])
+                .collect(),
+            (None, false) => vec![own_kind(law().unwrap_or_else(diagram))],
+        };
+        let station = |(kind, picture): (String, Picture)| Self {
+            id: part.id.clone(),
+            kind,
+            picture: picture.drawn,
+            size: picture.size,
+            bodies: picture.bodies,
+            pixels: picture.pixels,
+            column,
+            coordinate: part.coordinate,
+        };
+        pictures.into_iter().map(station).collect()
+    }
+
+    /// The picture with its name and readings; its parts are numbered from `first`
+    /// on, `delta` is the greatest deflection.
+    pub(super) fn html(&self, first: usize, delta: f64) -> String {
+        let (unit, factor) = match self.coordinate {
+            Coordinate::Turning => ("deg", 1f64.to_degrees()),
+            Coordinate::Sliding => ("mm", 1e3),
+        };
+        let si = match self.coordinate {
+            Coordinate::Turning => "rad",
+            Coordinate::Sliding => "m",
+        };
+        let small = scale(delta, si);
+        let [w, h] = self.size.map(coordinate);
+        let wide = if self.size[0] > 1.5 * WIDTH {
+            " wide"
+        } else {
+            ""
+        };
+        let id = escape(&self.id);
+        format!(
+            "<div class=\"station{wide}\">\n<svg class=\"mechanism\" data-first=\"{first}\" viewBox=\"0 0 {w} {h}\" \
+             width=\"{w}\" height=\"{h}\" role=\"img\" aria-label=\"{id} moving\">\n{}</svg>\n<p><a \
+             href=\"#object-{id}\">{id}</a> <span class=\"soft\">{}</span><br><span data-column=\"{}\" \
+             data-unit=\"{unit}\" data-scale=\"{factor}\" data-delta-unit=\"{}\" \
+             data-delta-scale=\"{}\"></span></p>\n</div>\n",
+            self.picture,
+            escape(&self.kind),
+            self.column,
+            escape(&small.unit),
+            1.0 / small.factor
+        )
+    }
+}
+
+/// Where an object was over a run.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Way {
+    /// Displacement at the first sample.
+    pub(super) start: f64,
+    /// Least and greatest displacement.
+    pub(super) range: [f64; 2],
+}
+
+impl Way {
+    fn of(column: &Column) -> Option<Self> {
+        let finite = || {
+            column
+                .values
+                .iter()
+                .copied()
+                .filter(|value| value.is_finite())
+        };
+        let start = finite().next()?;
+        let least = finite().fold(start, f64::min);
+        let greatest = finite().fold(start, f64::max);
+        Some(Self {
+            start,
+            range: [least, greatest],
+        })
+    }
+
+    pub(super) fn travel(&self) -> f64 {
+        self.range[1] - self.range[0]
+    }
+
+    fn middle(&self) -> f64 {
+        0.5 * (self.range[0] + self.range[1])
+    }
+}
+
+/// The displacements that an object's bodies show: on its law and magnified for an
+/// elastic one.
+pub(super) fn shown(elastic: bool) -> &'static [Shown] {
+    match elastic {
+        true => &[Shown::Law, Shown::Magnified],
+        false => &[Shown::True],
+    }
+}
+
+/// Opens a part; `number` counts within its picture.
+pub(super) fn part(number: usize, shown: Shown, pose: [f64; 4]) -> String {
+    let [x, y, c, s] = pose;
+    let class = if shown == Shown::Law { " law" } else { "" };
+    format!(
+        "<g class=\"link l{}{class}\" data-link=\"{number}\" transform=\"matrix({c:.6} {:.6} {s:.6} {c:.6} {x:.2} {y:.2})\">",
+        if shown == Shown::Law { 7 } else { 0 },
+        -s
+    )
+}
+
+/// A wheel where it makes a turn or more, else a lever of unit length.
+fn turning(way: &Way, column: usize, elastic: bool) -> Picture {
+    let revolves = way.travel() > 0.98 * TAU;
+    let centre = [0.5 * WIDTH, 0.5 * HEIGHT];
+    // A lever swings about a horizontal place.
+    let offset = if revolves { 0.0 } else { -way.middle() };
+    let radius = if revolves { WHEEL } else { LEVER };
+    let mut out = Picture {
+        size: [WIDTH, HEIGHT],
+        pixels: radius,
+        ..Picture::default()
+    };
+    if !revolves {
+        out.drawn.push_str(&arc(way, centre));
+    }
+    out.drawn.push_str(&support(centre));
+    for (number, &shown) in shown(elastic).iter().enumerate() {
+        let (sin, cos) = (way.start + offset).sin_cos();
+        out.drawn
+            .push_str(&part(number, shown, [centre[0], centre[1], cos, sin]));
+        out.drawn.push_str(&match revolves {
+            true => wheel(shown),
+            false => lever(shown),
+        });
+        out.drawn.push_str("</g>\n");
+        out.bodies.push(Body::Turn {
+            column,
+            at: centre,
+            sense: 1.0,
+            offset,
+            shown,
+        });
+    }
+    let [x, y] = centre.map(coordinate);
+    let _ = writeln!(
+        out.drawn,
+        "<g class=\"pin\"><circle cx=\"{x}\" cy=\"{y}\" r=\"4.2\"/></g>"
+    );
+    out
+}
+
+fn wheel(shown: Shown) -> String {
+    let r = coordinate(WHEEL);
+    let disc = match shown {
+        Shown::Law => "",
+        _ => "<circle class=\"edge\" r=\"RADIUS\"/>",
+    };
+    format!(
+        "{}<path class=\"body\" stroke-width=\"9\" d=\"M0 0H{r}\"/><path class=\"edge\" d=\"M0 0H{r}\"/>",
+        disc.replace("RADIUS", &r)
+    )
+}
+
+fn lever(shown: Shown) -> String {
+    let r = coordinate(LEVER);
+    let width = if shown == Shown::Law { 8 } else { 12 };
+    format!(
+        "<path class=\"body\" stroke-width=\"{width}\" d=\"M0 0H{r}\"/><path class=\"edge\" d=\"M0 0H{r}\"/>"
+    )
+}
+
+/// The ground under a pivot.
+fn support([x, y]: [f64; 2]) -> String {
+    let (x, y) = (coordinate(x), coordinate(y));
+    format!("<g class=\"ground\"><path d=\"M{x} {y}l-11 17h22z\"/></g>\n")
+}
+
+/// The swing of a lever: a thin arc with the angle.
+fn arc(way: &Way, [x, y]: [f64; 2]) -> String {
+    let r = LEVER + 8.0;
+    let half = 0.5 * way.travel();
+    if !(half > 0.0) {
+        return String::new();
+    }
+    let end = |angle: f64| [x + r * angle.cos(), y - r * angle.sin()].map(coordinate);
+    let ([x0, y0], [x1, y1]) = (end(-half), end(half));
+    let large = u8::from(half > 0.25 * TAU);
+    format!(
+        "<g class=\"ground\"><path class=\"swing\" d=\"M{x0} {y0}A{r} {r} 0 {large} 0 {x1} {y1}\"/></g>\n\
+         <text class=\"note\" x=\"6\" y=\"{}\">swing {}</text>\n",
+        coordinate(HEIGHT - 8.0),
+        escape(&with_unit(way.travel().to_degrees(), "deg", 4)),
+        r = coordinate(r)
+    )
+}
+
+/// A block on its guide.
+fn sliding(way: &Way, column: usize, elastic: bool) -> Picture {
+    let travel = way.travel();
+    let scale = if travel > 0.0 { TRAVEL / travel } else { 0.0 };
+    let (middle, y) = (0.5 * WIDTH, 0.5 * HEIGHT);
+    let at = [middle - scale * way.middle(), y];
+    let mut out = Picture {
+        size: [WIDTH, HEIGHT],
+        pixels: scale,
+        drawn: guide([middle, y]),
+        ..Picture::default()
+    };
+    for (number, &shown) in shown(elastic).iter().enumerate() {
+        let place = [at[0] + scale * way.start, y, 1.0, 0.0];
+        out.drawn.push_str(&part(number, shown, place));
+        let [w, h] = BLOCK;
+        let _ = write!(
+            out.drawn,
+            "<rect class=\"block\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/></g>",
+            -w,
+            -h,
+            2.0 * w,
+            2.0 * h
+        );
+        out.bodies.push(Body::Slide {
+            column,
+            at,
+            by: [scale, 0.0],
+            shown,
+        });
+    }
+    let _ = writeln!(
+        out.drawn,
+        "<text class=\"note\" x=\"6\" y=\"{}\">travel {}</text>",
+        coordinate(HEIGHT - 8.0),
+        escape(&with_unit(travel, "m", 4))
+    );
+    out
+}
+
+/// Two rails as far as the block goes.
+fn guide([x, y]: [f64; 2]) -> String {
+    let half = 0.5 * TRAVEL + BLOCK[0] + 4.0;
+    let mut out = String::from("<g class=\"guide\">");
+    for side in [-1.0, 1.0] {
+        let rail = y + side * (BLOCK[1] + 2.0);
+        let _ = write!(
+            out,
+            "<path d=\"M{} {}h{}\"/>",
+            coordinate(x - half),
+            coordinate(rail),
+            coordinate(2.0 * half)
+        );
+        let hatches = (2.0 * half / 9.0) as usize;
+        for hatch in 0..hatches {
+            let _ = write!(
+                out,
+                "<path class=\"hatch\" d=\"M{} {}l-5 {}\"/>",
+                coordinate(x - half + 7.0 + 9.0 * hatch as f64),
+                coordinate(rail),
+                coordinate(side * 6.0)
+            );
+        }
+    }
+    out.push_str("</g>\n");
+    out
+}

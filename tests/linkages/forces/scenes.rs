@@ -1,0 +1,331 @@
+//! The scenes of kinetostatics give the reference's figures, and the program
+//! tells them.
+
+use super::{number, reference};
+use dam::analysis::forces::{
+    Course, ForceSettings, ForceStudy, LinkagePositions, only_loaded_output, study,
+};
+use dam::linkage::kinetostatics::Kinetostatics;
+use dam::lower::lower;
+use dam::scene::{BuiltIn, Document, Overrides};
+use serde_json::Value;
+use std::f64::consts::TAU;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+fn root() -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR"))
+}
+
+fn of_scene(name: &str, speed: f64) -> ForceStudy {
+    let path = root().join("scenarios/kinetostatics").join(name);
+    let bytes = std::fs::read(&path).unwrap();
+    let document = Document::parse(name, &bytes).unwrap();
+    let reading = document.scene(&BuiltIn, &Overrides::none()).unwrap();
+    let model = lower(&reading.scene).unwrap();
+    let linkage = &model.linkages[0].linkage;
+    let solver = Kinetostatics::new(linkage.spec()).unwrap();
+    let course = Course::Even {
+        from: 0.0,
+        to: TAU,
+        count: 24,
+        speed,
+        acceleration: 0.0,
+        closed: true,
+    };
+    let settings = ForceSettings {
+        output: only_loaded_output(&solver),
+        ..ForceSettings::default()
+    };
+    let mut positions = LinkagePositions::new(linkage);
+    study(linkage.spec(), &mut positions, course, settings).unwrap()
+}
+
+#[test]
+fn scenes_are_the_mechanisms_of_the_reference() {
+    for (scene, id) in [
+        ("slider_crank.json", "paper-rod-mass-ratio0.1"),
+        ("slotted_lever.json", "slotted-lever"),
+    ] {
+        let reference = reference();
+        let cases = reference["cases"].as_array().unwrap();
+        let case = cases.iter().find(|case| case["id"] == id).unwrap();
+        let found = of_scene(scene, number(&case["phi1dot"]));
+        let results = case["results"].as_array().unwrap();
+        // The end of the turn stands there as well.
+        assert_eq!(found.rows.len(), results.len() + 1);
+        for ((_, forces), wanted) in found.solved().zip(results) {
+            let near = |value: f64, name: &str, scale: f64| {
+                let wanted = number(&wanted[name]);
+                assert!(
+                    (value - wanted).abs() < 1e-9 * scale,
+                    "{scene} {name}: {value} {wanted}"
+                );
+            };
+            near(forces.drive, "M1", 30.0);
+            near(forces.chi.unwrap(), "chi", 0.06);
+            near(forces.balance.loss, "loss_W", 30.0);
+            near(forces.transmission.unwrap().ratio, "i", 0.06);
+        }
+        assert_eq!(found.solved().count(), results.len() + 1);
+    }
+}
+
+fn dam(arguments: &[&str], folder: &Path) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_dam"))
+        .args(arguments)
+        .current_dir(folder)
+        .output()
+        .unwrap()
+}
+
+fn scene(name: &str) -> String {
+    let path = root().join("scenarios/kinetostatics").join(name);
+    path.display().to_string()
+}
+
+#[test]
+fn the_program_tells_forces_as_text_table_document_and_page() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = scene("slider_crank.json");
+    let text = dam(
+        &[
+            "forces",
+            &scene,
+            "--compare-massless",
+            "0.1,10",
+            "--out",
+            "out",
+        ],
+        folder.path(),
+    );
+    assert_eq!(text.status.code(), Some(0), "{text:?}");
+    let text = String::from_utf8(text.stdout).unwrap();
+    for part in [
+        "EXTREMES",
+        "self-locking",
+        "SHAKING",
+        "MASSLESS",
+        "R12.force",
+        "χ",
+    ] {
+        assert!(text.contains(part), "{part} missing in {text}");
+    }
+    let page = std::fs::read_to_string(folder.path().join("out/report.html")).unwrap();
+    assert!(page.contains("class=\"moving\"") && page.contains("class=\"polar\""));
+    assert!(!page.contains("NaN"));
+    let json = dam(
+        &["forces", &scene, "--json", "--positions", "24"],
+        folder.path(),
+    );
+    let json: Value = serde_json::from_slice(&json.stdout).unwrap();
+    assert_eq!(
+        json["columns"]["drive"]["values"].as_array().unwrap().len(),
+        24
+    );
+    assert_eq!(json["convention"], "paper");
+    let csv = dam(
+        &["forces", &scene, "--csv", "--positions", "24"],
+        folder.path(),
+    );
+    let csv = String::from_utf8(csv.stdout).unwrap();
+    assert_eq!(csv.lines().count(), 25);
+    assert!(csv.starts_with("coordinate [rad],speed [rad/s]"), "{csv}");
+    assert!(csv.contains(",chi (paper) [m],"), "{csv}");
+}
+
+/// Forces over the motion in a run's record are those over the drive's time.
+#[test]
+fn a_record_gives_the_motion() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = scene("slotted_lever.json");
+    let run = dam(
+        &["run", &scene, "--set", "run.samples=10", "--out", "run"],
+        folder.path(),
+    );
+    assert_eq!(run.status.code(), Some(0), "{run:?}");
+    let drives = |more: &[&str]| -> Vec<f64> {
+        let mut arguments = vec!["forces", &scene, "--json"];
+        arguments.extend(more);
+        let json: Value = serde_json::from_slice(&dam(&arguments, folder.path()).stdout).unwrap();
+        let values = json["columns"]["drive"]["values"].as_array().unwrap();
+        values.iter().map(number).collect()
+    };
+    let of_record = drives(&["--record", "run/record.csv"]);
+    let of_time = drives(&["--time", "--positions", "10"]);
+    assert_eq!(of_record.len(), 11);
+    for (a, b) in of_record.iter().zip(&of_time) {
+        assert!((a - b).abs() < 1e-8, "{a} {b}");
+    }
+}
+
+/// With an elastic slide behind the linkage the driving moment of the run, found
+/// on the reduced coordinate, is that of the free-body equations.
+#[test]
+fn what_hangs_behind_is_among_the_loads() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = std::fs::read_to_string(scene("slotted_lever.json")).unwrap();
+    let behind = r#""table": { "kind": "rocker", "input": "mechanism.lever",
+        "position": { "ratio": 2 }, "inertia": 0.3, "stiffness": 2e4, "damping_capacity": 0.3,
+        "masses": 2, "loads": { "work": { "constant": -5 } } },
+      "drive":"#;
+    let mut text = text
+        .replacen("\"drive\":", behind, 1)
+        .replace("0.1\n        },", "0\n },");
+    text = text.replace("\"friction\": 0.1", "\"friction\": 0");
+    let start = text.find("\"expect\"").unwrap();
+    let text = format!("{} }}", text[..start].trim_end().trim_end_matches(','));
+    std::fs::write(folder.path().join("scene.json"), text).unwrap();
+    let run = dam(
+        &[
+            "run",
+            "scene.json",
+            "--set",
+            "run.samples=40",
+            "--out",
+            "run",
+        ],
+        folder.path(),
+    );
+    assert_eq!(run.status.code(), Some(0), "{run:?}");
+    let found = dam(
+        &[
+            "forces",
+            "scene.json",
+            "--json",
+            "--record",
+            "run/record.csv",
+        ],
+        folder.path(),
+    );
+    assert_eq!(found.status.code(), Some(0), "{found:?}");
+    let found: Value = serde_json::from_slice(&found.stdout).unwrap();
+    let record = std::fs::read_to_string(folder.path().join("run/record.csv")).unwrap();
+    let mut lines = record.lines();
+    let head = lines.next().unwrap();
+    let column = |name: &str| {
+        head.split(',')
+            .position(|cell| cell.starts_with(name))
+            .unwrap()
+    };
+    let reaction = column("mechanism.reaction");
+    assert!(head.contains("mechanism.lever.reaction"));
+    let drives = found["columns"]["drive"]["values"].as_array().unwrap();
+    assert_eq!(drives.len(), 41);
+    for (line, drive) in lines.zip(drives) {
+        let wanted: f64 = line.split(',').nth(reaction).unwrap().parse().unwrap();
+        let drive = number(drive);
+        assert!(
+            (drive + wanted).abs() < 1e-7 * (1.0 + drive.abs()),
+            "{drive} {wanted}"
+        );
+    }
+}
+
+#[test]
+fn what_cannot_be_answered_is_said() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = scene("slider_crank.json");
+    let refused = |more: &[&str], words: &str| {
+        let mut arguments = vec!["forces", &scene];
+        arguments.extend(more);
+        let output = dam(&arguments, folder.path());
+        assert_eq!(output.status.code(), Some(2), "{more:?}");
+        let text = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert!(text.contains(words), "{more:?}: {text}");
+    };
+    refused(&["--load", "ram"], "there is no output `ram`; one of slide");
+    refused(
+        &["--load", "slide=wind"],
+        "there is no force `wind`; one of load",
+    );
+    refused(
+        &["--compare-massless", "0.1,-4"],
+        "-4 is not a number above zero",
+    );
+    refused(&["--record", "nothing.csv"], "cannot read the record");
+    refused(&["--speed", "3 m"], "--speed");
+    refused(&["--speed", "0"], "--direction forwards or backwards");
+    // Locked positions are told and end with status 1.
+    let all = ["R01", "R12", "R23", "P03"];
+    let sets: Vec<String> = all
+        .iter()
+        .map(|pair| format!("mechanism.pairs.{pair}.friction=1.3"))
+        .collect();
+    let mut arguments = vec![
+        "forces",
+        &scene,
+        "--range",
+        "150:210 deg",
+        "--positions",
+        "30",
+    ];
+    for set in &sets {
+        arguments.extend(["--set", set]);
+    }
+    let output = dam(&arguments, folder.path());
+    assert_eq!(output.status.code(), Some(1), "{output:?}");
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    assert!(
+        text.contains("locked: no driving force overcomes friction"),
+        "{text}"
+    );
+}
+
+#[test]
+fn what_a_scene_expects_of_its_forces_is_judged() {
+    let folder = tempfile::tempdir().unwrap();
+    let forces = |text: String| {
+        std::fs::write(folder.path().join("scene.json"), text).unwrap();
+        let output = dam(&["forces", "scene.json"], folder.path());
+        let talk = String::from_utf8_lossy(&output.stderr).into_owned();
+        (output.status.code(), talk)
+    };
+    let text = std::fs::read_to_string(scene("slider_crank.json")).unwrap();
+    let (code, talk) = forces(text.clone());
+    assert_eq!(code, Some(0), "{talk}");
+    assert!(talk.contains("14 of 14 hold"), "{talk}");
+    let (code, talk) = forces(text.replace("66.262843", "66.2629"));
+    assert_eq!(code, Some(1), "{talk}");
+    assert!(
+        talk.contains("expectation failed: forces.mechanism.drive.greatest"),
+        "{talk}"
+    );
+    let (code, talk) = forces(text.replace("drive.greatest\"", "drive.greatst\""));
+    assert_eq!(code, Some(2), "{talk}");
+    assert!(
+        talk.contains("did you mean `forces.mechanism.drive.greatest`?"),
+        "{talk}"
+    );
+}
+
+/// Under a law of the drive the forces go with the time, from rest on; over one
+/// turn they sum up like those over the turn.
+#[test]
+fn a_law_of_the_drive_gives_the_motion() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = scene("slotted_lever.json");
+    let law = r#"drive.motion={"run_up": {"speed": "200 rpm", "time": "0.5 s"}}"#;
+    let output = dam(
+        &["forces", &scene, "--time", "0.5 s", "--set", law],
+        folder.path(),
+    );
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let cycle = |over: &[&str]| -> Value {
+        let mut arguments = vec!["forces", &scene, "--json"];
+        arguments.extend(over);
+        let found: Value = serde_json::from_slice(&dam(&arguments, folder.path()).stdout).unwrap();
+        found["cycle"].clone()
+    };
+    let period = (TAU / 12.0).to_string();
+    let (of_time, of_turn) = (cycle(&["--time", &period]), cycle(&["--turn"]));
+    assert_eq!(of_time["closed"], true);
+    for name in ["loss", "drive_work", "rms_drive", "duration"] {
+        let (a, b) = (number(&of_time[name]), number(&of_turn[name]));
+        assert!((a - b).abs() < 1e-9 * b.abs(), "{name}: {a} {b}");
+    }
+    assert_eq!(
+        of_time["efficiency"].is_null(),
+        of_turn["efficiency"].is_null()
+    );
+}

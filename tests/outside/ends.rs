@@ -1,0 +1,367 @@
+//! How commands end: by a signal, by the time limit, by themselves.
+
+use super::{dam, output, scene, text};
+use std::process::{Child, Command, Stdio};
+use std::time::{Duration, Instant};
+
+fn kill(child: &Child, signal: &str) {
+    let id = child.id().to_string();
+    assert!(
+        Command::new("kill")
+            .args([signal, &id])
+            .status()
+            .unwrap()
+            .success()
+    );
+}
+
+/// Status and the two outputs of a command that is told to stop after a while, and the
+/// time from then on.
+fn told(args: &[&str], signal: &str, after: Duration) -> (Option<i32>, String, String, Duration) {
+    let mut command = dam(args);
+    let child = command
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    std::thread::sleep(after);
+    kill(&child, signal);
+    let told = Instant::now();
+    let output = child.wait_with_output().unwrap();
+    (
+        output.status.code(),
+        text(&output.stdout),
+        text(&output.stderr),
+        told.elapsed(),
+    )
+}
+
+/// A run that takes hours.
+const LONG: [&str; 4] = [
+    "run",
+    "scenarios/rocker/two_masses_gap.json",
+    "--set",
+    "run={\"duration\": 100000, \"samples\": 100, \"method\": \"taylor\", \"max_switches\": 1000000000}",
+];
+
+#[cfg(unix)]
+#[test]
+fn a_signal_ends_a_run_with_what_was_computed() {
+    for (signal, status) in [("-INT", 130), ("-TERM", 143)] {
+        let (code, out, err, _) = told(&LONG, signal, Duration::from_secs(2));
+        assert_eq!(code, Some(status), "{err}");
+        assert!(
+            out.contains("INCOMPLETE") && out.contains("interrupted"),
+            "{out}"
+        );
+        assert!(out.contains("peak speed"), "{out}");
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_signal_ends_at_once_what_has_nothing_to_keep() {
+    // The scene never comes.
+    for (signal, status) in [("-INT", 130), ("-TERM", 143)] {
+        let mut command = dam(&["check", "-"]);
+        command
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped());
+        let mut child = command.spawn().unwrap();
+        let _held = child.stdin.take();
+        std::thread::sleep(Duration::from_secs(1));
+        kill(&child, signal);
+        assert_eq!(child.wait().unwrap().code(), Some(status));
+    }
+}
+
+#[test]
+fn the_time_limit_holds_for_every_phase() {
+    let mut command = dam(&["check", "-", "--time-limit", "0.2", "--json"]);
+    command
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped());
+    let mut child = command.spawn().unwrap();
+    let _held = child.stdin.take();
+    let output = child.wait_with_output().unwrap();
+    assert_eq!(output.status.code(), Some(1));
+    let document: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    let message = document["errors"][0]["message"].as_str().unwrap();
+    assert!(message.contains("time limit of 0.2 s"), "{message}");
+    // Of a run and a map something is kept.
+    let run = output_within(&[&LONG[..], &["--time-limit", "1"]].concat());
+    assert!(
+        run.contains("INCOMPLETE") && run.contains("peak speed"),
+        "{run}"
+    );
+    let x = "rocker.inertia=0.05:1:100000";
+    let map = [
+        "map",
+        "scenarios/rocker/ten_masses.json",
+        "--x",
+        x,
+        "--time-limit",
+        "5",
+    ];
+    assert!(!output_within(&map).is_empty());
+}
+
+/// Standard output of a command that ends by its time limit.
+fn output_within(args: &[&str]) -> String {
+    let begun = Instant::now();
+    let found = output(args);
+    assert_eq!(found.status.code(), Some(1), "{}", text(&found.stderr));
+    assert!(begun.elapsed() < Duration::from_secs(60));
+    text(&found.stdout)
+}
+
+#[test]
+fn what_once_had_no_end_ends_with_a_reason() {
+    let cases: [(&[&str], i32, &str); 4] = [
+        (
+            &[
+                "cam",
+                "scenarios/cams/yarn_traverse.json",
+                "--tolerance=1e-300",
+            ],
+            2,
+            "takes more than 200000 points",
+        ),
+        (
+            &[
+                "steady",
+                "scenarios/shafts/free_vibration.json",
+                "--set",
+                "wheel.stiffness=1e33",
+            ],
+            2,
+            "t =",
+        ),
+        (
+            &[
+                "run",
+                "scenarios/limits/short_rod.json",
+                "--set",
+                "run.duration=1e308",
+            ],
+            1,
+            "dead position",
+        ),
+        (
+            &[
+                "run",
+                "scenarios/slotted_link/block_accelerated.json",
+                "--set",
+                "drive.motion.acceleration=\"1e30 m/s^2\"",
+                "--set",
+                "run.duration=1.5",
+            ],
+            1,
+            "dead position",
+        ),
+    ];
+    for (args, status, reason) in cases {
+        let found = output(args);
+        let said = text(&found.stdout) + &text(&found.stderr);
+        assert_eq!(found.status.code(), Some(status), "{args:?}: {said}");
+        assert!(said.contains(reason), "{args:?}: {said}");
+    }
+}
+
+#[test]
+fn no_number_that_is_none_with_status_0() {
+    let args = [
+        "steady",
+        "--inertia=1",
+        "--work=cos(phi)",
+        "--mean-speed",
+        "1e308",
+        "--balance",
+        "--json",
+    ];
+    let found = output(&args);
+    assert_eq!(found.status.code(), Some(2), "{}", text(&found.stdout));
+    assert!(
+        text(&found.stdout).contains("mean-speed"),
+        "{}",
+        text(&found.stdout)
+    );
+}
+
+#[test]
+fn a_scene_comes_from_standard_input() {
+    let path = format!(
+        "{}/scenarios/limits/short_rod.json",
+        env!("CARGO_MANIFEST_DIR")
+    );
+    let mut command = dam(&["run", "-", "--json"]);
+    let found = command
+        .stdin(std::fs::File::open(&path).unwrap())
+        .output()
+        .unwrap();
+    assert_eq!(found.status.code(), Some(0), "{}", text(&found.stderr));
+    let piped: serde_json::Value = serde_json::from_slice(&found.stdout).unwrap();
+    let file: serde_json::Value =
+        serde_json::from_slice(&output(&["run", &path, "--json"]).stdout).unwrap();
+    assert_eq!(piped["objects"], file["objects"]);
+    // Faults have their place in it.
+    let mut command = dam(&["check", "-"]);
+    let folder = tempfile::tempdir().unwrap();
+    let broken = scene(folder.path(), "{ \"dam\": 1, \"nam\": \"x\" }");
+    let found = command
+        .stdin(std::fs::File::open(broken).unwrap())
+        .output()
+        .unwrap();
+    assert_eq!(found.status.code(), Some(2));
+    assert!(
+        text(&found.stderr).contains("standard input:1:"),
+        "{}",
+        text(&found.stderr)
+    );
+}
+
+#[test]
+fn every_template_is_a_scene_that_runs() {
+    let folder = tempfile::tempdir().unwrap();
+    for template in ["lever", "cam", "linkage", "press", "shaft"] {
+        let path = folder.path().join(format!("{template}.json"));
+        let path = path.to_str().unwrap();
+        let made = output(&["new", template, path]);
+        assert!(made.status.success(), "{template}: {}", text(&made.stderr));
+        // Shown, it is the same.
+        assert_eq!(
+            output(&["new", template]).stdout,
+            std::fs::read(path).unwrap()
+        );
+        let run = output(&["run", path]);
+        assert!(run.status.success(), "{template}: {}", text(&run.stderr));
+        assert!(
+            !text(&run.stderr).contains("warning"),
+            "{}",
+            text(&run.stderr)
+        );
+        // What is there stays.
+        let again = output(&["new", template, path]);
+        assert_eq!(again.status.code(), Some(2));
+    }
+    for (command, template) in [
+        ("cam", "cam"),
+        ("kinematics", "linkage"),
+        ("steady", "press"),
+    ] {
+        let path = folder.path().join(format!("{template}.json"));
+        assert!(
+            output(&[command, path.to_str().unwrap()]).status.success(),
+            "{command}"
+        );
+    }
+}
+
+#[test]
+fn completions_and_manual_pages_know_the_commands() {
+    for shell in ["bash", "zsh", "fish", "elvish", "powershell"] {
+        let script = text(&output(&["completions", shell]).stdout);
+        assert!(
+            script.contains("kinematics") && script.contains("time-limit"),
+            "{shell}"
+        );
+    }
+    let page = text(&output(&["manual", "run"]).stdout);
+    assert!(page.contains(".TH") && page.contains("spread"), "{page}");
+    let none = output(&["manual", "walk"]);
+    assert!(
+        text(&none.stderr).contains("one of run, check"),
+        "{}",
+        text(&none.stderr)
+    );
+}
+
+#[test]
+fn a_flywheel_is_sized_for_a_table() {
+    let folder = tempfile::tempdir().unwrap();
+    let count = 720;
+    let mut rows = "phi [deg],J [kg m^2],A [N m]\n".to_owned();
+    for k in 0..=count {
+        let degrees = 360.0 * f64::from(k) / f64::from(count);
+        let phi = degrees.to_radians();
+        rows += &format!(
+            "{degrees:?},{:?},{:?}\n",
+            1.5 + 0.2 * phi.cos(),
+            12.0 * phi.sin()
+        );
+    }
+    let path = folder.path().join("table.csv");
+    std::fs::write(&path, rows).unwrap();
+    let question = [
+        "--mean-speed",
+        "30",
+        "--mean",
+        "midrange",
+        "--fluctuation",
+        "0.01",
+        "--json",
+    ];
+    let table = output(
+        &[
+            &["steady", "--table", path.to_str().unwrap()],
+            &question[..],
+        ]
+        .concat(),
+    );
+    assert!(table.status.success(), "{}", text(&table.stderr));
+    let of = |found: &[u8], pointer: &str| {
+        let document: serde_json::Value = serde_json::from_slice(found).unwrap();
+        document
+            .pointer(pointer)
+            .and_then(|value| value.as_f64())
+            .unwrap()
+    };
+    let functions = ["steady", "--inertia=1.5+0.2*cos(phi)", "--work=12*sin(phi)"];
+    let functions = output(&[&functions[..], &question].concat());
+    for figure in [
+        "inertia",
+        "fluctuation_with",
+        "approximations/0/inertia",
+        "approximations/2/inertia",
+    ] {
+        let pointer = format!("/rigid/flywheel/{figure}");
+        let [one, other] = [&table.stdout, &functions.stdout].map(|found| of(found, &pointer));
+        approx::assert_relative_eq!(one, other, max_relative = 1e-4);
+    }
+    approx::assert_relative_eq!(
+        of(&table.stdout, "/rigid/flywheel/fluctuation_with"),
+        0.01,
+        max_relative = 1e-9
+    );
+}
+
+#[test]
+fn what_the_terminal_warns_of_is_in_json_too() {
+    // Something hangs on the linkage: its forces are not among the loads.
+    let folder = tempfile::tempdir().unwrap();
+    let made = text(&output(&["new", "linkage"]).stdout);
+    let mut document: serde_json::Value = serde_json::from_str(&made).unwrap();
+    document["objects"]["table"] = serde_json::json!({
+        "kind": "slider", "input": "mechanism.slide", "position": { "ratio": 1 },
+        "inertia": "1 kg", "masses": 0
+    });
+    // Left out by the reader, with a warning of the text.
+    document["objects"]["table"]["description"] = "hangs on it".into();
+    let path = scene(folder.path(), &document.to_string());
+    let path = path.to_str().unwrap();
+    let shown = output(&["forces", path]);
+    let warned = text(&shown.stderr);
+    assert!(
+        warned.contains("(table) are not among its loads"),
+        "{warned}"
+    );
+    let found = output(&["forces", path, "--json"]);
+    let told: serde_json::Value = serde_json::from_slice(&found.stdout).unwrap();
+    let warnings = told["warnings"].to_string();
+    assert!(
+        warnings.contains("(table) are not among its loads"),
+        "{warnings}"
+    );
+}

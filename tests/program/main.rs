@@ -1,0 +1,10 @@
+//! The program and what it reads, prints and writes; the scenarios and the documents.
+
+mod command_line;
+mod diagnostics;
+mod documents;
+mod map;
+mod page;
+mod scenarios;
+mod schema;
+mod steady;

@@ -1,0 +1,147 @@
+//! The JSON Schema is fresh and describes what the reading takes. A validator of
+//! others judges it in `peers/tests/schema.rs`.
+
+use dam::object::Registry;
+use dam::scene::{BuiltIn, Document, Overrides, schema, schema_text};
+use std::path::{Path, PathBuf};
+use std::{env, fs};
+
+const EVERYTHING: &str = include_str!("../schema_scene.json");
+
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+fn files(folder: &Path) -> Vec<PathBuf> {
+    let mut found = Vec::new();
+    let Ok(entries) = fs::read_dir(folder) else {
+        return found;
+    };
+    for entry in entries {
+        let path = entry.expect("an entry").path();
+        if path.is_dir() {
+            found.extend(files(&path));
+        } else if path
+            .extension()
+            .is_some_and(|extension| extension == "json")
+        {
+            found.push(path);
+        }
+    }
+    found.sort();
+    found
+}
+
+/// `DAM_BLESS=1 cargo test --test program schema` writes it anew.
+#[test]
+fn the_committed_schema_is_fresh() {
+    let path = root().join("scenarios/scene.schema.json");
+    if env::var_os("DAM_BLESS").is_some() {
+        fs::write(&path, schema_text(&Registry::standard())).expect("writing");
+    }
+    let committed = fs::read_to_string(&path).unwrap_or_default();
+    assert!(
+        committed == schema_text(&Registry::standard()),
+        "scenarios/scene.schema.json is stale: run DAM_BLESS=1 cargo test --test program schema"
+    );
+}
+
+#[test]
+fn a_scene_with_every_property_is_read() {
+    let document = Document::parse("everything.json", EVERYTHING.as_bytes()).expect("JSON");
+    let reading = document.scene(&BuiltIn, &Overrides::none());
+    if let Err(diagnostics) = &reading {
+        panic!("{diagnostics}");
+    }
+}
+
+/// Every property that the schema describes is used in the scene above, so
+/// that none can be described without being read.
+#[test]
+fn every_described_property_is_exercised() {
+    let mut described = Vec::new();
+    names(&schema(&Registry::standard()), &mut described);
+    described.sort();
+    described.dedup();
+    assert!(described.len() > 80, "{} properties", described.len());
+    for name in described {
+        let exempt = ["from", "area"].contains(&name.as_str());
+        assert!(
+            exempt || EVERYTHING.contains(&format!("\"{name}\"")),
+            "`{name}` is not exercised"
+        );
+    }
+}
+
+fn names(schema: &serde_json::Value, found: &mut Vec<String>) {
+    match schema {
+        serde_json::Value::Object(map) => {
+            for (keyword, value) in map {
+                if keyword == "properties"
+                    && let Some(properties) = value.as_object()
+                {
+                    found.extend(properties.keys().cloned());
+                }
+                names(value, found);
+            }
+        }
+        serde_json::Value::Array(items) => items.iter().for_each(|item| names(item, found)),
+        _ => {}
+    }
+}
+
+#[test]
+fn the_committed_scenes_are_read_and_name_the_schema() {
+    for path in files(&root().join("scenarios")) {
+        if path.ends_with("scene.schema.json") {
+            continue;
+        }
+        let text = fs::read_to_string(&path).expect("a scene");
+        let scene: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+        let named = scene["$schema"].as_str().unwrap_or_default();
+        let schema = path.parent().expect("a folder").join(named);
+        assert!(
+            named.ends_with("scene.schema.json") && schema.exists(),
+            "{}: {named}",
+            path.display()
+        );
+        let document = Document::parse("scene.json", text.as_bytes()).expect("JSON");
+        if let Err(diagnostics) = document.scene(&BuiltIn, &Overrides::none()) {
+            panic!("{}: {diagnostics}", path.display());
+        }
+    }
+}
+
+/// What a catalogue object may leave to the scene that copies it.
+const LEFT_TO_THE_SCENE: [&str; 2] = ["input", "position"];
+
+#[test]
+fn built_in_catalogue_objects_can_be_read() {
+    use dam::scene::Catalogue;
+    for name in BuiltIn.names() {
+        let (_, text) = BuiltIn.lookup(&name).expect("a built-in object");
+        let own: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+        for property in ["kind", "source", "description"] {
+            assert!(own[property].is_string(), "{name} has no `{property}`");
+        }
+        let mut object = serde_json::json!({ "from": name });
+        let drive = own["kind"] == "drive";
+        for property in LEFT_TO_THE_SCENE {
+            if own.get(property).is_none() && !drive {
+                object[property] = match property {
+                    "input" => "the_drive".into(),
+                    _ => serde_json::json!({ "ratio": 1 }),
+                };
+            }
+        }
+        let scene = serde_json::json!({
+            "dam": 1, "name": "catalogue", "run": { "duration": 1 },
+            "objects": { "it": object, "the_drive": { "kind": "drive", "motion": { "speed": 1 } } },
+        });
+        let document =
+            Document::parse("catalogue.json", scene.to_string().as_bytes()).expect("JSON");
+        if let Err(diagnostics) = document.scene(&BuiltIn, &Overrides::none()) {
+            panic!("{name}: {diagnostics}");
+        }
+    }
+}

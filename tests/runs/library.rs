@@ -1,0 +1,353 @@
+//! The library's face: scenes in code, errors, what is asked beside runs.
+
+use approx::{assert_abs_diff_eq, assert_relative_eq};
+use dam::build::OwnObject;
+use dam::model::{Coordinate, LoadLaw, Pair as ModelPair};
+use dam::object::{INPUT, ModelBuilder, Object, Place, Ports};
+use dam::position::Position as PositionFunction;
+use dam::prelude::*;
+use std::error::Error as _;
+
+fn rocker() -> Scene {
+    Scene::new("A rocker")
+        .add("shaft", Drive::speed("10 rev/s"))
+        .add("rocker", swinging())
+        .duration(0.1)
+}
+
+fn swinging() -> Rocker {
+    Rocker::on("shaft")
+        .position(Position::sine("90 deg"))
+        .inertia(0.1)
+        .stiffness(1e7)
+}
+
+#[test]
+fn faults_of_scenes_in_code_name_their_property() {
+    let scene = rocker()
+        .add(
+            "slide",
+            Slider::on("rocke")
+                .position(Position::sine(f64::NAN))
+                .inertia(-1.0),
+        )
+        .add("shaft", Drive::speed(3.0));
+    let error = scene.run().unwrap_err();
+    let paths: Vec<&str> = error
+        .faults()
+        .iter()
+        .map(|fault| fault.path.as_str())
+        .collect();
+    for path in [
+        "shaft",
+        "slide.input",
+        "slide.position.sine.amplitude",
+        "slide.inertia",
+    ] {
+        assert!(paths.contains(&path), "{path} in {paths:?}");
+    }
+    let text = error.to_string();
+    for part in [
+        "error[unknown-object]: unknown object `rocke`",
+        " --> slide.input",
+        "did you mean `rocker`?",
+        "`amplitude` is not a number",
+        "the object `shaft` is given twice",
+    ] {
+        assert!(text.contains(part), "{part} in\n{text}");
+    }
+    assert_eq!(format!("{error:?}"), format!("\n{text}"));
+    // Settings have a text, and an excerpt of it.
+    let error = rocker().set("rocker.masses", -1).run().unwrap_err();
+    assert!(error.to_string().contains("rocker.masses=-1"), "{error}");
+    // Faults of the model have their property too.
+    let far = Position::slider_crank("50 mm", "20 mm");
+    let slide = Slider::on("shaft").position(far).masses(0).inertia(1);
+    let error = rocker().add("slide", slide).run().unwrap_err();
+    assert!(error.to_string().contains("--> slide.position"), "{error}");
+}
+
+#[test]
+fn one_error_for_files_texts_and_names() {
+    let missing = Scene::read("no/such/scene.json").unwrap_err();
+    assert!(missing.source().is_some());
+    assert!(missing.to_string().contains("no/such/scene.json"));
+    let broken = "{ \"dam\": 1, ".parse::<Scene>().unwrap_err();
+    assert!(broken.to_string().contains("--> scene:1:"), "{broken}");
+    let run = rocker().run().unwrap();
+    let unknown = run.delta("roker").unwrap_err();
+    assert!(unknown.to_string().contains("did you mean `rocker`?"));
+    let nothing = run.figure("rocker", Figure::MaxLift).unwrap_err();
+    assert_eq!(nothing.faults()[0].path, "rocker.pair.max_lift");
+    let axis = Axis::linear("rocker.inertia", 1.0, 1.0, 3);
+    let question = rocker().map(axis).ask().unwrap_err();
+    assert!(question.to_string().contains("too close"), "{question}");
+}
+
+#[test]
+fn a_scene_in_code_is_the_text_that_it_writes() {
+    let scene = rocker().set("rocker.masses", 3);
+    let again = Scene::from_json(scene.json())
+        .unwrap()
+        .set("rocker.masses", 3);
+    // The duration is a setting.
+    let again = again.duration(0.1);
+    let [one, other] = [scene, again].map(|scene| scene.decode().unwrap());
+    assert_eq!(one.scene.hash, other.scene.hash);
+}
+
+#[test]
+fn options_change_a_run_and_are_checked_like_the_scene() {
+    let options = RunOptions {
+        samples: Some(50),
+        tolerance: Some(1e-8),
+        method: Some(Method::Dop853),
+        ..RunOptions::default()
+    };
+    let run = rocker().run_with(&options).unwrap();
+    assert_eq!((run.times().len(), run.method), (51, Method::Dop853));
+    let wrong = RunOptions {
+        tolerance: Some(-1.0),
+        ..RunOptions::default()
+    };
+    let error = rocker().run_with(&wrong).unwrap_err();
+    assert_eq!(error.faults()[0].path, "run.tolerance");
+}
+
+#[test]
+fn columns_have_typed_keys() {
+    let run = rocker().run().unwrap();
+    let all: Vec<&[f64]> = [
+        run.displacement("rocker"),
+        run.speed("rocker"),
+        run.acceleration("rocker"),
+        run.delta("rocker"),
+        run.reaction("rocker"),
+        run.contact_force("rocker"),
+    ]
+    .map(Result::unwrap)
+    .to_vec();
+    for (quantity, column) in Quantity::ALL.into_iter().zip(all) {
+        assert_eq!(run.column("rocker", quantity).unwrap(), column);
+        assert_eq!(column.len(), run.times().len());
+    }
+    let law = |t: f64| std::f64::consts::FRAC_PI_2 * (20.0 * std::f64::consts::PI * t).sin();
+    let rows = run.times().iter().zip(run.displacement("rocker").unwrap());
+    for ((time, place), delta) in rows.zip(run.delta("rocker").unwrap()) {
+        assert_abs_diff_eq!(place - delta, law(*time), epsilon = 1e-12);
+    }
+}
+
+/// A flywheel with a brake on a shaft: one rigid node, a moment, an input.
+#[derive(Debug)]
+struct BrakedFlywheel {
+    inertia: f64,
+    braking: f64,
+}
+
+impl Object for BrakedFlywheel {
+    fn kind(&self) -> &'static str {
+        "braked_flywheel"
+    }
+
+    fn ports(&self) -> Ports {
+        Ports::driven(Coordinate::Turning)
+    }
+
+    fn lower(&self, at: &Place, into: &mut ModelBuilder) {
+        let Some(shaft) = at.input(INPUT) else {
+            return;
+        };
+        let ratio = PositionFunction::Ratio {
+            ratio: 1.0,
+            offset: 0.0,
+        };
+        if let Some(law) = into.law(at, "", shaft, ratio, 1.0) {
+            let node = into.rigid(at, law, self.inertia, ModelPair::default());
+            into.force(at, node, "brake", LoadLaw::Constant(-self.braking));
+        }
+    }
+}
+
+#[test]
+fn an_own_object_is_driven_by_a_motor() {
+    let (inertia, torque, braking) = (0.3, 12.0, 2.0);
+    let wheel = BrakedFlywheel {
+        inertia: 0.2,
+        braking,
+    };
+    let scene = Scene::new("A flywheel")
+        .add(
+            "motor",
+            Drive::motor(inertia - 0.2, Torque::constant(torque)),
+        )
+        .add("wheel", OwnObject::new(wheel).on("motor"))
+        .duration(2);
+    let run = scene.run().unwrap();
+    let end = *run.speed("wheel").unwrap().last().unwrap();
+    // Constant acceleration (T − M)/J.
+    assert_relative_eq!(end, (torque - braking) / inertia * 2.0, max_relative = 1e-6);
+    let unconnected = BrakedFlywheel {
+        inertia: 1.0,
+        braking,
+    };
+    let scene = Scene::new("Nothing drives it")
+        .add("motor", Drive::speed(1))
+        .add("wheel", OwnObject::new(unconnected))
+        .duration(1);
+    let error = scene.run().unwrap_err();
+    assert_eq!(error.faults()[0].path, "wheel", "{error}");
+}
+
+#[test]
+fn an_own_position_function_does_not_fit_a_gear() {
+    #[derive(Debug)]
+    struct Straight;
+    impl dam::position::PositionFunction for Straight {
+        fn jet(&self, _: i64, phi: f64) -> dam::jet::Jet {
+            dam::jet::Jet {
+                value: phi,
+                first: 1.0,
+                ..Default::default()
+            }
+        }
+    }
+    let with = |object: Node| rocker().add("other", object).run();
+    type Node = dam::read::Node;
+    let gear = Shaft::on("shaft")
+        .position(Position::own(Straight))
+        .inertia(1)
+        .masses(0);
+    let error = with(gear.into()).unwrap_err();
+    assert_eq!(error.faults()[0].path, "other.position");
+    let crank = Crank::on("shaft")
+        .position(Position::own(Straight))
+        .inertia(1)
+        .masses(0);
+    let run = with(crank.into()).unwrap();
+    assert_eq!(
+        run.displacement("other").unwrap(),
+        run.displacement("shaft").unwrap()
+    );
+}
+
+/// A force that grows with the cube of the displacement.
+#[derive(Debug)]
+struct CubicSpring(f64);
+
+impl dam::load::LoadFunction for CubicSpring {
+    fn force(&self, displacement: f64, _: f64) -> dam::load::Force {
+        dam::load::Force {
+            value: -self.0 * displacement.powi(3),
+            by_displacement: -3.0 * self.0 * displacement.powi(2),
+            by_speed: 0.0,
+        }
+    }
+
+    fn magnitude(&self) -> f64 {
+        self.0
+    }
+
+    fn needs_speed(&self) -> bool {
+        false
+    }
+
+    fn description(&self) -> String {
+        "a cubic spring".to_owned()
+    }
+}
+
+#[test]
+fn an_own_load_holds_a_mass_in_balance() {
+    // Held by the stiffness c and the cubic spring k: c·(U − φ) = k·φ³ at rest.
+    let (stiffness, cubic, law) = (1e3, 2e4, 0.2);
+    let slide = Slider::on("table")
+        .position(Position::ratio(1))
+        .inertia(1)
+        .stiffness(stiffness)
+        .load("cubic", Load::own(CubicSpring(cubic)));
+    let scene = Scene::new("A cubic spring")
+        .add("table", Drive::fixed(law).sliding())
+        .add("slide", slide)
+        .start("static")
+        .duration(0.5);
+    let run = scene.run().unwrap();
+    let end = run.figure("slide", Figure::FinalDisplacement).unwrap();
+    let rest: f64 = stiffness * (law - end) - cubic * end.powi(3);
+    assert_abs_diff_eq!(rest, 0.0, epsilon = 1e-6 * stiffness * law);
+    assert!(end < 0.15, "{end}");
+}
+
+fn slider_crank() -> Scene {
+    let linkage = Linkage::on("motor")
+        .driver("O")
+        .ground("O", 0, 0)
+        .link("crank", Link::new().point("A", "50 mm", 0))
+        .link(
+            "rod",
+            Link::new()
+                .point("B", "200 mm", 0)
+                .mass("0.6 kg")
+                .centre(("80 mm", 0))
+                .moment(2.4e-3),
+        )
+        .link("slide", Link::new().mass("0.5 kg"))
+        .pair("O", Joint::revolute("ground.O", "crank.origin"))
+        .pair("A", Joint::revolute("crank.A", "rod.origin"))
+        .pair("B", Joint::revolute("rod.B", "slide.origin"))
+        .pair("guide", Joint::sliding("ground.O", 0, "slide.origin"))
+        .assembly("slide", Assembly::near("200 mm", 0))
+        .output("stroke", Output::point("slide.origin", 0));
+    Scene::new("A slider-crank")
+        .add("motor", Drive::speed("300 rpm"))
+        .add("press", linkage)
+        .duration(0.2)
+}
+
+#[test]
+fn a_linkage_in_code_is_asked_for_its_motion_and_its_forces() {
+    let found = slider_crank()
+        .kinematics(&LinkageQuestion::default())
+        .unwrap();
+    let stroke = found
+        .column("stroke", LinkageQuantity::Displacement)
+        .unwrap();
+    let inputs = found
+        .column("input", LinkageQuantity::Displacement)
+        .unwrap();
+    for (angle, place) in inputs.iter().zip(stroke) {
+        let (sin, cos) = angle.sin_cos();
+        let wanted = 0.05 * cos + (0.04 - (0.05 * sin).powi(2)).sqrt();
+        assert_abs_diff_eq!(*place, wanted, epsilon = 1e-12);
+    }
+    let error = found.column("stroke", LinkageQuantity::Angle).unwrap_err();
+    assert!(error.to_string().contains("stroke."), "{error}");
+    let forces = slider_crank().forces(&LinkageQuestion::default()).unwrap();
+    assert_eq!(forces.solved().count(), forces.rows.len());
+    assert!(forces.worst_balance() < 1e-10);
+    let nobody = LinkageQuestion {
+        object: Some("nobody".to_owned()),
+        ..LinkageQuestion::default()
+    };
+    assert!(slider_crank().kinematics(&nobody).is_err());
+}
+
+#[test]
+fn the_steady_motion_is_asked_for() {
+    let scene = rocker().duration(1.0);
+    let SteadyAnswer::Periodic(_) = scene.steady().unwrap() else {
+        panic!("an elastic object behind a prescribed drive has a periodic motion");
+    };
+}
+
+#[test]
+fn comparisons_take_values_of_any_type() {
+    let found = rocker()
+        .compare("shaft.motion.speed", ["10 rev/s", "5 rev/s"])
+        .unwrap();
+    assert_eq!(found.table.labels, ["10 rev/s", "5 rev/s"]);
+    let speeds: Vec<f64> = (found.runs.iter())
+        .map(|run| run.result.figures("shaft").unwrap().peak_speed)
+        .collect();
+    assert_relative_eq!(speeds[0], 2.0 * speeds[1], max_relative = 1e-12);
+}

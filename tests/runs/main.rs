@@ -1,0 +1,15 @@
+//! Scenes that are read and run: methods, figures, references, dead positions, bad input.
+
+mod auto;
+mod bad_input;
+mod dead_positions;
+mod examples;
+mod figures;
+mod lagrange;
+mod library;
+mod long_chains;
+mod methods;
+mod random_scenes;
+mod read_scene;
+mod reference_rocker;
+mod short_steps;

@@ -1,0 +1,11 @@
+//! The steady motion of machines.
+
+// The log of a run says how near the bounds are.
+#![allow(clippy::print_stdout)]
+
+mod machines;
+
+mod flywheel;
+mod motor;
+mod reference;
+mod scenes;
