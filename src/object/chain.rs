@@ -114,8 +114,8 @@ pub(super) const fn turning(name: &'static str, doc: &'static str) -> Kind {
     }
 }
 
-/// Reads an object of a kind.
-pub(super) fn object(
+/// Reads an object of a kind that is a chain behind one driver.
+pub fn object(
     kind: &'static str,
     fields: &mut Fields<'_>,
     context: &Context<'_>,
