@@ -1,6 +1,7 @@
 //! Standard output is data, standard error is talk.
 
 use super::failure::Failure;
+use super::interrupt;
 use dam::diagnostics::{Diagnostics, is_harmful, printable};
 use std::io::{ErrorKind, IsTerminal, Write};
 
@@ -11,6 +12,7 @@ use std::io::{ErrorKind, IsTerminal, Write};
 /// # Errors
 /// What the system says: no space left, …
 pub(crate) fn data(text: &str) -> Result<(), Failure> {
+    interrupt::answering();
     let mut out = std::io::stdout().lock();
     let written = out
         .write_all(printable(text).as_bytes())

@@ -24,6 +24,14 @@ static KEEPERS: Mutex<usize> = Mutex::new(0);
 /// What the command may spend, from its start on.
 static BUDGET: OnceLock<Budget<'static>> = OnceLock::new();
 
+/// Set once the answer is on its way to standard output: the time limit is then kept.
+static ANSWERING: AtomicBool = AtomicBool::new(false);
+
+/// Says that the answer is there and being written.
+pub(crate) fn answering() {
+    ANSWERING.store(true, Ordering::Relaxed);
+}
+
 /// For as long as it lives, the program does not end from outside.
 #[derive(Debug)]
 pub(crate) struct Keeping(());
@@ -54,6 +62,9 @@ pub(crate) fn start(limit: Option<Duration>, json: bool) {
     if let Some(limit) = limit {
         std::thread::spawn(move || {
             std::thread::sleep(limit);
+            if ANSWERING.load(Ordering::Relaxed) {
+                return;
+            }
             end_if_nothing_is_kept(|| {
                 let over = Failure::Output(format!(
                     "the time limit of {} s was over before there was a result",
