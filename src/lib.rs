@@ -133,6 +133,7 @@
 //! | [`system`], [`integrate`], [`exact`] | equations of motion, methods, motions in closed form |
 //! | [`linkage`], [`cam`], [`steady`] | planar linkages, disc cams, machines with one degree of freedom |
 //! | [`polynomial`], [`number`], [`expression`] | mathematics underneath |
+//! | [`energy`] | the energy balance of a run |
 //! | [`fault`], [`budget`] | faults of a model by the address of the property; what may end a computation |
 
 pub mod analysis;
@@ -144,6 +145,7 @@ pub mod builder;
 pub mod cam;
 pub mod constraint;
 pub mod diagnostics;
+pub mod energy;
 mod error;
 pub mod exact;
 pub mod expression;
@@ -166,6 +168,7 @@ pub mod read;
 pub mod record;
 pub mod report;
 pub mod scene;
+pub(crate) mod segment;
 pub mod steady;
 pub mod system;
 pub mod units;

@@ -53,7 +53,7 @@ pub(super) fn summary(
 }
 
 /// Short name and words for a run that did not reach its end.
-fn stop_in_words(stop: &Stop) -> (&'static str, String) {
+pub(super) fn stop_in_words(stop: &Stop) -> (&'static str, String) {
     match stop {
         Stop::Complete => ("complete", "the end time was reached".to_owned()),
         Stop::Physical(stop) => (stop.name, stop.message.clone()),
@@ -78,6 +78,20 @@ fn stop_in_words(stop: &Stop) -> (&'static str, String) {
     }
 }
 
+/// The first of what puts the numbers of a run in doubt.
+pub(super) fn spoiling(recorded: &Recorded, settings: &RunSettings) -> Option<Warning> {
+    if recorded.failure.is_some() || !recorded.audit.error().is_finite() {
+        return Some(Warning::NotFinite);
+    }
+    out_of_balance(recorded, settings)
+}
+
+fn out_of_balance(recorded: &Recorded, settings: &RunSettings) -> Option<Warning> {
+    let error = recorded.audit.error();
+    let bound = EnergyAudit::bound(settings.tolerance);
+    (error > bound).then_some(Warning::EnergyAudit { error, bound })
+}
+
 /// What the user should know beside the figures.
 pub(super) fn warnings_of(
     model: &Model,
@@ -88,13 +102,10 @@ pub(super) fn warnings_of(
     let mut warnings = Vec::new();
     // What locks at the very start has no accelerations there, and says so.
     let locks = run.time == 0.0 && run.stopped.as_deref() == Some("self_locking");
-    if (recorded.failure.is_some() && !locks) || !recorded.audit.error().is_finite() {
-        warnings.push(Warning::NotFinite);
-    }
-    let (error, bound) = (run.energy_error, EnergyAudit::bound(settings.tolerance));
-    if error > bound {
-        warnings.push(Warning::EnergyAudit { error, bound });
-    }
+    let spoiling = spoiling(recorded, settings);
+    warnings.extend(spoiling.filter(|warning| !(locks && *warning == Warning::NotFinite)));
+    warnings.extend(out_of_balance(recorded, settings));
+    warnings.dedup();
     let has_pair = recorded
         .figures
         .iter()

@@ -2,6 +2,7 @@
 
 use super::document::can_open;
 use super::exact::{Mixed, mixed, tried};
+use super::run::Demand;
 use super::settings::RunSettings;
 use crate::exact::{Parts, Rest};
 use crate::fault::Fault;
@@ -74,13 +75,23 @@ fn plain(method: Method, settings: &RunSettings, why: &str) -> Chosen {
 ///
 /// # Errors
 /// `exact` is asked for and cannot be used, with every reason.
-pub(super) fn choose_method(system: &System, settings: &RunSettings) -> Result<Choice, Vec<Fault>> {
+pub(super) fn choose_method(
+    system: &System,
+    settings: &RunSettings,
+    demand: &Demand<'_>,
+) -> Result<Choice, Vec<Fault>> {
     if system.coordinates() == 0 {
         let why = "nothing is elastic: the motion follows from the drives";
         return Ok(Choice {
             name: "kinematic".to_owned(),
             ..Choice::plain(Method::Dop853, settings, why)
         });
+    }
+    if demand.figures.is_some()
+        && matches!(settings.method, None | Some(Method::Exact))
+        && let Ok(parts) = demand.parts(system)
+    {
+        return Ok(Choice::exact(parts, settings, "it is the quickest"));
     }
     match settings.method {
         Some(Method::Taylor) => match rubbing(system) {

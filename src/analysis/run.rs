@@ -1,11 +1,12 @@
 //! One run: the motion of a mechanism and its figures.
 
 use super::document::{document, summary, warnings_of};
-use super::exact::follow_beside;
+use super::exact;
 use super::method::{Choice, choose_general, choose_method};
 use super::plausible;
 use super::settings::{Control, RunSettings};
 use super::warning::Warning;
+use crate::exact::{Asked, KeptLaws, Parts};
 use crate::fault::Fault;
 use crate::integrate::{Dynamics, Limits, Method, Outcome, Settings, Sink, Stop, integrate};
 use crate::record::{
@@ -13,6 +14,7 @@ use crate::record::{
     drive_cycle,
 };
 use crate::system::{InitialState, System};
+use std::cell::RefCell;
 
 /// What a run leaves.
 #[derive(Clone, Debug)]
@@ -71,91 +73,18 @@ pub fn run(
     control: &Control<'_>,
     sinks: &mut [&mut dyn Sink],
 ) -> Result<RunResult, Vec<Fault>> {
-    let choice = choose_method(system, settings)?;
-    let result = attempt(system, settings, control, sinks, &choice)?;
-    if settings.method.is_some() || choice.parts.is_none() || !gave_out(&result) {
-        return Ok(result);
-    }
-    let general = choose_general(system, settings, &why_not(&result));
-    attempt(system, settings, control, sinks, &general)
-}
-
-/// True when the numbers of an exact run are not to be had, or in doubt.
-fn gave_out(result: &RunResult) -> bool {
-    match result.outcome.stop {
-        Stop::Complete | Stop::Method { .. } | Stop::NotFinite { .. } => !result.is_trusted(),
-        _ => false,
-    }
-}
-
-fn why_not(result: &RunResult) -> String {
-    match &result.outcome.stop {
-        Stop::Method { reason, .. } => {
-            format!(
-                "exact propagation gave up at t = {} s ({reason})",
-                result.outcome.time
-            )
-        }
-        Stop::NotFinite { what } => format!(
-            "exact propagation met what is no finite number at t = {} s ({what})",
-            result.outcome.time
-        ),
-        _ => "the energies of exact propagation do not balance".to_owned(),
-    }
-}
-
-/// One run by a method.
-fn attempt(
-    system: &System,
-    settings: &RunSettings,
-    control: &Control<'_>,
-    sinks: &mut [&mut dyn Sink],
-    choice: &Choice,
-) -> Result<RunResult, Vec<Fault>> {
-    let initial = system.initial_state()?;
-    let window = choose_window(system.model(), settings.duration, settings.window);
-    let mut recorder = Recorder::new(
-        system,
-        RecorderSettings {
-            duration: settings.duration,
-            samples: settings.samples,
-            switch_rows: settings.switch_rows,
-            window: window.as_ref().ok().copied(),
-            long_steps: matches!(choice.method, Method::Taylor | Method::Radau),
-            tolerance: settings.tolerance,
-        },
-    );
-    let mut all: Vec<&mut dyn Sink> = vec![&mut recorder];
-    for sink in sinks.iter_mut() {
-        all.push(*sink);
-    }
-    let plan = Settings {
-        method: choice.method,
-        tolerance: choice.tolerance,
-        step: settings.step,
-    };
-    let limits = control.limits(settings);
-    let sink: &mut dyn Sink = &mut Tee(&mut all);
-    let duration = settings.duration;
-    let outcome = match &choice.parts {
-        Some(parts) => match &choice.rest {
-            Some(rest) => {
-                let own = |initial: &InitialState, sink: &mut dyn Sink| {
-                    follow(&rest.system, initial, duration, &plan, &limits, sink)
-                };
-                let both = (parts, rest);
-                follow_beside(system, both, &initial, duration, &limits, sink, own)
-            }
-            None => super::exact::follow(system, parts, &initial, duration, &limits, sink),
-        },
-        None => follow(system, &initial, duration, &plan, &limits, sink),
-    };
-    let mut recorded = recorder.finish();
-    let outcome = stopped_at_failure(outcome, &mut recorded);
-    let run = summary(settings, &outcome, choice, &recorded, window);
+    let motion = motion(system, settings, Demand::EVERYTHING, control, sinks)?;
+    let Motion {
+        recorded,
+        outcome,
+        choice,
+        window,
+        ..
+    } = motion;
+    let run = summary(settings, &outcome, &choice, &recorded, window);
     let known_before = system.model().warnings.iter().cloned();
     let mut warnings: Vec<Warning> = known_before
-        .chain(initial.warnings)
+        .chain(motion.warnings)
         .map(Warning::Start)
         .collect();
     if outcome.stop == Stop::Complete {
@@ -172,6 +101,171 @@ fn attempt(
         tolerance: choice.tolerance,
         audit: recorded.audit,
         warnings,
+    })
+}
+
+/// What is wanted of a motion.
+#[derive(Clone, Copy)]
+pub(super) struct Demand<'d> {
+    /// Where the whole system is propagated exactly: the figures of its elastic objects
+    /// that are wanted, and no others, no samples and no energy audit; `None`:
+    /// everything.
+    pub(super) figures: Option<&'d dyn Fn(usize) -> Asked>,
+    /// Laws of systems before that move by the same ones.
+    pub(super) laws: Option<&'d RefCell<KeptLaws>>,
+}
+
+impl Demand<'_> {
+    /// Figures of all objects, samples, the energy audit.
+    pub(super) const EVERYTHING: Self = Self {
+        figures: None,
+        laws: None,
+    };
+
+    /// The parts of a system that is propagated exactly as a whole; its modes are not
+    /// tried beforehand.
+    pub(super) fn parts(&self, system: &System) -> Result<Parts, Vec<Fault>> {
+        match self.laws {
+            Some(laws) => exact::whole_with(system, &mut laws.borrow_mut()),
+            None => exact::whole(system),
+        }
+    }
+}
+
+/// A motion and what was found of it.
+pub(super) struct Motion {
+    /// Samples, figures, audit.
+    pub(super) recorded: Recorded,
+    /// How it ended.
+    pub(super) outcome: Outcome,
+    /// How it was found.
+    pub(super) choice: Choice,
+    /// The window of steady figures.
+    pub(super) window: Result<[f64; 2], String>,
+    /// What is to be said of its start.
+    pub(super) warnings: Vec<String>,
+    /// Steps of the search for switches over which a pair could not be told from its
+    /// flank.
+    pub(super) grazing: u64,
+}
+
+impl Motion {
+    /// True when it came to its end.
+    pub(super) fn is_complete(&self) -> bool {
+        self.outcome.stop == Stop::Complete
+    }
+
+    /// Why its numbers are not to be had, or in doubt.
+    fn doubt(&self, settings: &RunSettings) -> Option<String> {
+        let audit = &self.recorded.audit;
+        match &self.outcome.stop {
+            Stop::Method { reason, .. } => Some(format!(
+                "exact propagation gave up at t = {} s ({reason})",
+                self.outcome.time
+            )),
+            Stop::NotFinite { what } => Some(format!(
+                "exact propagation met what is no finite number at t = {} s ({what})",
+                self.outcome.time
+            )),
+            Stop::Complete if !(audit.error() <= EnergyAudit::bound(settings.tolerance)) => {
+                Some("the energies of exact propagation do not balance".to_owned())
+            }
+            _ => None,
+        }
+    }
+}
+
+/// Runs a system from its start for what is wanted of its motion; see [`run`].
+///
+/// # Errors
+/// Those of [`run`].
+pub(super) fn motion(
+    system: &System,
+    settings: &RunSettings,
+    demand: Demand<'_>,
+    control: &Control<'_>,
+    sinks: &mut [&mut dyn Sink],
+) -> Result<Motion, Vec<Fault>> {
+    let choice = choose_method(system, settings, &demand)?;
+    let was_exact = choice.parts.is_some();
+    let found = attempt(system, settings, demand.figures, control, sinks, choice)?;
+    match found.doubt(settings) {
+        Some(why) if was_exact && settings.method.is_none() => {
+            let general = choose_general(system, settings, &why);
+            attempt(system, settings, None, control, sinks, general)
+        }
+        _ => Ok(found),
+    }
+}
+
+/// One run by a method.
+fn attempt(
+    system: &System,
+    settings: &RunSettings,
+    figures: Option<&dyn Fn(usize) -> Asked>,
+    control: &Control<'_>,
+    sinks: &mut [&mut dyn Sink],
+    choice: Choice,
+) -> Result<Motion, Vec<Fault>> {
+    let whole = choice.parts.is_some() && choice.rest.is_none();
+    let initial = match whole {
+        true => system.initial_place()?,
+        false => system.initial_state()?,
+    };
+    let window = choose_window(system.model(), settings.duration, settings.window);
+    let light = whole && figures.is_some();
+    let recording = RecorderSettings {
+        duration: settings.duration,
+        samples: if light { 0 } else { settings.samples },
+        switch_rows: settings.switch_rows && !light,
+        masses: settings.masses && !light,
+        closeups: settings.closeups && !light,
+        window: window.as_ref().ok().copied(),
+        long_steps: matches!(choice.method, Method::Taylor | Method::Radau),
+        tolerance: settings.tolerance,
+    };
+    let plan = Settings {
+        method: choice.method,
+        tolerance: choice.tolerance,
+        step: settings.step,
+    };
+    let limits = control.limits(settings);
+    let duration = settings.duration;
+    let found = match (&choice.parts, &choice.rest) {
+        (Some(parts), Some(rest)) => {
+            let own = |initial: &InitialState, sink: &mut dyn Sink| {
+                follow(&rest.system, initial, duration, &plan, &limits, sink)
+            };
+            let (both, sink) = ((parts, rest), &mut Tee(sinks));
+            exact::follow_beside(system, both, &initial, recording, &limits, sink, own)
+        }
+        (Some(parts), None) => {
+            let sink = &mut Tee(sinks);
+            exact::follow(system, parts, &initial, recording, &limits, figures, sink)
+        }
+        (None, _) => {
+            let mut recorder = Recorder::new(system, recording);
+            let mut all: Vec<&mut dyn Sink> = vec![&mut recorder];
+            for sink in sinks.iter_mut() {
+                all.push(*sink);
+            }
+            let sink = &mut Tee(&mut all);
+            let outcome = follow(system, &initial, duration, &plan, &limits, sink);
+            exact::Found {
+                recorded: recorder.finish(),
+                outcome,
+                grazing: 0,
+            }
+        }
+    };
+    let mut recorded = found.recorded;
+    Ok(Motion {
+        outcome: stopped_at_failure(found.outcome, &mut recorded),
+        recorded,
+        choice,
+        window,
+        warnings: initial.warnings,
+        grazing: found.grazing,
     })
 }
 

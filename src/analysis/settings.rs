@@ -28,6 +28,10 @@ pub struct RunSettings {
     pub samples: usize,
     /// True: two rows (before, after) at each switch of a pair.
     pub switch_rows: bool,
+    /// True: columns of every mass and link of elastic objects too.
+    pub masses: bool,
+    /// True: more samples behind every switch of a pair ([`crate::record::Closeups`]).
+    pub closeups: bool,
     /// Window of steady figures (s); `None`: chosen.
     pub window: Option<(f64, f64)>,
     /// Most switches of pairs.
@@ -52,6 +56,8 @@ impl RunSettings {
             step: run.step,
             samples: run.samples,
             switch_rows: run.switch_rows,
+            masses: run.masses,
+            closeups: false,
             window: run.window,
             max_switches: run.max_switches,
             max_steps: MOST_STEPS,
@@ -70,6 +76,8 @@ impl RunSettings {
             step: None,
             samples: 1000,
             switch_rows: false,
+            masses: false,
+            closeups: false,
             window: None,
             max_switches: 1_000_000,
             max_steps: MOST_STEPS,

@@ -121,6 +121,9 @@ pub(crate) struct RunArgs {
     pub(crate) scene: SceneArgs,
     #[command(flatten)]
     pub(crate) out: OutArgs,
+    /// Columns of the record, in place of what the scene says: `all` adds every mass and link
+    #[arg(long, value_enum, value_name = "COLUMNS")]
+    pub(crate) record: Option<Columns>,
     /// Also run with loads changed by one part in 10¹⁰ and show how far each figure moves
     #[arg(long)]
     pub(crate) spread: bool,
@@ -164,6 +167,15 @@ pub(crate) struct CompletionsArgs {
 pub(crate) struct ManualArgs {
     /// The command: run; law show; without it the program
     pub(crate) command: Vec<String>,
+}
+
+/// Columns of a record.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Columns {
+    /// Six of each object
+    Objects,
+    /// Displacement and speed of every mass and the force of every link too
+    All,
 }
 
 /// Arguments of `dam check`.

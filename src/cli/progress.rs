@@ -93,6 +93,15 @@ impl Sink for Progress {
         self.switches += u64::from(event.watch.is_some());
     }
 
+    fn passes(&mut self, time: f64, switches: u64) {
+        self.switches = switches;
+        self.until_look -= 1;
+        if self.until_look == 0 {
+            self.until_look = STRIDE;
+            self.look(time);
+        }
+    }
+
     fn looks_within(&self, _until: f64) -> bool {
         false
     }

@@ -1,6 +1,6 @@
 //! `dam run`: the motion of a scene and its figures.
 
-use super::args::RunArgs;
+use super::args::{Columns, RunArgs};
 use super::console;
 use super::failure::{Failure, Status};
 use super::input::{Input, Ready};
@@ -55,7 +55,12 @@ pub(crate) fn command(args: &RunArgs) -> Result<Status, Failure> {
     }
     let control = interrupt::budget();
     let begun = Instant::now();
-    let result = run_with_progress(&ready, &ready.settings, control, quiet)?;
+    let mut settings = ready.settings.clone();
+    if let Some(columns) = args.record {
+        settings.masses = columns == Columns::All;
+    }
+    settings.closeups = folder.is_some();
+    let result = run_with_progress(&ready, &settings, control, quiet)?;
     let seconds = begun.elapsed().as_secs_f64();
     let spread = if args.spread {
         let found = spread(&ready.system, &ready.settings, &result, control)

@@ -19,42 +19,8 @@ use super::law::LAW_DEGREE;
 use super::phase::{Exponentials, Phase};
 use super::problem::{Flank, PairState, TimeLoad, TreeMass, TreeProblem};
 use super::regime::Regime;
+use crate::energy::EnergyAudit;
 use moving::Room;
-
-/// Elastic energy counts as a scale with this share: a mechanism at rest under
-/// load has a balance of rounding errors only.
-const ELASTIC_SHARE: f64 = 1e-6;
-
-/// The energies of a run (J).
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct TreeAudit {
-    /// Work of the law on the tree.
-    pub drives: f64,
-    /// Work of the loads on the masses, springs and dampers to the ground included.
-    pub loads: f64,
-    /// Energy lost in links and pairs.
-    pub dissipated: f64,
-    /// Kinetic energy, and elastic energy of links and pairs, at the end less
-    /// that at the start.
-    pub change: f64,
-    /// What the balance is measured against: the greatest of the work put in by
-    /// the law, that put in by loads (sums over the phases in which it is
-    /// positive), the greatest kinetic energy at the ends of phases, and a
-    /// millionth of the greatest elastic energy there.
-    pub scale: f64,
-}
-
-impl TreeAudit {
-    /// |drives + loads − change − dissipated| / scale; 0 when nothing moved.
-    pub fn error(&self) -> f64 {
-        let difference = (self.drives + self.loads - self.change - self.dissipated).abs();
-        if difference == 0.0 {
-            0.0
-        } else {
-            difference / self.scale
-        }
-    }
-}
 
 /// The state at one instant, the law included.
 #[derive(Clone, Copy, Debug)]
@@ -189,24 +155,22 @@ impl Ledger {
     }
 
     /// The end of the run.
-    pub(super) fn close(&self, problem: &TreeProblem, q: &[f64], v: &[f64]) -> TreeAudit {
+    pub(super) fn close(&self, problem: &TreeProblem, q: &[f64], v: &[f64]) -> EnergyAudit {
         let law = self.law;
         let at = &Instant { q, v, law };
         let end = (energy(&self.stores, at), potential(problem, at));
         let (energy, potential) = self.start.unwrap_or(end);
         let fell = potential - end.1;
         let total = |e: [f64; 2]| e[0] + e[1];
-        let [kinetic, elastic] = self.greatest;
-        let loads = self.put_in[1].max(self.put_in[1] + fell);
-        TreeAudit {
+        let [law, loads] = self.put_in;
+        EnergyAudit {
             drives: self.drives,
             loads: self.loads + fell,
             dissipated: self.dissipated,
+            friction: 0.0,
             change: total(end.0) - total(energy),
-            scale: self.put_in[0]
-                .max(loads)
-                .max(kinetic)
-                .max(ELASTIC_SHARE * elastic),
+            put_in: [law, loads.max(loads + fell)],
+            greatest: self.greatest,
         }
     }
 }

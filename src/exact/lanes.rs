@@ -103,6 +103,12 @@ impl Arith for Fused {
     }
 }
 
+/// True when this processor can be computed on in [`Fused`] arithmetic.
+#[cfg(target_arch = "x86_64")]
+pub(crate) fn fuses() -> bool {
+    std::is_x86_feature_detected!("avx2") && std::is_x86_feature_detected!("fma")
+}
+
 /// Numbers in a vector.
 pub(crate) const WIDTH: usize = 4;
 

@@ -31,7 +31,7 @@
 //! there. Extremes in [`TreeFigures`] are found with bounds of Hermite's cubic
 //! between the ends of the steps.
 //!
-//! With [`Request::audit`] the energy balance is closed ([`TreeAudit`]): work of
+//! With [`Request::audit`] the energy balance is closed ([`crate::energy::EnergyAudit`]): work of
 //! the law and of the loads, dissipation and change of energy are integrals of
 //! products of modes, harmonics and polynomials, in closed form over each phase.
 //!
@@ -115,7 +115,6 @@ mod observe;
 mod panel;
 mod pencil;
 mod phase;
-pub(crate) mod playback;
 mod polynomial;
 mod problem;
 mod regime;
@@ -129,12 +128,12 @@ mod start;
 #[cfg(test)]
 mod tests;
 mod track;
+pub(crate) mod walk;
 mod watch;
 mod workspace;
 
 pub use asked::Asked;
-pub use audit::TreeAudit;
-pub use cursor::{Cursor, MOST_ORDERS};
+pub use cursor::Cursor;
 pub use from_model::{KeptLaws, Part, Parts, Rest};
 pub use law::{LAW_DEGREE, Law, PolynomialSpan, Sine, SpanSource};
 pub use problem::{
@@ -142,7 +141,9 @@ pub use problem::{
     TreeProblem,
 };
 pub use request::{ExactRun, ExactSwitch, Halt, Request};
-pub use track::TreeFigures;
+pub(crate) use track::Ahead;
+pub use track::{FigureTimes, TreeFigures};
+use workspace::Workspace;
 
 /// Most combinations of engaged pairs that [`ExactTree::check`] tries.
 const MOST_CHECKED: usize = 27;
@@ -232,12 +233,8 @@ impl ExactTree {
         request: &Request,
         goes_on: &dyn Fn() -> bool,
     ) -> Result<ExactRun, Refusal> {
-        run::run(
-            &self.problem,
-            &self.functionals,
-            &self.first,
-            request,
-            goes_on,
-        )
+        let mut work = Workspace::new(&self.problem, &self.functionals, &self.first, request)?;
+        work.goes_on = goes_on;
+        work.run(request)
     }
 }

@@ -1,14 +1,21 @@
 //! What a run hands to its figures and its energy audit.
 
 use super::audit::{Instant, law_at};
-use super::lanes::{Arith, Task};
+#[cfg(target_arch = "x86_64")]
+use super::lanes::Fused;
+use super::lanes::{Arith, Plain, Task};
 use super::phase::{Exponentials, Phase};
 use super::problem::{TreeObject, TreePair, TreeProblem};
 use super::regime::Regime;
 use super::request::Request;
 use super::search::Witness;
-use super::track::{LookBack, Scene, Track};
+use super::track::{Ahead, LookBack, Scene, Track};
 use super::workspace::Workspace;
+
+/// The acceleration of the last mass and the force of link 1 among the functionals of
+/// a panel.
+pub(super) const ACCELERATION: usize = 2;
+pub(super) const FORCE: usize = 3;
 
 /// Hands every step of the search to the tracks.
 pub(super) struct Tracks<'a> {
@@ -57,6 +64,66 @@ impl Task for See<'_, '_> {
             track.see::<A>(scene, self.from, self.now);
         }
     }
+}
+
+/// q and q̇ of every mass at local time `s` of the phase gone through last.
+pub(super) fn state(
+    work: &Workspace<'_>,
+    regime: usize,
+    s: f64,
+    e: &mut Exponentials,
+    (q, v): (&mut [f64], &mut [f64]),
+) {
+    let task = State {
+        regime: &work.regimes[regime],
+        phase: &work.phase,
+        s,
+        e,
+        q,
+        v,
+    };
+    #[cfg(target_arch = "x86_64")]
+    if !work.plain && super::lanes::fuses() {
+        return Fused::apart(task);
+    }
+    Plain::apart(task);
+}
+
+/// The state at an instant of a phase.
+struct State<'a> {
+    regime: &'a Regime,
+    phase: &'a Phase,
+    s: f64,
+    e: &'a mut Exponentials,
+    q: &'a mut [f64],
+    v: &'a mut [f64],
+}
+
+impl Task for State<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<A: Arith>(self) {
+        let basis = &self.regime.basis;
+        self.phase.exponentials::<A>(basis, self.s, self.e);
+        self.phase.state::<A>(basis, self.e, self.q, self.v);
+    }
+}
+
+/// What functional f of object `o` does at most between two local times of the phase
+/// gone through last; the force of an open link is none.
+pub(super) fn ahead(
+    work: &Workspace<'_>,
+    regime: usize,
+    (o, f): (usize, usize),
+    span: [f64; 2],
+) -> Ahead {
+    let (_, engaged) = work.variants[o];
+    if !engaged && f == FORCE {
+        return Ahead::NOTHING;
+    }
+    let scene = scene(&work.regimes[regime], &work.phase, o, &work.variants);
+    work.tracks[o].ahead(scene, f, span)
 }
 
 /// What the figures of object `o` are taken from.

@@ -144,6 +144,11 @@ impl Panel {
 }
 
 impl Panel {
+    /// |weight| of lane k in functional f.
+    pub(crate) fn size(&self, f: usize, k: usize) -> f64 {
+        self.seen(k).size.0[f]
+    }
+
     #[inline(always)]
     fn seen(&self, k: usize) -> &Seen {
         &self.lanes[k / WIDTH][k % WIDTH]

@@ -1,9 +1,9 @@
 //! What is asked of a run, and what it leaves behind.
 
 use super::asked::Asked;
-use super::audit::TreeAudit;
 use super::problem::PairState;
 use super::track::TreeFigures;
+use crate::energy::EnergyAudit;
 
 /// What is asked of a run.
 #[derive(Clone, Debug, PartialEq)]
@@ -56,7 +56,7 @@ pub enum Halt {
     /// There were as many steps of the search as allowed.
     Steps,
     /// It was told to stop.
-    Told,
+    Cancelled,
 }
 
 /// A switch of a pair.
@@ -99,7 +99,7 @@ pub struct ExactRun {
     /// Figures of every object, when asked for.
     pub figures: Vec<TreeFigures>,
     /// Energy audit, when asked for.
-    pub audit: Option<TreeAudit>,
+    pub audit: Option<EnergyAudit>,
     /// Phases, search steps, evaluations.
     pub phases: u64,
     /// Steps of the search.

@@ -1,9 +1,10 @@
 //! The run: phases and switches in turn.
 
-use super::functional::Functional;
-use super::lanes::{Arith, Fused, Plain};
+#[cfg(target_arch = "x86_64")]
+use super::lanes::Fused;
+use super::lanes::{Arith, Plain};
 use super::observe::Tracks;
-use super::problem::{Refusal, TreeProblem};
+use super::problem::Refusal;
 use super::request::{ExactRun, ExactSwitch, Halt, Request};
 use super::search::Step;
 use super::workspace::Workspace;
@@ -28,77 +29,65 @@ fn not_finite() -> Refusal {
     Refusal::new("", "the motion is no longer a finite number")
 }
 
-/// Runs with the best arithmetic of this processor.
-pub(crate) fn run(
-    problem: &TreeProblem,
-    functionals: &[Functional],
-    first: &[usize],
-    request: &Request,
-    goes_on: &dyn Fn() -> bool,
-) -> Result<ExactRun, Refusal> {
+/// One phase more in the best arithmetic of this processor.
+fn forward(work: &mut Workspace<'_>, end: f64) -> Result<Passed, Refusal> {
     #[cfg(target_arch = "x86_64")]
-    if std::is_x86_feature_detected!("avx2") && std::is_x86_feature_detected!("fma") {
+    if !work.plain && super::lanes::fuses() {
         // SAFETY: the processor has the features the function is compiled for.
         #[allow(unsafe_code)]
-        return unsafe { run_fused(problem, functionals, first, request, goes_on) };
+        return unsafe { forward_fused(work, end) };
     }
-    run_plain(problem, functionals, first, request, goes_on)
+    forward_plain(work, end)
 }
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx2,fma")]
-fn run_fused(
-    problem: &TreeProblem,
-    functionals: &[Functional],
-    first: &[usize],
-    request: &Request,
-    goes_on: &dyn Fn() -> bool,
-) -> Result<ExactRun, Refusal> {
-    let mut work = Workspace::new(problem, functionals, first, request)?;
-    work.goes_on = goes_on;
-    work.run::<Fused>(request)
+fn forward_fused(work: &mut Workspace<'_>, end: f64) -> Result<Passed, Refusal> {
+    work.pass_phase::<Fused>(end)
 }
 
-/// The run without special instructions.
-pub(crate) fn run_plain(
-    problem: &TreeProblem,
-    functionals: &[Functional],
-    first: &[usize],
-    request: &Request,
-    goes_on: &dyn Fn() -> bool,
-) -> Result<ExactRun, Refusal> {
-    let mut work = Workspace::new(problem, functionals, first, request)?;
-    work.goes_on = goes_on;
-    work.run::<Plain>(request)
+/// The same without special instructions.
+fn forward_plain(work: &mut Workspace<'_>, end: f64) -> Result<Passed, Refusal> {
+    work.pass_phase::<Plain>(end)
 }
 
 impl Workspace<'_> {
-    #[inline(always)]
-    fn run<A: Arith>(mut self, request: &Request) -> Result<ExactRun, Refusal> {
+    /// The next phase with the switch that ends it; what is said of the run in the end
+    /// is up to date.
+    pub(super) fn advance(&mut self, request: &Request) -> Result<Passed, Refusal> {
+        let passed = forward(self, request.end)?;
+        self.settle(&passed)?;
+        // Phases without a switch take no steps of the search.
+        if self.out.phases.is_multiple_of(PATIENCE) {
+            self.told |= !(self.goes_on)();
+        }
+        self.out.halt = self.halt(request);
+        Ok(passed)
+    }
+
+    /// True when the run stands at its end, or is not to go on.
+    pub(super) fn has_ended(&self, request: &Request) -> bool {
+        self.reached(request.end) || self.out.halt.is_some()
+    }
+
+    /// All phases, one after the other.
+    pub(super) fn run(mut self, request: &Request) -> Result<ExactRun, Refusal> {
         loop {
-            let passed = self.forward::<A>(request.end)?;
-            self.settle(&passed)?;
-            // Phases without a switch take no steps of the search.
-            if self.out.phases.is_multiple_of(PATIENCE) {
-                self.told |= !(self.goes_on)();
-            }
-            self.out.halt = self.halt(request);
-            if self.reached(request.end) || self.out.halt.is_some() {
-                break;
+            self.advance(request)?;
+            if self.has_ended(request) {
+                return Ok(self.finish(request));
             }
         }
-        Ok(self.finish(request))
     }
 
     /// Why the run is not to go on.
-    #[inline(always)]
     fn halt(&self, request: &Request) -> Option<Halt> {
         if self.reached(request.end) {
             None
         } else if self.out.switches.len() as u64 > request.switches {
             Some(Halt::Switches)
         } else if self.told {
-            Some(Halt::Told)
+            Some(Halt::Cancelled)
         } else {
             let steps = self.search.steps.max(self.out.phases);
             (steps >= self.most_steps[1]).then_some(Halt::Steps)
@@ -106,7 +95,7 @@ impl Workspace<'_> {
     }
 
     /// The run's figures and end state.
-    fn finish(mut self, request: &Request) -> ExactRun {
+    pub(super) fn finish(mut self, request: &Request) -> ExactRun {
         let length = self.at.0;
         for track in &mut self.tracks {
             track.figures.sigma = track.area / length;
@@ -135,7 +124,7 @@ impl Workspace<'_> {
     /// One phase, up to its switch or to the end of its validity; the run then
     /// stands there, the switch not yet taken.
     #[inline(always)]
-    pub(super) fn forward<A: Arith>(&mut self, end: f64) -> Result<Passed, Refusal> {
+    fn pass_phase<A: Arith>(&mut self, end: f64) -> Result<Passed, Refusal> {
         let regime = self.regime()?;
         self.out.phases += 1;
         let entry = &self.regimes[regime];
@@ -212,8 +201,7 @@ impl Workspace<'_> {
     }
 
     /// Takes the switch that ended a phase, if one did.
-    #[inline(always)]
-    pub(super) fn settle(&mut self, passed: &Passed) -> Result<(), Refusal> {
+    fn settle(&mut self, passed: &Passed) -> Result<(), Refusal> {
         if let Some(number) = passed.event {
             self.stalled = if passed.length > 0.0 {
                 0

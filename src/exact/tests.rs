@@ -259,8 +259,10 @@ fn starts_on_the_law_agree_with_quadruple_precision() {
         approx::assert_relative_eq!(f.sigma, sigma, max_relative = 1e-12);
         approx::assert_abs_diff_eq!(run.samples[999], end, epsilon = 1e-11 * peak);
         let (problem, pairs) = (&tree.problem, &tree.functionals);
-        let plain = run::run_plain(problem, pairs, &tree.first, &request, &workspace::always);
-        let plain = plain.expect("runs");
+        let work = Workspace::new(problem, pairs, &tree.first, &request);
+        let mut work = work.expect("starts");
+        work.plain = true;
+        let plain = work.run(&request).expect("runs");
         assert_eq!(plain.switches.len(), switches);
         let audit = plain.audit.expect("audit");
         assert!(audit.error() < 1e-12, "{audit:?}");

@@ -9,12 +9,14 @@
 //! what is left on either side bounded again, until nothing can pass. Roots of δ
 //! are found the same way. A step in which nothing can happen costs its bound.
 
+mod ahead;
 mod back;
 mod climb;
 #[cfg(test)]
 mod tests;
 mod walk;
 
+pub(crate) use ahead::Ahead;
 pub(crate) use back::LookBack;
 
 use super::asked::Asked;
@@ -40,6 +42,25 @@ pub struct TreeFigures {
     /// Greatest |F| of link 1; with a pair also its greatest contact force.
     pub peak_reaction: f64,
     /// Greatest clearance from the nearest flank.
+    pub max_lift: f64,
+    /// When they are met.
+    pub times: FigureTimes,
+}
+
+/// Instants of the extremes of an object (s); 0 where nothing passed the start.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct FigureTimes {
+    /// Of the greatest δ.
+    pub delta_max: f64,
+    /// Of the least δ.
+    pub delta_min: f64,
+    /// Of the greatest |φ̇|.
+    pub peak_speed: f64,
+    /// Of the greatest |φ̈|.
+    pub peak_acceleration: f64,
+    /// Of the greatest |F|.
+    pub peak_reaction: f64,
+    /// Of the greatest clearance.
     pub max_lift: f64,
 }
 
@@ -92,6 +113,8 @@ pub(crate) struct Track {
     asked: Asked,
     /// Cap on the clearance (half the gap).
     cap: f64,
+    /// Start of the phase (s).
+    start: f64,
     high: V,
     low: V,
     /// The end of the last step that was looked at.
@@ -141,6 +164,7 @@ impl Track {
             engaged: true,
             asked,
             cap,
+            start: 0.0,
             high: V::ZERO,
             low: V::ZERO,
             last: Point::default(),
@@ -172,6 +196,7 @@ impl Track {
         } = scene;
         self.state.take::<A>(basis, panel, phase);
         self.engaged = engaged;
+        self.start = phase.start;
         let f = &self.figures;
         let (force, floor) = if engaged {
             (f.peak_reaction, -f.peak_reaction)
@@ -202,7 +227,7 @@ impl Track {
         }
         if !self.quiet {
             let point = self.state.point::<A>(panel, phase.active, &self.now, e);
-            self.note_values(point.value);
+            self.note_values(&point);
             self.last = point;
         }
         if self.asked.mean {
@@ -262,7 +287,7 @@ impl Track {
         let Scene { panel, phase, .. } = scene;
         self.state.amplitudes::<A>(phase, e, &mut self.now);
         let point = self.state.point::<A>(panel, phase.active, &self.now, e);
-        self.note_values(point.value);
+        self.note_values(&point);
         point
     }
 
@@ -280,13 +305,14 @@ impl Track {
     }
 
     #[inline(always)]
-    fn note_values(&mut self, value: V) {
+    fn note_values(&mut self, point: &Point) {
+        let value = point.value;
         let (over, under) = (value - self.high, self.low - value);
         if over.max(under).greatest() > 0.0 {
             for k in 0..4 {
                 for (beyond, sign) in [(over.0[k], 1.0), (under.0[k], -1.0)] {
                     if beyond > 0.0 {
-                        self.note(k, sign, sign * value.0[k]);
+                        self.note((k, sign), sign * value.0[k], point.s);
                     }
                 }
             }
@@ -351,18 +377,24 @@ impl Track {
         self.area += (last - self.turned).abs();
     }
 
-    /// Notes a new greatest value of sign·(functional k).
+    /// Notes a new greatest value of sign·(functional k), met at the local time s.
     #[inline(always)]
-    fn note(&mut self, k: usize, sign: f64, best: f64) {
+    fn note(&mut self, (k, sign): (usize, f64), best: f64, s: f64) {
+        let time = self.start + s;
         let f = &mut self.figures;
-        match (k, sign > 0.0, self.engaged) {
-            (0, true, _) => f.delta_max = best,
-            (0, false, _) => f.delta_min = -best,
-            (1, ..) => f.peak_speed = best,
-            (2, ..) => f.peak_acceleration = best,
-            (_, _, true) => f.peak_reaction = best,
-            _ => f.max_lift = best.min(self.cap),
-        }
+        let (figure, value, when) = match (k, sign > 0.0, self.engaged) {
+            (0, true, _) => (&mut f.delta_max, best, &mut f.times.delta_max),
+            (0, false, _) => (&mut f.delta_min, -best, &mut f.times.delta_min),
+            (1, ..) => (&mut f.peak_speed, best, &mut f.times.peak_speed),
+            (2, ..) => (
+                &mut f.peak_acceleration,
+                best,
+                &mut f.times.peak_acceleration,
+            ),
+            (_, _, true) => (&mut f.peak_reaction, best, &mut f.times.peak_reaction),
+            _ => (&mut f.max_lift, best.min(self.cap), &mut f.times.max_lift),
+        };
+        (*figure, *when) = (value, time);
         if k > 0 || sign > 0.0 {
             self.high.0[k] = best;
         }

@@ -52,6 +52,8 @@ pub(super) struct Workspace<'a> {
     pub(super) goes_on: &'a dyn Fn() -> bool,
     /// True when it has said no.
     pub(super) told: bool,
+    /// True: without special instructions of the processor.
+    pub(super) plain: bool,
 }
 
 /// Goes on, whatever happens.
@@ -116,6 +118,7 @@ impl<'a> Workspace<'a> {
             most_steps: [request.steps, request.all_steps],
             goes_on: &always,
             told: false,
+            plain: false,
         })
     }
 }

@@ -215,6 +215,10 @@ pub trait Sink {
     /// A switch of a pair, or a change of formula, after the step that led to it.
     fn switch(&mut self, event: &SwitchEvent<'_>);
 
+    /// A motion that is known in closed form, not told in steps, has been followed up to
+    /// an instant, with so many switches of pairs. Default: nobody cares.
+    fn passes(&mut self, _time: f64, _switches: u64) {}
+
     /// False when in steps that end at or before the time `until` it looks at
     /// nothing but their ends: what lies between may then be told less accurately
     /// than the ends. Default: true.

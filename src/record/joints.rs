@@ -7,7 +7,7 @@ use crate::system::HELD;
 
 /// Follows the joints of one linkage through a run.
 #[derive(Clone, Debug)]
-pub(super) struct JointTracker {
+pub(crate) struct JointTracker {
     /// Index of the object.
     pub(super) object: usize,
     /// Component of the modes that says whether it is held; `None`: its motion is

@@ -2,9 +2,13 @@
 
 mod addresses;
 mod audit;
+mod contact;
 mod figure;
+mod figured;
 mod figures;
 mod joints;
+mod log;
+mod observed;
 mod observer;
 mod pairs;
 mod peaks;
@@ -12,14 +16,15 @@ mod pieces;
 mod quantity;
 mod recorder;
 mod rows;
+mod sampled;
 mod smoothness;
 mod subdivision;
+mod tally;
 mod tee;
-mod tracker;
 mod window;
 
+pub use crate::energy::EnergyAudit;
 pub use addresses::AddressError;
-pub use audit::EnergyAudit;
 pub use figure::Figure;
 pub use figures::{
     Figures, FinalState, JointFigures, ObjectFigures, PairFigures, RunSummary, Units,
@@ -29,6 +34,7 @@ pub use quantity::Quantity;
 pub use recorder::{Failure, Recorded, Recorder, RecorderSettings};
 pub use tee::Tee;
 pub use window::{choose_window, choose_window_of, drive_cycle};
+pub(crate) use {figured::Figured, log::Log, observer::Observer, sampled::Sampled, tally::Tally};
 
 /// A table over time.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -41,6 +47,49 @@ pub struct Record {
     pub switches: Vec<SwitchRow>,
     /// Open intervals of every pair, for shading plots.
     pub separations: Vec<Interval>,
+    /// More samples behind switches of pairs, where they were asked for.
+    pub closeups: Closeups,
+}
+
+/// Samples between those at equal intervals, so close that straight lines between them
+/// show the true course of what follows a switch.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Closeups {
+    /// Sample times (s).
+    pub times: Vec<f64>,
+    /// Values of the record's columns, in their order.
+    pub columns: Vec<Vec<f64>>,
+}
+
+impl Record {
+    /// The record with the closeups among its samples.
+    #[must_use]
+    pub fn merged(&self) -> Self {
+        let mut order: Vec<(f64, bool, usize)> = Vec::new();
+        for (close, times) in [(false, &self.times), (true, &self.closeups.times)] {
+            order.extend(times.iter().enumerate().map(|(k, &time)| (time, close, k)));
+        }
+        // (Two rows at a switch stay in their order.)
+        order.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let columns = self.columns.iter().zip(0..).map(|(column, index)| {
+            let close = self.closeups.columns.get(index);
+            let value = |&(_, is_close, k): &(f64, bool, usize)| match (is_close, close) {
+                (true, Some(close)) => close[k],
+                _ => column.values[k],
+            };
+            Column {
+                values: order.iter().map(value).collect(),
+                ..column.clone()
+            }
+        });
+        Self {
+            times: order.iter().map(|entry| entry.0).collect(),
+            columns: columns.collect(),
+            switches: self.switches.clone(),
+            separations: self.separations.clone(),
+            closeups: Closeups::default(),
+        }
+    }
 }
 
 /// One quantity of one object.

@@ -2,7 +2,7 @@
 
 use crate::integrate::{Dynamics, Modes};
 use crate::polynomial::Step;
-use crate::system::{Energy, ObjectState, Power, Scratch, System};
+use crate::system::{Energy, MassState, ObjectState, Power, Scratch, System};
 
 /// Looks at a system between the ends of a step.
 pub(crate) struct Observer<'s> {
@@ -41,6 +41,16 @@ impl<'s> Observer<'s> {
     pub(crate) fn state(&mut self, time: f64, y: &[f64], modes: &Modes) -> &[ObjectState] {
         self.system
             .observe(time, y, modes, &mut self.scratch, &mut self.states);
+        &self.states
+    }
+
+    /// What all masses are doing in the state that was looked at last.
+    pub(crate) fn masses(&self, y: &[f64], modes: &Modes, masses: &mut [MassState]) {
+        self.system.observe_masses(y, modes, &self.scratch, masses);
+    }
+
+    /// What all objects were doing when last looked at.
+    pub(crate) fn states(&self) -> &[ObjectState] {
         &self.states
     }
 

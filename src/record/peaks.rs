@@ -5,6 +5,8 @@
 //! neighbours tells how much higher the quantity may rise between them; only
 //! where that could beat the greatest value so far is it looked for closely.
 
+use crate::segment::Peak;
+
 /// Places within a step, as fractions of it: its ends and the five
 /// Gauss–Legendre points.
 pub(crate) const PLACES: [f64; 7] = [
@@ -36,37 +38,7 @@ const MOST_LOOKS: usize = 24;
 /// A value at a place within a step.
 type Sight = (f64, f64);
 
-/// The greatest value so far, and when it was taken.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Peak {
-    /// Greatest value; −∞ before anything was seen.
-    pub(crate) value: f64,
-    /// When (s).
-    pub(crate) time: f64,
-    /// Only times within these bounds count.
-    bounds: [f64; 2],
-}
-
 impl Peak {
-    /// Nothing seen yet; all times count.
-    pub(crate) const NONE: Self = Self::within([f64::NEG_INFINITY, f64::INFINITY]);
-
-    /// Nothing seen yet; only times within `bounds` count.
-    pub(crate) const fn within(bounds: [f64; 2]) -> Self {
-        Self {
-            value: f64::NEG_INFINITY,
-            time: f64::NAN,
-            bounds,
-        }
-    }
-
-    /// Takes a single value into account.
-    pub(crate) fn see(&mut self, time: f64, value: f64) {
-        if value > self.value && self.bounds[0] <= time && time <= self.bounds[1] {
-            (self.value, self.time) = (value, time);
-        }
-    }
-
     /// Takes a step into account: `values` at `places` (ascending), `time`
     /// gives the time at a place and `look` the value there.
     pub(crate) fn follow(
@@ -76,7 +48,7 @@ impl Peak {
         time: impl Fn(f64) -> f64,
         mut look: impl FnMut(f64) -> f64,
     ) {
-        if time(places[6]) < self.bounds[0] || time(places[0]) > self.bounds[1] {
+        if self.leaves_out([time(places[0]), time(places[6])]) {
             return;
         }
         let most = values.iter().copied().fold(f64::MIN, f64::max);
@@ -169,7 +141,8 @@ fn bracket(three: [Sight; 3], new: Sight) -> [Sight; 3] {
 
 #[cfg(test)]
 mod tests {
-    use super::{PLACES, Peak, WEIGHTS};
+    use super::{PLACES, WEIGHTS};
+    use crate::segment::Peak;
     use approx::assert_abs_diff_eq;
 
     fn peak_of(f: impl Fn(f64) -> f64 + Copy) -> (Peak, usize) {

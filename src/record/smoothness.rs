@@ -5,8 +5,13 @@
 //! five points, exact to degree nine, is better than twice as many digits say, and a
 //! parabola through three places tells where a peak is.
 
-use super::tracker::{FOLLOWED, ObjectTracker, StepView};
+use super::observed::at_places;
+use super::tally::Tally;
+use crate::segment::Signal;
 use crate::system::ObjectState;
+
+/// Those that show best whether a step is smooth.
+const FOLLOWED: [Signal; 3] = [Signal::Acceleration, Signal::Reaction, Signal::ContactForce];
 
 /// Fifth divided differences over the first and the last six of the places
 /// within a step, in units of the greatest value of the Chebyshev polynomial that has
@@ -59,12 +64,12 @@ impl Smoothness {
     }
 
     /// The greatest roughness of any object, in units of what is allowed; `states`
-    /// are those of a [`StepView`].
-    pub(super) fn of(&self, states: &[ObjectState], objects: &[ObjectTracker]) -> f64 {
+    /// are those at all places.
+    pub(super) fn of(&self, states: &[ObjectState], objects: &[Tally]) -> f64 {
         let mut greatest = 0.0f64;
-        for (object, tracker) in objects.iter().enumerate() {
-            for (read, peak) in FOLLOWED.iter().zip(tracker.greatest()) {
-                let values = StepView::read(states, objects.len(), object, read);
+        for (object, tally) in objects.iter().enumerate() {
+            for (signal, peak) in FOLLOWED.iter().zip(tally.greatest()) {
+                let values = at_places(states, objects.len(), object, *signal);
                 let size = values
                     .iter()
                     .fold(peak, |most, value| value.abs().max(most));

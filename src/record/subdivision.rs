@@ -18,6 +18,8 @@ struct Piece {
     coefficients: [f64; MAX_DEGREE + 1],
     degree: usize,
     depth: u32,
+    /// Where it begins in the interval.
+    from: f64,
 }
 
 impl Piece {
@@ -30,6 +32,7 @@ impl Piece {
             coefficients: own,
             degree: coefficients.len() - 1,
             depth: 0,
+            from: 0.0,
         }
     }
 
@@ -53,11 +56,17 @@ impl Piece {
         self.values().iter().all(|&c| c >= 0.0) || self.values().iter().all(|&c| c <= 0.0)
     }
 
+    /// Length of a piece halved so often from the whole interval.
+    fn width(&self) -> f64 {
+        0.5f64.powi(self.depth as i32)
+    }
+
     /// The parts left and right of s (de Casteljau).
     fn split(&self, s: f64) -> (Self, Self) {
         let (mut left, mut right) = (*self, *self);
         left.depth += 1;
         right.depth += 1;
+        right.from += s * self.width();
         let all = ..=self.degree;
         divide(&mut left.coefficients[all], &mut right.coefficients[all], s);
         (left, right)
@@ -69,33 +78,44 @@ impl Piece {
             return self;
         }
         let (left, _) = self.split(end);
-        Self { depth: 0, ..left }
+        Self {
+            depth: 0,
+            from: 0.0,
+            ..left
+        }
     }
 }
 
-/// Greatest value on [0, `end`], or `floor` if that is greater: what cannot
-/// beat `floor` costs one look at the coefficients.
-pub(crate) fn maximum(coefficients: &[f64], end: f64, floor: f64) -> f64 {
+/// Greatest value on [0, `end`] and its place, if it is greater than `floor`: what
+/// cannot beat `floor` costs one look at the coefficients.
+pub(crate) fn maximum(coefficients: &[f64], end: f64, floor: f64) -> Option<(f64, f64)> {
     extreme(coefficients, 1.0, end, floor)
 }
 
-/// Least value on [0, `end`], or `ceiling` if that is less.
-pub(crate) fn minimum(coefficients: &[f64], end: f64, ceiling: f64) -> f64 {
-    -extreme(coefficients, -1.0, end, -ceiling)
+/// Least value on [0, `end`] and its place, if it is less than `ceiling`.
+pub(crate) fn minimum(coefficients: &[f64], end: f64, ceiling: f64) -> Option<(f64, f64)> {
+    let found = extreme(coefficients, -1.0, end, -ceiling);
+    found.map(|(value, place)| (-value, place))
 }
 
-fn extreme(coefficients: &[f64], factor: f64, end: f64, floor: f64) -> f64 {
-    let whole = Piece::new(coefficients, factor);
-    if whole.greatest() <= floor {
-        return floor;
+fn extreme(coefficients: &[f64], factor: f64, end: f64, floor: f64) -> Option<(f64, f64)> {
+    // (Without a copy: most often that is all.)
+    let greatest = coefficients.iter().map(|c| factor * c);
+    if greatest.fold(f64::MIN, f64::max) <= floor {
+        return None;
     }
-    let whole = whole.cut(end);
+    let whole = Piece::new(coefficients, factor).cut(end);
     let rounding = 4.0 * f64::EPSILON * whole.magnitude();
-    let mut best = floor;
+    let (mut best, mut place) = (floor, None);
     let mut pieces = vec![whole];
     while let Some(piece) = pieces.pop() {
-        let ends = piece.coefficients[0].max(piece.coefficients[piece.degree]);
-        best = best.max(ends);
+        let (first, last) = (piece.coefficients[0], piece.coefficients[piece.degree]);
+        for (value, at) in [(first, 0.0), (last, 1.0)] {
+            if value > best {
+                best = value;
+                place = Some(end.min(1.0) * (piece.from + at * piece.width()));
+            }
+        }
         if piece.greatest() > best + rounding && piece.depth < DEEPEST {
             let (left, right) = piece.split(0.5);
             // The better half first: it raises `best` and spares the other.
@@ -106,7 +126,7 @@ fn extreme(coefficients: &[f64], factor: f64, end: f64, floor: f64) -> f64 {
             }
         }
     }
-    best
+    place.map(|place| (best, place))
 }
 
 /// ∫|p| ds over [0, `end`], every zero crossing enclosed to rounding.
@@ -119,7 +139,7 @@ pub(crate) fn integral_of_magnitude(coefficients: &[f64], end: f64) -> f64 {
     let mut pieces = vec![whole];
     while let Some(piece) = pieces.pop() {
         if piece.has_one_sign() || piece.depth >= DEEPEST {
-            sum += piece.mean().abs() * 0.5f64.powi(piece.depth as i32);
+            sum += piece.mean().abs() * piece.width();
         } else {
             let (left, right) = piece.split(0.5);
             pieces.extend([right, left]);
@@ -152,27 +172,27 @@ mod tests {
         // s³ − s: minimum −2/(3√3) at 1/√3, maximum 0 at both ends.
         let p = bernstein(&[0.0, -1.0, 0.0, 1.0]);
         let least = -2.0 / (3.0 * 3f64.sqrt());
-        assert_abs_diff_eq!(minimum(&p, 1.0, f64::MAX), least, epsilon = 1e-15);
-        assert_eq!(maximum(&p, 1.0, f64::MIN), 0.0);
+        let (found, place) = minimum(&p, 1.0, f64::MAX).unwrap();
+        assert_abs_diff_eq!(found, least, epsilon = 1e-15);
+        assert_abs_diff_eq!(place, 1.0 / 3f64.sqrt(), epsilon = 1e-7);
+        assert_eq!(maximum(&p, 1.0, f64::MIN), Some((0.0, 0.0)));
     }
 
     #[test]
     fn a_cut_step_ends_where_it_is_cut() {
         let p = bernstein(&[0.0, -1.0, 0.0, 1.0]);
-        assert_abs_diff_eq!(
-            minimum(&p, 0.25, f64::MAX),
-            0.25f64.powi(3) - 0.25,
-            epsilon = 1e-16
-        );
+        let (found, place) = minimum(&p, 0.25, f64::MAX).unwrap();
+        assert_abs_diff_eq!(found, 0.25f64.powi(3) - 0.25, epsilon = 1e-16);
+        assert_eq!(place, 0.25);
         let area = 0.25f64.powi(2) / 2.0 - 0.25f64.powi(4) / 4.0;
         assert_abs_diff_eq!(integral_of_magnitude(&p, 0.25), area, epsilon = 1e-16);
     }
 
     #[test]
-    fn what_cannot_beat_the_best_so_far_leaves_it() {
+    fn what_cannot_beat_the_best_so_far_is_not_told() {
         let p = bernstein(&[0.0, -1.0, 0.0, 1.0]);
-        assert_eq!(maximum(&p, 1.0, 0.5), 0.5);
-        assert_eq!(minimum(&p, 1.0, -0.5), -0.5);
+        assert_eq!(maximum(&p, 1.0, 0.5), None);
+        assert_eq!(minimum(&p, 1.0, -0.5), None);
     }
 
     #[test]
@@ -190,7 +210,9 @@ mod tests {
         let scan = (0..=2_000_000)
             .map(|i| value(f64::from(i) / 2e6))
             .fold(f64::MIN, f64::max);
-        assert_abs_diff_eq!(maximum(&p, 1.0, f64::MIN), scan, epsilon = 1e-13);
+        let (found, place) = maximum(&p, 1.0, f64::MIN).unwrap();
+        assert_abs_diff_eq!(found, scan, epsilon = 1e-13);
+        assert_abs_diff_eq!(value(place), scan, epsilon = 1e-13);
     }
 
     #[test]
@@ -215,10 +237,11 @@ mod tests {
 
     #[test]
     fn a_constant_costs_no_subdivision_and_a_double_zero_ends() {
-        assert_eq!(maximum(&[2.0; 8], 1.0, f64::MIN), 2.0);
+        assert_eq!(maximum(&[2.0; 8], 1.0, f64::MIN), Some((2.0, 0.0)));
         // (s − 0.5)²: touches zero without crossing.
         let p = bernstein(&[0.25, -1.0, 1.0]);
-        assert_abs_diff_eq!(minimum(&p, 1.0, f64::MAX), 0.0, epsilon = 1e-15);
+        let (found, _) = minimum(&p, 1.0, f64::MAX).unwrap();
+        assert_abs_diff_eq!(found, 0.0, epsilon = 1e-15);
         assert_abs_diff_eq!(integral_of_magnitude(&p, 1.0), 1.0 / 12.0, epsilon = 1e-15);
     }
 }

@@ -25,6 +25,12 @@ impl Sink for Tee<'_, '_> {
         }
     }
 
+    fn passes(&mut self, time: f64, switches: u64) {
+        for sink in self.0.iter_mut() {
+            sink.passes(time, switches);
+        }
+    }
+
     fn looks_within(&self, until: f64) -> bool {
         self.0.iter().any(|sink| sink.looks_within(until))
     }

@@ -94,6 +94,8 @@ pub struct RunSpec {
     pub samples: usize,
     /// True: two rows (before, after) at each switch.
     pub switch_rows: bool,
+    /// True: the record has columns of every mass and link of elastic objects too.
+    pub masses: bool,
     /// Window of steady figures (s, s); `None`: chosen.
     pub window: Option<(f64, f64)>,
     /// Most switches before the run is given up; default 1 000 000.

@@ -48,6 +48,11 @@ pub(super) fn read(slot: Slot<'_>, known: &Known) -> Option<RunSpec> {
             json!(false),
             |slot| slot.flag(),
         );
+        let record = fields.maybe(
+            "record",
+            "Columns of the record: `objects`, six of each object (default), or `all`, displacement and speed of every mass and the force of every link of elastic objects too",
+            |slot| slot.choice(&[("objects", false), ("all", true)]),
+        );
         let window = fields.maybe(
             "window",
             "[from, to]: where steady figures are taken. Default: the last whole cycle of the drive.",
@@ -70,6 +75,7 @@ pub(super) fn read(slot: Slot<'_>, known: &Known) -> Option<RunSpec> {
             step: step?,
             samples: samples? as usize,
             switch_rows: switch_rows?,
+            masses: record?.unwrap_or(false),
             window: window?,
             max_switches: max_switches?,
         };

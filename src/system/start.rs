@@ -26,17 +26,18 @@ impl System {
         Ok(state)
     }
 
-    /// The state y at t = 0 alone, for methods that find out by themselves
-    /// what pairs that just touch do next: developing the motion for it costs
-    /// more than many a run.
+    /// The state at t = 0 with the modes that were supposed in finding it, for methods
+    /// that find out by themselves what pairs that just touch do next: developing the
+    /// motion for it costs more than many a run.
     ///
     /// # Errors
     /// Those of [`Self::initial_state`].
-    pub fn initial_place(&self) -> Result<Vec<f64>, Vec<Fault>> {
-        Ok(self.place()?.y)
+    pub fn initial_place(&self) -> Result<InitialState, Vec<Fault>> {
+        let mut state = self.place()?;
+        self.frozen.locate_tracks(&state.y, &mut state.modes.0);
+        Ok(state)
     }
 
-    /// State at t = 0 with the modes that were supposed in finding it.
     fn place(&self) -> Result<InitialState, Vec<Fault>> {
         let mut warnings = Vec::new();
         let mut modes = self.frozen.no_modes();

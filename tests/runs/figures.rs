@@ -251,6 +251,8 @@ fn switches_have_rows_before_and_after_when_asked_for() {
     }]);
     let wanted = RunSettings {
         switch_rows: true,
+        masses: false,
+        closeups: false,
         samples: 10,
         ..settings(0.1)
     };

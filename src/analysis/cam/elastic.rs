@@ -1,7 +1,7 @@
 //! Lift-off with the follower's elasticity, by runs of the dynamic model.
 
-use crate::analysis::exact::Quick;
-use crate::analysis::run::run;
+use crate::analysis::document::stop_in_words;
+use crate::analysis::run::{Demand, motion};
 use crate::analysis::{Control, RunSettings};
 use crate::exact::Asked;
 use crate::fault::Fault;
@@ -52,41 +52,20 @@ pub fn steady_contact(
         window: None,
         ..settings.clone()
     };
-    if settings.method.is_none()
-        && let Ok(quick) = Quick::new(system)
-        && let Ok(found) = quick.run(
-            settings.duration,
-            1,
-            Some(&|_| Asked::DEVIATION),
-            &control.limits(&settings),
-        )
-        && found.stop == Stop::Complete
-    {
-        let own = found.objects.iter().find(|one| one.object == object);
-        let figures = own.and_then(|one| one.figures.as_ref());
-        let working = figures
-            .and_then(|figures| figures.pair.as_ref())
-            .and_then(|pair| pair.in_working_order);
-        if let Some(working) = working {
-            return Ok(if working {
-                Steady::Closed
-            } else {
-                Steady::Opens
-            });
-        }
-    }
-    let result = run(system, &settings, control, &mut [])?;
-    match &result.outcome.stop {
+    let demand = Demand {
+        figures: Some(&|_| Asked::DEVIATION),
+        laws: None,
+    };
+    let found = motion(system, &settings, demand, control, &mut [])?;
+    match &found.outcome.stop {
         Stop::Interrupted | Stop::WallClock { .. } => return Ok(Steady::Interrupted),
         Stop::Complete | Stop::TooManySwitches { .. } => {}
-        _ => {
-            let why = result.figures.run.stopped_because.clone();
-            let why = why.unwrap_or_else(|| "the run stopped".to_owned());
+        stop => {
+            let (_, why) = stop_in_words(stop);
             return Err(vec![Fault::new(id.clone(), why, "")]);
         }
     }
-    let figures = result.figures.objects.get(id);
-    let pair = figures.and_then(|figures| figures.pair.as_ref());
+    let pair = found.recorded.figures[object].pair.as_ref();
     let working = pair.and_then(|pair| pair.in_working_order).unwrap_or(false);
     Ok(if working {
         Steady::Closed

@@ -1,9 +1,7 @@
-use super::{Quick, QuickRun};
-use crate::analysis::run::run as recorded;
+use crate::analysis::run::{Demand, Motion, motion, run as recorded};
 use crate::analysis::{Control, RunSettings};
-use crate::budget::Budget;
 use crate::exact::Asked;
-use crate::integrate::{Limits, Method, Stop};
+use crate::integrate::{Method, Stop};
 use crate::lower::lower;
 use crate::record::ObjectFigures;
 use crate::scene::{BuiltIn, Document, Overrides};
@@ -13,29 +11,48 @@ use std::time::Duration;
 
 const TWO_MASSES: &[u8] = include_bytes!("../../../scenarios/rocker/two_masses.json");
 
-const UNLIMITED: Limits<'static> = Limits {
-    switches: u64::MAX,
-    steps: u64::MAX,
-    budget: Budget::FREE,
-};
-
 fn prepared(overrides: &[&str]) -> (System, RunSettings) {
     let document = Document::parse("two_masses.json", TWO_MASSES).unwrap();
     let overrides = Overrides::new(overrides.iter().copied());
     let reading = document.scene(&BuiltIn, &overrides).unwrap();
-    let settings = RunSettings::of(&reading.scene).unwrap();
+    let settings = RunSettings {
+        method: Some(Method::Exact),
+        max_switches: u64::MAX,
+        max_steps: u64::MAX,
+        ..RunSettings::of(&reading.scene).unwrap()
+    };
     (
         System::new(lower(&reading.scene).unwrap()).unwrap(),
         settings,
     )
 }
 
-fn quick(overrides: &[&str]) -> Quick {
-    Quick::new(&prepared(overrides).0).unwrap()
+/// A run to an end for the figures asked for.
+fn found(
+    (system, settings): &(System, RunSettings),
+    duration: f64,
+    asked: Asked,
+    control: &Control<'_>,
+) -> Motion {
+    let settings = RunSettings {
+        duration,
+        ..settings.clone()
+    };
+    let demand = Demand {
+        figures: Some(&|_| asked),
+        laws: None,
+    };
+    motion(system, &settings, demand, control, &mut []).unwrap()
 }
 
-fn run(quick: &Quick, end: f64, asked: Asked, limits: &Limits<'_>) -> QuickRun {
-    quick.run(end, 0, Some(&|_| asked), limits).unwrap()
+fn rocker<'f>(found: &'f Motion, scene: &(System, RunSettings)) -> &'f ObjectFigures {
+    let mut objects = scene.0.model().objects.iter();
+    let index = objects.position(|part| part.id == "rocker").unwrap();
+    &found.recorded.figures[index]
+}
+
+fn switch_times<'f>(found: &'f Motion, scene: &(System, RunSettings)) -> &'f [f64] {
+    &rocker(found, scene).pair.as_ref().unwrap().switch_times
 }
 
 #[test]
@@ -62,16 +79,16 @@ fn the_figures_asked_for_are_those_of_a_run_that_finds_all() {
     let all = levers
         .iter()
         .flat_map(|lever| cases.map(|case| (*lever, case)));
+    let control = Control::default();
     for (lever, (asked, reads)) in all {
-        let quick = quick(lever);
-        let all = run(&quick, 0.5, Asked::ALL, &UNLIMITED);
-        let whole = all.objects[0].figures.clone().unwrap();
-        let found = run(&quick, 0.5, asked, &UNLIMITED);
-        assert_eq!(found.objects[0].switch_times, all.objects[0].switch_times);
-        let own = found.objects[0].figures.as_ref().unwrap();
+        let scene = prepared(lever);
+        let all = found(&scene, 0.5, Asked::ALL, &control);
+        let some = found(&scene, 0.5, asked, &control);
+        assert_eq!(switch_times(&some, &scene), switch_times(&all, &scene));
+        let (own, whole) = (rocker(&some, &scene), rocker(&all, &scene));
         for read in reads {
             assert_ne!(read(own), 0.0, "{asked:?}");
-            let off = (read(own) / read(&whole) - 1.0).abs();
+            let off = (read(own) / read(whole) - 1.0).abs();
             assert!(off < 1e-12, "{lever:?} {asked:?}: {off:e}");
         }
         // The others are left alone.
@@ -99,7 +116,7 @@ fn only(set: impl Fn(&mut Asked)) -> Asked {
 
 #[test]
 fn modes_that_have_died_away_leave_no_trace_in_long_steps() {
-    // Light and stiff on a slow drive: a recorded step is as long as a thousand
+    // Light and stiff on a slow drive: an integrated step is as long as a thousand
     // radians of modes of which rounding alone is left.
     let slow = ["run.duration=1", "shaft.motion.speed=2 rev/s"];
     for lever in [
@@ -109,15 +126,18 @@ fn modes_that_have_died_away_leave_no_trace_in_long_steps() {
         ["rocker.stiffness=1e10", "rocker.damping_capacity=4000"],
         ["rocker.stiffness=1e12", "rocker.masses=6"],
     ] {
-        let overrides = [slow, lever].concat();
-        let (system, settings) = prepared(&overrides);
-        let played = recorded(&system, &settings, &Control::default(), &mut []).unwrap();
-        assert_eq!(played.method, Method::Exact);
-        let error = played.figures.run.energy_error;
+        let scene = prepared(&[slow, lever].concat());
+        let (system, settings) = &scene;
+        let exact = recorded(system, settings, &Control::default(), &mut []).unwrap();
+        let error = exact.figures.run.energy_error;
         assert!(error < 1e-8, "{lever:?}: {error:e}");
-        let played = &played.figures.objects["rocker"];
-        let found = run(&quick(&overrides), 1.0, Asked::ALL, &UNLIMITED);
-        let wanted = found.objects[0].figures.as_ref().unwrap();
+        let general = RunSettings {
+            method: Some(Method::Radau),
+            tolerance: 1e-12,
+            ..settings.clone()
+        };
+        let general = recorded(system, &general, &Control::default(), &mut []).unwrap();
+        let [own, wanted] = [&exact, &general].map(|run| &run.figures.objects["rocker"]);
         type Read = fn(&ObjectFigures) -> f64;
         let reads: [Read; 5] = [
             |f| f.delta_max,
@@ -127,77 +147,70 @@ fn modes_that_have_died_away_leave_no_trace_in_long_steps() {
             |f| f.peak_reaction,
         ];
         for read in reads {
-            approx::assert_relative_eq!(read(played), read(wanted), max_relative = 1e-9);
+            approx::assert_relative_eq!(read(own), read(wanted), max_relative = 1e-7);
         }
     }
 }
 
 #[test]
 fn a_run_without_end_stops_when_it_is_told() {
-    let quick = quick(&[]);
+    let scene = prepared(&[]);
     let told = AtomicBool::new(true);
-    let limits = Limits {
-        budget: Budget::interrupted_by(&told),
-        ..UNLIMITED
-    };
-    let found = run(&quick, 1e9, Asked::ALL, &limits);
-    assert_eq!(found.stop, Stop::Interrupted);
-    assert!(found.time < 1e9);
+    let control = Control::interrupted_by(&told);
+    let stopped = found(&scene, 1e9, Asked::ALL, &control);
+    assert_eq!(stopped.outcome.stop, Stop::Interrupted);
+    assert!(stopped.outcome.time < 1e9);
     // From another thread, in the middle of it.
     let told = AtomicBool::new(false);
-    let limits = Limits {
-        budget: Budget::interrupted_by(&told),
-        ..UNLIMITED
-    };
-    let found = std::thread::scope(|scope| {
+    let control = Control::interrupted_by(&told);
+    let stopped = std::thread::scope(|scope| {
         scope.spawn(|| {
             std::thread::sleep(Duration::from_millis(30));
             told.store(true, std::sync::atomic::Ordering::Relaxed);
         });
-        run(&quick, 1e9, Asked::ALL, &limits)
+        found(&scene, 1e9, Asked::ALL, &control)
     });
-    assert_eq!(found.stop, Stop::Interrupted);
-    assert!(found.time > 0.0 && found.switches > 0);
+    assert_eq!(stopped.outcome.stop, Stop::Interrupted);
+    assert!(stopped.outcome.time > 0.0 && stopped.outcome.statistics.switches > 0);
 }
 
 #[test]
 fn limits_of_time_steps_and_switches_end_a_run() {
-    let quick = quick(&[]);
+    let scene = prepared(&[]);
     let limit = Duration::from_millis(20);
-    let limits = Limits {
-        budget: Budget::FREE.within(limit),
-        ..UNLIMITED
-    };
+    let control = Control::FREE.within(limit);
     let begun = std::time::Instant::now();
-    let found = run(&quick, 1e9, Asked::ALL, &limits);
-    assert_eq!(found.stop, Stop::WallClock { limit });
+    let stopped = found(&scene, 1e9, Asked::ALL, &control);
+    assert_eq!(stopped.outcome.stop, Stop::WallClock { limit });
     assert!(begun.elapsed() < 100 * limit, "{:?}", begun.elapsed());
-    let steps = Limits {
-        steps: 500,
-        ..UNLIMITED
+    let limited = |switches: u64, steps: u64| {
+        let (system, settings) = prepared(&[]);
+        let settings = RunSettings {
+            max_switches: switches,
+            max_steps: steps,
+            ..settings
+        };
+        let scene = (system, settings);
+        let found = found(&scene, 1e9, Asked::ALL, &Control::default());
+        (scene, found)
     };
-    let found = run(&quick, 1e9, Asked::ALL, &steps);
-    assert_eq!(found.stop, Stop::TooManySteps { bound: 500 });
+    let (_, few) = limited(u64::MAX, 500);
+    assert_eq!(few.outcome.stop, Stop::TooManySteps { bound: 500 });
     // What was done until then is that of a run that goes on.
-    let whole = run(&quick, found.time, Asked::ALL, &UNLIMITED);
+    let whole = found(&scene, few.outcome.time, Asked::ALL, &Control::default());
     assert!(whole.is_complete());
-    let times = |run: &QuickRun| run.objects[0].switch_times.clone();
-    let (wanted, times) = (times(&whole), times(&found));
+    let [times, wanted] = [&few, &whole].map(|run| switch_times(run, &scene));
     assert!(wanted.len() > 50 && wanted.len().abs_diff(times.len()) <= 1);
-    for (time, wanted) in times.iter().zip(&wanted) {
+    for (time, wanted) in times.iter().zip(wanted) {
         approx::assert_relative_eq!(time, wanted, max_relative = 1e-12);
     }
-    let [own, other] = [&found, &whole].map(|run| run.objects[0].figures.as_ref().unwrap());
+    let [own, other] = [&few, &whole].map(|run| rocker(run, &scene));
     approx::assert_relative_eq!(own.delta_max, other.delta_max, max_relative = 1e-12);
     approx::assert_relative_eq!(
         own.end.displacement,
         other.end.displacement,
         max_relative = 1e-12
     );
-    let switches = Limits {
-        switches: 7,
-        ..UNLIMITED
-    };
-    let found = run(&quick, 1e9, Asked::ALL, &switches);
-    assert_eq!(found.stop, Stop::TooManySwitches { bound: 7 });
+    let (_, few) = limited(7, u64::MAX);
+    assert_eq!(few.outcome.stop, Stop::TooManySwitches { bound: 7 });
 }

@@ -1,25 +1,33 @@
 //! One point of a map.
 
-use super::figure::read;
-use super::judge::{Begun, Evidence, judge, on_law};
-use super::quick;
+use super::figure::{read, scale, wanted};
+use super::judge::{self, Begun, Evidence, judge};
 use super::rigid::RigidMotion;
 use super::scenes::{Kept, Scenes};
 use super::study::Study;
 use super::verdict::Verdict;
-use crate::analysis::run::{RunResult, run};
+use crate::analysis::document::{spoiling, stop_in_words};
+use crate::analysis::run::{Demand, Motion, motion};
 use crate::analysis::spread::{CHANGE, changed_loads};
-use crate::analysis::{Control, RunSettings, Warning};
+use crate::analysis::{Control, RunSettings};
+use crate::exact::{Asked, KeptLaws};
 use crate::fault::Fault;
 use crate::integrate::{Method, Stop};
 use crate::lower::lower;
 use crate::record::{Quantity, Record, drive_cycle};
 use crate::scene::TypedScene;
 use crate::system::System;
+use std::cell::RefCell;
 
 /// Most steps of the run of one cell: where a general method would crawl, a
 /// map says so and goes on.
 pub const MOST_STEPS: u64 = 20_000_000;
+
+/// Samples in a cycle where the last cycles of an exact motion are looked at.
+const SAMPLES: f64 = 256.0;
+
+/// Most samples of such a run.
+const MOST_SAMPLES: f64 = 1e6;
 
 /// Factor on the tolerance of a general method below which a difference may be
 /// its own: an accepted step here, a rejected one there.
@@ -97,11 +105,14 @@ fn judged(
     if let Some(samples) = &kept.samples {
         system.take_samples(samples.clone());
     }
-    let exact = quick::answer(study, system, settings, (&rigid, &kept.exact), control);
-    let found = match exact {
-        Some(found) => found,
-        None => answer(study, system, settings, &rigid, control),
+    let task = Task {
+        study,
+        system,
+        settings,
+        laws: &kept.exact,
+        control,
     };
+    let found = task.answer(&rigid);
     if kept.samples.is_none() {
         kept.samples = system.samples_of_laws();
     }
@@ -134,96 +145,165 @@ fn in_words(faults: &[Fault]) -> String {
     }
 }
 
-/// Runs the system and judges what it did; `None` when interrupted.
-fn answer(
-    study: &Study<'_>,
-    system: &System,
-    settings: &RunSettings,
-    rigid: &RigidMotion,
-    control: &Control<'_>,
-) -> Result<Option<Cell>, Vec<Fault>> {
-    let result = run(system, settings, control, &mut [])?;
-    if result.outcome.stop.is_from_outside() {
-        return Ok(None);
-    }
-    if let Some(cell) = failed(&result) {
-        return Ok(Some(cell));
-    }
-    let cycle = drive_cycle(system.model()).ok();
-    let record = &result.record;
-    let window = result.figures.run.window;
-    let mut again = |object: usize, begun: Begun| {
-        let id = &system.model().objects[object].id;
-        match begun {
-            Begun::AsGiven => steady(record, id, window, cycle),
-            Begun::OnLaw => {
-                let system = System::new(on_law(system.model())).ok()?;
-                let other = run(&system, settings, control, &mut []).ok()?;
-                let good = other.is_complete() && failed(&other).is_none();
-                good.then(|| steady(&other.record, id, window, cycle))?
-            }
-        }
-    };
-    let (verdict, cause) = judge(&mut Evidence {
-        system,
-        figures: result.figures.objects.values().collect(),
-        rigid,
-        cycle,
-        time: result.outcome.time,
-        steady: &mut again,
-    });
-    // What was interrupted in between may have been judged by half of it.
-    if control.is_spent() {
-        return Ok(None);
-    }
-    let value = read(&result.figures, &study.figure).filter(|value| value.is_finite());
-    let mut cell = Cell {
-        value,
-        ..Cell::without_value(verdict, cause)
-    };
-    if study.check_determined
-        && let Some(value) = value
-    {
-        let Some(moved) = moves(study, system, settings, &result, value, control)? else {
+/// What is run, and what is asked of it.
+#[derive(Clone, Copy)]
+struct Task<'t> {
+    study: &'t Study<'t>,
+    system: &'t System,
+    settings: &'t RunSettings,
+    /// Laws of motion that are known from cells before.
+    laws: &'t RefCell<KeptLaws>,
+    control: &'t Control<'t>,
+}
+
+impl Task<'_> {
+    /// Runs the system and judges what it did; `None` when interrupted.
+    fn answer(&self, rigid: &RigidMotion) -> Result<Option<Cell>, Vec<Fault>> {
+        let found = self.motion(self.system, self.settings)?;
+        if found.outcome.stop.is_from_outside() {
             return Ok(None);
+        }
+        if let Some(cell) = self.failed(&found) {
+            return Ok(Some(cell));
+        }
+        let cycle = drive_cycle(self.system.model()).ok();
+        let (verdict, mut cause) = judge(&mut Evidence {
+            system: self.system,
+            figures: found.recorded.figures.iter().collect(),
+            rigid,
+            cycle,
+            time: found.outcome.time,
+            steady: &mut |object, begun| self.steady(&found, object, begun, cycle?),
+        });
+        if found.grazing > 0 {
+            cause.push_str("; a pair grazes, its switches are not certain");
+        }
+        // What was interrupted in between may have been judged by half of it.
+        if self.control.is_spent() {
+            return Ok(None);
+        }
+        let value = self.value(&found);
+        let mut cell = Cell {
+            value,
+            ..Cell::without_value(verdict, cause)
         };
-        mark(&mut cell, moved, bound(study, &result, settings));
+        if self.study.check_determined
+            && let Some(value) = value
+        {
+            let Some(moved) = self.moves(&found, value)? else {
+                return Ok(None);
+            };
+            mark(&mut cell, moved, bound(self.study, &found, self.settings));
+        }
+        Ok(Some(cell))
     }
-    Ok(Some(cell))
-}
 
-/// The cell of a run that stopped or is not to be trusted.
-fn failed(result: &RunResult) -> Option<Cell> {
-    let run = &result.figures.run;
-    let because = || run.stopped_because.clone().unwrap_or_default();
-    if let Stop::Physical(_) = &result.outcome.stop {
-        let cause = format!("stops at {:.6e} s: {}", result.outcome.time, because());
-        return Some(Cell::without_value(Verdict::Stopped, cause));
+    /// Runs a system for the figure of the map and what a mechanism is judged by.
+    fn motion(&self, system: &System, settings: &RunSettings) -> Result<Motion, Vec<Fault>> {
+        let asked = wanted(&self.study.figure, system.model());
+        let all = |object: usize| match asked {
+            Some((own, asked)) if own == object => asked,
+            _ => Asked::DEVIATION,
+        };
+        let demand = Demand {
+            figures: asked.is_some().then_some(&all),
+            laws: Some(self.laws),
+        };
+        motion(system, settings, demand, self.control, &mut [])
     }
-    if !result.is_complete() {
-        let cause = format!(
-            "{} gave up at {:.6e} s: {}",
-            run.method,
-            result.outcome.time,
-            because()
+
+    /// The figure of the map.
+    fn value(&self, found: &Motion) -> Option<f64> {
+        let value = read(
+            &self.study.figure,
+            self.system.model(),
+            self.settings,
+            found,
         );
-        return Some(Cell::without_value(Verdict::NumericalFailure, cause));
+        value.filter(|value| value.is_finite())
     }
-    let spoils = |warning: &&Warning| warning.spoils_figures();
-    let warning = result.warnings.iter().find(spoils)?;
-    let cause = format!("{}: {warning}", run.method);
-    Some(Cell::without_value(Verdict::NumericalFailure, cause))
+
+    /// The cell of a run that stopped or is not to be trusted.
+    fn failed(&self, found: &Motion) -> Option<Cell> {
+        let method = &found.choice.name;
+        let because = || stop_in_words(&found.outcome.stop).1;
+        let time = found.outcome.time;
+        if let Stop::Physical(_) = &found.outcome.stop {
+            let cause = format!("stops at {time:.6e} s: {}", because());
+            return Some(Cell::without_value(Verdict::Stopped, cause));
+        }
+        if !found.is_complete() {
+            let cause = format!("{method} gave up at {time:.6e} s: {}", because());
+            return Some(Cell::without_value(Verdict::NumericalFailure, cause));
+        }
+        let warning = spoiling(&found.recorded, self.settings)?;
+        let cause = format!("{method}: {warning}");
+        Some(Cell::without_value(Verdict::NumericalFailure, cause))
+    }
+
+    /// Greatest |δ| of an object over the cycle before the last and over the last one.
+    fn steady(&self, found: &Motion, object: usize, begun: Begun, cycle: f64) -> Option<[f64; 2]> {
+        let id = &self.system.model().objects[object].id;
+        if begun == Begun::AsGiven && !found.recorded.record.times.is_empty() {
+            return self.over_last_cycles(found, id, cycle);
+        }
+        // Run again for it, since few cells ask.
+        let on_law;
+        let system = match begun {
+            Begun::AsGiven => self.system,
+            Begun::OnLaw => {
+                on_law = System::new(judge::on_law(self.system.model())).ok()?;
+                &on_law
+            }
+        };
+        let samples = (self.settings.duration / cycle * SAMPLES).ceil();
+        let settings = RunSettings {
+            samples: match found.choice.method {
+                Method::Exact => samples.clamp(SAMPLES, MOST_SAMPLES) as usize,
+                _ => self.settings.samples,
+            },
+            ..self.settings.clone()
+        };
+        let demand = Demand {
+            laws: Some(self.laws),
+            ..Demand::EVERYTHING
+        };
+        let again = motion(system, &settings, demand, self.control, &mut []).ok()?;
+        let good = again.is_complete() && self.failed(&again).is_none();
+        good.then(|| self.over_last_cycles(&again, id, cycle))?
+    }
+
+    fn over_last_cycles(&self, found: &Motion, id: &str, cycle: f64) -> Option<[f64; 2]> {
+        let window = found.window.as_ref().ok();
+        let whole = (found.outcome.time / cycle * (1.0 + 1e-12)).floor() * cycle;
+        let end = window.map_or(whole, |[_, to]| *to);
+        steady(&found.recorded.record, id, end, cycle)
+    }
+
+    /// How far the figure moves when loads and gaps change by [`CHANGE`], as a
+    /// share of its scale; infinite when it is gone. `None` when interrupted.
+    fn moves(&self, base: &Motion, value: f64) -> Result<Option<f64>, Vec<Fault>> {
+        let same_method = RunSettings {
+            method: Some(base.choice.method),
+            ..self.settings.clone()
+        };
+        let changed = changed_loads(self.system.model().clone(), 1.0 + CHANGE);
+        let other = self.motion(&System::new(changed)?, &same_method)?;
+        if other.outcome.stop.is_from_outside() {
+            return Ok(None);
+        }
+        let scale = scale(&self.study.figure, self.system.model(), self.settings, base);
+        let gone = self.failed(&other).is_some();
+        Ok(Some(match self.value(&other) {
+            Some(other) if !gone => share(other - value, scale),
+            _ => f64::INFINITY,
+        }))
+    }
 }
 
-/// Greatest |δ| of an object over the cycle before the window's last and over
-/// that last one, from the samples.
-fn steady(
-    record: &Record,
-    id: &str,
-    window: Option<[f64; 2]>,
-    cycle: Option<f64>,
-) -> Option<[f64; 2]> {
-    let ([_, end], cycle) = (window?, cycle?);
+/// Greatest |δ| of an object over the cycle before the last one and over that which
+/// ends at `end` (s), from the samples.
+fn steady(record: &Record, id: &str, end: f64, cycle: f64) -> Option<[f64; 2]> {
     let column = record.column(id, Quantity::Delta)?;
     let over = |from: f64, to: f64| {
         let samples = record.times.iter().zip(&column.values);
@@ -240,35 +320,7 @@ fn steady(
     ])
 }
 
-/// How far the figure moves when loads and gaps change by [`CHANGE`], as a
-/// share of its scale; infinite when it is gone. `None` when interrupted.
-fn moves(
-    study: &Study<'_>,
-    system: &System,
-    settings: &RunSettings,
-    base: &RunResult,
-    value: f64,
-    control: &Control<'_>,
-) -> Result<Option<f64>, Vec<Fault>> {
-    let same_method = RunSettings {
-        method: Some(base.method),
-        ..settings.clone()
-    };
-    let changed = changed_loads(system.model().clone(), 1.0 + CHANGE);
-    let changed = System::new(changed)?;
-    let other = run(&changed, &same_method, control, &mut [])?;
-    if other.outcome.stop.is_from_outside() {
-        return Ok(None);
-    }
-    let scale = base.figures.scale(&study.figure);
-    let gone = failed(&other).is_some();
-    Ok(Some(match read(&other.figures, &study.figure) {
-        Some(other) if !gone => share(other - value, scale),
-        _ => f64::INFINITY,
-    }))
-}
-
-pub(super) fn share(difference: f64, scale: f64) -> f64 {
+fn share(difference: f64, scale: f64) -> f64 {
     if difference == 0.0 {
         0.0
     } else {
@@ -278,17 +330,17 @@ pub(super) fn share(difference: f64, scale: f64) -> f64 {
 }
 
 /// The greatest move of a figure that is still determined: one of the last digit
-/// asked for, and for a general method at least ten times its tolerance.
-fn bound(study: &Study<'_>, result: &RunResult, settings: &RunSettings) -> f64 {
-    match result.method {
-        Method::Rk4 => study.precision(),
+/// asked for, and for a method with steps of a tolerance at least ten times that.
+fn bound(study: &Study<'_>, found: &Motion, settings: &RunSettings) -> f64 {
+    match found.choice.method {
+        Method::Rk4 | Method::Exact => study.precision(),
         _ => study.precision().max(OWN_NOISE * settings.tolerance),
     }
 }
 
 /// Notes how far the figure moves, and whether that is too far; the verdict on the
 /// mechanism stays.
-pub(super) fn mark(cell: &mut Cell, moved: f64, bound: f64) {
+fn mark(cell: &mut Cell, moved: f64, bound: f64) {
     let determined = moved <= bound;
     if !determined {
         let how = match moved.is_finite() {

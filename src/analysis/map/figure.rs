@@ -1,9 +1,11 @@
 //! The figure that a map shows.
 
-use crate::analysis::document::blank;
+use crate::analysis::RunSettings;
+use crate::analysis::document::{blank, document, summary};
+use crate::analysis::run::Motion;
 use crate::exact::Asked;
 use crate::fault::Fault;
-use crate::model::{Model, owner_of};
+use crate::model::{Closure, Model, ObjectPart, owner_of};
 use crate::record::{AddressError, Figures, ObjectFigures};
 
 /// The figure of a map when none is asked for: the greatest |δ| of the last elastic
@@ -51,8 +53,8 @@ pub(super) fn check_figure(figure: &str, model: &Model) -> Result<(), Fault> {
     ))
 }
 
-/// A figure of an object that needs no document to be read, by its name.
-pub(super) fn quick_read(figures: &ObjectFigures, name: &str) -> Option<f64> {
+/// A figure of an object by its name, where it is a number in every run.
+fn of_object(figures: &ObjectFigures, name: &str) -> Option<f64> {
     let pair = figures.pair.as_ref();
     Some(match name {
         "delta_abs" => figures.delta_abs,
@@ -75,9 +77,24 @@ pub(super) fn quick_read(figures: &ObjectFigures, name: &str) -> Option<f64> {
     })
 }
 
-/// What a run must find for a figure that [`quick_read`] knows, and for its
-/// scale; extremes of δ in any case.
-pub(super) fn quick_needs(name: &str) -> Asked {
+/// The object of a figure (index in the model), if it is elastic, with what a run has to
+/// find for the figure and its scale (extremes of δ in any case); `None` where a run has
+/// to find everything: for other figures, or with rigid pairs, whose margins a mechanism
+/// is judged by.
+pub(super) fn wanted(figure: &str, model: &Model) -> Option<(usize, Asked)> {
+    let (object, name) = parts(figure, model)?;
+    let margins = |part: &ObjectPart| {
+        let pair = part.rigid_pair;
+        pair.is_some_and(|pair| pair.closure == Closure::Force)
+    };
+    if model.objects[object].links.is_empty() || model.objects.iter().any(margins) {
+        return None;
+    }
+    let known = ObjectFigures {
+        pair: Some(Default::default()),
+        ..ObjectFigures::default()
+    };
+    of_object(&known, name)?;
     let mut asked = Asked::DEVIATION;
     match name {
         "sigma" => asked.mean = true,
@@ -87,29 +104,58 @@ pub(super) fn quick_needs(name: &str) -> Asked {
         "pair.max_lift" => asked.lift = true,
         _ => {}
     }
-    asked
+    Some((object, asked))
 }
 
-/// What a difference in a figure that [`quick_read`] knows is measured against:
-/// [`Figures::scale`] without a document. `time` is that of the run (s).
-pub(super) fn quick_scale(figures: &ObjectFigures, name: &str, time: f64) -> f64 {
+/// Object (index in the model) and name of a figure.
+fn parts<'f>(figure: &'f str, model: &Model) -> Option<(usize, &'f str)> {
+    let (id, name) = owner_of(figure, |id| model.objects.iter().any(|part| part.id == id));
+    let object = model.objects.iter().position(|part| part.id == id)?;
+    Some((object, name))
+}
+
+/// What a difference in a figure is measured against: see [`Figures::scale`].
+pub(super) fn scale(figure: &str, model: &Model, settings: &RunSettings, found: &Motion) -> f64 {
+    let own = parts(figure, model);
+    let own = own.and_then(|(object, name)| {
+        scale_of_object(&found.recorded.figures[object], name, found.outcome.time)
+    });
+    own.unwrap_or_else(|| whole(model, settings, found).scale(figure))
+}
+
+/// The same of a figure that [`of_object`] knows; `time` is that of the run (s).
+fn scale_of_object(figures: &ObjectFigures, name: &str, time: f64) -> Option<f64> {
+    let own = of_object(figures, name)?;
     let delta = figures.delta_abs;
-    match name {
+    Some(match name {
         "delta_abs" | "delta_max" | "delta_min" | "sigma" | "pair.max_lift" => delta,
         "final.displacement" if delta > 0.0 => delta,
         "final.speed" => figures.peak_speed,
         "pair.separations" | "pair.closures" => 1.0,
         "pair.separated_time" | "pair.longest_separation" => time,
-        _ => quick_read(figures, name).map_or(0.0, f64::abs),
-    }
+        _ => own.abs(),
+    })
 }
 
 /// The value of a figure; `None` when it has none in this run.
-pub(super) fn read(figures: &Figures, figure: &str) -> Option<f64> {
-    let (id, name) = owner_of(figure, |id| figures.objects.contains_key(id));
-    let quick = figures.objects.get(id);
-    let quick = quick.and_then(|object| quick_read(object, name));
-    quick.or_else(|| figures.value(figure).ok())
+pub(super) fn read(
+    figure: &str,
+    model: &Model,
+    settings: &RunSettings,
+    found: &Motion,
+) -> Option<f64> {
+    let own = parts(figure, model);
+    let own = own.and_then(|(object, name)| of_object(&found.recorded.figures[object], name));
+    // (Most figures need no document to be read.)
+    own.or_else(|| whole(model, settings, found).value(figure).ok())
+}
+
+/// The document of a run.
+fn whole(model: &Model, settings: &RunSettings, found: &Motion) -> Figures {
+    let (outcome, recorded) = (&found.outcome, &found.recorded);
+    let window = found.window.clone();
+    let run = summary(settings, outcome, &found.choice, recorded, window);
+    document(model, settings, &recorded.figures, run, &[])
 }
 
 /// SI unit of a figure; empty for counts and answers.
@@ -119,7 +165,7 @@ pub(super) fn unit(figure: &str, model: &Model) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{quick_read, quick_scale, read};
+    use super::{of_object, scale_of_object};
     use crate::analysis::testing::result_with;
     use crate::record::{FinalState, PairFigures};
 
@@ -153,15 +199,14 @@ mod tests {
         let mut known = 0;
         for (address, value) in figures.addresses() {
             let name = address.split_once('.').unwrap().1;
-            let Some(quick) = quick_read(rocker, name).filter(|_| address.starts_with("rocker"))
+            let Some(own) = of_object(rocker, name).filter(|_| address.starts_with("rocker"))
             else {
                 continue;
             };
             known += 1;
-            assert_eq!(Some(quick), value, "{address}");
-            assert_eq!(read(&figures, &address), value, "{address}");
-            let scale = quick_scale(rocker, name, figures.run.time);
-            assert_eq!(scale, figures.scale(&address), "{address}");
+            assert_eq!(Some(own), value, "{address}");
+            let scale = scale_of_object(rocker, name, figures.run.time);
+            assert_eq!(scale, Some(figures.scale(&address)), "{address}");
         }
         assert_eq!(known, 16);
     }

@@ -13,7 +13,6 @@ mod grid;
 pub mod journal;
 mod judge;
 mod panels;
-mod quick;
 mod rigid;
 mod scenes;
 mod study;

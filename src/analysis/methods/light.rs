@@ -1,11 +1,12 @@
 //! The lightest run that answers the question: samples of the deviations and
 //! the times of the switches, nothing else. This is what is timed.
 
+use crate::analysis::run::{Demand, motion};
 use crate::analysis::{Control, RunSettings, exact};
 use crate::exact::Asked;
 use crate::fault::Fault;
 use crate::integrate::{
-    Dynamics, Method, Modes, Outcome, Settings, Sink, Statistics, Stop, SwitchEvent, integrate,
+    Dynamics, Method, Modes, Outcome, Settings, Sink, Stop, SwitchEvent, integrate,
 };
 use crate::polynomial::Step;
 use crate::system::{InitialState, System};
@@ -209,66 +210,50 @@ fn exact_run(
 ) -> Result<Timed, String> {
     let begun = Instant::now();
     let parts = exact::whole(system).map_err(|faults| reasons(&faults))?;
-    let ready = exact::Quick::of(system, &parts, &initial.y);
     let samples = settings.samples.max(1);
-    let limits = control.limits(settings);
-    let found = ready
-        .run(settings.duration, samples, None, &limits)
-        .map_err(|refusal| format!("{}: {}", refusal.object, refusal.reason))?;
+    let (limits, end) = (control.limits(settings), settings.duration);
+    let deviations = exact::deviations(system, &parts, initial, (end, samples), &limits);
+    let outcome = deviations.outcome;
+    if let Stop::Method { reason, .. } = outcome.stop {
+        return Err(reason);
+    }
     let seconds = begun.elapsed().as_secs_f64();
     // Others look at the ends of their steps too; here there are none, and
     // samples may lie beside the greatest deviation.
-    let extremes = found.is_complete().then(|| {
-        let asked = |_| Asked::DEVIATION;
-        let run = ready.run(settings.duration, 0, Some(&asked), &limits);
-        run.ok()
+    let extremes = (outcome.stop == Stop::Complete).then(|| {
+        let demand = Demand {
+            figures: Some(&|_| Asked::DEVIATION),
+            laws: None,
+        };
+        let settings = RunSettings {
+            method: Some(Method::Exact),
+            ..settings.clone()
+        };
+        motion(system, &settings, demand, control, &mut []).ok()
     });
     let extremes = extremes.flatten();
-    let mut trace = Trace::EMPTY;
+    let mut trace = Trace {
+        switches: deviations.switches,
+        ..Trace::EMPTY
+    };
     for track in tracks {
-        let own = found.objects.iter().find(|o| o.object == track.object);
-        if own.is_none() && !found.is_complete() {
-            // Its tree had not begun when another one was stopped.
-            trace.greatest.push(0.0);
-            trace.samples.push(Vec::new());
-            continue;
-        }
-        let own = own.ok_or("an object is not part of it")?;
+        let own = deviations.samples.iter().find(|own| own.0 == track.object);
         // The sample at t = 0 is the start.
         let mut samples = vec![initial.y[track.coordinate]];
-        samples.extend_from_slice(&own.delta);
-        let between = extremes
-            .as_ref()
-            .map_or(0.0, |run| greatest(run, track.object));
+        samples.extend(own.into_iter().flat_map(|own| &own.1));
+        let between = extremes.as_ref().map_or(0.0, |run| {
+            let figures = &run.recorded.figures[track.object];
+            figures.delta_max.max(-figures.delta_min)
+        });
         let greatest = samples.iter().fold(between, |a: f64, b| a.max(b.abs()));
         trace.greatest.push(greatest);
         trace.samples.push(samples);
-        trace.switches.extend_from_slice(&own.switch_times);
     }
-    trace.switches.sort_by(f64::total_cmp);
-    let statistics = Statistics {
-        steps: found.phases,
-        rejected: 0,
-        evaluations: found.evaluations,
-        switches: found.switches,
-    };
-    let outcome = Outcome {
-        time: found.time,
-        stop: found.stop,
-        statistics,
-    };
     Ok(Timed {
         trace,
         outcome,
         seconds,
     })
-}
-
-/// Greatest |δ| of an object over a run.
-fn greatest(run: &exact::QuickRun, object: usize) -> f64 {
-    let own = run.objects.iter().find(|own| own.object == object);
-    let figures = own.and_then(|own| own.figures.as_ref());
-    figures.map_or(0.0, |figures| figures.delta_abs)
 }
 
 /// Every reason against a method, in one line.

@@ -146,7 +146,7 @@ fn whole(tree: &ExactTree, request: &Request) -> Result<ExactRun, String> {
     match run.halt {
         None => Ok(run),
         Some(Halt::Switches) => Err(format!("too many switches before t = {} s", run.time)),
-        Some(Halt::Steps | Halt::Told) => Err(crawling(run.time)),
+        Some(Halt::Steps | Halt::Cancelled) => Err(crawling(run.time)),
     }
 }
 

@@ -131,6 +131,19 @@ impl Parts {
         self
     }
 
+    /// The tree, by its number, that moves an object of the model.
+    pub(crate) fn tree_of(&self, object: usize) -> Option<usize> {
+        match self.holders[object] {
+            Holder::Tree(number) => Some(number),
+            Holder::Drive | Holder::Other => None,
+        }
+    }
+
+    /// True when nothing that no tree holds looks at what a tree moves.
+    pub fn are_apart(&self, system: &System) -> bool {
+        rest::kept(system.model(), self).is_some()
+    }
+
     /// True when every coordinate of the system is in a tree, and there is one.
     pub fn is_whole(&self) -> bool {
         self.refusals.is_empty() && !self.trees.is_empty()

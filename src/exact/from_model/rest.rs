@@ -3,17 +3,18 @@
 use super::{Holder, Parts};
 use crate::integrate::{Dynamics, Modes};
 use crate::model::{
-    Law, Link, LinkBase, Load, LoadLaw, Model, Node, NodeIndex, NodeMotion, ObjectPart, Start,
-    TrackSource,
+    Law, Link, LinkBase, LinkageBody, Load, LoadLaw, Model, Node, NodeIndex, NodeMotion,
+    ObjectPart, Start, TrackSource,
 };
 use crate::system::{InitialState, System};
 
-/// The objects that no tree holds, with the drives that move them, and where
-/// they are in the whole system.
+/// The objects that no tree holds, and where they are in the whole system.
 #[derive(Debug)]
 pub struct Rest {
     /// The objects as a system.
     pub system: System,
+    /// Index in the model of the whole system of each of its objects, ascending.
+    pub(crate) objects: Vec<usize>,
     /// Coordinate of the whole system of each of its coordinates.
     pub(crate) coordinates: Vec<usize>,
     /// Component of the whole system's modes of each of its own.
@@ -21,16 +22,22 @@ pub struct Rest {
 }
 
 impl Rest {
-    /// The rest of a system. `None` where there are no trees or nothing is left,
-    /// or what is left looks at what a tree moves, or a prescribed motion leads
-    /// to a dead position, at which everything ends.
+    /// The rest of a system that has to be integrated. `None` where there are no trees
+    /// or nothing is left to integrate, or what is left looks at what a tree moves, or
+    /// a prescribed motion leads to a dead position, at which everything ends.
     pub fn of(system: &System, parts: &Parts) -> Option<Self> {
-        let model = system.model();
         let held = |holder| parts.holders.contains(&holder);
-        if parts.trees.is_empty() || !held(Holder::Other) || dead_positions(model, parts) {
+        if parts.trees.is_empty() || !held(Holder::Other) || dead_positions(system.model(), parts) {
             return None;
         }
-        let kept = needed(model, parts)?;
+        Self::beside(system, parts)
+    }
+
+    /// All that no tree holds, be it prescribed throughout. `None` where it looks at
+    /// what a tree moves.
+    pub fn beside(system: &System, parts: &Parts) -> Option<Self> {
+        let model = system.model();
+        let kept = kept(model, parts)?;
         let (model, tracks) = cut_out(model, &kept)?;
         let own = System::new(model).ok()?;
         let places = Places { system, own: &own };
@@ -40,9 +47,16 @@ impl Rest {
         );
         Some(Self {
             system: own,
+            objects: kept,
             coordinates,
             components,
         })
+    }
+
+    /// Its part of the whole system's modes.
+    pub(crate) fn modes(&self, whole: &Modes) -> Modes {
+        let modes = self.components.iter();
+        Modes(modes.map(|&component| whole.0[component]).collect())
     }
 
     /// Its part of a state at t = 0.
@@ -50,13 +64,12 @@ impl Rest {
         let n = whole.y.len() / 2;
         let places = || self.coordinates.iter();
         let speeds = places().map(|place| whole.y[n + place]);
-        let modes = self.components.iter();
         InitialState {
             y: places()
                 .map(|&place| whole.y[place])
                 .chain(speeds)
                 .collect(),
-            modes: Modes(modes.map(|&component| whole.modes.0[component]).collect()),
+            modes: self.modes(&whole.modes),
             warnings: Vec::new(),
         }
     }
@@ -72,35 +85,29 @@ fn dead_positions(model: &Model, parts: &Parts) -> bool {
     tracks.any(|track| track.stops && prescribed(track.source))
 }
 
-/// The objects that no tree holds, with all that they look at, in the order of
-/// the model; `None` when a tree is among it.
-fn needed(model: &Model, parts: &Parts) -> Option<Vec<usize>> {
+/// The objects that no tree holds, in the order of the model; `None` when one of
+/// them looks at what a tree moves.
+pub(super) fn kept(model: &Model, parts: &Parts) -> Option<Vec<usize>> {
+    let free = |object: usize| !matches!(parts.holders[object], Holder::Tree(_));
     let holds = |node: NodeIndex| model.objects.iter().position(|o| o.nodes.contains(&node));
-    let mut kept: Vec<bool> = parts.holders.iter().map(|h| *h == Holder::Other).collect();
-    loop {
-        let mut wanted = Vec::new();
-        for (object, part) in model.objects.iter().enumerate() {
-            if kept[object] {
-                wanted.extend(part.inputs.iter().map(|input| input.driver));
-            }
-        }
-        for load in &model.loads {
-            if let LoadLaw::Pieces { track, .. } = &load.law
-                && let TrackSource::Node(source) = model.tracks[*track].source
-                && kept[holds(load.node)?]
-            {
-                wanted.push(holds(source)?);
-            }
-        }
-        wanted.retain(|&object| !kept[object]);
-        if wanted.is_empty() {
-            break;
-        }
-        wanted.into_iter().for_each(|object| kept[object] = true);
+    let kept: Vec<usize> = (0..model.objects.len()).filter(|&o| free(o)).collect();
+    let inputs = |object: usize| model.objects[object].inputs.iter();
+    if kept
+        .iter()
+        .any(|&object| inputs(object).any(|input| !free(input.driver)))
+    {
+        return None;
     }
-    let all: Vec<usize> = (0..kept.len()).filter(|&object| kept[object]).collect();
-    let free = |&object: &usize| !matches!(parts.holders[object], Holder::Tree(_));
-    all.iter().all(free).then_some(all)
+    for load in &model.loads {
+        if let LoadLaw::Pieces { track, .. } = &load.law
+            && let TrackSource::Node(source) = model.tracks[*track].source
+            && free(holds(load.node)?)
+            && !free(holds(source)?)
+        {
+            return None;
+        }
+    }
+    Some(kept)
 }
 
 /// New numbers of what is kept.
@@ -153,6 +160,9 @@ fn cut_out(model: &Model, kept: &[usize]) -> Option<(Model, Vec<usize>)> {
         // Shared tracks never stop a run: whose they are does not matter.
         copy.object = kept.iter().position(|&own| own == copy.object).unwrap_or(0);
         out.tracks.push(copy);
+    }
+    for body in model.linkages.iter().filter(|body| here(body.node)) {
+        out.linkages.push(numbers.linkage(body, kept)?);
     }
     for &object in kept {
         out.objects
@@ -252,6 +262,16 @@ impl Numbers {
         if let LoadLaw::Pieces { track, .. } = &mut copy.law {
             *track = self.tracks[*track]?;
         }
+        Some(copy)
+    }
+
+    fn linkage(&self, body: &LinkageBody, kept: &[usize]) -> Option<LinkageBody> {
+        let mut copy = body.clone();
+        copy.node = self.nodes[body.node]?;
+        for output in &mut copy.outputs {
+            *output = self.nodes[*output]?;
+        }
+        copy.object = kept.iter().position(|&own| own == body.object)?;
         Some(copy)
     }
 

@@ -25,7 +25,7 @@ pub(crate) struct PanelPhase {
     /// |fourth derivative| of polynomial and arcs.
     pub(super) slow4: V,
     /// |amplitude| of the lanes at the start.
-    pub(super) size: Vec<V>,
+    pub(crate) size: Vec<V>,
 }
 
 impl PanelPhase {
@@ -142,6 +142,25 @@ impl PanelPhase {
             low: first.min(middle.min(last)) - spread,
             high: first.max(middle.max(last)) + spread,
         })
+    }
+
+    /// Greatest magnitude of polynomial and arcs of functional f between two instants.
+    pub(crate) fn range(&self, f: usize, from: f64, to: f64) -> f64 {
+        let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
+        let mut c = [0.0; POLY];
+        for (c, poly) in c.iter_mut().zip(&self.poly[..=self.degree]) {
+            *c = poly.0[f];
+        }
+        // Taylor's coefficients at the middle, by repeated synthetic division.
+        let (mut sum, mut power) = (0.0, 1.0);
+        for order in 0..=self.degree {
+            for k in (order..self.degree).rev() {
+                c[k] += middle * c[k + 1];
+            }
+            sum += power * c[order].abs();
+            power *= half;
+        }
+        sum + self.swung(to).0[f]
     }
 
     /// What the arcs amount to at most up to the local time s:

@@ -75,7 +75,12 @@ impl Track {
         };
         let whole = piece(a, b, k, sign);
         let was = best;
-        best = best.max(whole.a.f).max(whole.b.f);
+        let mut place = whole.a.s;
+        for end in [whole.a, whole.b] {
+            if end.f > best {
+                (best, place) = (end.f, end.s);
+            }
+        }
         self.pieces.clear();
         self.pieces.push(whole);
         let mut cuts = 0;
@@ -89,12 +94,14 @@ impl Track {
             let guess = piece.a.s + piece.summit() * piece.length();
             let figure = (k, sign, best);
             let cut = self.summit::<A>(scene, figure, &piece, guess, margin);
-            best = best.max(cut.f);
+            if cut.f > best {
+                (best, place) = (cut.f, cut.s);
+            }
             self.pieces.push(Piece { a: cut, b: piece.b });
             self.pieces.push(Piece { a: piece.a, b: cut });
         }
         if best > was {
-            self.note(k, sign, best);
+            self.note((k, sign), best, place);
         }
     }
 

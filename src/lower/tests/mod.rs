@@ -69,6 +69,7 @@ fn scene(parts: Vec<(&str, Option<&str>, Part)>) -> TypedScene {
             step: None,
             samples: 10,
             switch_rows: false,
+            masses: false,
             window: None,
             max_switches: 1000,
         },

@@ -28,13 +28,13 @@ struct Group {
     shades: Vec<Shade>,
     panels: Vec<Panel>,
     #[serde(skip)]
-    silent: Vec<&'static str>,
+    silent: Vec<String>,
 }
 
 #[derive(Clone, Debug, Serialize)]
 struct Panel {
-    quantity: &'static str,
-    name: &'static str,
+    quantity: String,
+    name: String,
     unit: &'static str,
     series: Vec<Series>,
 }
@@ -163,7 +163,7 @@ impl PlotData {
 fn group(index: usize, id: &str, runs: &[RunSeries<'_>]) -> Group {
     let mut panels = Vec::new();
     let mut silent = Vec::new();
-    for (quantity, name) in order(runs.len()) {
+    for (quantity, name) in shown(id, runs) {
         let columns: Vec<(usize, &Column)> = runs
             .iter()
             .enumerate()
@@ -180,7 +180,7 @@ fn group(index: usize, id: &str, runs: &[RunSeries<'_>]) -> Group {
             continue;
         }
         panels.push(Panel {
-            quantity: quantity.name(),
+            quantity: quantity.to_string(),
             name,
             unit: first.unit,
             series: columns
@@ -205,6 +205,32 @@ fn group(index: usize, id: &str, runs: &[RunSeries<'_>]) -> Group {
         shades: shades.collect(),
         panels,
         silent,
+    }
+}
+
+/// The quantities of an object with their names on the plots: the six of every object,
+/// then those of masses and links that any run has recorded.
+fn shown(id: &str, runs: &[RunSeries<'_>]) -> Vec<(Quantity, String)> {
+    let plain = order(runs.len()).into_iter();
+    let mut all: Vec<(Quantity, String)> = plain
+        .map(|(quantity, name)| (quantity, name.to_owned()))
+        .collect();
+    let columns = runs.iter().flat_map(|run| &run.record.columns);
+    for column in columns.filter(|column| column.object == id) {
+        if !all.iter().any(|(quantity, _)| *quantity == column.quantity) {
+            all.push((column.quantity, inner_name(column.quantity)));
+        }
+    }
+    all
+}
+
+/// The name of a mass's or a link's quantity on a plot.
+fn inner_name(quantity: Quantity) -> String {
+    match quantity {
+        Quantity::MassDisplacement(mass) => format!("Mass {mass}: displacement φ"),
+        Quantity::MassSpeed(mass) => format!("Mass {mass}: speed φ\u{307}"),
+        Quantity::LinkForce(link) => format!("Link {link}: force F"),
+        other => other.to_string(),
     }
 }
 
@@ -234,7 +260,7 @@ fn rounded(value: f64, digits: usize) -> f64 {
         .unwrap_or(value)
 }
 
-fn silent_note(silent: &[&str]) -> String {
+fn silent_note(silent: &[String]) -> String {
     if silent.is_empty() {
         return String::new();
     }

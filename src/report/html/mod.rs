@@ -37,9 +37,10 @@ pub struct RunReport<'a> {
 /// The page of one run.
 pub fn page(report: &RunReport<'_>) -> String {
     let figures = report.figures;
+    let record = report.record.merged();
     let series = [RunSeries {
         label: String::new(),
-        record: report.record,
+        record: &record,
     }];
     let plots = PlotData::new(&series);
     let mut body = header(&figures.scene, &subtitle(figures), Some(&verdict(figures)));
@@ -54,7 +55,7 @@ pub fn page(report: &RunReport<'_>) -> String {
     body.push_str(&tables::figures(figures));
     body.push_str(&tables::pairs(figures));
     body.push_str(&tables::joints(figures));
-    body.push_str(&window_note(figures, report.record.times.len()));
+    body.push_str(&window_note(figures, record.times.len()));
     for one in &report.diagram.boxes {
         let kind = format!("{}, {}", one.kind.replace('_', " "), one.detail);
         body.push_str(&plots.section(&one.id, &kind));

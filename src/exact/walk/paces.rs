@@ -1,10 +1,7 @@
-//! The joints of prescribed motions that are only observed: steps end there.
+//! The joints of prescribed motions that are only observed: stretches end there.
 
 use crate::exact::{PolynomialSpan, SpanSource};
 use std::sync::Arc;
-
-/// Share of a span that a step may take.
-const SHARE: f64 = 1.0 / 3.0;
 
 /// The present spans of all such motions.
 pub(super) struct Paces<'a> {
@@ -28,13 +25,5 @@ impl<'a> Paces<'a> {
             next = next.min(now.end);
         }
         next
-    }
-
-    /// Longest step in the present spans (s).
-    pub(super) fn longest(&self) -> f64 {
-        let spans = self.spans.iter().filter_map(|(_, span)| *span);
-        spans
-            .map(|span| SHARE * (span.end - span.start))
-            .fold(f64::INFINITY, f64::min)
     }
 }

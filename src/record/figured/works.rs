@@ -1,30 +1,33 @@
 //! Works of a step for the energy audit, integrated between the kinks of the powers.
 
-use super::Recorder;
+use super::Figured;
+use crate::energy::EnergyAudit;
 use crate::integrate::Modes;
 use crate::polynomial::{MAX_DEGREE, Step};
+use crate::record::observed::places;
 use crate::record::peaks::PLACES;
-use crate::record::tracker::StepView;
 
 /// Bisections that a kink of the friction is located by.
 const KINK_BISECTIONS: usize = 24;
 
-impl Recorder<'_> {
-    /// Works of the step, integrated between the kinks of the powers, and the
-    /// energy at its end.
-    pub(super) fn balance_step(&mut self, step: &Step<'_>, modes: &Modes) {
+impl Figured<'_> {
+    /// Works of the step, integrated between the kinks of the powers.
+    pub(super) fn balance_step(&mut self, step: &Step<'_>, modes: &Modes) -> EnergyAudit {
         self.kinks.clear();
-        self.kinks.extend(self.pairs.iter().filter_map(|pair| {
+        let openings = self.coordinates.iter().filter_map(|own| own.opening);
+        self.kinks.extend(openings.filter_map(|opening| {
             let mut room = [0.0; MAX_DEGREE + 1];
-            let x = step.signal(pair.coordinate(), &mut room);
-            pair.leaves_flank(modes.0[pair.component], x, step.end)
+            let mode = modes.0[opening.component];
+            (mode == 0).then_some(())?;
+            let x = step.signal(opening.coordinate, &mut room);
+            opening.leaves_flank(mode, x, step.end)
         }));
         self.add_kinks_of_friction(step, modes);
         if self.kinks.is_empty() && self.joints.is_empty() {
             for (index, power) in self.powers.iter().enumerate().take(6).skip(1) {
                 self.ledger.add(index, step.end * step.length, *power);
             }
-            return self.ledger.see(self.energy);
+            return self.ledger.close(self.energy);
         }
         self.kinks.sort_by(f64::total_cmp);
         self.kinks.push(step.end);
@@ -45,12 +48,12 @@ impl Recorder<'_> {
             }
             from = to;
         }
-        self.ledger.see(self.energy);
+        self.ledger.close(self.energy)
     }
 
     /// Kinks of the friction in the joints: between neighbouring places that differ.
     fn add_kinks_of_friction(&mut self, step: &Step<'_>, modes: &Modes) {
-        let places = StepView::places(step.end);
+        let places = places(step.end);
         for index in 0..6 {
             let before = self.sides[index];
             if before == self.sides[index + 1] {

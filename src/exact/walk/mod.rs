@@ -1,0 +1,426 @@
+//! The exact motion of all trees of a system, side by side, with whatever is known of
+//! what is left beside them.
+//!
+//! The phases of all trees are merged in time, with the changes of formula of the
+//! prescribed motions between them: what lies between two of these is a stretch over
+//! which nothing switches, and a listener is told of it as a whole. Nothing is laid
+//! between its ends: a tree is known in closed form at every instant of its phase, and
+//! so are its figures and its works.
+
+mod branch;
+mod given;
+mod paces;
+mod tracks;
+
+use super::{ExactTree, Halt, Parts, Refusal, Request};
+use crate::integrate::{Dynamics, Limits, Method, Modes, Outcome, Statistics, Stop, SwitchEvent};
+use crate::system::{InitialState, System};
+use paces::Paces;
+use tracks::Tracks;
+
+pub(crate) use branch::Branch;
+pub(crate) use given::Given;
+
+/// Two instants closer than this, in units of the clock, are one.
+const RESOLUTION: f64 = 16.0 * f64::EPSILON;
+
+/// Hears of a walk.
+pub(crate) trait Listener {
+    /// The start.
+    fn start(&mut self, y: &[f64], modes: &Modes);
+
+    /// What was told of the phases of a tree is to be forgotten: they are told anew.
+    fn again(&mut self, number: usize);
+
+    /// A tree, by its number, has gone through its next phase; the walk does not stand
+    /// at its end yet.
+    fn phase(&mut self, number: usize, branch: &mut Branch<'_>);
+
+    /// A stretch without switches.
+    fn stretch(&mut self, motion: &mut Motion<'_, '_>, span: [f64; 2], modes: &Modes);
+
+    /// A switch of a pair, or a change of formula.
+    fn switch(&mut self, event: &SwitchEvent<'_>);
+}
+
+/// The whole motion over a stretch.
+pub(crate) struct Motion<'m, 'a> {
+    pub(crate) branches: &'m mut [Branch<'a>],
+    pub(crate) given: Option<&'m Given<'m>>,
+}
+
+impl Motion<'_, '_> {
+    /// The state y = [u, u̇] at an instant.
+    pub(crate) fn state(&mut self, time: f64, y: &mut [f64]) {
+        use crate::segment::Segment;
+        if let Some(given) = self.given {
+            given.put(time, y);
+        }
+        for branch in self.branches.iter_mut() {
+            branch.state(time, y);
+        }
+    }
+}
+
+/// What may end a walk from outside, looked at from time to time.
+#[derive(Debug)]
+pub(crate) struct Clock<'l> {
+    limits: &'l Limits<'l>,
+}
+
+impl<'l> Clock<'l> {
+    pub(crate) fn new(limits: &'l Limits<'l>) -> Self {
+        Self { limits }
+    }
+
+    /// Why a walk must not go on.
+    fn stop(&self) -> Option<Stop> {
+        self.limits.budget.spent().map(Stop::from)
+    }
+
+    /// True as long as nothing ends it.
+    pub(crate) fn goes_on(&self) -> bool {
+        self.stop().is_none()
+    }
+
+    /// What a halt of a tree stands for.
+    fn why(&self, halt: Halt) -> Stop {
+        match halt {
+            Halt::Switches => Stop::TooManySwitches {
+                bound: self.limits.switches,
+            },
+            Halt::Steps => Stop::TooManySteps {
+                bound: self.limits.steps,
+            },
+            Halt::Cancelled => self.stop().unwrap_or(Stop::Interrupted),
+        }
+    }
+}
+
+/// What is walked through.
+#[derive(Clone, Copy)]
+pub(crate) struct Way<'a> {
+    pub(crate) system: &'a System,
+    pub(crate) parts: &'a Parts,
+    /// One for each of the parts' trees, at its start.
+    pub(crate) trees: &'a [ExactTree],
+    pub(crate) initial: &'a InitialState,
+    /// End time (s).
+    pub(crate) end: f64,
+    /// True: listeners look at the whole system, not at the trees alone; the formulas
+    /// of prescribed motions then change in their turn.
+    pub(crate) whole: bool,
+}
+
+/// All trees on their way.
+pub(crate) struct Walk<'a> {
+    way: Way<'a>,
+    requests: Vec<Request>,
+    system: &'a System,
+    branches: Vec<Branch<'a>>,
+    tracks: Option<Tracks<'a>>,
+    paces: Paces<'a>,
+    modes: Modes,
+    before: Modes,
+    y: Vec<f64>,
+    time: f64,
+    end: f64,
+    clock: &'a Clock<'a>,
+    switches: u64,
+    stop: Option<Stop>,
+}
+
+impl<'a> Walk<'a> {
+    /// A walk before its start, `request` giving what is asked for of each tree; why
+    /// there is none, where a tree has none.
+    pub(crate) fn new(
+        way: Way<'a>,
+        request: &dyn Fn(usize) -> Request,
+        clock: &'a Clock<'a>,
+        goes_on: &'a dyn Fn() -> bool,
+    ) -> Result<Self, Stop> {
+        let Way { system, parts, .. } = way;
+        let mut branches = Vec::with_capacity(way.trees.len());
+        let requests: Vec<Request> = (0..way.trees.len()).map(request).collect();
+        let trees = parts.trees.iter().zip(way.trees);
+        for ((part, tree), request) in trees.zip(&requests) {
+            let branch = Branch::new(part, tree, request, goes_on);
+            branches.push(branch.map_err(|refusal| gave_up(system, part.objects[0], refusal))?);
+        }
+        Ok(Self {
+            way,
+            requests,
+            system,
+            branches,
+            tracks: way.whole.then(|| Tracks::new(system, parts, way.end)),
+            paces: Paces::new(if way.whole { &parts.spans } else { &[] }),
+            modes: way.initial.modes.clone(),
+            before: way.initial.modes.clone(),
+            y: way.initial.y.clone(),
+            time: 0.0,
+            end: way.end,
+            clock,
+            switches: 0,
+            stop: None,
+        })
+    }
+
+    /// Tells the start and goes into the first phases.
+    pub(crate) fn begin(&mut self, listener: &mut dyn Listener) {
+        for branch in &self.branches {
+            branch.take_modes(&mut self.modes);
+        }
+        if let Some(tracks) = &mut self.tracks {
+            tracks.begin(&mut self.modes);
+        }
+        listener.start(&self.y, &self.modes);
+        for index in 0..self.branches.len() {
+            self.go_on(index, listener);
+        }
+    }
+
+    /// Walks up to `end` (s), with what is `given` beside the trees.
+    pub(crate) fn go_to(
+        &mut self,
+        end: f64,
+        given: Option<&Given<'_>>,
+        listener: &mut dyn Listener,
+    ) {
+        while self.goes_on(end) {
+            self.go_on_to(end, given, listener);
+        }
+    }
+
+    /// Walks to the next change of anything, at most to `end` (s).
+    pub(crate) fn go_on_to(
+        &mut self,
+        end: f64,
+        given: Option<&Given<'_>>,
+        listener: &mut dyn Listener,
+    ) {
+        let ends = self.branches.iter().map(|branch| branch.cursor.time());
+        let mut cut = ends.fold(end, f64::min);
+        if let Some(tracks) = &self.tracks {
+            cut = cut.min(tracks.next(self.system, self.time, &self.modes));
+            cut = cut.min(self.paces.next(self.time));
+        }
+        if cut - self.time > RESOLUTION * cut.abs() {
+            let mut motion = Motion {
+                branches: &mut self.branches,
+                given,
+            };
+            listener.stretch(&mut motion, [self.time, cut], &self.modes);
+        }
+        self.time = cut;
+        self.advance(given, listener);
+        self.pass_tracks(given, listener);
+        self.check_switches();
+    }
+
+    /// Where it ends within phases of trees, these are told anew up to there.
+    pub(crate) fn cut(&mut self, listener: &mut dyn Listener) {
+        for number in 0..self.branches.len() {
+            let beyond = self.branches[number].cursor.time() - self.time;
+            if beyond <= RESOLUTION * self.time.abs() {
+                continue;
+            }
+            let (part, tree) = (&self.way.parts.trees[number], &self.way.trees[number]);
+            let request = Request {
+                end: self.time,
+                ..self.requests[number].clone()
+            };
+            // It has got as far before.
+            let Ok(mut branch) = Branch::new(part, tree, &request, &super::workspace::always)
+            else {
+                continue;
+            };
+            listener.again(number);
+            if self.time <= 0.0 {
+                continue;
+            }
+            while let Ok(true) = branch.cursor.advance() {
+                listener.phase(number, &mut branch);
+            }
+            self.branches[number] = branch;
+        }
+    }
+
+    /// True before `end` (s), as long as nothing has ended it.
+    pub(crate) fn goes_on(&self, end: f64) -> bool {
+        self.stop.is_none() && self.time < end
+    }
+
+    /// True when it is not to go on.
+    pub(crate) fn has_stopped(&self) -> bool {
+        self.stop.is_some()
+    }
+
+    /// Switches of pairs so far.
+    pub(crate) fn switches(&self) -> u64 {
+        self.switches
+    }
+
+    /// Where it stands (s).
+    pub(crate) fn time(&self) -> f64 {
+        self.time
+    }
+
+    /// Modes in force where it stands.
+    pub(crate) fn modes(&self) -> &Modes {
+        &self.modes
+    }
+
+    /// The trees.
+    pub(crate) fn branches(&mut self) -> &mut [Branch<'a>] {
+        &mut self.branches
+    }
+
+    /// The state of everything that was told last.
+    pub(crate) fn state(&self) -> &[f64] {
+        &self.y
+    }
+
+    /// State and modes of everything where the walk stands.
+    pub(crate) fn stand(&mut self, given: Option<&Given<'_>>) -> (&[f64], &Modes) {
+        let mut motion = Motion {
+            branches: &mut self.branches,
+            given,
+        };
+        motion.state(self.time, &mut self.y);
+        (&self.y, &self.modes)
+    }
+
+    /// Takes the switches due now and goes on to the next phases.
+    fn advance(&mut self, given: Option<&Given<'_>>, listener: &mut dyn Listener) {
+        let due = self.time + 0.5 * RESOLUTION * self.time.abs();
+        for index in 0..self.branches.len() {
+            while self.stop.is_none() && self.branches[index].cursor.time() <= due {
+                self.take_switch(index, given, listener);
+                self.check_switches();
+                if let Some(halt) = self.branches[index].cursor.halt() {
+                    self.stop.get_or_insert_with(|| self.clock.why(halt));
+                }
+                if self.stop.is_some() || !self.go_on(index, listener) {
+                    break;
+                }
+            }
+        }
+    }
+
+    /// The next phase of a branch; false when there is none.
+    fn go_on(&mut self, index: usize, listener: &mut dyn Listener) -> bool {
+        let branch = &mut self.branches[index];
+        match branch.cursor.advance() {
+            Ok(true) => {
+                listener.phase(index, branch);
+                true
+            }
+            Ok(false) => false,
+            Err(refusal) => {
+                let object = branch.part.objects[0];
+                self.stop = Some(gave_up(self.system, object, refusal));
+                false
+            }
+        }
+    }
+
+    /// Tells the switch that ended the present phase of a branch.
+    fn take_switch(
+        &mut self,
+        index: usize,
+        given: Option<&Given<'_>>,
+        listener: &mut dyn Listener,
+    ) {
+        let Some((component, mode)) = self.branches[index].switched() else {
+            return;
+        };
+        if self.modes.0[component] == mode {
+            return;
+        }
+        if self.branches.len() > 1 || given.is_some() {
+            self.stand(given);
+        }
+        self.branches[index].end_state(&mut self.y);
+        self.switches += 1;
+        self.change(component, mode, listener);
+    }
+
+    fn pass_tracks(&mut self, given: Option<&Given<'_>>, listener: &mut dyn Listener) {
+        let Some(tracks) = &mut self.tracks else {
+            return;
+        };
+        for (component, mode) in tracks.due(self.system, self.time, &self.modes) {
+            self.stand(given);
+            self.change(component, mode, listener);
+        }
+    }
+
+    fn change(&mut self, component: usize, mode: i64, listener: &mut dyn Listener) {
+        self.before.0.copy_from_slice(&self.modes.0);
+        self.modes.0[component] = mode;
+        listener.switch(&SwitchEvent {
+            time: self.time,
+            y: &self.y,
+            watch: None,
+            before: &self.before,
+            after: &self.modes,
+        });
+    }
+
+    /// A change of a component that was found elsewhere, where the walk stands, in the
+    /// state y of the whole.
+    pub(crate) fn take_change(
+        &mut self,
+        (component, mode): (usize, i64),
+        y: &[f64],
+        listener: &mut dyn Listener,
+    ) {
+        let follows = |tracks: &Tracks<'_>| tracks.follows(self.system, component);
+        // What follows from the drives alone is found here.
+        if self.stop.is_some() || self.tracks.as_ref().is_some_and(follows) {
+            return;
+        }
+        self.y.copy_from_slice(y);
+        self.switches += u64::from(self.system.is_pair(component));
+        self.change(component, mode, listener);
+        self.check_switches();
+    }
+
+    fn check_switches(&mut self) {
+        let limits = self.clock.limits;
+        if self.stop.is_none() && self.time < self.end && self.switches > limits.switches {
+            let bound = limits.switches;
+            self.stop = Some(Stop::TooManySwitches { bound });
+        }
+    }
+
+    /// How it ended.
+    pub(crate) fn outcome(&self) -> Outcome {
+        let counts = self.branches.iter().map(|branch| branch.cursor.counts());
+        let (steps, evaluations) = counts.fold((0, 0), |sum, own| (sum.0 + own.0, sum.1 + own.1));
+        Outcome {
+            time: self.time,
+            stop: self.stop.clone().unwrap_or(Stop::Complete),
+            statistics: Statistics {
+                steps,
+                rejected: 0,
+                evaluations,
+                switches: self.switches,
+            },
+        }
+    }
+
+    /// Steps over which a pair could not be told from its flank, of all trees.
+    pub(crate) fn grazing(&self) -> u64 {
+        let all = self.branches.iter().map(|branch| branch.cursor.grazing());
+        all.sum()
+    }
+}
+
+fn gave_up(system: &System, object: usize, refusal: Refusal) -> Stop {
+    let id = &system.model().objects[object].id;
+    Stop::Method {
+        method: Method::Exact,
+        reason: format!("{id}: {}", refusal.reason),
+    }
+}
