@@ -20,7 +20,7 @@ use std::time::Duration;
 
 fn scene(path: &str, overrides: &[&str]) -> (System, RunSettings) {
     let path = Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("scenarios")
+        .join("../scenarios")
         .join(path);
     let text = std::fs::read(&path).expect("a scenario");
     let document = Document::parse("scene.json", &text).expect("a document");
@@ -107,8 +107,7 @@ fn integrated(criterion: &mut Criterion) {
         let limits = Limits {
             switches: settings.max_switches,
             steps: settings.max_steps,
-            wall_clock: None,
-            interrupt: None,
+            budget: dam::budget::Budget::FREE,
         };
         let name = format!("{path} at {tolerance:e} by {}", chosen.method);
         group.bench_function(BenchmarkId::new("integration", &name), |bencher| {

@@ -135,8 +135,7 @@ impl Reduced {
         let limits = Limits {
             switches: 1,
             steps: 1_000_000,
-            wall_clock: None,
-            interrupt: None,
+            budget: dam::budget::Budget::FREE,
         };
         let (system, mut last) = (&self.system, Last(vec![0.0; self.start.len()]));
         let outcome = integrate(

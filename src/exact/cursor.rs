@@ -1,5 +1,6 @@
 //! A run taken phase by phase, so that several trees can be followed side by side.
 
+use super::hermite::End;
 use super::phase::Exponentials;
 use super::problem::{PairState, Refusal};
 use super::request::{ExactRun, ExactSwitch, Halt, Request};
@@ -161,7 +162,28 @@ impl<'a> Cursor<'a> {
         self.ahead((object, observe::FORCE), span)
     }
 
-    /// The same of the acceleration of its last mass.
+    /// The force of link 1 of an object, which has figures, and its slope, at local time
+    /// `s` of the present phase; positive where it pulls back a mass with x > 0.
+    pub(crate) fn force(&mut self, object: usize, s: f64) -> End {
+        let Some(passed) = self.passed.filter(|_| !self.work.tracks.is_empty()) else {
+            return End::default();
+        };
+        let first = self.work.problem.objects[object].first;
+        let (flanks, count) = self.work.problem.masses[first].pair.flanks();
+        // The panel has the pull away from the flank.
+        let sign = match self.states[first] {
+            PairState::Engaged(flank) if count > 0 => flanks[usize::from(flank)].sign,
+            _ => 1.0,
+        };
+        let pull = observe::force(&mut self.work, passed.regime, object, s, &mut self.e);
+        End {
+            f: sign * pull.f,
+            g: sign * pull.g,
+            ..pull
+        }
+    }
+
+    /// The same bounds of the acceleration of its last mass.
     pub(crate) fn acceleration_ahead(&self, object: usize, span: [f64; 2]) -> Ahead {
         self.ahead((object, observe::ACCELERATION), span)
     }

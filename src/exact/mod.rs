@@ -141,6 +141,7 @@ pub use problem::{
     TreeProblem,
 };
 pub use request::{ExactRun, ExactSwitch, Halt, Request};
+pub(crate) use hermite::{End, Piece};
 pub(crate) use track::Ahead;
 pub use track::{FigureTimes, TreeFigures};
 use workspace::Workspace;

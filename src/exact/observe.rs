@@ -3,6 +3,7 @@
 use super::audit::{Instant, law_at};
 #[cfg(target_arch = "x86_64")]
 use super::lanes::Fused;
+use super::hermite::End;
 use super::lanes::{Arith, Plain, Task};
 use super::phase::{Exponentials, Phase};
 use super::problem::{TreeObject, TreePair, TreeProblem};
@@ -120,10 +121,54 @@ pub(super) fn ahead(
 ) -> Ahead {
     let (_, engaged) = work.variants[o];
     if !engaged && f == FORCE {
-        return Ahead::NOTHING;
+        return Ahead::default();
     }
     let scene = scene(&work.regimes[regime], &work.phase, o, &work.variants);
     work.tracks[o].ahead(scene, f, span)
+}
+
+/// Force of link 1 of object `o` and its slope at local time `s` of the phase gone
+/// through last.
+pub(super) fn force(
+    work: &mut Workspace<'_>,
+    regime: usize,
+    o: usize,
+    s: f64,
+    e: &mut Exponentials,
+) -> End {
+    if !work.variants[o].1 {
+        return End { s, f: 0.0, g: 0.0 };
+    }
+    let task = Force {
+        scene: scene(&work.regimes[regime], &work.phase, o, &work.variants),
+        track: &mut work.tracks[o],
+        s,
+        e,
+    };
+    #[cfg(target_arch = "x86_64")]
+    if !work.plain && super::lanes::fuses() {
+        return Fused::apart(task);
+    }
+    Plain::apart(task)
+}
+
+/// A force at an instant of a phase.
+struct Force<'a> {
+    scene: Scene<'a>,
+    track: &'a mut Track,
+    s: f64,
+    e: &'a mut Exponentials,
+}
+
+impl Task for Force<'_> {
+    type Output = End;
+
+    #[inline(always)]
+    fn run<A: Arith>(self) -> End {
+        let Scene { basis, phase, .. } = self.scene;
+        phase.exponentials::<A>(basis, self.s, self.e);
+        self.track.value_at::<A>(self.scene, FORCE, self.e)
+    }
 }
 
 /// What the figures of object `o` are taken from.

@@ -45,6 +45,8 @@ pub(crate) struct Tally {
     peaks: [Peak; 4],
     /// Greatest of −N of a rigid force-closed pair: over the run, in the window.
     slack: Option<[Peak; 2]>,
+    /// Side to which its pair opens: −N is so many times the reaction.
+    opens: f64,
     /// Greatest clearance of a pair that can open.
     lift: Option<Peak>,
     last: ObjectState,
@@ -67,6 +69,7 @@ impl Tally {
             }),
             peaks: [Peak::NONE; 4],
             slack: lifts_off.then(|| [Peak::NONE, Peak::within(window.unwrap_or(never))]),
+            opens: part.rigid_pair.map_or(1.0, |pair| pair.opens),
             lift: system.pair_component(object).map(|_| Peak::NONE),
             last: ObjectState::default(),
         }
@@ -116,12 +119,23 @@ impl Tally {
         }
     }
 
-    /// Takes what hangs on forces alone from a segment.
-    pub(crate) fn take_forces(&mut self, number: usize, segment: &mut dyn Segment) {
+    /// What is climbed to of the forces: the sign that makes the reaction greater, and
+    /// the level that it has to pass.
+    pub(crate) fn goals(&self) -> impl Iterator<Item = (f64, f64)> + '_ {
+        let reaction = self.peaks[2].value;
+        let slack = self.slack.iter().flatten();
+        let slack = slack.map(|peak| (self.opens, peak.value));
+        [(1.0, reaction), (-1.0, reaction)].into_iter().chain(slack)
+    }
+
+    /// The forces at an instant.
+    pub(crate) fn see_forces(&mut self, time: f64, state: &ObjectState) {
         for (peak, signal) in self.peaks.iter_mut().zip(MAGNITUDES).skip(2) {
-            segment.raise_magnitude(number, signal, peak);
+            peak.see(time, read(signal, state).abs());
         }
-        self.take_contact(number, segment);
+        for peak in self.slack.iter_mut().flatten() {
+            peak.see(time, -state.contact_force);
+        }
     }
 
     fn take_contact(&mut self, number: usize, segment: &mut dyn Segment) {

@@ -62,8 +62,7 @@ pub(crate) fn solve(
     let limits = Limits {
         switches: 1_000_000,
         steps: 100_000_000,
-        wall_clock: None,
-        interrupt: None,
+        budget: dam::budget::Budget::FREE,
     };
     let outcome = integrate(
         &press.system,
@@ -114,8 +113,7 @@ pub(crate) fn first_steps(press: &Press, method: Method, tolerance: f64, steps: 
     let limits = Limits {
         switches: 1_000_000,
         steps,
-        wall_clock: None,
-        interrupt: None,
+        budget: dam::budget::Budget::FREE,
     };
     let mut nothing = Listener {
         coordinate: press.delta,

@@ -1,278 +1,216 @@
 //! Forces on what a drive prescribes and trees hang on.
 //!
-//! The force that such an object needs is that of all that is prescribed, A(t), and for
-//! each tree a lever G(t), the slopes of the position functions on the way, times the
-//! force F of the tree's first link. A and G follow from the drives and change slowly; F
-//! is a sum of modes. In short stretches their greatest magnitudes bound the whole,
-//! |A| + Σ|G|·|F|, which most often tells that nothing there can be greater than what
-//! has been met. Where it could, the whole system is observed, as densely as the modes
-//! ask for that matter.
+//! The force that such an object needs is that of all that is beside the trees, A(t),
+//! and for each tree a lever G(t), the slopes of the position functions on the way, times
+//! the force F of the tree's first link. A and G change slowly: over a short stretch they
+//! are polynomials. F is a sum of modes, of which value, slope and what a cubic misses
+//! are known. Most often |A| + Σ|G|·|F| tells that nothing in the stretch can be greater
+//! than what has been met. Where it could, A + ΣG·F is climbed to as the figures of a
+//! tree are: cut at the summits of its cubics until nothing is left above.
 
-use crate::breaks::Breaks;
-use crate::constraint::{Constraint, ConstraintJet};
-use crate::exact::Parts;
-use crate::model::{Model, NodeIndex, NodeMotion};
-use crate::position::Position;
+use super::lever::Way;
+use super::smooth::{NODES, Smooth};
+use crate::exact::walk::Branch;
+use crate::exact::{Ahead, End, Piece};
 use crate::record::Tally;
 use crate::system::{ObjectState, System};
 
-/// A step of the way from a tree to its drives: from what follows to what it follows.
-#[derive(Clone, Debug)]
-struct Step {
-    /// The step above it, whose node follows this one; `None`: the tree itself.
-    above: Option<usize>,
-    /// The object whose node it leads to; `None`: the sum of several inputs.
-    object: Option<usize>,
-    node: NodeIndex,
-    lever: Lever,
-}
+/// Cuts of one stretch for one extreme; what is left is then believed.
+const CUTS: usize = 256;
 
-/// What ties a node to the one that it follows.
-#[derive(Clone, Debug)]
-enum Lever {
-    /// A position function.
-    Law {
-        position: Position,
-        lever: f64,
-        breaks: Breaks,
-    },
-    /// A constraint, seen from one of its drivers.
-    Input {
-        constraint: Constraint,
-        drivers: Vec<NodeIndex>,
-        number: usize,
-    },
-}
+/// Differences below this share of the greatest value so far are not looked for.
+const MARGIN: f64 = 1e-11;
 
-fn holder(model: &Model, node: NodeIndex) -> Option<usize> {
-    let holds = |part: &crate::model::ObjectPart| part.nodes.contains(&node);
-    model.objects.iter().position(holds)
-}
+/// How fast A and G change at most, in radians of a grid's stretch: that of the
+/// fiftieth harmonic of what turns once in 64 stretches.
+const RATE: f64 = 5.0;
 
-/// The way from a tree to its drives, the tree's own law first.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Way {
-    steps: Vec<Step>,
-    /// Nodes with several drivers, whose motion no object shows.
-    sums: Vec<(NodeIndex, Constraint, Vec<NodeIndex>)>,
-    /// The object of every node on the way.
-    objects: Vec<(NodeIndex, usize)>,
-}
-
-impl Way {
-    /// That of every tree. Objects are counted as in the whole model.
-    pub(super) fn of_all(system: &System, parts: &Parts) -> Vec<Self> {
-        let model = system.model();
-        let way = |object: usize| {
-            let mut way = Self::default();
-            way.follow(model, model.objects[object].nodes[0], None);
-            way
-        };
-        parts
-            .trees
-            .iter()
-            .map(|part| way(part.objects[0]))
-            .collect()
-    }
-
-    /// Adds what a node follows, up to the drives.
-    fn follow(&mut self, model: &Model, node: NodeIndex, above: Option<usize>) {
-        match &model.nodes[node].motion {
-            NodeMotion::Mass { law } | NodeMotion::Rigid { law } => {
-                let lever = Lever::Law {
-                    position: law.position.clone(),
-                    lever: law.lever,
-                    breaks: law.position.breaks(),
-                };
-                self.step(model, law.driver, above, lever);
-            }
-            NodeMotion::Constrained {
-                drivers,
-                constraint,
-            } => {
-                self.sums.push((node, constraint.clone(), drivers.clone()));
-                for (number, &driver) in drivers.iter().enumerate() {
-                    let lever = Lever::Input {
-                        constraint: constraint.clone(),
-                        drivers: drivers.clone(),
-                        number,
-                    };
-                    self.step(model, driver, above, lever);
-                }
-            }
-            NodeMotion::Prescribed { .. } | NodeMotion::Rotor { .. } => {}
-        }
-    }
-
-    fn step(&mut self, model: &Model, node: NodeIndex, above: Option<usize>, lever: Lever) {
-        let object = holder(model, node);
-        self.objects.extend(object.map(|object| (node, object)));
-        self.steps.push(Step {
-            above,
-            object,
-            node,
-            lever,
-        });
-        self.follow(model, node, Some(self.steps.len() - 1));
-    }
-
-    /// Calls `see` with every object on the way and a bound of the slope between it and
-    /// the tree; where several ways lead to an object the magnitudes are added up.
-    pub(super) fn slopes(&self, states: &[ObjectState], mut see: impl FnMut(usize, f64)) {
-        let mut slopes: Vec<f64> = Vec::with_capacity(self.steps.len());
-        for step in &self.steps {
-            let above = step.above.map_or(1.0, |above| slopes[above]);
-            slopes.push(above * self.slope(step, states));
-        }
-        for (index, step) in self.steps.iter().enumerate() {
-            let Some(object) = step.object else { continue };
-            let same = |other: &&Step| other.object == Some(object);
-            if self.steps[..index].iter().any(|other| same(&other)) {
-                continue;
-            }
-            let all = self.steps.iter().zip(&slopes);
-            see(
-                object,
-                all.filter(|(step, _)| same(step))
-                    .map(|(_, slope)| slope)
-                    .sum(),
-            );
-        }
-    }
-
-    /// |∂φ_above/∂φ| where the node of a step stands.
-    fn slope(&self, step: &Step, states: &[ObjectState]) -> f64 {
-        match &step.lever {
-            Lever::Law {
-                position,
-                lever,
-                breaks,
-            } => {
-                let [displacement, speed] = self.motion(step.node, states);
-                let jet = position.jet(breaks.locate(displacement, speed), displacement);
-                (lever * jet.first).abs()
-            }
-            Lever::Input {
-                constraint,
-                drivers,
-                number,
-            } => self.jet(constraint, drivers, states).0.first[*number].abs(),
-        }
-    }
-
-    /// Displacement and speed of a node on the way.
-    fn motion(&self, node: NodeIndex, states: &[ObjectState]) -> [f64; 2] {
-        if let Some((_, object)) = self.objects.iter().find(|(own, _)| *own == node) {
-            return [states[*object].displacement, states[*object].speed];
-        }
-        let Some((_, constraint, drivers)) = self.sums.iter().find(|sum| sum.0 == node) else {
-            return [0.0; 2];
-        };
-        let (jet, speeds) = self.jet(constraint, drivers, states);
-        let speed = jet
-            .first
-            .iter()
-            .zip(speeds)
-            .map(|(slope, speed)| slope * speed);
-        [jet.value, speed.sum()]
-    }
-
-    fn jet(
-        &self,
-        constraint: &Constraint,
-        drivers: &[NodeIndex],
-        states: &[ObjectState],
-    ) -> (ConstraintJet, Vec<f64>) {
-        let motions = drivers.iter().map(|&driver| self.motion(driver, states));
-        let (places, speeds): (Vec<f64>, Vec<f64>) = motions.map(|[at, speed]| (at, speed)).unzip();
-        let mut jet = ConstraintJet::new(drivers.len());
-        constraint.jet(&places, &mut jet);
-        (jet, speeds)
-    }
-
-    fn passes(&self, object: usize) -> bool {
-        self.steps.iter().any(|step| step.object == Some(object))
-    }
-}
-
-/// An object that trees hang on: bounds over the present stretch, and what was met.
+/// An object that trees hang on.
 #[derive(Clone, Debug)]
 pub(super) struct Coupled {
     /// Index in the whole model.
     pub(super) object: usize,
     /// Its forces.
     pub(super) tally: Tally,
-    /// Range of |A| at the instants looked at.
-    own: Range,
-    /// For each tree the range of |G|.
-    levers: Vec<Range>,
+    /// +1 where the force of a tree adds to its own, −1 of a drive.
+    sign: f64,
+    /// A.
+    own: Smooth,
+    /// G of each tree.
+    levers: Vec<Smooth>,
+    /// What |G| never passes, where that is known.
+    caps: Option<Vec<f64>>,
 }
 
-/// Least and greatest of what was seen of a smooth magnitude.
-#[derive(Clone, Copy, Debug)]
-struct Range {
-    least: f64,
-    most: f64,
-}
-
-impl Range {
-    const NONE: Self = Self {
-        least: f64::INFINITY,
-        most: 0.0,
-    };
-
-    fn see(&mut self, value: f64) {
-        self.least = self.least.min(value);
-        self.most = self.most.max(value);
-    }
-
-    /// A parabola through three places rises by no more than their range beyond them;
-    /// twice that is allowed for.
-    fn bound(&self) -> f64 {
-        self.most + 2.0 * (self.most - self.least).max(0.0)
-    }
+/// Bounds of the forces of all trees over a stretch.
+pub(super) struct Forces<'f> {
+    pub(super) ahead: &'f [Ahead],
+    pub(super) span: [f64; 2],
+    /// Length of a stretch of the grid (s).
+    pub(super) grid: f64,
 }
 
 impl Coupled {
     /// Every object that some tree hangs on.
     pub(super) fn all(system: &System, ways: &[Way], window: Option<[f64; 2]>) -> Vec<Self> {
-        let objects = 0..system.model().objects.len();
-        let carries = |object: &usize| ways.iter().any(|way| way.passes(*object));
-        let coupled = |object| Self {
-            object,
-            tally: Tally::new(system, object, window),
-            own: Range::NONE,
-            levers: vec![Range::NONE; ways.len()],
+        let parts = system.model().objects.iter().enumerate();
+        let carries = |object: usize| ways.iter().any(|way| way.passes(object));
+        parts
+            .filter(|(object, _)| carries(*object))
+            .map(|(object, part)| Self {
+                object,
+                tally: Tally::new(system, object, window),
+                sign: if part.is_drive() { -1.0 } else { 1.0 },
+                own: Smooth::default(),
+                levers: vec![Smooth::default(); ways.len()],
+                caps: None,
+            })
+            .collect()
+    }
+
+    /// What |G| of every tree comes to in the stretch taken up last.
+    pub(super) fn slopes(&self) -> impl Iterator<Item = f64> + '_ {
+        self.levers.iter().map(Smooth::most)
+    }
+
+    /// What |G| of every tree never passes.
+    pub(super) fn cap(&mut self, caps: Vec<f64>) {
+        self.caps = Some(caps);
+    }
+
+    /// True when, with what |G| never passes and an A that is always the same, it may meet
+    /// what it has not met before; so it may where these are not known.
+    pub(super) fn may_rise(&self, steady: Option<f64>, forces: &Forces<'_>) -> bool {
+        let (Some(own), Some(caps)) = (steady, &self.caps) else {
+            return true;
         };
-        objects.filter(carries).map(coupled).collect()
+        let coupled = caps.iter().zip(forces.ahead);
+        let coupled: f64 = coupled.map(|(cap, force)| cap * force.most).sum();
+        self.rises(own.abs() + coupled)
     }
 
-    /// Forgets the stretch before.
-    pub(super) fn clear(&mut self) {
-        self.own = Range::NONE;
-        self.levers.fill(Range::NONE);
+    /// Takes what is beside the trees at the nodes of a stretch.
+    pub(super) fn take(&mut self, states: &[Vec<ObjectState>; NODES], ways: &[Way]) {
+        let at = |k: usize| &states[k][..];
+        let own = std::array::from_fn(|k| at(k)[self.object].reaction);
+        self.own = Smooth::new(own);
+        for (lever, way) in self.levers.iter_mut().zip(ways) {
+            let slope = |k: usize| self.sign * way.slope(self.object, at(k));
+            *lever = Smooth::new(std::array::from_fn(slope));
+        }
     }
 
-    /// Takes an instant into the bounds, without the trees.
-    pub(super) fn see(&mut self, state: &ObjectState) {
-        self.own.see(state.reaction.abs());
-    }
-
-    /// Takes the slope between it and a tree into the bounds.
-    pub(super) fn see_lever(&mut self, tree: usize, slope: f64) {
-        self.levers[tree].see(slope);
-    }
-
-    /// True when with the greatest forces of the trees it may meet what it has not met
-    /// before.
-    pub(super) fn may_rise(&self, forces: &[f64]) -> bool {
-        let levers = self.levers.iter().zip(forces);
-        let coupled: f64 = levers
-            .filter(|(_, force)| **force > 0.0)
-            .map(|(lever, force)| lever.bound() * force)
-            .sum();
+    /// True when a force of this magnitude would be greater than what was met.
+    fn rises(&self, most: f64) -> bool {
         let (reaction, slack) = self.tally.forces();
-        let most = self.own.bound() + coupled;
-        !(most <= reaction * (1.0 + 1e-13) && most <= slack)
+        !(most <= reaction * (1.0 + MARGIN) && most <= slack)
+    }
+
+    /// Instants at which it meets what it has not met before, in a stretch whose nodes
+    /// were taken up.
+    pub(super) fn climb(
+        &self,
+        branches: &mut [Branch<'_>],
+        forces: &Forces<'_>,
+        mut found: impl FnMut(f64),
+    ) {
+        let bounds = self.bounds(forces.ahead);
+        if !self.rises(bounds) {
+            return;
+        }
+        for (sign, level) in self.tally.goals() {
+            let margin = MARGIN * level.abs();
+            if bounds > level + margin
+                && let Some(time) = self.summit(branches, forces, (sign, level, margin))
+            {
+                found(time);
+            }
+        }
+    }
+
+    fn bounds(&self, ahead: &[Ahead]) -> f64 {
+        let levers = self.levers.iter().zip(ahead);
+        let coupled = levers.filter(|(_, force)| force.most > 0.0);
+        let coupled: f64 = coupled.map(|(lever, force)| lever.most() * force.most).sum();
+        self.own.most() + coupled
+    }
+
+    /// Where sign·(A + ΣG·F) is greatest, if that is above a level by more than a margin.
+    fn summit(
+        &self,
+        branches: &mut [Branch<'_>],
+        forces: &Forces<'_>,
+        (sign, level, margin): (f64, f64, f64),
+    ) -> Option<f64> {
+        let [from, to] = forces.span;
+        let (mut best, mut place) = (level, None);
+        let mut see = |end: &End| {
+            if end.f > best {
+                (best, place) = (end.f, Some(end.s));
+            }
+            best
+        };
+        let [a, b] = [from, to].map(|time| self.at(branches, forces.span, time, sign));
+        see(&a);
+        let mut best_now = see(&b);
+        let mut pieces = vec![Piece { a, b }];
+        let mut cuts = 0;
+        while let Some(piece) = pieces.pop() {
+            let (middle, flat) = self.missed(branches, forces, &piece);
+            let top = piece.range(middle, flat).1;
+            if !(top > best_now + margin) || cuts >= CUTS {
+                continue;
+            }
+            cuts += 1;
+            let time = piece.a.s + piece.summit() * piece.length();
+            if time <= piece.a.s || time >= piece.b.s {
+                continue;
+            }
+            let cut = self.at(branches, forces.span, time, sign);
+            best_now = see(&cut);
+            pieces.push(Piece { a: cut, b: piece.b });
+            pieces.push(Piece { a: piece.a, b: cut });
+        }
+        place
+    }
+
+    /// sign·(A + ΣG·F) and its slope at an instant of a stretch.
+    fn at(&self, branches: &mut [Branch<'_>], span: [f64; 2], time: f64, sign: f64) -> End {
+        let length = span[1] - span[0];
+        let share = (time - span[0]) / length;
+        let [mut value, mut slope] = self.own.at(share);
+        slope /= length;
+        for (lever, branch) in self.levers.iter().zip(branches) {
+            if lever.most() == 0.0 {
+                continue;
+            }
+            let [g, rate] = lever.at(share);
+            let force = branch.force(time);
+            value += g * force.f;
+            slope += g * force.g + rate / length * force.f;
+        }
+        End {
+            s: time,
+            f: sign * value,
+            g: sign * slope,
+        }
+    }
+
+    /// What a cubic between the ends of a piece may miss: of a product of what changes
+    /// slowly and a sum of modes, on the middle coefficient of a quartic and on all.
+    fn missed(&self, branches: &[Branch<'_>], forces: &Forces<'_>, piece: &Piece) -> (f64, f64) {
+        let slow = (RATE * piece.length() / forces.grid).powi(4) / 144.0;
+        let (mut middle, mut flat) = (slow * self.own.most(), 0.0);
+        for (lever, branch) in self.levers.iter().zip(branches) {
+            let most = lever.most();
+            if most > 0.0 {
+                let ahead = branch.force_ahead([piece.a.s, piece.b.s]);
+                // |(G·F)⁗| is at most the sum of |F|'s lanes times (|λ| + rate of G)⁴|G|,
+                // and that is 8 times the sum of either fourth power.
+                middle += 8.0 * most * (ahead.middle + slow * ahead.most);
+                flat += most * ahead.flat;
+            }
+        }
+        (middle, flat)
     }
 }

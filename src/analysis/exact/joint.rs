@@ -7,9 +7,11 @@
 //! are the forces on prescribed objects that trees hang on ([`super::coupled`]), and
 //! rigid objects that a mass of a tree carries.
 
-use super::coupled::{Coupled, Way};
+use super::coupled::{Coupled, Forces};
+use super::lever::Way;
+use super::smooth::{NODES, node};
 use crate::energy::EnergyAudit;
-use crate::exact::Rest;
+use crate::exact::{Ahead, Rest};
 use crate::exact::walk::{Branch, Given, Listener, Motion, Way as Route};
 use crate::integrate::{Dynamics, Modes, SwitchEvent};
 use crate::model::{LoadLaw, Model, NodeMotion};
@@ -27,9 +29,12 @@ const IN_CYCLE: f64 = 64.0;
 /// Stretches in a run at least.
 const IN_RUN: f64 = 64.0;
 
-/// Radians of a mode that matters between two looks at a force: seven places tell then
-/// where it is greatest.
+/// Radians of a mode that matters between two looks at what a mass carries: seven places
+/// tell then where it is greatest.
 const RADIANS: f64 = 1.5;
+
+/// Stretches in a period in which slopes are looked at beforehand.
+const TURN: u32 = 64;
 
 /// What no tree holds.
 pub(super) struct Beside<'a> {
@@ -39,17 +44,19 @@ pub(super) struct Beside<'a> {
     modes: Modes,
     /// True where it is integrated: its steps come from outside.
     integrated: bool,
-    /// True when nothing in it changes but angles.
-    uniform: bool,
+    /// What all objects beside the trees are doing, where nothing but angles changes.
+    steady: Option<Vec<ObjectState>>,
     /// How far its figures have been taken (s).
     taken: f64,
     coupled: Vec<Coupled>,
     ways: Vec<Way>,
-    /// What all objects of the whole are doing, as far as they are beside the trees.
-    states: Vec<ObjectState>,
-    /// The stretch over which the bounds of the coupled hold (s).
-    bounded: [f64; 2],
-    forces: Vec<f64>,
+    /// What all objects of the whole are doing at the nodes of a stretch, as far as they
+    /// are beside the trees.
+    states: [Vec<ObjectState>; NODES],
+    /// The stretch whose nodes were taken up last (s).
+    noted: [f64; 2],
+    /// What the force of every tree does in the present stretch.
+    ahead: Vec<Ahead>,
 }
 
 /// Records a walk.
@@ -67,6 +74,8 @@ pub(super) struct Joint<'a> {
     y: Vec<f64>,
     /// States of all objects at the places of a stretch.
     seen: Vec<ObjectState>,
+    /// Instants of extremes just found.
+    found: Vec<f64>,
 }
 
 impl<'a> Joint<'a> {
@@ -98,6 +107,7 @@ impl<'a> Joint<'a> {
             length: in_cycle.min(settings.duration / IN_RUN),
             y: vec![0.0; 2 * system.coordinates()],
             seen: vec![ObjectState::default(); if rest.is_some() { 7 * objects } else { 0 }],
+            found: Vec::new(),
             settings,
             route,
         }
@@ -115,7 +125,7 @@ impl<'a> Joint<'a> {
         if let Some(beside) = &mut self.beside {
             beside.figured.switch(event);
             beside.modes.0.copy_from_slice(&event.after.0);
-            beside.bounded = [f64::NAN; 2];
+            beside.noted = [f64::NAN; 2];
         }
     }
 
@@ -134,11 +144,11 @@ impl<'a> Joint<'a> {
         beside.or(self.log.failure())
     }
 
-    /// Forces and rigid objects over a stretch.
+    /// Forces and rigid objects over a stretch, part by part of the grid.
     fn look(&mut self, motion: &mut Motion<'_, '_>, span: [f64; 2], modes: &Modes) {
-        let Some(beside) = &mut self.beside else {
+        if self.beside.is_none() {
             return;
-        };
+        }
         let mut from = span[0];
         while from < span[1] {
             let to = self.length * ((from / self.length).floor() + 1.0);
@@ -149,39 +159,78 @@ impl<'a> Joint<'a> {
                 (to + self.length).min(span[1])
             };
             let part = [from, to];
-            if !beside.uniform && !beside.integrated {
-                beside.take_to(to);
-            }
-            let mut rate = 0.0f64;
-            let risen = beside.may_rise(motion, part, &mut rate);
-            for (tree, ..) in &self.carried {
-                rate = rate.max(motion.branches[*tree].rate_ahead(part));
-            }
-            if risen || !self.carried.is_empty() {
-                let count = (rate * (to - from) / RADIANS).ceil().clamp(1.0, 1e6);
-                for k in 0..count as usize {
-                    let at = |k: f64| from + (to - from) * (k / count);
-                    let part = [at(k as f64), at(k as f64 + 1.0)];
-                    let mut looked = Looked {
-                        log: &mut self.log,
-                        y: &mut self.y,
-                        seen: &mut self.seen,
-                        motion: &mut *motion,
-                        modes,
-                    };
-                    looked.each(part, |segment| {
-                        if risen {
-                            for own in &mut beside.coupled {
-                                own.tally.take_forces(own.object, segment);
-                            }
-                        }
-                        for (_, object, tally) in &mut self.carried {
-                            tally.take(*object, segment);
-                        }
-                    });
-                }
-            }
+            self.look_at_forces(motion, part, modes);
+            self.look_at_carried(motion, part, modes);
             from = to;
+        }
+    }
+
+    fn look_at_forces(&mut self, motion: &mut Motion<'_, '_>, span: [f64; 2], modes: &Modes) {
+        let Some(beside) = &mut self.beside else {
+            return;
+        };
+        if beside.steady.is_none() && !beside.integrated {
+            beside.take_to(span[1]);
+        }
+        if beside.coupled.is_empty() {
+            return;
+        }
+        let branches = motion.branches.iter();
+        for (ahead, branch) in beside.ahead.iter_mut().zip(branches) {
+            *ahead = branch.force_ahead(span);
+        }
+        let forces = Forces {
+            ahead: &beside.ahead,
+            span,
+            grid: self.length,
+        };
+        let steady = beside.steady.as_ref();
+        let may_rise = |own: &Coupled| {
+            let own_force = steady.map(|states| states[own.object].reaction);
+            own.may_rise(own_force, &forces)
+        };
+        if !beside.coupled.iter().any(may_rise) {
+            return;
+        }
+        beside.take_nodes(motion.given, span);
+        let forces = Forces {
+            ahead: &beside.ahead,
+            span,
+            grid: self.length,
+        };
+        for own in &mut beside.coupled {
+            self.found.clear();
+            own.climb(motion.branches, &forces, |time| self.found.push(time));
+            for &time in &self.found {
+                motion.state(time, &mut self.y);
+                let states = self.log.observe(time, &self.y, modes);
+                own.tally.see_forces(time, &states[own.object]);
+            }
+        }
+    }
+
+    fn look_at_carried(&mut self, motion: &mut Motion<'_, '_>, span: [f64; 2], modes: &Modes) {
+        let [from, to] = span;
+        let trees = self.carried.iter().map(|carried| carried.0);
+        let rates = trees.map(|tree| motion.branches[tree].rate_ahead(span));
+        let Some(rate) = rates.reduce(f64::max) else {
+            return;
+        };
+        let count = (rate * (to - from) / RADIANS).ceil().clamp(1.0, 1e6);
+        for k in 0..count as usize {
+            let at = |k: f64| from + (to - from) * (k / count);
+            let mut looked = Looked {
+                log: &mut self.log,
+                y: &mut self.y,
+                seen: &mut self.seen,
+                motion: &mut *motion,
+                modes,
+            };
+            looked.each([at(k as f64), at(k as f64 + 1.0)], |segment| {
+                for (_, object, tally) in &mut self.carried {
+                    tally.take(*object, segment);
+                }
+            });
         }
     }
 
@@ -247,8 +296,8 @@ impl Listener for Joint<'_> {
                 own.tally.see(0.0, &states[own.object]);
             }
             if !beside.integrated {
-                beside.modes = beside.rest.modes(modes);
-                beside.figured.start(0.0, &[], &beside.modes);
+                let period = self.route.parts.period(self.route.system);
+                beside.start(modes, period);
             }
         }
     }
@@ -296,7 +345,7 @@ impl Listener for Joint<'_> {
                 after: &beside.modes,
                 ..event.clone()
             });
-            beside.bounded = [f64::NAN; 2];
+            beside.noted = [f64::NAN; 2];
         }
     }
 }
@@ -308,21 +357,48 @@ impl<'a> Beside<'a> {
         (rest, integrated): (&'a Rest, bool),
     ) -> Self {
         let ways = Way::of_all(route.system, route.parts);
-        let model = route.system.model();
+        let objects = route.system.model().objects.len();
         Self {
             figured: Figured::new(&rest.system, settings),
             observer: Observer::new(&rest.system),
             modes: Modes(vec![0; rest.modes(&route.initial.modes).0.len()]),
             integrated,
-            uniform: is_uniform(rest.system.model()),
+            steady: is_uniform(rest.system.model()).then(|| vec![ObjectState::default(); objects]),
             taken: 0.0,
             coupled: Coupled::all(route.system, &ways, settings.window),
-            states: vec![ObjectState::default(); model.objects.len()],
-            bounded: [f64::NAN; 2],
-            forces: vec![0.0; ways.len()],
+            states: std::array::from_fn(|_| vec![ObjectState::default(); objects]),
+            noted: [f64::NAN; 2],
+            ahead: vec![Ahead::default(); ways.len()],
             ways,
             rest,
         }
+    }
+
+    /// The start of what the drives prescribe.
+    fn start(&mut self, modes: &Modes, period: Option<f64>) {
+        self.modes = self.rest.modes(modes);
+        self.figured.start(0.0, &[], &self.modes);
+        if self.steady.is_none() {
+            return;
+        }
+        self.take_nodes(None, [0.0, period.unwrap_or(0.0)]);
+        self.steady = Some(self.states[0].clone());
+        let Some(period) = period else { return };
+        // What |G| comes to in a turn.
+        let mut most = vec![vec![0.0f64; self.ways.len()]; self.coupled.len()];
+        for k in 0..TURN {
+            let [from, to] = [k, k + 1].map(|k| period * f64::from(k) / f64::from(TURN));
+            self.take_nodes(None, [from, to]);
+            for (most, own) in most.iter_mut().zip(&self.coupled) {
+                for (most, lever) in most.iter_mut().zip(own.slopes()) {
+                    *most = most.max(lever);
+                }
+            }
+        }
+        for (most, own) in most.into_iter().zip(&mut self.coupled) {
+            own.cap(most);
+        }
+        self.noted = [f64::NAN; 2];
     }
 
     /// Takes figures and works of prescribed motions up to an instant.
@@ -334,60 +410,30 @@ impl<'a> Beside<'a> {
         }
     }
 
-    /// True when between two instants a force on something prescribed may be greater
-    /// than any before; `rate` is then raised to how fast it may change (rad/s).
-    fn may_rise(&mut self, motion: &Motion<'_, '_>, span: [f64; 2], rate: &mut f64) -> bool {
-        if self.coupled.is_empty() {
-            return false;
-        }
-        let mut fastest = 0.0f64;
-        for (force, branch) in self.forces.iter_mut().zip(motion.branches.iter()) {
-            let ahead = branch.force_ahead(span);
-            *force = ahead.most;
-            fastest = fastest.max(ahead.rate);
-        }
-        self.bound(motion.given, span);
-        let forces = &self.forces;
-        let rises = self.coupled.iter().any(|own| own.may_rise(forces));
-        if rises {
-            *rate = rate.max(fastest);
-        }
-        rises
-    }
-
-    /// Bounds of what changes slowly, over the stretch of the grid that holds a span.
-    fn bound(&mut self, given: Option<&Given<'_>>, span: [f64; 2]) {
-        if span[0] >= self.bounded[0] && span[1] <= self.bounded[1] {
+    /// Takes up what changes slowly at the nodes of a stretch.
+    fn take_nodes(&mut self, given: Option<&Given<'_>>, span: [f64; 2]) {
+        if self.noted == span {
             return;
         }
-        self.coupled.iter_mut().for_each(Coupled::clear);
         let still = still(span);
-        for share in [0.0, 0.25, 0.5, 0.75, 1.0] {
-            let time = span[0] + share * (span[1] - span[0]);
+        for k in 0..NODES {
+            let time = span[0] + node(k) * (span[1] - span[0]);
             let states = match given {
                 Some(given) => {
                     let s = (time - given.step.start) / given.step.length;
                     let s = s.clamp(0.0, given.step.end);
                     self.observer.at(given.step, s, &self.modes)
                 }
-                None => self.observer.at(&still, share, &self.modes),
+                None => self.observer.at(&still, node(k), &self.modes),
             };
             for (&object, state) in self.rest.objects.iter().zip(states) {
-                self.states[object] = *state;
-            }
-            for own in &mut self.coupled {
-                own.see(&self.states[own.object]);
-            }
-            for (tree, way) in self.ways.iter().enumerate() {
-                way.slopes(&self.states, |object, slope| {
-                    let own = self.coupled.iter_mut().find(|own| own.object == object);
-                    if let Some(own) = own {
-                        own.see_lever(tree, slope);
-                    }
-                });
+                self.states[k][object] = *state;
             }
         }
-        self.bounded = span;
+        for own in &mut self.coupled {
+            own.take(&self.states, &self.ways);
+        }
+        self.noted = span;
     }
 }
 

@@ -3,8 +3,10 @@
 mod coupled;
 mod duet;
 mod joint;
+mod lever;
 #[cfg(test)]
 mod mixed_tests;
+mod smooth;
 #[cfg(test)]
 mod tests;
 

@@ -288,6 +288,15 @@ impl Course {
         now
     }
 
+    /// Period of a motion that repeats itself from t = 0 on (s); 0 where it is uniform.
+    pub(super) fn period(&self) -> Option<f64> {
+        match (self.settled() <= 0.0).then(|| self.rhythm())? {
+            Rhythm::Uniform(_) => Some(0.0),
+            Rhythm::Periodic(period, _) => Some(period),
+            Rhythm::None => None,
+        }
+    }
+
     /// How the motion goes on after [`Self::settled`].
     pub(crate) fn rhythm(&self) -> Rhythm {
         let settled = self.settled();

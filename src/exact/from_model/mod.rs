@@ -23,6 +23,7 @@ pub(crate) use fit::{Target, fit};
 pub use rest::Rest;
 
 use super::{ExactTree, Law, PairState, Refusal, SpanSource, TreeProblem};
+use crate::model::NodeMotion;
 use crate::system::System;
 use std::sync::Arc;
 
@@ -137,6 +138,25 @@ impl Parts {
             Holder::Tree(number) => Some(number),
             Holder::Drive | Holder::Other => None,
         }
+    }
+
+    /// Time (s) after which all prescribed motions, those that the trees follow among
+    /// them, have gone through all that they ever go through, where that is known: they
+    /// repeat themselves from the start on, at most so slowly.
+    pub(crate) fn period(&self, system: &System) -> Option<f64> {
+        let mut longest = 0.0f64;
+        for node in &system.model().nodes {
+            let law = match &node.motion {
+                NodeMotion::Mass { law } | NodeMotion::Rigid { law } => law,
+                NodeMotion::Constrained { .. } => return None,
+                NodeMotion::Prescribed { .. } | NodeMotion::Rotor { .. } => continue,
+            };
+            if let Some(course) = &self.courses[law.driver] {
+                let course = course.through(&law.position, law.lever);
+                longest = longest.max(course.period()?);
+            }
+        }
+        Some(longest)
     }
 
     /// True when nothing that no tree holds looks at what a tree moves.

@@ -23,7 +23,7 @@ pub(crate) struct PanelPhase {
     degree: usize,
     arcs: Vec<Arc>,
     /// |fourth derivative| of polynomial and arcs.
-    pub(super) slow4: V,
+    pub(crate) slow4: V,
     /// |amplitude| of the lanes at the start.
     pub(crate) size: Vec<V>,
 }

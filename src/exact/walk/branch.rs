@@ -2,7 +2,7 @@
 
 use crate::energy::EnergyAudit;
 use crate::exact::from_model::Part;
-use crate::exact::{Ahead, Cursor, ExactTree, Refusal, Request};
+use crate::exact::{Ahead, Cursor, End, ExactTree, Refusal, Request};
 use crate::integrate::Modes;
 use crate::segment::{Asked, Peak, Segment, Signal};
 
@@ -64,6 +64,12 @@ impl<'a> Branch<'a> {
     pub(crate) fn force_ahead(&self, span: [f64; 2]) -> Ahead {
         let span = span.map(|time| self.cursor.local(time));
         self.cursor.force_ahead(0, span)
+    }
+
+    /// That force and its slope at an instant of the present phase, by local time.
+    pub(crate) fn force(&mut self, time: f64) -> End {
+        let s = self.cursor.local(time);
+        self.cursor.force(0, s)
     }
 
     /// How fast anything that matters changes between two instants of the present

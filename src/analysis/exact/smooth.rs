@@ -1,0 +1,71 @@
+//! Something that changes slowly, as a polynomial over a short stretch.
+
+/// Nodes of a stretch.
+pub(super) const NODES: usize = 5;
+
+/// A polynomial through the values at equally spaced nodes of [0, 1], ends included.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Smooth {
+    /// Newton's divided differences.
+    differences: [f64; NODES],
+    least: f64,
+    most: f64,
+}
+
+/// The nodes.
+pub(super) const fn node(k: usize) -> f64 {
+    k as f64 / (NODES - 1) as f64
+}
+
+impl Smooth {
+    pub(super) fn new(values: [f64; NODES]) -> Self {
+        let mut differences = values;
+        for order in 1..NODES {
+            for k in (order..NODES).rev() {
+                let width = node(k) - node(k - order);
+                differences[k] = (differences[k] - differences[k - 1]) / width;
+            }
+        }
+        Self {
+            differences,
+            least: values.into_iter().fold(f64::INFINITY, f64::min),
+            most: values.into_iter().fold(f64::NEG_INFINITY, f64::max),
+        }
+    }
+
+    /// Value and slope.
+    pub(super) fn at(&self, share: f64) -> [f64; 2] {
+        let (mut value, mut slope) = (self.differences[NODES - 1], 0.0);
+        for k in (0..NODES - 1).rev() {
+            slope = slope * (share - node(k)) + value;
+            value = value * (share - node(k)) + self.differences[k];
+        }
+        [value, slope]
+    }
+
+    /// A bound on its magnitude: between five nodes it rises by no more than its range
+    /// there (a parabola by an eighth of it).
+    pub(super) fn most(&self) -> f64 {
+        self.most.max(-self.least) + (self.most - self.least)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{NODES, Smooth, node};
+
+    #[test]
+    fn a_quartic_is_followed_with_its_slope() {
+        let f = |s: f64| 2.0 - s + 3.0 * s.powi(2) - s.powi(4);
+        let smooth = Smooth::new(std::array::from_fn(|k| f(node(k))));
+        for k in 0..=20 {
+            let s = f64::from(k) / 20.0;
+            let [value, slope] = smooth.at(s);
+            approx::assert_abs_diff_eq!(value, f(s), epsilon = 1e-14);
+            let expected = -1.0 + 6.0 * s - 4.0 * s.powi(3);
+            approx::assert_abs_diff_eq!(slope, expected, epsilon = 1e-13);
+            assert!(value.abs() <= smooth.most());
+        }
+        assert_eq!(Smooth::new([0.0; NODES]).most(), 0.0);
+    }
+}
