@@ -77,12 +77,18 @@ impl RunResult {
     /// A quantity of an object, a value for each of [`Self::times`].
     ///
     /// # Errors
-    /// There is no such object.
+    /// There is no such object; the quantity was not recorded.
     pub fn column(&self, object: &str, quantity: Quantity) -> Result<&[f64], Error> {
-        match self.record.column(object, quantity) {
-            Some(column) => Ok(&column.values),
-            None => Err(self.unknown(object)),
+        if let Some(column) = self.record.column(object, quantity) {
+            return Ok(&column.values);
         }
+        self.figures(object)?;
+        let message = format!("there is no column `{quantity}` of `{object}`");
+        let hint = "masses and links of elastic objects are recorded on request: `record_all`";
+        let fault = Diagnostic::error("unknown-name", message);
+        Err(Error::of(
+            fault.path(format!("{object}.{quantity}")).hint(hint),
+        ))
     }
 
     /// Displacement φ (rad or m).

@@ -149,6 +149,12 @@ impl Scene {
         self.of_run("samples", samples)
     }
 
+    /// Columns of every mass and link too, not of the objects alone.
+    #[must_use]
+    pub fn record_all(self) -> Self {
+        self.of_run("record", "all")
+    }
+
     /// Start of the run: `"kinetostatic"` (default), `"static"`, `"on_law"`.
     #[must_use]
     pub fn start(self, start: &str) -> Self {

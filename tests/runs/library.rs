@@ -143,6 +143,24 @@ fn columns_have_typed_keys() {
     }
 }
 
+#[test]
+fn masses_and_links_are_recorded_on_request() {
+    let scene = rocker().set("rocker.masses", 3);
+    let run = scene.clone().record_all().run().unwrap();
+    let last = Quantity::MassDisplacement(3);
+    assert_eq!(
+        run.column("rocker", last).unwrap(),
+        run.displacement("rocker").unwrap()
+    );
+    let first = Quantity::LinkForce(1);
+    assert_eq!(
+        run.column("rocker", first).unwrap(),
+        run.reaction("rocker").unwrap()
+    );
+    let error = scene.run().unwrap().column("rocker", last).unwrap_err();
+    assert!(error.to_string().contains("record_all"), "{error}");
+}
+
 /// A flywheel with a brake on a shaft: one rigid node, a moment, an input.
 #[derive(Debug)]
 struct BrakedFlywheel {
