@@ -50,7 +50,7 @@ impl Scene {
     ///     .up(Axis::log("rocker.stiffness", 1e6, 1e8, 2))
     ///     .figure("rocker", Figure::DeltaMax)
     ///     .ask()?;
-    /// assert_eq!(map[(1, 2)].verdict, Verdict::LiftOff);
+    /// assert_eq!(map[(1, 2)].verdict, Verdict::ThrownOff);
     /// # Ok::<(), Error>(())
     /// ```
     pub fn map(&self, x: Axis) -> MapQuestion {

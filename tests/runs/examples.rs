@@ -118,5 +118,5 @@ fn the_map_is_an_array() {
     let scene = rocker::scene().set("rocker.inertia", map.x[3]);
     let run = scene.set("rocker.stiffness", map.y[1]).run().unwrap();
     let value = run.figure("rocker", Figure::DeltaMax).unwrap();
-    assert_abs_diff_eq!(values[(1, 3)], value, epsilon = 1e-9 * value);
+    assert_abs_diff_eq!(values[(1, 3)], value, epsilon = 1e-9 * value.abs());
 }

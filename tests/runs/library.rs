@@ -49,7 +49,7 @@ fn faults_of_scenes_in_code_name_their_property() {
     let text = error.to_string();
     for part in [
         "error[unknown-object]: unknown object `rocke`",
-        " --> slide.input",
+        "--> slide.input",
         "did you mean `rocker`?",
         "`amplitude` is not a number",
         "the object `shaft` is given twice",

@@ -130,7 +130,7 @@ fn the_program_tells_forces_as_text_table_document_and_page() {
         folder.path(),
     );
     let csv = String::from_utf8(csv.stdout).unwrap();
-    assert_eq!(csv.lines().count(), 25);
+    assert_eq!(csv.lines().count(), 26);
     assert!(csv.starts_with("coordinate [rad],speed [rad/s]"), "{csv}");
     assert!(csv.contains(",chi (paper) [m],"), "{csv}");
 }
