@@ -27,13 +27,18 @@ const EXP: [f64; 14] = [
     1.0 / 6_227_020_800.0,
 ];
 
-/// eˣ for x ≤ 709; below −700 the result is that of −700 (10⁻³⁰⁴).
+/// Below it e^x is that of it, 5·10⁻¹³¹: nothing beside anything, and far enough above
+/// the least numbers of double precision that products with amplitudes and their squares
+/// keep all their digits. (Numbers without them cost a hundred times the time.)
+const LEAST: f64 = -300.0;
+
+/// eˣ for x ≤ 709; below [`LEAST`] the result is that of [`LEAST`].
 ///
 /// x = k·ln 2 + r, |r| ≤ 0.347, Taylor polynomial of degree 13 of e^r (error
 /// below 10⁻¹⁷) in Estrin's order, scaled by 2ᵏ through the exponent's bits.
 #[inline(always)]
 pub(crate) fn exp<A: Arith>(x: V) -> V {
-    let x = x.map(|a| if a > -700.0 { a } else { -700.0 });
+    let x = x.map(|a| if a > LEAST { a } else { LEAST });
     let shifted = x.fma::<A>(V::splat(std::f64::consts::LOG2_E), V::splat(ROUND));
     let k = shifted - V::splat(ROUND);
     let r = k.fma::<A>(V::splat(-6.931_471_803_691_238e-1), x);
@@ -175,12 +180,12 @@ mod tests {
             let (ws, wc) = x.sin_cos();
             assert!((s.0[1] - ws).abs() < 2.5e-16, "sin {x}: {} {ws}", s.0[1]);
             assert!((c.0[2] - wc).abs() < 2.5e-16, "cos {x}: {} {wc}", c.0[2]);
-            let y = -x.abs() % 690.0;
+            let y = -x.abs() % 300.0;
             let e = exp::<A>(V::splat(y)).0[3];
             assert!((e - y.exp()).abs() <= 1e-15 * y.exp(), "exp {y}: {e}");
         }
         assert_eq!(exp::<A>(V::splat(0.0)).0[0], 1.0);
-        assert!(exp::<A>(V::splat(-1e300)).0[0] < 1e-303);
+        assert!(exp::<A>(V::splat(-1e300)).0[0] < 1e-130);
     }
 
     #[test]
