@@ -63,7 +63,11 @@ fn faults_of_scenes_in_code_name_their_property() {
     // Faults of the model have their property too.
     let far = Position::slider_crank("50 mm", "20 mm");
     let slide = Slider::on("shaft").position(far).masses(0).inertia(1);
-    let error = rocker().add("slide", slide).run().unwrap_err();
+    let error = rocker()
+        .set("shaft.motion.angle", "60 deg")
+        .add("slide", slide)
+        .run()
+        .unwrap_err();
     assert!(error.to_string().contains("--> slide.position"), "{error}");
 }
 

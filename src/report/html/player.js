@@ -151,7 +151,7 @@
       });
       const value = between(values, at);
       lines.forEach((line) => line(value));
-      slider.value = at;
+      slider.value = data.axis ? at : clockAt(at);
       reading.textContent = minus(`${axis.name} ${data.axis ? +value.toPrecision(6) : number(value)} ${axis.unit}`);
       return value;
     }
@@ -204,9 +204,9 @@
     };
     const button = make("button", { type: "button", textContent: "play" });
     button.addEventListener("click", toggle);
-    const slider = make("input", { type: "range", min: 0, max: count - 1, step: "any", value: 0 });
+    const slider = make("input", { type: "range", min: 0, max: data.axis ? count - 1 : 1, step: "any", value: 0 });
     slider.setAttribute("aria-label", axis.name);
-    slider.addEventListener("input", () => { if (playing) toggle(); tell(show(+slider.value)); });
+    slider.addEventListener("input", () => { if (playing) toggle(); tell(show(data.axis ? +slider.value : rowAt(+slider.value))); });
     const reading = make("output", {});
     const pace = make("select", { title: "speed of playing" });
     pace.setAttribute("aria-label", "speed of playing");
