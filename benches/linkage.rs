@@ -1,7 +1,7 @@
 //! Cost of one position of a linkage: transfer functions to second and third
 //! order, and the reduced inertia, potential and forces.
 //!
-//! `cargo bench --bench linkage`
+//! `cargo bench -p dam-benches --bench linkage`
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use dam::linkage::Linkage;

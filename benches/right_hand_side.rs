@@ -1,7 +1,7 @@
 //! Cost of the right-hand side: the rocker with ten masses, assembled, against
 //! a loop written by hand for the same equations.
 //!
-//! `cargo bench --bench right_hand_side`; the ratio of the two is printed first.
+//! `cargo bench -p dam-benches --bench right_hand_side`; the ratio of the two is printed first.
 
 #![allow(clippy::print_stdout)] // the ratio is what it is run for
 

@@ -1,6 +1,6 @@
 //! Dynamic analysis of mechanisms: a machine mechanism is described as a graph of objects
-//! (drives, shafts, cranks, rockers, sliders, cam followers, linkages), each rigid or a
-//! chain of masses, joined by pairs that may have a gap or lift off; `dam` assembles its
+//! (drives, shafts, cranks, rockers, sliders, cam followers, differentials, linkages), each
+//! rigid or a chain of masses, joined by pairs that may have a gap or lift off; `dam` assembles its
 //! equations of motion, follows it, and answers questions.
 //!
 //! # A scene in code

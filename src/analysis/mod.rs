@@ -1,4 +1,4 @@
-//! Questions asked of a system: one file a question.
+//! Questions asked of a system: one file or folder a question.
 
 pub mod axis;
 pub mod cam;

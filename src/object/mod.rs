@@ -3,7 +3,8 @@
 //! An [`Object`] has [`Ports`] and lowers itself to nodes, links, laws and loads of
 //! the model, through a [`ModelBuilder`]. Its [`Kind`] says how it is read from a
 //! scene; kinds live in a [`Registry`]. A new kind of this library is one file and
-//! two lines in this one; one of another crate is added with [`Registry::with`].
+//! two lines in this one (`ARCHITECTURE.md` says what else goes with it); one of another
+//! crate is added with [`Registry::with`].
 
 mod body;
 mod cam;

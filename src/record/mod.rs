@@ -1,4 +1,4 @@
-//! What a run leaves behind: columns of samples, figures, switches, provenance.
+//! What a run leaves behind: columns of samples, switches, figures.
 
 mod addresses;
 mod audit;

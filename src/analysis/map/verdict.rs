@@ -54,7 +54,7 @@ pub enum Verdict {
     /// The computation failed: the method gave up, a number was not finite, the
     /// energies do not balance, or the budget of steps or switches was spent (no
     /// other method is tried then). The energies of a cell that is propagated in
-    /// closed form without a recorder are not added up: `dam run` does it.
+    /// closed form for its figure alone are not added up: `dam run` does it.
     NumericalFailure,
     /// There is no such mechanism: the scene is refused at these values.
     Refused,
