@@ -116,7 +116,14 @@ fn integrated(criterion: &mut Criterion) {
                 let end = settings.duration;
                 let (y, modes) = (&start.y, &start.modes);
                 black_box(integrate(
-                    &system, 0.0, end, y, modes, &plan, &limits, &mut Nobody,
+                    &system,
+                    0.0,
+                    end,
+                    y,
+                    modes,
+                    &plan,
+                    &limits,
+                    &mut Nobody,
                 ))
             });
         });

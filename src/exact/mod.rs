@@ -135,13 +135,13 @@ mod workspace;
 pub use asked::Asked;
 pub use cursor::Cursor;
 pub use from_model::{KeptLaws, Part, Parts, Rest};
+pub(crate) use hermite::{End, Piece};
 pub use law::{LAW_DEGREE, Law, PolynomialSpan, Sine, SpanSource};
 pub use problem::{
     Flank, ForcePiece, ForceSource, PairState, Refusal, TimeLoad, TreeMass, TreeObject, TreePair,
     TreeProblem,
 };
 pub use request::{ExactRun, ExactSwitch, Halt, Request};
-pub(crate) use hermite::{End, Piece};
 pub(crate) use track::Ahead;
 pub use track::{FigureTimes, TreeFigures};
 use workspace::Workspace;

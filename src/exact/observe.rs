@@ -1,9 +1,9 @@
 //! What a run hands to its figures and its energy audit.
 
 use super::audit::{Instant, law_at};
+use super::hermite::End;
 #[cfg(target_arch = "x86_64")]
 use super::lanes::Fused;
-use super::hermite::End;
 use super::lanes::{Arith, Plain, Task};
 use super::phase::{Exponentials, Phase};
 use super::problem::{TreeObject, TreePair, TreeProblem};

@@ -131,7 +131,9 @@ impl Coupled {
     fn bounds(&self, ahead: &[Ahead]) -> f64 {
         let levers = self.levers.iter().zip(ahead);
         let coupled = levers.filter(|(_, force)| force.most > 0.0);
-        let coupled: f64 = coupled.map(|(lever, force)| lever.most() * force.most).sum();
+        let coupled: f64 = coupled
+            .map(|(lever, force)| lever.most() * force.most)
+            .sum();
         self.own.most() + coupled
     }
 
