@@ -60,6 +60,10 @@ pub(crate) fn command(args: &RunArgs) -> Result<Status, Failure> {
         settings.masses = columns == Columns::All;
     }
     settings.closeups = folder.is_some();
+    if folder.is_none() {
+        // The record goes into files only.
+        settings.samples = 0;
+    }
     let result = run_with_progress(&ready, &settings, control, quiet)?;
     let seconds = begun.elapsed().as_secs_f64();
     let spread = if args.spread {
