@@ -43,8 +43,7 @@ impl<'a> Cursor<'a> {
         request: &Request,
         goes_on: &'a dyn Fn() -> bool,
     ) -> Result<Self, Refusal> {
-        let (problem, functionals) = (&tree.problem, &tree.functionals);
-        let mut work = Workspace::new(problem, functionals, &tree.first, request)?;
+        let mut work = Workspace::new(tree, request)?;
         work.goes_on = goes_on;
         Ok(Self {
             states: work.states.clone(),

@@ -142,6 +142,7 @@ pub use problem::{
     TreeProblem,
 };
 pub use request::{ExactRun, ExactSwitch, Halt, Request};
+use std::sync::Arc;
 pub(crate) use track::Ahead;
 pub use track::{FigureTimes, TreeFigures};
 use workspace::Workspace;
@@ -149,12 +150,17 @@ use workspace::Workspace;
 /// Most combinations of engaged pairs that [`ExactTree::check`] tries.
 const MOST_CHECKED: usize = 27;
 
+/// The modes of combinations of engaged pairs.
+pub(crate) type Modes = Vec<(Vec<PairState>, basis::Basis)>;
+
 /// A problem ready to be run.
 #[derive(Clone, Debug)]
 pub struct ExactTree {
     problem: TreeProblem,
     functionals: Vec<functional::Functional>,
     first: Vec<usize>,
+    /// Modes that are known beforehand; a run finds the others when it meets them.
+    modes: Arc<Modes>,
 }
 
 impl ExactTree {
@@ -165,7 +171,14 @@ impl ExactTree {
             problem,
             functionals,
             first,
+            modes: Arc::default(),
         }
+    }
+
+    /// The same tree, of which some modes are known.
+    pub(crate) fn with_modes(mut self, modes: &Arc<Modes>) -> Self {
+        self.modes = Arc::clone(modes);
+        self
     }
 
     /// What it was made from.
@@ -184,6 +197,14 @@ impl ExactTree {
     /// # Errors
     /// The modes of a combination cannot be separated.
     pub fn check(&self) -> Result<(), Refusal> {
+        self.tried().map(drop)
+    }
+
+    /// The modes of those combinations.
+    ///
+    /// # Errors
+    /// As [`Self::check`].
+    pub(crate) fn tried(&self) -> Result<Modes, Refusal> {
         let masses = &self.problem.masses;
         let options = |mass: &TreeMass| 1 + mass.pair.flanks().1;
         let state = |option: usize| match option {
@@ -198,6 +219,7 @@ impl ExactTree {
         } else {
             vec![0, usize::MAX]
         };
+        let mut modes = Modes::with_capacity(2);
         for mut number in combinations {
             let mut states = Vec::with_capacity(masses.len());
             for mass in masses {
@@ -211,9 +233,10 @@ impl ExactTree {
                     number /= last + 1;
                 }
             }
-            basis::Basis::new(&self.problem, &states).map_err(|e| Refusal::new("", e.0))?;
+            let basis = basis::Basis::new(&self.problem, &states);
+            modes.push((states, basis.map_err(|e| Refusal::new("", e.0))?));
         }
-        Ok(())
+        Ok(modes)
     }
 
     /// Runs it.
@@ -234,7 +257,7 @@ impl ExactTree {
         request: &Request,
         goes_on: &dyn Fn() -> bool,
     ) -> Result<ExactRun, Refusal> {
-        let mut work = Workspace::new(&self.problem, &self.functionals, &self.first, request)?;
+        let mut work = Workspace::new(self, request)?;
         work.goes_on = goes_on;
         work.run(request)
     }

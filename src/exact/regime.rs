@@ -151,7 +151,11 @@ impl Workspace<'_> {
 
     #[inline(never)]
     pub(super) fn make_regime(&mut self) -> Result<usize, Refusal> {
-        let basis = Basis::new(self.problem, &self.key).map_err(|e| Refusal::new("", e.0))?;
+        let known = self.modes.iter().find(|(states, _)| *states == self.key);
+        let basis = match known {
+            Some((_, basis)) => basis.clone(),
+            None => Basis::new(self.problem, &self.key).map_err(|e| Refusal::new("", e.0))?,
+        };
         if self.regimes.len() >= most(&basis, self.functionals.len(), self.ledger.is_some()) {
             self.regimes.clear();
         }

@@ -258,8 +258,7 @@ fn starts_on_the_law_agree_with_quadruple_precision() {
         approx::assert_relative_eq!(measured, peak, max_relative = 1e-12);
         approx::assert_relative_eq!(f.sigma, sigma, max_relative = 1e-12);
         approx::assert_abs_diff_eq!(run.samples[999], end, epsilon = 1e-11 * peak);
-        let (problem, pairs) = (&tree.problem, &tree.functionals);
-        let work = Workspace::new(problem, pairs, &tree.first, &request);
+        let work = Workspace::new(&tree, &request);
         let mut work = work.expect("starts");
         work.plain = true;
         let plain = work.run(&request).expect("runs");

@@ -14,12 +14,15 @@ use super::signal::Signal;
 use super::start;
 use super::track::Track;
 use super::watch::Watch;
+use super::{ExactTree, Modes};
 
 /// Working memory of a run.
 pub(super) struct Workspace<'a> {
     pub(super) problem: &'a TreeProblem,
     pub(super) functionals: &'a [Functional],
     pub(super) first: &'a [usize],
+    /// Modes that are known beforehand.
+    pub(super) modes: &'a Modes,
     pub(super) regimes: Vec<Regime>,
     pub(super) states: Vec<PairState>,
     pub(super) key: Vec<PairState>,
@@ -73,12 +76,8 @@ fn room(request: &Request, n: usize) -> usize {
 }
 
 impl<'a> Workspace<'a> {
-    pub(super) fn new(
-        problem: &'a TreeProblem,
-        functionals: &'a [Functional],
-        first: &'a [usize],
-        request: &Request,
-    ) -> Result<Self, Refusal> {
+    pub(super) fn new(tree: &'a ExactTree, request: &Request) -> Result<Self, Refusal> {
+        let (problem, functionals, first) = (&tree.problem, &tree.functionals, &tree.first);
         let n = problem.masses.len();
         let harmonics = problem.law.frequencies().len();
         let lanes = super::cluster::most_lanes(n) + harmonics;
@@ -88,6 +87,7 @@ impl<'a> Workspace<'a> {
             problem,
             functionals,
             first,
+            modes: &tree.modes,
             regimes: Vec::new(),
             key: states.clone(),
             states: states.clone(),

@@ -62,10 +62,10 @@ pub fn whole_with(system: &System, laws: &mut KeptLaws) -> Result<Parts, Vec<Fau
 /// # Errors
 /// As [`whole`]; or the modes of a tree cannot be separated.
 pub(super) fn tried(system: &System) -> Result<Parts, Vec<Fault>> {
-    let parts = whole(system)?;
+    let mut parts = whole(system)?;
     let still = vec![0.0; 2 * system.coordinates()];
-    for part in &parts.trees {
-        if let Err(refusal) = part.tree(&still).check() {
+    for part in &mut parts.trees {
+        if let Err(refusal) = part.try_modes(&still) {
             let id = &system.model().objects[part.objects[0]].id;
             return Err(vec![fault(id, &refusal.reason)]);
         }

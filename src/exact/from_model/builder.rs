@@ -236,6 +236,7 @@ impl<'m> Builder<'m> {
                     masses: Vec::new(),
                     objects: Vec::new(),
                     pairs: Vec::new(),
+                    modes: std::sync::Arc::default(),
                 });
                 self.spoiled.push(false);
                 (self.trees.len() - 1, None)

@@ -22,7 +22,7 @@ pub(crate) use course::{Course, within};
 pub(crate) use fit::{Target, fit};
 pub use rest::Rest;
 
-use super::{ExactTree, Law, PairState, Refusal, SpanSource, TreeProblem};
+use super::{ExactTree, Law, Modes, PairState, Refusal, SpanSource, TreeProblem};
 use crate::model::NodeMotion;
 use crate::system::System;
 use std::sync::Arc;
@@ -66,6 +66,8 @@ pub struct Part {
     /// For each mass whose link holds a pair that can open its component of
     /// the modes.
     pub(crate) pairs: Vec<(usize, usize)>,
+    /// Modes of combinations of engaged pairs, once they have been tried.
+    modes: Arc<Modes>,
 }
 
 /// Where a mass is in the system's state.
@@ -111,8 +113,8 @@ impl Parts {
     pub fn with_sound_trees(mut self, system: &System) -> Self {
         let still = vec![0.0; 2 * crate::integrate::Dynamics::coordinates(system)];
         let mut sound = Vec::new();
-        for (number, part) in std::mem::take(&mut self.trees).into_iter().enumerate() {
-            let now = match part.tree(&still).check() {
+        for (number, mut part) in std::mem::take(&mut self.trees).into_iter().enumerate() {
+            let now = match part.try_modes(&still) {
                 Ok(()) => Holder::Tree(sound.len()),
                 Err(refusal) => {
                     let id = &system.model().objects[part.objects[0]].id;
@@ -185,7 +187,17 @@ impl Part {
             problem.displacement[mass] = q;
             problem.speed[mass] = v;
         }
-        ExactTree::new(problem)
+        ExactTree::new(problem).with_modes(&self.modes)
+    }
+
+    /// Tries the modes of the combinations of engaged pairs that a run may meet, and
+    /// keeps them for the trees to come.
+    ///
+    /// # Errors
+    /// The modes of a combination cannot be separated.
+    pub(crate) fn try_modes(&mut self, still: &[f64]) -> Result<(), Refusal> {
+        self.modes = Arc::new(self.tree(still).tried()?);
+        Ok(())
     }
 
     /// The state of the tree, q and q̇ of every mass, that belongs to a state y =
