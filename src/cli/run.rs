@@ -11,7 +11,7 @@ use dam::analysis::cam::disc_cams;
 use dam::analysis::expectations::{Verdict, check, of_run};
 use dam::analysis::run::{RunResult, run};
 use dam::analysis::spread::{Spread, spread};
-use dam::analysis::{Control, RunSettings};
+use dam::analysis::{Control, RunSettings, plausible};
 use dam::integrate::{Sink, Stop};
 use dam::record::Figures;
 use dam::report::csv::record_csv;
@@ -60,7 +60,7 @@ pub(crate) fn command(args: &RunArgs) -> Result<Status, Failure> {
         settings.masses = columns == Columns::All;
     }
     settings.closeups = folder.is_some();
-    if folder.is_none() {
+    if folder.is_none() && !plausible::looks_at_samples(ready.system.model()) {
         // The record goes into files only.
         settings.samples = 0;
     }

@@ -41,6 +41,11 @@ pub fn warnings_after(model: &Model, record: &Record) -> Vec<String> {
     loads::never_entered_on_the_way(model, &travel)
 }
 
+/// True when [`warnings_after`] looks at the samples of a run: what a motor moves.
+pub fn looks_at_samples(model: &Model) -> bool {
+    behind_motors(model).contains(&true)
+}
+
 /// For every node whether a motor moves it.
 fn behind_motors(model: &Model) -> Vec<bool> {
     let mut found: Vec<bool> = Vec::with_capacity(model.nodes.len());
