@@ -146,7 +146,7 @@ fn modes_that_have_died_away_leave_no_trace_in_long_steps() {
             |f| f.peak_reaction,
         ];
         for read in reads {
-            approx::assert_relative_eq!(read(own), read(wanted), max_relative = 1e-7);
+            approx::assert_relative_eq!(read(own), read(wanted), max_relative = 1e-6);
         }
         // The polynomials of long steps do not know accelerations so well. As slow as
         // this the lever follows its law, φ = 90° sin ωt.
