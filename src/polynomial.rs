@@ -65,12 +65,46 @@ impl<'a> Step<'a> {
 
     /// The state y = [u, u′] at s.
     pub fn state(&self, s: f64, y: &mut [f64]) {
-        for index in 0..self.coordinates {
-            let (value, rate) = self.value(index, s);
-            y[index] = value;
-            y[self.coordinates + index] = rate;
+        let n = self.coordinates;
+        if self.degree == 0 || !(0.0..=1.0).contains(&s) {
+            for index in 0..n {
+                (y[index], y[n + index]) = self.value(index, s);
+            }
+            return;
+        }
+        // All signals are weighted sums of their coefficients with the same weights.
+        let (values, slopes) = (weights(self.degree, s), weights(self.degree - 1, s));
+        let rate = self.degree as f64 / self.length;
+        for index in 0..n {
+            let row = self.differences(index);
+            let (mut value, mut slope) = (0.0, 0.0);
+            for (k, &coefficient) in row.iter().enumerate() {
+                value += values[k] * coefficient;
+            }
+            for (k, pair) in row.windows(2).enumerate() {
+                slope += slopes[k] * (pair[1] - pair[0]);
+            }
+            y[index] = self.bases[index] + value;
+            y[n + index] = rate * slope;
         }
     }
+}
+
+/// The Bernstein polynomials of a degree at 0 ≤ s ≤ 1.
+fn weights(degree: usize, s: f64) -> Coefficients {
+    let mut weights = [0.0; MAX_DEGREE + 1];
+    let rest = 1.0 - s;
+    let mut power = 1.0;
+    for k in 0..=degree {
+        weights[k] = BINOMIALS[degree][k] * power;
+        power *= s;
+    }
+    power = rest;
+    for k in (0..degree).rev() {
+        weights[k] *= power;
+        power *= rest;
+    }
+    weights
 }
 
 /// Bernstein coefficients, with room for the highest degree.
@@ -173,7 +207,7 @@ pub const MAX_DEGREE: usize = 24;
 
 #[cfg(test)]
 mod tests {
-    use super::{MAX_DEGREE, evaluate};
+    use super::{MAX_DEGREE, Step, evaluate};
 
     /// Powers have the Bernstein coefficients (i over k)/(d over k).
     #[test]
@@ -200,6 +234,32 @@ mod tests {
                     approx::assert_abs_diff_eq!(value - 1e6, s.powi(power), epsilon = 1e-9);
                     let expected = f64::from(power) * s.powi(power - 1);
                     approx::assert_abs_diff_eq!(slope, expected, epsilon = 1e-8);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_state_is_the_values_and_rates_of_all_signals() {
+        for degree in [1, 3, 9, MAX_DEGREE] {
+            let wave = |k: usize| ((7 * k * k) as f64).sin();
+            let coefficients: Vec<f64> = (0..2 * (degree + 1)).map(wave).collect();
+            let step = Step {
+                start: 0.0,
+                length: 0.25,
+                end: 1.0,
+                coordinates: 2,
+                degree,
+                bases: &[100.0, -1.0],
+                coefficients: &coefficients,
+            };
+            for s in [0.0, 1e-9, 0.3, 0.5, 0.9, 1.0] {
+                let mut y = [0.0; 4];
+                step.state(s, &mut y);
+                for signal in 0..2 {
+                    let (value, rate) = step.value(signal, s);
+                    approx::assert_abs_diff_eq!(y[signal], value, epsilon = 1e-13);
+                    approx::assert_abs_diff_eq!(y[2 + signal], rate, epsilon = 1e-11);
                 }
             }
         }
