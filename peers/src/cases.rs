@@ -5,6 +5,7 @@ use crate::cvode_peer::Cvode;
 use crate::exact_peer;
 use crate::ladder::{Climb, Point, Reached, climb};
 use crate::peer::{OnCase, Peer};
+use crate::process;
 use crate::solution::Timing;
 use crate::table::{milliseconds, power, reached, table};
 use dam::exact::Request;
@@ -35,6 +36,8 @@ struct Own {
     plain: Timing,
     /// With all figures and the energy audit.
     full: Timing,
+    /// `dam run` as a process, from a file to all figures and the audit.
+    process: Timing,
 }
 
 /// Runs all cases named in `names` and returns the tables.
@@ -59,6 +62,7 @@ pub(crate) fn cases(names: &str, cvode: Option<&Cvode>, quick: bool) -> Result<S
         "its error",
         "switches",
         "with figures and audit, ms",
+        "`dam run`, whole process, ms",
         "fastest other at 1e-7",
         "ms",
         "ratio (aim)",
@@ -103,6 +107,7 @@ fn own(case: &Case) -> Result<Own, String> {
         switches,
         plain: time(&plain),
         full: time(&full),
+        process: process::timing(&case.chain, case.switches)?,
     })
 }
 
@@ -155,6 +160,7 @@ fn ratio_row(case: &Case, own: &Own, points: &[(Peer, Vec<Reached>)]) -> Vec<Str
         power(own.error),
         own.switches.to_string(),
         milliseconds(own.full.median),
+        milliseconds(own.process.median),
         other.map_or("-".to_owned(), |found| found.0.name()),
         time(other.map(|found| found.1)),
         ratio(other.map(|found| found.1), case.aim[0]),
@@ -190,6 +196,7 @@ fn detail(case: &Case, own: &Own, points: &[(Peer, Vec<Reached>)]) -> String {
     let mut rows = vec![
         own_row("`dam` exact", &own.plain),
         own_row("`dam` exact, with figures and audit", &own.full),
+        own_row("`dam run`, whole process", &own.process),
     ];
     for (peer, points) in points {
         for (target, point) in TARGETS.iter().zip(points) {

@@ -17,6 +17,7 @@ mod map;
 mod ode_solvers_peer;
 mod peer;
 mod press;
+mod process;
 mod solution;
 mod table;
 #[cfg(test)]

@@ -6,6 +6,7 @@ use crate::cam::closing::{Closing, ClosingSpring, LetsGo, Rates};
 use crate::cam::search::greatest_over;
 use crate::cam::{At, DiscCam, Surface};
 use crate::model::{Closure, Coordinate, Model};
+use crate::units::shown;
 use serde::Serialize;
 
 /// What of the contact force is to be left as reserve.
@@ -225,9 +226,9 @@ fn answer(
     let no_rate = rates.as_ref().err().map(|none| {
         format!(
             "with a preload of {} no rate leaves the reserve: at φ = {:.3} deg {} is lacking still",
-            crate::report::quantity::significant(spring.preload, 6),
+            shown(spring.preload, 6),
             none.lacking.phi.to_degrees(),
-            crate::report::quantity::significant(none.lacking.value, 6)
+            shown(none.lacking.value, 6)
         )
     });
     let widest = match &rates {
