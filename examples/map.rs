@@ -2,6 +2,8 @@
 //!
 //! `cargo run --release --example map`
 
+#![allow(clippy::print_stdout)] // an example says what it found
+
 use dam::prelude::*;
 
 /// δ_max over inertia and stiffness, with a verdict for every point.

@@ -5,6 +5,8 @@
 //!
 //! `cargo run --release --example own_object`
 
+#![allow(clippy::print_stdout)] // an example says what it found
+
 use dam::jet::Jet;
 use dam::model::Coordinate;
 use dam::object::chain::{Rules, read_behind};

@@ -2,6 +2,8 @@
 //!
 //! `cargo run --release --example rocker`
 
+#![allow(clippy::print_stdout)] // an example says what it found
+
 use dam::prelude::*;
 
 /// A rocker of two masses, swung by a shaft, that may lift off its cam.

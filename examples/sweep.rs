@@ -2,6 +2,8 @@
 //!
 //! `cargo run --release --example sweep`
 
+#![allow(clippy::print_stdout)] // an example says what it found
+
 use dam::prelude::*;
 
 /// Speed (rev/s), separations, greatest δ (rad).

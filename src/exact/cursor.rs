@@ -128,10 +128,8 @@ impl<'a> Cursor<'a> {
     /// q and q̇ of every mass at local time `s` of the present phase.
     pub fn state(&mut self, s: f64, q: &mut [f64], v: &mut [f64]) {
         let Some(passed) = self.passed else {
-            (
-                q.copy_from_slice(&self.work.q),
-                v.copy_from_slice(&self.work.v),
-            );
+            q.copy_from_slice(&self.work.q);
+            v.copy_from_slice(&self.work.v);
             return;
         };
         observe::state(&self.work, passed.regime, s, &mut self.e, (q, v));

@@ -186,7 +186,8 @@ mod tests {
 
     #[test]
     fn extremes_between_rows_are_located_in_few_evaluations() {
-        let cases: [(fn(f64) -> f64, f64); 3] = [
+        type Case = (fn(f64) -> f64, f64);
+        let cases: [Case; 3] = [
             (|x| -(x - 0.3) * (x - 0.3), 0.3),
             (|x| (x - 0.2).cos() + 0.1 * x, 0.2 + 0.1f64.asin()),
             // With a kink nothing but sections help.

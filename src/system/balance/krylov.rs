@@ -162,7 +162,7 @@ mod tests {
             assert!(products <= rank + 2, "{products} for rank {rank}");
         }
         // Beyond that there is the dense way.
-        let many = DMatrix::from_fn(n, n, |i, j| wave(i, j));
+        let many = DMatrix::from_fn(n, n, wave);
         assert_eq!(gmres(&mut |x| &many * x, &right), None);
         assert_eq!(gmres(&mut |x| x * f64::NAN, &right), None);
     }
