@@ -15,7 +15,7 @@ pub(crate) use methods::MethodsArgs;
 use super::law::args::LawCommand;
 use super::steady::args::SteadyArgs;
 use clap::{Args, Parser, Subcommand, ValueEnum};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Dynamic analysis of machine mechanisms: from a scene of elastic and rigid
 /// objects to its motion, figures and pictures.
@@ -38,7 +38,7 @@ pub(crate) enum Command {
     /// Check a scene without running it
     Check(CheckArgs),
     /// Print the JSON Schema of scenes, for editors
-    Schema,
+    Schema(SchemaArgs),
     /// Begin a scene from a template
     New(NewArgs),
     /// Print the completions of a shell
@@ -71,7 +71,7 @@ impl Command {
     /// True when standard output is to be one JSON document.
     pub(crate) fn json(&self) -> bool {
         match self {
-            Self::Schema | Self::New(_) | Self::Completions(_) | Self::Manual(_) => false,
+            Self::Schema(_) | Self::New(_) | Self::Completions(_) | Self::Manual(_) => false,
             Self::Law(args) => args.json(),
             Self::Steady(args) => args.json,
             Self::Run(RunArgs { scene, .. })
@@ -101,6 +101,25 @@ pub(crate) struct SceneArgs {
     /// Say nothing on standard error but errors
     #[arg(long, short)]
     pub(crate) quiet: bool,
+}
+
+impl SceneArgs {
+    /// A scene as it stands in its file.
+    pub(crate) fn of(scene: &Path) -> Self {
+        Self {
+            scene: scene.to_owned(),
+            set: Vec::new(),
+            json: false,
+            quiet: false,
+        }
+    }
+}
+
+/// Arguments of `dam schema`.
+#[derive(Debug, Args)]
+pub(crate) struct SchemaArgs {
+    /// Offer the ids of this scene for `input`, and what its catalogue has for `from`
+    pub(crate) scene: Option<PathBuf>,
 }
 
 /// Where results go.

@@ -1,10 +1,12 @@
 //! `dam check` and `dam schema`.
 
-use super::args::CheckArgs;
+use super::args::{CheckArgs, SceneArgs, SchemaArgs};
 use super::console;
 use super::failure::{Failure, Status};
 use super::input::Input;
 use dam::analysis::kinematics::reaches;
+use dam::object::Registry;
+use dam::scene::{schema, schema_of, schema_text};
 use serde_json::json;
 
 /// Checks a scene as far as is possible without running it.
@@ -50,9 +52,15 @@ pub(crate) fn command(args: &CheckArgs) -> Result<Status, Failure> {
     Ok(Status::Answered)
 }
 
-/// Prints the JSON Schema of scenes.
-pub(crate) fn schema() -> Result<Status, Failure> {
-    let registry = dam::object::Registry::standard();
-    console::data(&dam::scene::schema_text(&registry))?;
+/// Prints the JSON Schema of scenes, or that of one scene.
+pub(crate) fn print_schema(args: &SchemaArgs) -> Result<Status, Failure> {
+    let found = match &args.scene {
+        None => schema(&Registry::standard()),
+        Some(scene) => {
+            let input = Input::load(&SceneArgs::of(scene))?;
+            schema_of(input.document(), &input.catalogue())
+        }
+    };
+    console::data(&schema_text(&found))?;
     Ok(Status::Answered)
 }

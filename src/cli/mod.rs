@@ -54,7 +54,7 @@ fn run(command: &Command) -> Result<Status, Failure> {
     match command {
         Command::Run(args) => run::command(args),
         Command::Check(args) => check::command(args),
-        Command::Schema => check::schema(),
+        Command::Schema(args) => check::print_schema(args),
         Command::New(args) => new::command(args),
         Command::Completions(args) => manual::completions(args),
         Command::Manual(args) => manual::page(args),

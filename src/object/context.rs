@@ -70,7 +70,8 @@ impl<'a> Context<'a> {
         port: &str,
     ) -> Option<Option<Coordinate>> {
         if fields.describing() {
-            fields.need(property, REFERENCE, |slot| slot.text());
+            let ids = self.objects.keys().map(String::as_str);
+            fields.need(property, REFERENCE, |slot| slot.text_like(ids));
             return None;
         }
         let output = fields.maybe(property, REFERENCE, |slot| self.reference(slot))?;

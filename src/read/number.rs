@@ -4,6 +4,7 @@ use super::bounds::Bounds;
 use super::slot::{Slot, last_name};
 use super::suggest::did_you_mean;
 use super::tree::Value;
+use crate::units::quantities::NUMBER;
 use crate::units::{Measure, Mismatch, Quantity, UnitError, known_units, parse};
 use serde_json::{Map, json};
 use std::ops::RangeInclusive;
@@ -71,6 +72,13 @@ impl Wanted {
         let all: Vec<String> = self.quantities().map(words).collect();
         all.join("; or ")
     }
+
+    /// Texts that editors offer: one of each unit.
+    fn examples(&self) -> Vec<String> {
+        let units = self.quantities().flat_map(|quantity| quantity.units);
+        let texts = units.map(|unit| format!("1 {unit}"));
+        texts.filter(|text| parse(text).is_ok()).collect()
+    }
 }
 
 /// Texts that begin with a number.
@@ -95,6 +103,9 @@ impl Slot<'_> {
                 "description": format!("({})", wanted.words()),
                 "anyOf": forms,
             });
+            if wanted.first.units != NUMBER.units {
+                self.out["examples"] = json!(wanted.examples());
+            }
             return None;
         }
         let value = match &self.node?.value {
@@ -111,7 +122,7 @@ impl Slot<'_> {
 
     /// Reads a number without a unit.
     pub fn number(self, bounds: Bounds) -> Option<f64> {
-        self.quantity(crate::units::quantities::NUMBER, bounds)
+        self.quantity(NUMBER, bounds)
     }
 
     /// Reads a whole number.

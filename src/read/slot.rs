@@ -223,6 +223,19 @@ impl<'a> Slot<'a> {
         None
     }
 
+    /// Reads a text that is not empty; editors offer some that fit.
+    pub(crate) fn text_like<'t>(self, fitting: impl Iterator<Item = &'t str>) -> Option<String> {
+        if !self.describing() {
+            return self.text();
+        }
+        let fitting: Vec<&str> = fitting.collect();
+        *self.out = json!({ "type": "string", "minLength": 1 });
+        if !fitting.is_empty() {
+            self.out["examples"] = json!(fitting);
+        }
+        None
+    }
+
     /// Reads one of several names.
     pub fn choice<T: Clone>(self, choices: &[(&'static str, T)]) -> Option<T> {
         let names: Vec<_> = choices.iter().map(|choice| choice.0).collect();

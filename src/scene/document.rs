@@ -1,5 +1,6 @@
 //! A scene's text, read once; decoded as often as wanted with other overrides.
 
+use super::objects::Known;
 use super::overrides::{self, Overrides};
 use super::{Catalogue, TypedScene, address, root};
 use crate::diagnostics::{Diagnostic, Diagnostics, Place, Source, Sources};
@@ -133,8 +134,8 @@ impl Document {
         let mut faults = Vec::new();
         let tree = self.tree(catalogue, overrides, &mut sources, &mut faults);
         let mut reader = Reader::new();
-        let (read, canonical) =
-            reader.read(Some(&tree), "", |slot| root::read(slot, &self.registry));
+        let known = Known::new(&self.registry);
+        let (read, canonical) = reader.read(Some(&tree), "", |slot| root::read(slot, known));
         for mut fault in reader.diagnostics {
             // As it is addressed everywhere else: `rocker.pair.gap`.
             if let Some(address) = fault.path.strip_prefix("objects.") {
@@ -162,6 +163,13 @@ impl Document {
             }),
             _ => Err(diagnostics),
         }
+    }
+
+    /// What is known of its objects, however faulty they are, and what a catalogue offers.
+    pub(super) fn known(&self, catalogue: &dyn Catalogue) -> Known {
+        let (mut sources, mut faults) = (self.sources.clone(), Vec::new());
+        let tree = self.tree(catalogue, &Overrides::none(), &mut sources, &mut faults);
+        Known::new(&self.registry).offering(Some(&tree), catalogue)
     }
 
     /// The tree to be decoded.

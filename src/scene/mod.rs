@@ -17,7 +17,7 @@ pub use catalogue::{BuiltIn, Catalogue, Layered};
 pub use document::{Document, Places, Reading};
 pub use folder::{Folder, read_bounded};
 pub use overrides::Overrides;
-pub use schema::{schema, schema_text};
+pub use schema::{schema, schema_of, schema_text};
 pub use variation::Variation;
 
 use crate::graph::MechanismGraph;

@@ -1,7 +1,7 @@
 //! The objects of a scene, and who drives whom.
 
-use super::SceneObject;
 use super::address::RESERVED;
+use super::{Catalogue, SceneObject};
 use crate::diagnostics::{Diagnostic, Related};
 use crate::graph::MechanismGraph;
 use crate::object::{Context, Inputs, Kind, KnownObject, Object, OwnObject, Registry};
@@ -16,6 +16,8 @@ pub(super) struct Known {
     pub(super) registry: Registry,
     /// By id; outputs of objects as `object.output`.
     pub(super) objects: BTreeMap<String, KnownObject>,
+    /// What editors offer for `from`, with the kind of each.
+    offered: Vec<(String, String)>,
 }
 
 impl Known {
@@ -24,7 +26,34 @@ impl Known {
         Self {
             registry: registry.clone(),
             objects: BTreeMap::new(),
+            offered: Vec::new(),
         }
+    }
+
+    /// The same, to be described: with the ids of a scene, if there is one, and what
+    /// a catalogue has.
+    pub(super) fn offering(mut self, scene: Option<&Node>, catalogue: &dyn Catalogue) -> Self {
+        let objects = scene.and_then(|scene| scene.get("objects"));
+        for member in objects.map_or(&[][..], Node::members) {
+            self.note(&member.name, &member.value);
+        }
+        let kind = |name: &String| -> Option<String> {
+            let (_, text) = catalogue.lookup(name)?;
+            let object: Json = serde_json::from_str(&text).ok()?;
+            Some(object.get("kind")?.as_str()?.to_owned())
+        };
+        let names = catalogue.names().into_iter();
+        self.offered = names
+            .filter_map(|name| Some((kind(&name)?, name)))
+            .map(|(kind, name)| (name, kind))
+            .collect();
+        self
+    }
+
+    /// What the catalogue has of a kind.
+    fn offered(&self, kind: &Kind) -> Vec<&str> {
+        let fitting = self.offered.iter().filter(|one| one.1 == kind.name);
+        fitting.map(|one| one.0.as_str()).collect()
     }
 
     fn kind_of(&self, node: &Node) -> Option<&Kind> {
@@ -62,7 +91,7 @@ impl Known {
 /// Reads the objects; fills in `known` on the way.
 pub(super) fn read(mut slot: Slot<'_>, known: &mut Known) -> Option<BTreeMap<String, SceneObject>> {
     if slot.describing() {
-        describe(slot, &known.registry);
+        describe(slot, known);
         return None;
     }
     let node = slot.node()?;
@@ -218,19 +247,29 @@ fn report_cycle(slot: &mut Slot<'_>, node: &Node, known: &Known, cycle: &[&str])
 }
 
 /// The schema of all objects: one definition a kind.
-fn describe(mut slot: Slot<'_>, registry: &Registry) {
+fn describe(mut slot: Slot<'_>, known: &Known) {
+    let registry = &known.registry;
     let mut by_kind = Vec::new();
     for kind in registry.kinds() {
-        slot.look(|slot| slot.defined(kind.name, |slot| describe_kind(slot, kind)));
+        slot.look(|slot| slot.defined(kind.name, |slot| describe_kind(slot, kind, known)));
         if let Some(schema) = slot.definition(kind.name) {
             allow_from(schema, kind);
         }
+        // What is copied from the catalogue need not say its kind again.
         by_kind.push(json!({
-            "if": { "properties": { "kind": { "const": kind.name } }, "required": ["kind"] },
+            "if": { "anyOf": [
+                { "properties": { "kind": { "const": kind.name } }, "required": ["kind"] },
+                {
+                    "properties": { "from": { "enum": known.offered(kind) } },
+                    "required": ["from"], "not": { "required": ["kind"] },
+                },
+            ] },
             "then": { "$ref": format!("#/$defs/{}", kind.name) },
         }));
     }
     let names: Vec<&str> = registry.kinds().iter().map(|kind| kind.name).collect();
+    let all: Vec<&str> = known.offered.iter().map(|one| one.0.as_str()).collect();
+    let from = json!({ "type": "string", "examples": all });
     slot.describe(json!({
         "type": "object",
         "minProperties": 1,
@@ -240,24 +279,23 @@ fn describe(mut slot: Slot<'_>, registry: &Registry) {
         },
         "additionalProperties": {
             "type": "object",
-            "properties": { "kind": { "enum": names }, "from": { "type": "string" } },
+            "properties": { "kind": { "enum": names }, "from": from },
             "anyOf": [{ "required": ["kind"] }, { "required": ["from"] }],
             "allOf": by_kind,
         },
     }));
 }
 
-fn describe_kind(slot: Slot<'_>, kind: &Kind) -> Option<()> {
+fn describe_kind(slot: Slot<'_>, kind: &Kind, known: &Known) -> Option<()> {
     slot.record(|fields| {
         fields.remark("description", "Remarks for people.");
         fields.need("kind", kind.doc, |slot| slot.choice(&[(kind.name, ())]));
         fields.maybe(
             "from",
             "Catalogue object to copy, as in `rocker/steel-lever-205mm`; properties given here replace its own.",
-            |slot| slot.text(),
+            |slot| slot.text_like(known.offered(kind).into_iter()),
         );
-        let others = BTreeMap::new();
-        let mut context = Context::among(&others);
+        let mut context = Context::among(&known.objects);
         if kind.inputs == Inputs::One {
             context.input(fields);
         }

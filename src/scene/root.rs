@@ -2,7 +2,6 @@
 
 use super::objects::{self, Known};
 use super::{Expectation, RunSpec, SceneObject, SteadySpec, expect, run, steady};
-use crate::object::Registry;
 use crate::read::Slot;
 use serde_json::json;
 use std::collections::BTreeMap;
@@ -17,13 +16,12 @@ pub(super) struct Root {
 }
 
 /// Reads (or describes) a whole scene.
-pub(super) fn read(slot: Slot<'_>, registry: &Registry) -> Option<Root> {
+pub(super) fn read(slot: Slot<'_>, mut known: Known) -> Option<Root> {
     slot.record(|fields| {
         fields.remark("$schema", "Where editors find the schema of this file.");
         let version = fields.need("dam", "Version of the format: 1.", |slot| slot.count(1..=1));
         let name = fields.need("name", "Name of the scene.", |slot| slot.text());
         fields.remark("description", "Remarks for people.");
-        let mut known = Known::new(registry);
         let objects = fields.need("objects", "The objects of the mechanism by id.", |slot| {
             objects::read(slot, &mut known)
         });

@@ -43,10 +43,12 @@ impl Forest {
         }
     }
 
-    /// True when all entries are numbers.
+    /// True when all entries are numbers, and the bounds of the eigenvalues too.
     pub(super) fn is_finite(&self) -> bool {
         let entries = self.parent.iter().flatten().map(|&(_, entry)| entry);
-        let mut all = entries.chain(self.diagonal.iter().copied());
+        let mut all = entries
+            .chain(self.diagonal.iter().copied())
+            .chain(self.bounds());
         all.all(f64::is_finite)
     }
 
@@ -79,7 +81,11 @@ impl Forest {
                 ];
                 for (ends, numbers) in halves {
                     let [low, high] = ends;
-                    if high - low <= 2.0 * f64::EPSILON * low.abs().max(high.abs()).max(least) {
+                    let known = 2.0 * f64::EPSILON * low.abs().max(high.abs()).max(least);
+                    // Between neighbouring numbers there is no middle: so it is at zero,
+                    // where all entries are, as in a mass that hangs on nothing.
+                    let apart = low < middle(ends) && middle(ends) < high;
+                    if high - low <= known || !apart {
                         found[numbers].fill(middle(ends));
                     } else if !numbers.is_empty() {
                         open.push((ends, numbers));
@@ -189,6 +195,20 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn a_matrix_of_nothing_has_eigenvalues_of_nothing() {
+        for order in [1, 2, 9] {
+            let found = Forest::new(order).eigenvalues();
+            assert!(found.iter().all(|value| value.abs() < 1e-300), "{found:?}");
+        }
+        // And what is next to nothing is found.
+        let mut forest = Forest::new(2);
+        forest.diagonal = vec![0.0, 3e-310];
+        let found = forest.eigenvalues();
+        approx::assert_abs_diff_eq!(found[0], 0.0, epsilon = 1e-320);
+        approx::assert_relative_eq!(found[1], 3e-310, max_relative = 1e-10);
     }
 
     #[test]

@@ -114,6 +114,9 @@ impl Linearised {
             forest.scale(&factors);
             return forest.is_finite().then(|| forest.eigenvalues());
         }
+        if self.mass.is_empty() {
+            return Some(Vec::new());
+        }
         let (scaled, _) = self.scaled()?;
         let mut squares: Vec<f64> = scaled.symmetric_eigenvalues().iter().copied().collect();
         squares.sort_by(f64::total_cmp);

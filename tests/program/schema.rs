@@ -37,11 +37,11 @@ fn files(folder: &Path) -> Vec<PathBuf> {
 fn the_committed_schema_is_fresh() {
     let path = root().join("scenarios/scene.schema.json");
     if env::var_os("DAM_BLESS").is_some() {
-        fs::write(&path, schema_text(&Registry::standard())).expect("writing");
+        fs::write(&path, schema_text(&schema(&Registry::standard()))).expect("writing");
     }
     let committed = fs::read_to_string(&path).unwrap_or_default();
     assert!(
-        committed == schema_text(&Registry::standard()),
+        committed == schema_text(&schema(&Registry::standard())),
         "scenarios/scene.schema.json is stale: run DAM_BLESS=1 cargo test --test program schema"
     );
 }
@@ -150,4 +150,55 @@ fn built_in_catalogue_objects_can_be_read() {
             panic!("{name}: {diagnostics}");
         }
     }
+}
+
+/// What is offered for a property of a kind.
+fn offered(schema: &serde_json::Value, kind: &str, property: &str) -> Vec<String> {
+    let examples = &schema["$defs"][kind]["properties"][property]["examples"];
+    let texts = examples.as_array().into_iter().flatten();
+    texts
+        .map(|text| text.as_str().unwrap().to_owned())
+        .collect()
+}
+
+#[test]
+fn editors_are_offered_units_catalogue_objects_and_the_ids_of_a_scene() {
+    let general = schema(&Registry::standard());
+    let units = offered(&general, "rocker", "stiffness");
+    for unit in ["1 N m/rad", "1 kN m/rad"] {
+        assert!(units.iter().any(|text| text == unit), "{units:?}");
+    }
+    assert_eq!(offered(&general, "slider", "masses"), [""; 0]);
+    let from = offered(&general, "rocker", "from");
+    assert!(from.iter().any(|name| name == "rocker/steel-lever-205mm"));
+    // Only what is of this kind.
+    assert!(
+        from.iter().all(|name| name.starts_with("rocker/")),
+        "{from:?}"
+    );
+    assert_eq!(offered(&general, "rocker", "input"), [""; 0]);
+    // A scene that is being written: its objects are faulty still.
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("scene.json");
+    fs::write(
+        &path,
+        r#"{ "dam": 1, "objects": { "shaft": { "kind": "drive" },
+            "press": { "from": "linkage/toggle-press" }, "lever": { "kind": "rocker", "input": "" } } }"#,
+    )
+    .unwrap();
+    let own = folder.path().join("objects");
+    fs::create_dir(&own).unwrap();
+    fs::write(own.join("mine.json"), r#"{ "kind": "rocker" }"#).unwrap();
+    let printed = std::process::Command::new(env!("CARGO_BIN_EXE_dam"))
+        .arg("schema")
+        .arg(&path)
+        .output()
+        .unwrap();
+    assert_eq!(printed.status.code(), Some(0));
+    let printed: serde_json::Value = serde_json::from_slice(&printed.stdout).unwrap();
+    let input = offered(&printed, "rocker", "input");
+    for id in ["shaft", "press", "lever", "press.ram"] {
+        assert!(input.iter().any(|text| text == id), "{id}: {input:?}");
+    }
+    assert!(offered(&printed, "rocker", "from").contains(&"mine".to_owned()));
 }

@@ -365,3 +365,28 @@ fn what_the_terminal_warns_of_is_in_json_too() {
         "{warnings}"
     );
 }
+
+#[test]
+fn every_scene_is_shown() {
+    // Masses that hang on nothing while their pair is open, and scenes without one.
+    let mut shown = 0;
+    for group in std::fs::read_dir("scenarios").unwrap() {
+        let group = group.unwrap().path();
+        let files = group.is_dir().then(|| std::fs::read_dir(group).unwrap());
+        for file in files.into_iter().flatten() {
+            let path = file.unwrap().path();
+            let path = path.to_str().unwrap();
+            if path.ends_with(".json") {
+                let ended = output(&["show", path, "--time-limit", "10"]);
+                assert_eq!(
+                    ended.status.code(),
+                    Some(0),
+                    "{path}: {}",
+                    text(&ended.stderr)
+                );
+                shown += 1;
+            }
+        }
+    }
+    assert!(shown > 50, "{shown}");
+}
