@@ -1,7 +1,7 @@
 //! Laws of motion compared by what an elastic mechanism makes of them.
 
 use super::run::RunResult;
-use crate::jet::Jet;
+use crate::math::jet::Jet;
 use crate::model::{Law, Model, NodeMotion};
 use crate::motion::law::LawConstants;
 use crate::record::Quantity;
@@ -296,7 +296,7 @@ impl Figure {
 #[cfg(test)]
 mod tests {
     use super::{ComparedLaw, Figure, LawResponse, LiftOff, Sample, lift_off, residual};
-    use crate::jet::Jet;
+    use crate::math::jet::Jet;
     use crate::motion::{Law, LawName};
 
     #[test]

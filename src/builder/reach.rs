@@ -3,7 +3,7 @@
 use super::{ModelBuilder, Place};
 use crate::breaks::Breaks;
 use crate::constraint::Constraint;
-use crate::jet::Jet;
+use crate::math::jet::Jet;
 use crate::model::{Coordinate, Law, NodeIndex, Track, TrackSource};
 use crate::motion::DriveMotion;
 use crate::position::{OutOfReach, Position};

@@ -1,8 +1,8 @@
 //! The follower's motion over one turn of the cam, piece by piece.
 
 use crate::fault::{Fault, Faults};
-use crate::jet::Jet;
-use crate::number::Number;
+use crate::math::jet::Jet;
+use crate::math::number::Number;
 use crate::position::Position;
 use std::f64::consts::TAU;
 

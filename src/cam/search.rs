@@ -1,9 +1,9 @@
 //! Extremes and sign changes of smooth functions over the pieces of a turn.
 
 use super::motion::{FollowerMotion, Piece, intervals};
-use crate::motion::extremes::golden;
-use crate::number::{Dual, Number};
-use crate::order::Total;
+use crate::math::number::{Dual, Number};
+use crate::math::optimise::golden;
+use crate::math::order::Total;
 use serde::Serialize;
 
 /// A value and the cam's angle where it is found.

@@ -7,8 +7,8 @@
 //! polynomials through values of the closed form on both sides, none of them
 //! close to the point.
 
-use super::series::Series;
 use super::vector::Vector;
+use crate::math::series::Series;
 use std::f64::consts::PI;
 
 /// Nodes: even, so that none is the point itself.

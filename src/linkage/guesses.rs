@@ -3,12 +3,12 @@
 
 use super::assemble::{Wrong, asked_branch, mismatch, names, short, start_in_words};
 use super::course::nearest_turn;
-use super::dense::{factorise, solve};
 use super::dyad::Margin;
 use super::newton::{NewtonGroup, Scratch};
 use super::plan::Plan;
 use super::spec::{AssemblyChoice, AssemblySpec, LinkageSpec};
 use super::state::State;
+use crate::math::linear::dense::{factorise, solve};
 use std::f64::consts::TAU;
 
 /// Trials for the angles that are not given.

@@ -7,12 +7,12 @@
 //! and the k-th set to zero, the k-th coefficient of the equations is what the
 //! matrix must balance.
 
-use super::dense::{factorise, solve};
 use super::dyad::Margin;
 use super::plan::{Body, Element, Frame, Part};
-use super::series::Series;
 use super::state::State;
 use super::vector::Vector;
+use crate::math::linear::dense::{factorise, solve};
+use crate::math::series::Series;
 
 /// Most iterations from a guess of the table; two or three are usual.
 const MOST_ITERATIONS: usize = 40;

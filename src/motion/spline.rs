@@ -1,6 +1,6 @@
 //! Cubic splines with continuous second derivative.
 
-use crate::jet::Jet;
+use crate::math::jet::Jet;
 
 /// A cubic spline: value, first and second derivative are continuous; the third
 /// is constant between knots and jumps at them.

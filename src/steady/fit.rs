@@ -1,8 +1,8 @@
 //! Two functions over a cycle as polynomials on panels.
 
-use super::chebyshev::{self, COUNT, Series};
 use super::profile::Given;
 use super::refusal::Refusal;
+use crate::math::chebyshev::{self, COUNT, Series};
 
 /// Panels in a turn, and in a cycle, at least: nothing slips through between
 /// their nodes.

@@ -1,8 +1,8 @@
 //! A stretch of the cycle on which J and M are polynomials.
 
-use super::chebyshev::{self, COUNT, Series};
 use super::fit::Fitted;
 use super::profile::Given;
+use crate::math::chebyshev::{self, COUNT, Series};
 
 /// A stretch of the cycle.
 #[derive(Clone, Debug)]

@@ -11,8 +11,8 @@
 
 use super::frozen::{Frozen, Step};
 use super::passes::{Extent, Work};
-use super::quantity::Quantity;
 use crate::constraint::{Constraint, ConstraintJet};
+use crate::math::quantity::Quantity;
 
 /// A node with several drivers.
 #[derive(Clone, Debug)]

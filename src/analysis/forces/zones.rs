@@ -10,7 +10,7 @@ use super::row::{Row, Solver, Trouble};
 use super::scan::{scan, singular_places};
 use super::{Course, PositionSource};
 use crate::linkage::kinetostatics::{BAD_CONDITION, ForceFailure};
-use crate::order::Total;
+use crate::math::order::Total;
 
 /// Bisections of an end.
 const BISECTIONS: usize = 60;

@@ -6,8 +6,8 @@ use super::equilibria::equilibria;
 use super::extremes::extremes;
 use super::summary;
 use super::{Axis, Column, Kinematics, Limit, Stopped};
-use crate::jet::Jet;
 use crate::linkage::{Cause, OutOfReach, Reach, Rounding, Workspace};
+use crate::math::jet::Jet;
 use crate::model::Coordinate;
 
 /// Share of its own size, or of what is ordinary for it, that the error of a value may have.

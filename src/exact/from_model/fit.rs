@@ -7,7 +7,7 @@
 
 use super::course::{Course, Formulas, Instant, ROUNDING};
 use crate::exact::LAW_DEGREE;
-use crate::polynomial::{MAX_DEGREE, first_positive};
+use crate::math::polynomial::{MAX_DEGREE, first_positive};
 use std::sync::LazyLock;
 
 /// Points of an interpolation: three coefficients more than are kept.

@@ -6,9 +6,10 @@
 mod tableau;
 
 use super::Dynamics;
-use super::linear::{Jacobian, SparseLu};
+use super::jacobian::Jacobian;
 use super::pace::towards;
 use super::run::{Run, Verdict};
+use crate::math::linear::SparseLu;
 use tableau::{COUPLINGS, GAMMA, OUTPUT, STAGES, STATES, TIME_RATES, TIMES};
 
 /// Local error allowed per step, relative to the tolerance asked for.

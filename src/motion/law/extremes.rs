@@ -1,8 +1,8 @@
 //! Extremes of functions of a law.
 
 use super::{Law, Peak};
-use crate::jet::Jet;
-use crate::motion::extremes::greatest;
+use crate::math::jet::Jet;
+use crate::math::optimise::greatest;
 
 impl Law {
     /// The greatest value of a function of the law, and the first τ where it is reached.

@@ -3,7 +3,7 @@
 use super::Figured;
 use crate::energy::EnergyAudit;
 use crate::integrate::Modes;
-use crate::polynomial::{MAX_DEGREE, Step};
+use crate::math::polynomial::{MAX_DEGREE, Step};
 use crate::record::observed::places;
 use crate::record::peaks::PLACES;
 

@@ -1,6 +1,6 @@
 //! The coefficients for any number of stages; compiled once for all of them.
 
-use crate::order::Total;
+use crate::math::order::Total;
 use nalgebra::{Complex, DMatrix, DVector};
 
 /// A square matrix by columns.

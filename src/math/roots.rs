@@ -2,15 +2,15 @@
 
 /// What the search for a root came to.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Found {
+pub(crate) struct Found {
     /// The place with the smaller miss.
-    pub(super) at: f64,
+    pub(crate) at: f64,
     /// The function there.
-    pub(super) miss: f64,
+    pub(crate) miss: f64,
     /// The bracket that is left, ascending.
-    pub(super) bracket: [f64; 2],
+    pub(crate) bracket: [f64; 2],
     /// Evaluations.
-    pub(super) iterations: u32,
+    pub(crate) iterations: u32,
 }
 
 /// Most evaluations: bisection alone would need fewer.
@@ -22,7 +22,7 @@ const MOST: u32 = 200;
 /// Inverse quadratic interpolation where it is safe, otherwise bisection
 /// (T. R. Chandrupatla, Advances in Engineering Software 28, 1997): the bracket
 /// shrinks in every step.
-pub(super) fn bracketed(
+pub(crate) fn bracketed(
     f: &mut dyn FnMut(f64) -> f64,
     [mut a, mut b]: [f64; 2],
     tolerance: f64,

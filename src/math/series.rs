@@ -5,7 +5,7 @@
 //! Closed formulas evaluated on series give transfer functions of every order
 //! at once, to the precision of the formulas themselves.
 
-use crate::jet::Jet;
+use crate::math::jet::Jet;
 use std::ops::{Add, Mul, Neg, Sub};
 
 /// The first `N` coefficients of a power series.

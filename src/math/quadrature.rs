@@ -38,9 +38,9 @@ const MOST_HALVINGS: u32 = 100;
 
 /// An integral and the estimate of its error.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Area {
-    pub(super) value: f64,
-    pub(super) error: f64,
+pub(crate) struct Area {
+    pub(crate) value: f64,
+    pub(crate) error: f64,
 }
 
 /// Intervals at most: rounding in the integrand must not be chased for ever.
@@ -51,7 +51,7 @@ const ROUNDING: f64 = 20.0 * f64::EPSILON;
 
 /// ∫ of `f` over [from, to] with an error below `tolerance`, as far as
 /// rounding allows.
-pub(super) fn integrate(f: &impl Fn(f64) -> f64, from: f64, to: f64, tolerance: f64) -> Area {
+pub(crate) fn integrate(f: &impl Fn(f64) -> f64, from: f64, to: f64, tolerance: f64) -> Area {
     let mut total = Area::default();
     let mut open = vec![(from, to, 0)];
     let mut intervals = 0;

@@ -3,14 +3,14 @@
 use std::f64::consts::PI;
 
 /// Coefficients of a polynomial: degree 19 and below.
-pub(super) const COUNT: usize = 20;
+pub(crate) const COUNT: usize = 20;
 
 /// A polynomial Σ c_k·T_k(x) of x in [−1, 1].
-pub(super) type Series = [f64; COUNT];
+pub(crate) type Series = [f64; COUNT];
 
 /// The places in (−1, 1), descending, at whose values a polynomial is fitted:
 /// no end is among them.
-pub(super) fn nodes() -> [f64; COUNT] {
+pub(crate) fn nodes() -> [f64; COUNT] {
     std::array::from_fn(|k| (PI * (k as f64 + 0.5) / COUNT as f64).cos())
 }
 
@@ -21,7 +21,7 @@ fn cosines() -> &'static [f64; 4 * COUNT] {
 }
 
 /// The polynomial through values at the [`nodes`].
-pub(super) fn fit(values: &[f64; COUNT]) -> Series {
+pub(crate) fn fit(values: &[f64; COUNT]) -> Series {
     let cosines = cosines();
     std::array::from_fn(|k| {
         let product = |(j, value): (usize, &f64)| value * cosines[k * (2 * j + 1) % (4 * COUNT)];
@@ -32,7 +32,7 @@ pub(super) fn fit(values: &[f64; COUNT]) -> Series {
 
 /// The value at x (Clenshaw).
 #[inline]
-pub(super) fn value(series: &Series, x: f64) -> f64 {
+pub(crate) fn value(series: &Series, x: f64) -> f64 {
     let (mut one, mut two) = (0.0, 0.0);
     for &c in series[1..].iter().rev() {
         (one, two) = (c + 2.0 * x * one - two, one);
@@ -41,7 +41,7 @@ pub(super) fn value(series: &Series, x: f64) -> f64 {
 }
 
 /// The derivative with respect to x.
-pub(super) fn derivative(series: &Series) -> Series {
+pub(crate) fn derivative(series: &Series) -> Series {
     let mut out = [0.0; COUNT];
     let (mut above, mut next) = (0.0, 0.0);
     for k in (0..COUNT - 1).rev() {
@@ -54,7 +54,7 @@ pub(super) fn derivative(series: &Series) -> Series {
 
 /// ∫ over [−1, x] as a polynomial of x; its highest term is left out, which is
 /// rounding for a series that has converged.
-pub(super) fn integral(series: &Series) -> Series {
+pub(crate) fn integral(series: &Series) -> Series {
     let term = |k: usize| series.get(k).copied().unwrap_or(0.0);
     let mut out = [0.0; COUNT];
     for (k, out) in out.iter_mut().enumerate().skip(1) {
@@ -66,7 +66,7 @@ pub(super) fn integral(series: &Series) -> Series {
 }
 
 /// ∫ over [−1, 1], no term left out.
-pub(super) fn whole(series: &Series) -> f64 {
+pub(crate) fn whole(series: &Series) -> f64 {
     let even = (0..COUNT).step_by(2);
     even.map(|k| 2.0 * series[k] / (1.0 - (k * k) as f64)).sum()
 }

@@ -1,6 +1,15 @@
-//! Extremes of piecewise smooth functions.
+//! Extremes: golden section, and the search over the pieces of a function.
 
-use super::law::Peak;
+use serde::Serialize;
+
+/// An extreme and the place where it is (first) reached.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct Peak {
+    /// The value.
+    pub value: f64,
+    /// The place: of a law its time τ.
+    pub at: f64,
+}
 
 /// Intervals a piece is searched in at least: a polynomial of the highest degree
 /// allowed has far fewer turning points. At most, for what oscillates.

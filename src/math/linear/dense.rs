@@ -2,7 +2,7 @@
 
 /// Factorises the n × n matrix (by rows) with partial pivoting; returns its
 /// determinant, zero where it is singular.
-pub(super) fn factorise(matrix: &mut [f64], pivots: &mut [usize]) -> f64 {
+pub(crate) fn factorise(matrix: &mut [f64], pivots: &mut [usize]) -> f64 {
     let n = pivots.len();
     let mut determinant = 1.0;
     for column in 0..n {
@@ -40,7 +40,7 @@ pub(super) fn factorise(matrix: &mut [f64], pivots: &mut [usize]) -> f64 {
 }
 
 /// Solves for the right side in place, with the factors of [`factorise`].
-pub(super) fn solve(matrix: &[f64], pivots: &[usize], right: &mut [f64]) {
+pub(crate) fn solve(matrix: &[f64], pivots: &[usize], right: &mut [f64]) {
     let n = pivots.len();
     for (row, &pivot) in pivots.iter().enumerate() {
         right.swap(row, pivot);

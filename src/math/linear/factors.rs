@@ -6,7 +6,7 @@
 
 /// A square matrix and, after [`Factors::factorise`], its factors P·A = L·U.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Factors {
+pub(crate) struct Factors {
     size: usize,
     /// Row after row.
     values: Vec<f64>,
@@ -20,7 +20,7 @@ pub(super) struct Factors {
 
 impl Factors {
     /// Room for matrices of up to `size` rows.
-    pub(super) fn with_room(size: usize) -> Self {
+    pub(crate) fn with_room(size: usize) -> Self {
         Self {
             size,
             values: vec![0.0; size * size],
@@ -31,7 +31,7 @@ impl Factors {
     }
 
     /// Makes it the zero matrix of `size` rows.
-    pub(super) fn clear(&mut self, size: usize) {
+    pub(crate) fn clear(&mut self, size: usize) {
         self.size = size;
         self.values.clear();
         self.values.resize(size * size, 0.0);
@@ -41,12 +41,12 @@ impl Factors {
 
     /// Adds to an entry.
     #[inline]
-    pub(super) fn add(&mut self, row: usize, column: usize, value: f64) {
+    pub(crate) fn add(&mut self, row: usize, column: usize, value: f64) {
         self.values[row * self.size + column] += value;
     }
 
     /// Factorises the matrix in place; false if it is singular or not finite.
-    pub(super) fn factorise(&mut self) -> bool {
+    pub(crate) fn factorise(&mut self) -> bool {
         self.norm = self.greatest_column();
         let n = self.size;
         let (mut least, mut greatest) = (f64::INFINITY, 0.0f64);
@@ -105,12 +105,12 @@ impl Factors {
 
     /// Least pivot over greatest: a quick hint at how near to singular the
     /// matrix is; [`Self::condition`] is the measure.
-    pub(super) fn pivots(&self) -> f64 {
+    pub(crate) fn pivots(&self) -> f64 {
         self.pivots
     }
 
     /// Solves A·X = R for `width` right sides lying row after row in `right`.
-    pub(super) fn solve(&self, right: &mut [f64], width: usize) {
+    pub(crate) fn solve(&self, right: &mut [f64], width: usize) {
         let n = self.size;
         for k in 0..n {
             let other = self.exchanged[k];
@@ -139,7 +139,7 @@ impl Factors {
     }
 
     /// Solves Aᵀ·x = r in place.
-    pub(super) fn solve_transposed(&self, x: &mut [f64]) {
+    pub(crate) fn solve_transposed(&self, x: &mut [f64]) {
         let n = self.size;
         for k in 0..n {
             x[k] /= self.values[k * n + k];
@@ -163,7 +163,7 @@ impl Factors {
     /// second factor as Hager estimates it (W. W. Hager, "Condition estimates",
     /// SIAM J. Sci. Stat. Comput. 5 (1984)): never above the true number, and
     /// seldom below a third of it. `x` and `y` are memory.
-    pub(super) fn condition(&self, x: &mut Vec<f64>, y: &mut Vec<f64>) -> f64 {
+    pub(crate) fn condition(&self, x: &mut Vec<f64>, y: &mut Vec<f64>) -> f64 {
         let n = self.size;
         x.clear();
         x.resize(n, 1.0 / n as f64);
