@@ -12,6 +12,7 @@
 
 use super::motion::intervals;
 use super::search::{At, even, refined};
+use crate::math::roots::root;
 use serde::Serialize;
 
 /// What the contact must give at an angle of the cam, along the displacement of
@@ -193,8 +194,7 @@ impl<'a> Closing<'a> {
                 rate: best,
             });
         }
-        let zero =
-            |low: f64, high: f64| super::search::root(&|rate| lacking(rate).value, low, high);
+        let zero = |low: f64, high: f64| root(&|rate| lacking(rate).value, low, high);
         let from = match none.value <= 0.0 {
             true => 0.0,
             false => zero(0.0, best),

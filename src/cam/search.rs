@@ -4,6 +4,7 @@ use super::motion::{FollowerMotion, Piece, intervals};
 use crate::math::number::{Dual, Number};
 use crate::math::optimise::golden;
 use crate::math::order::Total;
+use crate::math::roots::root;
 use serde::Serialize;
 
 /// A value and the cam's angle where it is found.
@@ -22,44 +23,6 @@ pub struct At {
 struct Node {
     piece: usize,
     at: At,
-}
-
-/// Zero of a continuous function between two places where its signs differ,
-/// to rounding.
-pub(crate) fn root(f: &dyn Fn(f64) -> f64, from: f64, to: f64) -> f64 {
-    let (mut low, mut high) = (from, to);
-    let (mut at_low, mut at_high) = (f(low), f(high));
-    for round in 0..200 {
-        if at_low == 0.0 {
-            return low;
-        }
-        if at_high == 0.0 {
-            return high;
-        }
-        let middle = 0.5 * (low + high);
-        if middle <= low.min(high) || middle >= low.max(high) {
-            break;
-        }
-        // Every second round halves; the others try the secant.
-        let secant = (low * at_high - high * at_low) / (at_high - at_low);
-        let inside = secant > low.min(high) && secant < low.max(high);
-        let x = if round % 2 == 0 && inside {
-            secant
-        } else {
-            middle
-        };
-        let y = f(x);
-        if (y < 0.0) == (at_low < 0.0) {
-            (low, at_low) = (x, y);
-        } else {
-            (high, at_high) = (x, y);
-        }
-    }
-    if at_low.abs() <= at_high.abs() {
-        low
-    } else {
-        high
-    }
 }
 
 /// Local maxima among samples that are looked at more closely.

@@ -1,4 +1,6 @@
-//! A root between two places of opposite sign.
+//! What lies between two places: a root of a function of opposite signs, or where
+//! something ceases to hold. Roots of polynomials: see
+//! [`polynomial`](crate::math::polynomial).
 
 /// What the search for a root came to.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -69,9 +71,58 @@ pub(crate) fn bracketed(
     }
 }
 
+/// As [`bracketed`], the root alone, to rounding.
+pub(crate) fn root(f: &dyn Fn(f64) -> f64, from: f64, to: f64) -> f64 {
+    bracketed(&mut |x| f(x), [from, to], 0.0).at
+}
+
+/// Bisection: the two neighbouring places between which `holds` ceases to be true,
+/// from a first place where it is (which may be the greater one) and a last where it is
+/// not; neither is asked for. After so many halvings at most, or where no number is left
+/// between.
+pub(crate) fn bisect(
+    ends: [f64; 2],
+    halvings: u32,
+    mut holds: impl FnMut(f64) -> bool,
+) -> [f64; 2] {
+    let found = try_bisect(ends, halvings, 0.0, |place| Some(holds(place)));
+    let (Ok(ends) | Err(ends)) = found;
+    ends
+}
+
+/// As [`bisect`], down to a width relative to the first place.
+///
+/// # Errors
+/// The places between which a place lies that `holds` cannot tell of.
+pub(crate) fn try_bisect(
+    [mut first, mut last]: [f64; 2],
+    halvings: u32,
+    width: f64,
+    mut holds: impl FnMut(f64) -> Option<bool>,
+) -> Result<[f64; 2], [f64; 2]> {
+    for _ in 0..halvings {
+        let middle = 0.5 * (first + last);
+        let narrow = (last - first).abs() <= width * first.abs();
+        if narrow || middle == first || middle == last {
+            break;
+        }
+        match holds(middle) {
+            Some(true) => first = middle,
+            Some(false) => last = middle,
+            None => return Err([first, last]),
+        }
+    }
+    Ok([first, last])
+}
+
+/// The middle between two places.
+pub(crate) fn middle([first, last]: [f64; 2]) -> f64 {
+    0.5 * (first + last)
+}
+
 #[cfg(test)]
 mod tests {
-    use super::bracketed;
+    use super::{bisect, bracketed, middle, try_bisect};
 
     #[test]
     fn roots_are_found_superlinearly_and_to_rounding() {
@@ -87,5 +138,36 @@ mod tests {
         assert!((found.at - 1.0).abs() < 1e-5, "{found:?}");
         let none = bracketed(&mut |_| f64::NAN, [0.0, 1.0], 1e-9);
         assert!(none.miss.is_nan());
+    }
+
+    #[test]
+    fn halving_ends_at_neighbours_from_either_side() {
+        let square = |x: f64| x * x < 2.0;
+        let [below, above] = bisect([0.0, 2.0], 200, square);
+        assert_eq!(above, below.next_up());
+        assert!(square(below) && !square(above));
+        let [above, below] = bisect([2.0, 0.0], 200, |x| !square(x));
+        assert_eq!(above, below.next_up());
+        assert!((middle(bisect([0.0, 2.0], 3, square)) - 1.375).abs() < 1e-15);
+        // A place that is not a number is none between.
+        assert!(bisect([0.0, f64::NAN], 50, square)[1].is_nan());
+    }
+
+    #[test]
+    fn halving_stops_at_a_width_and_where_nothing_is_known() {
+        let mut asked = 0;
+        let found = try_bisect([8.0, 10.0], 200, 0.05, |x| {
+            asked += 1;
+            Some(x < 9.1)
+        });
+        assert_eq!((found, asked), (Ok([9.0, 9.25]), 3));
+        let unknown = |x: f64| (x < 6.0).then_some(x < 5.0);
+        assert_eq!(
+            try_bisect([0.0, 10.0], 200, 0.0, unknown)
+                .map(middle)
+                .unwrap(),
+            5.0
+        );
+        assert_eq!(try_bisect([0.0, 14.0], 200, 0.0, unknown), Err([0.0, 14.0]));
     }
 }

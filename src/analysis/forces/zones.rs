@@ -11,9 +11,10 @@ use super::scan::{scan, singular_places};
 use super::{Course, PositionSource};
 use crate::linkage::kinetostatics::{BAD_CONDITION, ForceFailure};
 use crate::math::order::Total;
+use crate::math::roots::bisect;
 
 /// Bisections of an end.
-const BISECTIONS: usize = 60;
+const BISECTIONS: u32 = 60;
 /// Ratio, in parts of the greatest, at which the output stands still.
 const STANDSTILL: f64 = 1e-9;
 /// Where zones are looked for beside a reversal of the output or a singular position, in
@@ -248,16 +249,11 @@ impl<S: PositionSource> Scanner<'_, '_, S> {
     }
 
     /// Where the sign of the ratio changes.
-    fn reversal(&mut self, [mut low, mut high]: [f64; 2], sign: f64) -> f64 {
-        for _ in 0..BISECTIONS {
-            let middle = 0.5 * (low + high);
-            if ratio(&self.row(middle)).is_some_and(|ratio| ratio * sign > 0.0) {
-                low = middle;
-            } else {
-                high = middle;
-            }
-        }
-        high
+    fn reversal(&mut self, ends: [f64; 2], sign: f64) -> f64 {
+        let [_, reversal] = bisect(ends, BISECTIONS, |place| {
+            ratio(&self.row(place)).is_some_and(|ratio| ratio * sign > 0.0)
+        });
+        reversal
     }
 
     /// Places between free ones that are the nearest to a change, where they are beyond it.
@@ -311,21 +307,15 @@ impl<S: PositionSource> Scanner<'_, '_, S> {
     }
 
     /// Both sides of the place where the state of the first place ends.
-    fn bisect(&mut self, mut low: Mark, mut high: Mark) -> [Mark; 2] {
-        let before = low.state;
-        for _ in 0..BISECTIONS {
-            let middle = 0.5 * (low.place + high.place);
-            if middle <= low.place || middle >= high.place {
-                break;
-            }
-            let mark = self.mark(middle);
-            if mark.state == before {
-                low = mark;
-            } else {
-                high = mark;
-            }
-        }
-        [low, high]
+    fn bisect(&mut self, low: Mark, high: Mark) -> [Mark; 2] {
+        let mut marks = [low, high];
+        bisect([low.place, high.place], BISECTIONS, |place| {
+            let mark = self.mark(place);
+            let same = mark.state == low.state;
+            marks[usize::from(!same)] = mark;
+            same
+        });
+        marks
     }
 
     /// Whether forces grow without bound from a free place towards an end.

@@ -4,9 +4,10 @@
 use super::Run;
 use crate::integrate::locate::Located;
 use crate::integrate::{Dynamics, Guard, Probe, Watch};
+use crate::math::roots::bisect;
 
 /// Bisections, down to the rounding of a place on the step.
-const BISECTIONS: usize = 60;
+const BISECTIONS: u32 = 60;
 /// A probe may differ from a parabola by this part of its change.
 const UNLIKE: f64 = 0.25;
 
@@ -83,17 +84,8 @@ impl<D: Dynamics> Run<'_, D> {
 
     /// Where a probe becomes positive between two places; just before, where there are
     /// no forces beyond.
-    fn bisect(&self, probe: &Probe, [mut low, mut high]: [f64; 2], y: &mut [f64]) -> f64 {
-        for _ in 0..BISECTIONS {
-            let middle = 0.5 * (low + high);
-            if middle <= low || middle >= high {
-                break;
-            }
-            match self.value(probe, middle, y) > 0.0 {
-                true => high = middle,
-                false => low = middle,
-            }
-        }
+    fn bisect(&self, probe: &Probe, ends: [f64; 2], y: &mut [f64]) -> f64 {
+        let [low, high] = bisect(ends, BISECTIONS, |s| !(self.value(probe, s, y) > 0.0));
         if self.value(probe, high, y) == f64::INFINITY {
             low
         } else {

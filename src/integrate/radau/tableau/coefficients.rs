@@ -1,6 +1,7 @@
 //! The coefficients for any number of stages; compiled once for all of them.
 
 use crate::math::order::Total;
+use crate::math::roots::{bisect, middle};
 use nalgebra::{Complex, DMatrix, DVector};
 
 /// A square matrix by columns.
@@ -166,23 +167,13 @@ fn zeros(f: &dyn Fn(f64) -> f64) -> Vec<f64> {
     const PARTS: usize = 499;
     let mut found = Vec::new();
     for part in 0..PARTS {
-        let [mut low, mut high] =
-            [part, part + 1].map(|k| (k as f64 + 0.01) / (PARTS as f64 + 1.0));
+        let [low, high] = [part, part + 1].map(|k| (k as f64 + 0.01) / (PARTS as f64 + 1.0));
         let rises = f(high) > 0.0;
         if (f(low) > 0.0) == rises {
             continue;
         }
-        while {
-            let middle = 0.5 * (low + high);
-            let outside = middle <= low || middle >= high;
-            if (f(middle) > 0.0) == rises {
-                high = middle;
-            } else {
-                low = middle;
-            }
-            !outside
-        } {}
-        found.push(0.5 * (low + high));
+        let ends = bisect([low, high], 200, |x| (f(x) > 0.0) != rises);
+        found.push(middle(ends));
     }
     found
 }
