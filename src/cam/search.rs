@@ -27,6 +27,8 @@ struct Node {
 
 /// Local maxima among samples that are looked at more closely.
 const CLOSELY: usize = 6;
+/// Steps of golden section around each.
+const STEPS: u32 = 60;
 
 /// The greatest value of a function over pieces, of which samples (φ, value),
 /// both ends among them, are given: the greatest local maxima of the samples
@@ -58,8 +60,8 @@ pub(crate) fn refined(samples: &[Vec<(f64, f64)>], f: &dyn Fn(usize, f64) -> f64
         let around = &samples[top.0];
         let low = around[top.1.saturating_sub(1)].0;
         let high = around[(top.1 + 1).min(around.len() - 1)].0;
-        let (value, phi) = golden(&|phi| f(top.0, phi), low, high);
-        take(value, phi);
+        let peak = golden(&mut |phi| f(top.0, phi), [low, high], STEPS);
+        take(peak.value, peak.at);
     }
     best.unwrap_or_default()
 }
