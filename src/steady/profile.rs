@@ -1,9 +1,9 @@
 //! The machine reduced to its input link: J(φ), M(φ) and the work over a cycle.
 
 use super::fit::fit;
+use super::panel::COUNT;
 use super::panel::{Panel, Point, Signed, panel};
 use super::refusal::Refusal;
-use crate::math::chebyshev::COUNT;
 use crate::math::roots::bracketed;
 use std::f64::consts::TAU;
 
