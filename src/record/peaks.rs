@@ -6,30 +6,19 @@
 //! where that could beat the greatest value so far is it looked for closely.
 
 use crate::math::optimise::{climb, vertex};
+use crate::math::quadrature::FIVE;
 use crate::segment::Peak;
 
 /// Places within a step, as fractions of it: its ends and the five
 /// Gauss–Legendre points.
 pub(crate) const PLACES: [f64; 7] = [
-    0.0,
-    0.046_910_077_030_668_004,
-    0.230_765_344_947_158_45,
-    0.5,
-    0.769_234_655_052_841_5,
-    0.953_089_922_969_332,
-    1.0,
+    0.0, FIVE[0].0, FIVE[1].0, FIVE[2].0, FIVE[3].0, FIVE[4].0, 1.0,
 ];
 
 /// Weights of Gauss–Legendre quadrature over [0, 1] at [`PLACES`]; the ends
 /// have none. Exact up to degree 9.
 pub(crate) const WEIGHTS: [f64; 7] = [
-    0.0,
-    0.118_463_442_528_094_54,
-    0.239_314_335_249_683_23,
-    0.284_444_444_444_444_44,
-    0.239_314_335_249_683_23,
-    0.118_463_442_528_094_54,
-    0.0,
+    0.0, FIVE[0].1, FIVE[1].1, FIVE[2].1, FIVE[3].1, FIVE[4].1, 0.0,
 ];
 
 impl Peak {
