@@ -221,8 +221,8 @@ impl NewtonGroup {
             }
             normal[a * n + a] += 1e-9;
         }
-        if factorise(&mut normal, &mut scratch.pivots[..n]) != 0.0 {
-            solve(&normal, &scratch.pivots[..n], &mut right);
+        if factorise(&mut normal, &mut scratch.pivots[..n]).determinant != 0.0 {
+            solve(&normal, &scratch.pivots[..n], &mut right, 1);
             for (row, change) in right.iter().enumerate() {
                 if change.is_finite() {
                     scratch.unknowns[row][0] += change * size;

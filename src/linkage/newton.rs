@@ -112,6 +112,7 @@ impl NewtonGroup {
                 &scratch.matrix[..n * n],
                 &scratch.pivots[..n],
                 &mut scratch.right[..n],
+                1,
             );
             for (row, unknown) in scratch.unknowns[..n].iter_mut().enumerate() {
                 let unit = if row % 3 == 2 { 1.0 } else { size };
@@ -171,12 +172,14 @@ impl NewtonGroup {
         for row in 0..n {
             scratch.right[row] = -scratch.equations[row][0];
         }
-        let determinant = factorise(&mut scratch.matrix[..n * n], &mut scratch.pivots[..n]);
+        let pivots = factorise(&mut scratch.matrix[..n * n], &mut scratch.pivots[..n]);
+        let determinant = pivots.determinant;
         if determinant != 0.0 {
             solve(
                 &scratch.matrix[..n * n],
                 &scratch.pivots[..n],
                 &mut scratch.right[..n],
+                1,
             );
         }
         determinant
