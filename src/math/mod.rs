@@ -31,8 +31,8 @@ mod tests {
             .collect()
     }
 
-    /// What follows each `crate::` and `dam::` of a text, and `super::` where it leaves
-    /// the folder.
+    /// Beginnings of the paths in a text that leave the folder, by the name of the crate or
+    /// by its parents.
     fn foreign(text: &str) -> Vec<String> {
         let squeezed: String = text.chars().filter(|c| !c.is_whitespace()).collect();
         let of = |from: &str, own: &str| -> Vec<String> {
