@@ -1,7 +1,7 @@
 //! Rodas5P: the own method for stiff systems.
 //!
 //! A Rosenbrock method: eight linear systems a step, all with one matrix (see
-//! [`super::linear`]), and no iteration that might fail.
+//! [`crate::math::linear`]), and no iteration that might fail.
 
 mod tableau;
 
