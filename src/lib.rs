@@ -152,16 +152,13 @@ pub mod expression;
 pub mod fault;
 pub mod graph;
 pub mod integrate;
-pub mod jet;
 pub mod linkage;
 pub mod load;
 pub mod lower;
+mod math;
 pub mod model;
 pub mod motion;
-pub mod number;
 pub mod object;
-mod order;
-pub mod polynomial;
 pub mod position;
 pub mod prelude;
 pub mod read;
@@ -175,6 +172,7 @@ pub mod units;
 
 pub use ask::{Mechanism, Scene};
 pub use error::Error;
+pub use math::{jet, number, polynomial};
 
 /// The code that the README shows runs.
 #[cfg(doctest)]

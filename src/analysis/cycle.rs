@@ -1,7 +1,7 @@
 //! A cycle of a position function: its joints, extremes and shocks.
 
-use crate::jet::Jet;
-use crate::motion::extremes::greatest;
+use crate::math::jet::Jet;
+use crate::math::optimise::greatest;
 use crate::motion::law::{Jump, Peak};
 use crate::position::Position;
 use serde::Serialize;

@@ -1,7 +1,8 @@
 //! Laws of motion compared by what an elastic mechanism makes of them.
 
 use super::run::RunResult;
-use crate::jet::Jet;
+use crate::math::jet::Jet;
+use crate::math::roots::{middle, try_bisect};
 use crate::model::{Law, Model, NodeMotion};
 use crate::motion::law::LawConstants;
 use crate::record::Quantity;
@@ -151,6 +152,8 @@ const STEP: f64 = 1.2;
 const MOST_STEPS: usize = 16;
 /// Relative width to which lift-off is found.
 const WIDTH: f64 = 1e-3;
+/// More halvings than that width ever takes.
+const HALVINGS: u32 = 100;
 
 /// The speed at which a pair begins to open, near `start` > 0: from there in
 /// steps of 20 % down to the first speed at which it stays closed, or up to
@@ -183,16 +186,19 @@ pub fn lift_off<E>(
             false => LiftOff::Above(far),
         });
     }
-    let (mut closed, mut open) = if begin { (far, near) } else { (near, far) };
-    while open - closed > WIDTH * closed {
-        let middle = 0.5 * (closed + open);
-        if opens(middle)? {
-            open = middle;
-        } else {
-            closed = middle;
+    let ends = if begin { [far, near] } else { [near, far] };
+    let mut error = None;
+    let found = try_bisect(ends, HALVINGS, WIDTH, |speed| match opens(speed) {
+        Ok(opens) => Some(!opens),
+        Err(first) => {
+            error = Some(first);
+            None
         }
+    });
+    match (found, error) {
+        (_, Some(error)) => Err(error),
+        (Ok(ends) | Err(ends), None) => Ok(LiftOff::At(middle(ends))),
     }
-    Ok(LiftOff::At(0.5 * (closed + open)))
 }
 
 /// What laws are ranked by.
@@ -296,7 +302,7 @@ impl Figure {
 #[cfg(test)]
 mod tests {
     use super::{ComparedLaw, Figure, LawResponse, LiftOff, Sample, lift_off, residual};
-    use crate::jet::Jet;
+    use crate::math::jet::Jet;
     use crate::motion::{Law, LawName};
 
     #[test]

@@ -3,7 +3,8 @@
 use super::{ModelBuilder, Place};
 use crate::breaks::Breaks;
 use crate::constraint::Constraint;
-use crate::jet::Jet;
+use crate::math::jet::Jet;
+use crate::math::roots::bisect;
 use crate::model::{Coordinate, Law, NodeIndex, Track, TrackSource};
 use crate::motion::DriveMotion;
 use crate::position::{OutOfReach, Position};
@@ -116,15 +117,8 @@ impl Way<'_> {
             end <= from || end >= to
         };
         let index = (1..=count).find(|&index| outside(time(index)))?;
-        let (mut before, mut after) = (time(index - 1), time(index));
-        for _ in 0..60 {
-            let middle = 0.5 * (before + after);
-            if outside(middle) {
-                after = middle;
-            } else {
-                before = middle;
-            }
-        }
+        let ends = [time(index - 1), time(index)];
+        let [_, after] = bisect(ends, 60, |time| !outside(time));
         Some(after)
     }
 }

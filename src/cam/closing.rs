@@ -12,6 +12,8 @@
 
 use super::motion::intervals;
 use super::search::{At, even, refined};
+use crate::math::optimise::golden;
+use crate::math::roots::root;
 use serde::Serialize;
 
 /// What the contact must give at an angle of the cam, along the displacement of
@@ -193,8 +195,7 @@ impl<'a> Closing<'a> {
                 rate: best,
             });
         }
-        let zero =
-            |low: f64, high: f64| super::search::root(&|rate| lacking(rate).value, low, high);
+        let zero = |low: f64, high: f64| root(&|rate| lacking(rate).value, low, high);
         let from = match none.value <= 0.0 {
             true => 0.0,
             false => zero(0.0, best),
@@ -216,17 +217,7 @@ const FAR: f64 = 1e6;
 fn lowest(f: &dyn Fn(f64) -> f64, scale: f64) -> f64 {
     // Over ln(1 + rate/scale): unimodal still, and all sizes are seen.
     let place = |x: f64| scale * x.exp_m1();
-    let (mut low, mut high) = (0.0, FAR.ln_1p());
-    let ratio = 0.5 * (5f64.sqrt() - 1.0);
-    for _ in 0..90 {
-        let (a, b) = (high - ratio * (high - low), low + ratio * (high - low));
-        if f(place(a)) <= f(place(b)) {
-            high = b;
-        } else {
-            low = a;
-        }
-    }
-    place(0.5 * (low + high))
+    place(golden(&mut |x| -f(place(x)), [0.0, FAR.ln_1p()], 90).at)
 }
 
 impl Demand {

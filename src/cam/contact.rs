@@ -15,7 +15,7 @@
 //! normal's angle θ in the cam.
 
 use super::spec::{CamGeometry, Contact, Guide};
-use crate::number::Number;
+use crate::math::number::Number;
 
 /// A vector of the plane.
 pub(crate) type Vector<N> = [N; 2];

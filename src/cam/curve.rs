@@ -4,7 +4,7 @@
 use super::disc::DiscCam;
 use super::motion::Piece;
 use crate::fault::Fault;
-use crate::order::Total;
+use crate::math::order::Total;
 use crate::units::shown;
 use std::f64::consts::PI;
 

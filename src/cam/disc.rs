@@ -6,7 +6,7 @@ use super::motion::{FollowerMotion, Piece};
 use super::search::{At, extremes};
 use super::spec::{CamGeometry, Contact, Guide};
 use crate::fault::{Fault, Faults};
-use crate::number::{Dual, Number};
+use crate::math::number::{Dual, Number};
 use crate::position::Position;
 use serde::Serialize;
 use std::f64::consts::{FRAC_PI_2, PI};

@@ -1,8 +1,9 @@
 //! The follower's motion over one turn of the cam, piece by piece.
 
 use crate::fault::{Fault, Faults};
-use crate::jet::Jet;
-use crate::number::Number;
+use crate::math::jet::Jet;
+use crate::math::number::Number;
+use crate::math::roots::root;
 use crate::position::Position;
 use std::f64::consts::TAU;
 
@@ -151,7 +152,7 @@ impl FollowerMotion {
                 take(after.value);
                 if before.first * after.first < 0.0 {
                     let slope = |phi: f64| self.raw(piece, phi).first;
-                    take(self.raw(piece, super::search::root(&slope, from, to)).value);
+                    take(self.raw(piece, root(&slope, from, to)).value);
                 }
                 before = after;
             }

@@ -1,9 +1,10 @@
 //! Extremes and sign changes of smooth functions over the pieces of a turn.
 
 use super::motion::{FollowerMotion, Piece, intervals};
-use crate::motion::extremes::golden;
-use crate::number::{Dual, Number};
-use crate::order::Total;
+use crate::math::number::{Dual, Number};
+use crate::math::optimise::golden;
+use crate::math::order::Total;
+use crate::math::roots::root;
 use serde::Serialize;
 
 /// A value and the cam's angle where it is found.
@@ -24,46 +25,10 @@ struct Node {
     at: At,
 }
 
-/// Zero of a continuous function between two places where its signs differ,
-/// to rounding.
-pub(crate) fn root(f: &dyn Fn(f64) -> f64, from: f64, to: f64) -> f64 {
-    let (mut low, mut high) = (from, to);
-    let (mut at_low, mut at_high) = (f(low), f(high));
-    for round in 0..200 {
-        if at_low == 0.0 {
-            return low;
-        }
-        if at_high == 0.0 {
-            return high;
-        }
-        let middle = 0.5 * (low + high);
-        if middle <= low.min(high) || middle >= low.max(high) {
-            break;
-        }
-        // Every second round halves; the others try the secant.
-        let secant = (low * at_high - high * at_low) / (at_high - at_low);
-        let inside = secant > low.min(high) && secant < low.max(high);
-        let x = if round % 2 == 0 && inside {
-            secant
-        } else {
-            middle
-        };
-        let y = f(x);
-        if (y < 0.0) == (at_low < 0.0) {
-            (low, at_low) = (x, y);
-        } else {
-            (high, at_high) = (x, y);
-        }
-    }
-    if at_low.abs() <= at_high.abs() {
-        low
-    } else {
-        high
-    }
-}
-
 /// Local maxima among samples that are looked at more closely.
 const CLOSELY: usize = 6;
+/// Steps of golden section around each.
+const STEPS: u32 = 60;
 
 /// The greatest value of a function over pieces, of which samples (φ, value),
 /// both ends among them, are given: the greatest local maxima of the samples
@@ -95,8 +60,8 @@ pub(crate) fn refined(samples: &[Vec<(f64, f64)>], f: &dyn Fn(usize, f64) -> f64
         let around = &samples[top.0];
         let low = around[top.1.saturating_sub(1)].0;
         let high = around[(top.1 + 1).min(around.len() - 1)].0;
-        let (value, phi) = golden(&|phi| f(top.0, phi), low, high);
-        take(value, phi);
+        let peak = golden(&mut |phi| f(top.0, phi), [low, high], STEPS);
+        take(peak.value, peak.at);
     }
     best.unwrap_or_default()
 }

@@ -21,7 +21,7 @@ use super::pencil::C;
 use super::polynomial::SLOW;
 use super::problem::{PairState, TreeProblem};
 use super::resonance::Resonance;
-use crate::order::Total;
+use crate::math::order::Total;
 use part::parts;
 use response::{law_force, response};
 

@@ -9,7 +9,7 @@
 
 use super::basis::{Lane, LaneKind};
 use super::pencil::{C, Node, Pencil};
-use crate::order::Total;
+use crate::math::order::Total;
 use nalgebra::{DMatrix, Schur, SymmetricEigen};
 
 /// Sweeps of the inverse iteration: a factor of about ten each.

@@ -2,7 +2,7 @@
 //! derivative of det Q, from the undamped frequencies, checked against the trace.
 
 use super::pencil::{C, Node, Pencil};
-use crate::order::{Total, by_first};
+use crate::math::order::{Total, by_first};
 use nalgebra::{DMatrix, SymmetricEigen};
 
 /// Why eigenvalues were refused.

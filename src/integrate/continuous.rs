@@ -9,7 +9,7 @@
 //! points degree 8, whose error is of order h⁸; a second raise makes it h⁹.
 
 use super::{Dynamics, evaluator::Evaluator};
-use crate::polynomial::{Step, gain, told_gain};
+use crate::math::polynomial::{Step, gain, told_gain};
 use nalgebra::DMatrix;
 
 /// Inner point of the first raise.

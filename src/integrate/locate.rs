@@ -1,8 +1,8 @@
 //! The earliest switch on a step: every guard is a polynomial, and none of its
-//! roots is skipped (see [`crate::polynomial`]).
+//! roots is skipped (see [`crate::math::polynomial`]).
 
 use super::{Guard, Watch, continuous::End};
-use crate::polynomial::{
+use crate::math::polynomial::{
     Coefficients, MAX_DEGREE, Step, evaluate, first_both_positive, first_positive,
 };
 

@@ -13,7 +13,7 @@ mod dynamics;
 mod edges;
 mod evaluator;
 mod given_motion;
-mod linear;
+mod jacobian;
 mod locate;
 mod ode_solvers_adapter;
 mod outcome;

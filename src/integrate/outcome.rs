@@ -2,7 +2,7 @@
 
 use super::{Modes, PhysicalStop, Watch};
 use crate::budget::{Budget, Spent};
-use crate::polynomial::Step;
+use crate::math::polynomial::Step;
 use serde::Serialize;
 use std::fmt;
 use std::time::Duration;

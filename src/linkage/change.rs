@@ -7,12 +7,15 @@
 //! polynomials through values of the closed form on both sides, none of them
 //! close to the point.
 
-use super::series::Series;
 use super::vector::Vector;
-use std::f64::consts::PI;
+use crate::math::chebyshev::{self, Nodes};
+use crate::math::series::Series;
+use std::sync::LazyLock;
 
 /// Nodes: even, so that none is the point itself.
 const NODES: usize = 32;
+/// Their places.
+static PLACES: LazyLock<Nodes<NODES>> = LazyLock::new(Nodes::new);
 /// Coefficients kept; fewer than nodes, which evens out rounding.
 const TERMS: usize = 20;
 /// Coefficients at the end that must have died away.
@@ -103,8 +106,9 @@ impl Change {
         directions: &mut impl FnMut(f64, f64) -> Option<[f64; 4]>,
     ) -> Option<Self> {
         let sign = |x: f64| if x < 0.0 { signs[0] } else { signs[1] };
-        let values = nodes().map(|x| directions(at + radius * x, sign(x)));
-        let terms = expand(values.collect::<Option<Vec<_>>>())?;
+        let places = PLACES.places.iter();
+        let values = places.map(|&x| directions(at + radius * x, sign(x)));
+        let terms = expand(&values.collect::<Option<Vec<_>>>()?)?;
         Some(Self::of(at, signs, radius, terms))
     }
 
@@ -140,41 +144,19 @@ impl Change {
     pub(super) fn directions<const N: usize>(&self, distance: f64) -> [Vector<N>; 2] {
         let x = Series::variable(distance).scale(self.radius.recip());
         let terms = self.terms.each_ref();
-        let [c, s, c2, s2] = terms.map(|terms| clenshaw(&terms[..self.kept], x));
+        let [c, s, c2, s2] = terms.map(|terms| chebyshev::value(&terms[..self.kept], x));
         [Vector::new(c, s), Vector::new(c2, s2)].map(Vector::nearly_unit)
     }
 }
 
-fn nodes() -> impl Iterator<Item = f64> {
-    (0..NODES).map(|j| (PI * (j as f64 + 0.5) / NODES as f64).cos())
-}
-
-fn expand(values: Option<Vec<[f64; 4]>>) -> Option<[[f64; TERMS]; 4]> {
-    let values = values?;
-    let mut terms = [[0.0; TERMS]; 4];
-    for (j, value) in values.iter().enumerate() {
-        for n in 0..TERMS {
-            let weight = (PI * (j as f64 + 0.5) * n as f64 / NODES as f64).cos();
-            let share = if n == 0 { 1.0 } else { 2.0 } / NODES as f64 * weight;
-            for (term, v) in terms.iter_mut().zip(value) {
-                term[n] += share * v;
-            }
-        }
-    }
-    terms
-        .iter()
-        .flatten()
-        .all(|c| c.is_finite())
-        .then_some(terms)
-}
-
-/// Σ c_n T_n(x).
-fn clenshaw<const N: usize>(terms: &[f64], x: Series<N>) -> Series<N> {
-    let (mut one, mut two) = (Series::constant(0.0), Series::constant(0.0));
-    for &c in terms[1..].iter().rev() {
-        (one, two) = ((x * one).scale(2.0).shift(c) - two, one);
-    }
-    (x * one).shift(terms[0]) - two
+/// The first coefficients of all functions through values at the nodes.
+fn expand(values: &[[f64; 4]]) -> Option<[[f64; TERMS]; 4]> {
+    let terms = std::array::from_fn(|k| {
+        let fitted = PLACES.fit(&std::array::from_fn(|j| values[j][k]));
+        std::array::from_fn(|n| fitted[n])
+    });
+    let mut all = terms.iter().flatten();
+    all.all(|c: &f64| c.is_finite()).then_some(terms)
 }
 
 #[cfg(test)]

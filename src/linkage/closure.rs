@@ -8,8 +8,8 @@
 //! position function has its dimensions and takes each factor of a discriminant
 //! from terms of one sign, which loses no digits next to a dead position.
 
-use super::series::Series;
 use super::vector::Vector;
+use crate::math::series::Series;
 
 /// Three pins (RRR): the inner one lies on two circles, of radius a about the
 /// first outer pin and of radius b about the second, which is f away.
@@ -79,7 +79,7 @@ fn closing_root<const N: usize>(one: Series<N>, other: Series<N>, branch: f64) -
 #[cfg(test)]
 mod tests {
     use super::{TwoCircles, circle_and_line, guide_between_pins};
-    use crate::linkage::series::Series;
+    use crate::math::series::Series;
 
     #[test]
     fn a_triangle_of_three_four_five_closes_on_both_sides() {

@@ -8,8 +8,8 @@
 
 use super::closure::{TwoCircles, circle_and_line, guide_between_pins};
 use super::plan::{Body, Element, Frame, Part};
-use super::series::Series;
 use super::vector::{Arm, Local, Vector};
+use crate::math::series::Series;
 
 /// The forms of a dyad: outer, inner, outer pair.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -8,6 +8,7 @@ use super::rounding::directions;
 use super::solve::{Guess, Stuck};
 use super::state::Motion;
 use super::walk::{LEFT, Verdict, Walker};
+use crate::math::roots::bisect;
 
 /// Most that a link may turn in a step (rad).
 const MOST_TURNING: f64 = 0.5;
@@ -163,14 +164,11 @@ impl Walker<'_> {
     /// The end of a group, unless another comes to its end before.
     fn end(&mut self, end: f64, group: usize) -> Verdict {
         // On the little that is left a later group may come to its end first.
-        let (mut near, mut far, mut first) = (self.place.at, end, group);
-        for _ in 0..60 {
-            let middle = near + 0.5 * (far - near);
-            match self.try_at::<2>(middle, self.plan.steps.len()) {
-                Ok(()) => near = middle,
-                Err(Stuck(other)) => (far, first) = (middle, other),
-            }
-        }
+        let mut first = group;
+        let [near, _] = bisect([self.place.at, end], 60, |input| {
+            let tried = self.try_at::<2>(input, self.plan.steps.len());
+            tried.map_err(|Stuck(other)| first = other).is_ok()
+        });
         if (end - near).abs() > 1e-13 * self.unit.max(end.abs()) {
             Verdict::End(near, first)
         } else {
@@ -180,17 +178,10 @@ impl Walker<'_> {
 
     /// The input between here and `to` at which `before` ceases to hold.
     fn bisect(&mut self, group: usize, to: f64, before: impl Fn(&Margin) -> bool) -> f64 {
-        let (mut near, mut far) = (self.place.at, to);
-        for _ in 0..200 {
-            let middle = near + 0.5 * (far - near);
-            if middle == near || middle == far {
-                break;
-            }
-            match self.margin(middle, group) {
-                Some(margin) if before(&margin) => near = middle,
-                _ => far = middle,
-            }
-        }
+        let [near, _] = bisect([self.place.at, to], 200, |input| {
+            self.margin(input, group)
+                .is_some_and(|margin| before(&margin))
+        });
         near
     }
 

@@ -3,7 +3,7 @@
 use super::Linkage;
 use super::spec::{ForceLaw, PointOf};
 use super::workspace::Workspace;
-use crate::jet::Jet;
+use crate::math::jet::Jet;
 
 /// What one spring, damper or force contributes on the input coordinate;
 /// meanings and orders as in [`Reduced`](super::Reduced).

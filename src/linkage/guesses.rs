@@ -3,12 +3,12 @@
 
 use super::assemble::{Wrong, asked_branch, mismatch, names, short, start_in_words};
 use super::course::nearest_turn;
-use super::dense::{factorise, solve};
 use super::dyad::Margin;
 use super::newton::{NewtonGroup, Scratch};
 use super::plan::Plan;
 use super::spec::{AssemblyChoice, AssemblySpec, LinkageSpec};
 use super::state::State;
+use crate::math::linear::dense::{factorise, solve};
 use std::f64::consts::TAU;
 
 /// Trials for the angles that are not given.
@@ -221,8 +221,8 @@ impl NewtonGroup {
             }
             normal[a * n + a] += 1e-9;
         }
-        if factorise(&mut normal, &mut scratch.pivots[..n]) != 0.0 {
-            solve(&normal, &scratch.pivots[..n], &mut right);
+        if factorise(&mut normal, &mut scratch.pivots[..n]).determinant != 0.0 {
+            solve(&normal, &scratch.pivots[..n], &mut right, 1);
             for (row, change) in right.iter().enumerate() {
                 if change.is_finite() {
                     scratch.unknowns[row][0] += change * size;

@@ -7,12 +7,12 @@
 //! and the k-th set to zero, the k-th coefficient of the equations is what the
 //! matrix must balance.
 
-use super::dense::{factorise, solve};
 use super::dyad::Margin;
 use super::plan::{Body, Element, Frame, Part};
-use super::series::Series;
 use super::state::State;
 use super::vector::Vector;
+use crate::math::linear::dense::{factorise, solve};
+use crate::math::series::Series;
 
 /// Most iterations from a guess of the table; two or three are usual.
 const MOST_ITERATIONS: usize = 40;
@@ -112,6 +112,7 @@ impl NewtonGroup {
                 &scratch.matrix[..n * n],
                 &scratch.pivots[..n],
                 &mut scratch.right[..n],
+                1,
             );
             for (row, unknown) in scratch.unknowns[..n].iter_mut().enumerate() {
                 let unit = if row % 3 == 2 { 1.0 } else { size };
@@ -171,12 +172,14 @@ impl NewtonGroup {
         for row in 0..n {
             scratch.right[row] = -scratch.equations[row][0];
         }
-        let determinant = factorise(&mut scratch.matrix[..n * n], &mut scratch.pivots[..n]);
+        let pivots = factorise(&mut scratch.matrix[..n * n], &mut scratch.pivots[..n]);
+        let determinant = pivots.determinant;
         if determinant != 0.0 {
             solve(
                 &scratch.matrix[..n * n],
                 &scratch.pivots[..n],
                 &mut scratch.right[..n],
+                1,
             );
         }
         determinant

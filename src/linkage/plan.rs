@@ -183,7 +183,7 @@ impl Driver {
                 let direction = Vector::constant(turned);
                 let [x, y] = self.on.point;
                 let [u, v] = self.on.along;
-                let q = super::series::Series::variable(input);
+                let q = crate::math::series::Series::variable(input);
                 let block = Vector::new(q.scale(u).shift(x), q.scale(v).shift(y));
                 Frame::through(direction, Local::Fixed(self.link.point), block)
             }

@@ -4,7 +4,7 @@
 //! (cos θ, sin θ) turns by θ, so that no angle and no trigonometric function is
 //! needed to place a link.
 
-use super::series::Series;
+use crate::math::series::Series;
 use std::ops::{Add, Neg, Sub};
 
 /// A plane vector.

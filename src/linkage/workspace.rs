@@ -2,12 +2,12 @@
 
 use super::course::nearest_turn;
 use super::plan::{elements, slides};
-use super::series::Series;
 use super::spec::{OutputKind, PairSpec, PointOf};
 use super::state::State;
 use super::vector::Vector;
 use super::{Core, Linkage};
-use crate::jet::Jet;
+use crate::math::jet::Jet;
+use crate::math::series::Series;
 use std::sync::Arc;
 
 /// All memory that solving needs, and what was solved last.

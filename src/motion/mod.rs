@@ -1,7 +1,6 @@
 //! Motions: dimensionless laws of motion, splines, and the prescribed motion of a drive over time.
 
 pub mod cycle;
-pub(crate) mod extremes;
 pub mod law;
 mod run_up;
 mod spec;
@@ -16,7 +15,7 @@ pub use spline::Spline;
 
 use crate::breaks::Breaks;
 use crate::fault::{Fault, Faults};
-use crate::jet::Jet;
+use crate::math::jet::Jet;
 
 /// Prescribed motion φ(t) of a drive.
 #[derive(Clone, Debug)]
@@ -239,7 +238,7 @@ fn continued(spline: &Spline, end: f64, time: f64) -> Jet {
 mod tests {
     use super::cycle::{CycleSpec, Motion, Station};
     use super::{DriveMotion, DriveMotionSpec, LawName, RunLawName};
-    use crate::jet::Jet;
+    use crate::math::jet::Jet;
 
     fn station(at: f64, displacement: f64, motion: Motion) -> Station {
         Station {

@@ -3,7 +3,7 @@
 use super::law::{Law, RunLawSpec};
 use super::uniform;
 use crate::fault::Fault;
-use crate::jet::Jet;
+use crate::math::jet::Jet;
 
 /// A run-up by a law of motion.
 #[derive(Clone, Debug)]

@@ -1,6 +1,7 @@
 //! Cubic splines with continuous second derivative.
 
-use crate::jet::Jet;
+use crate::math::jet::Jet;
+use crate::math::linear::{cyclic, tridiagonal};
 
 /// A cubic spline: value, first and second derivative are continuous; the third
 /// is constant between knots and jumps at them.
@@ -166,49 +167,6 @@ fn slope_at_first(points: &[(f64, f64)]) -> f64 {
         slope += weight * (yi - y0);
     }
     slope
-}
-
-/// Solves a tridiagonal, diagonally dominant system (Thomas).
-fn tridiagonal(lower: &[f64], diagonal: &[f64], upper: &[f64], mut right: Vec<f64>) -> Vec<f64> {
-    let count = diagonal.len();
-    let mut factor = vec![0.0; count];
-    let mut pivot = diagonal[0];
-    right[0] /= pivot;
-    for i in 1..count {
-        factor[i] = upper[i - 1] / pivot;
-        pivot = diagonal[i] - lower[i] * factor[i];
-        right[i] = (right[i] - lower[i] * right[i - 1]) / pivot;
-    }
-    for i in (0..count - 1).rev() {
-        right[i] -= factor[i + 1] * right[i + 1];
-    }
-    right
-}
-
-/// Solves the symmetric cyclic system of a periodic spline, at least two
-/// unknowns: row i has `steps[i − 1]`, `diagonal[i]`, `steps[i]`, wrapping
-/// round; the wrapped entries are a correction of rank one (Sherman–Morrison).
-fn cyclic(steps: &[f64], diagonal: &[f64], right: Vec<f64>) -> Vec<f64> {
-    let count = diagonal.len();
-    let corner = steps[count - 1];
-    let gamma = -diagonal[0];
-    let mut changed = diagonal.to_vec();
-    changed[0] -= gamma;
-    changed[count - 1] -= corner * corner / gamma;
-    let mut lower = vec![0.0; count];
-    lower[1..].copy_from_slice(&steps[..count - 1]);
-    let mut direction = vec![0.0; count];
-    direction[0] = gamma;
-    direction[count - 1] = corner;
-    let solution = tridiagonal(&lower, &changed, steps, right);
-    let correction = tridiagonal(&lower, &changed, steps, direction);
-    let project = |v: &[f64]| v[0] + corner / gamma * v[count - 1];
-    let share = project(&solution) / (1.0 + project(&correction));
-    solution
-        .iter()
-        .zip(&correction)
-        .map(|(x, z)| x - share * z)
-        .collect()
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 use super::CamSpec;
 use crate::breaks::Breaks;
 use crate::fault::{Fault, Faults};
-use crate::jet::Jet;
+use crate::math::jet::Jet;
 use crate::motion::{Law, LawSpec};
 use std::f64::consts::TAU;
 

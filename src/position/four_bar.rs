@@ -2,9 +2,9 @@
 
 use super::reach::{ForbiddenArcs, OutOfReach, half_width};
 use crate::fault::{Fault, Faults};
-use crate::jet::Jet;
 use crate::linkage::closure::TwoCircles;
-use crate::linkage::series::Series;
+use crate::math::jet::Jet;
+use crate::math::series::Series;
 use std::f64::consts::PI;
 
 /// The rocker's angle ψ over the crank's angle θ = φ + phase, both measured

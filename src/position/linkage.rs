@@ -1,8 +1,8 @@
 //! An output of a linkage as a position function of its input coordinate.
 
 use super::reach::OutOfReach;
-use crate::jet::Jet;
 use crate::linkage::{Cause, Linkage, Reach, Workspace};
+use crate::math::jet::Jet;
 use std::sync::{Arc, Mutex};
 
 /// U(q) of an output of a linkage, for questions asked one by one.

@@ -33,7 +33,7 @@ pub use table::Table;
 
 use crate::breaks::Breaks;
 use crate::fault::{Fault, Faults};
-use crate::jet::Jet;
+use crate::math::jet::Jet;
 use std::fmt;
 use std::sync::Arc;
 

@@ -6,7 +6,7 @@
 //! known in closed form. The tests of [`super::short_form`] hold both against each
 //! other.
 
-use crate::order::by_first;
+use crate::math::order::by_first;
 use std::f64::consts::{PI, TAU};
 use std::fmt;
 

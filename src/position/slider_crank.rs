@@ -2,9 +2,9 @@
 
 use super::reach::{ForbiddenArcs, OutOfReach, half_width};
 use crate::fault::{Fault, Faults};
-use crate::jet::Jet;
 use crate::linkage::closure::circle_and_line;
-use crate::linkage::series::Series;
+use crate::math::jet::Jet;
+use crate::math::series::Series;
 use std::f64::consts::FRAC_PI_2;
 
 /// U = r·cos θ ± √(l² − (r·sin θ − e)²), θ = φ + phase: the slide's distance

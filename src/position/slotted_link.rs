@@ -4,10 +4,10 @@
 use super::reach::{ForbiddenArcs, OutOfReach};
 use super::spec::{SlottedDriver, SlottedLinkSpec, SlottedOutput};
 use crate::fault::{Fault, Faults};
-use crate::jet::Jet;
 use crate::linkage::closure::{TwoCircles, guide_between_pins};
-use crate::linkage::series::Series;
 use crate::linkage::vector::Vector;
+use crate::math::jet::Jet;
+use crate::math::series::Series;
 use std::f64::consts::{PI, TAU};
 
 /// Below this part of the crank the block counts as lying on the pivot of the

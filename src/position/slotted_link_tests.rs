@@ -1,5 +1,5 @@
 use super::SlottedLink;
-use crate::jet::Jet;
+use crate::math::jet::Jet;
 use crate::position::{SlottedDriver, SlottedLinkSpec, SlottedOutput};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 

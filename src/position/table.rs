@@ -2,7 +2,7 @@
 
 use crate::breaks::Breaks;
 use crate::fault::{Fault, Faults};
-use crate::jet::Jet;
+use crate::math::jet::Jet;
 use crate::motion::Spline;
 
 /// A smooth curve through points (φ, U): a cubic spline whose U, U′ and U″ are

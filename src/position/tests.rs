@@ -4,7 +4,7 @@ use super::{
     CamSpec, LawName, LawSpec, Position, PositionSpec, SlottedDriver, SlottedLinkSpec,
     SlottedOutput,
 };
-use crate::jet::Jet;
+use crate::math::jet::Jet;
 use proptest::prelude::*;
 
 fn sign(negative: bool) -> f64 {

@@ -1,8 +1,8 @@
 //! Figures by their address: `rocker.delta_max`, `rocker.pair.separations`, `run.switches`.
 
 use super::Figures;
+use crate::math::order::Total;
 use crate::model::owner_of;
-use crate::order::Total;
 use serde_json::Value;
 use std::collections::BTreeMap;
 

@@ -1,9 +1,9 @@
 //! Where in a step a driving pair is clear of its flanks, and how far.
 
 use super::subdivision::{maximum, minimum};
+use crate::math::polynomial::first_positive;
+use crate::math::polynomial::{Coefficients, MAX_DEGREE};
 use crate::model::{Closure, Pair};
-use crate::polynomial::first_positive;
-use crate::polynomial::{Coefficients, MAX_DEGREE};
 
 /// A pair that can open, and where its deformation is found.
 #[derive(Clone, Copy, Debug)]

@@ -11,7 +11,7 @@ use super::smoothness::{Smoothness, smooth_length};
 use super::tally::Tally;
 use crate::energy::EnergyAudit;
 use crate::integrate::{Modes, SwitchEvent};
-use crate::polynomial::Step;
+use crate::math::polynomial::Step;
 use crate::segment::Segment;
 use crate::system::{Energy, ObjectState, Power, System};
 

@@ -8,7 +8,7 @@ use super::subdivision::{integral_of_magnitude, maximum, minimum};
 use super::tally::read;
 use crate::energy::EnergyAudit;
 use crate::integrate::Modes;
-use crate::polynomial::{MAX_DEGREE, Step};
+use crate::math::polynomial::{MAX_DEGREE, Step};
 use crate::segment::{Asked, Peak, Segment, Signal};
 use crate::system::{ObjectState, System};
 

@@ -1,7 +1,7 @@
 //! A system and the memory to look at it anywhere in a step.
 
 use crate::integrate::{Dynamics, Modes};
-use crate::polynomial::Step;
+use crate::math::polynomial::Step;
 use crate::system::{Energy, MassState, ObjectState, Power, Scratch, System};
 
 /// Looks at a system between the ends of a step.

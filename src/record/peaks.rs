@@ -5,38 +5,21 @@
 //! neighbours tells how much higher the quantity may rise between them; only
 //! where that could beat the greatest value so far is it looked for closely.
 
+use crate::math::optimise::{climb, vertex};
+use crate::math::quadrature::FIVE;
 use crate::segment::Peak;
 
 /// Places within a step, as fractions of it: its ends and the five
 /// Gauss–Legendre points.
 pub(crate) const PLACES: [f64; 7] = [
-    0.0,
-    0.046_910_077_030_668_004,
-    0.230_765_344_947_158_45,
-    0.5,
-    0.769_234_655_052_841_5,
-    0.953_089_922_969_332,
-    1.0,
+    0.0, FIVE[0].0, FIVE[1].0, FIVE[2].0, FIVE[3].0, FIVE[4].0, 1.0,
 ];
 
 /// Weights of Gauss–Legendre quadrature over [0, 1] at [`PLACES`]; the ends
 /// have none. Exact up to degree 9.
 pub(crate) const WEIGHTS: [f64; 7] = [
-    0.0,
-    0.118_463_442_528_094_54,
-    0.239_314_335_249_683_23,
-    0.284_444_444_444_444_44,
-    0.239_314_335_249_683_23,
-    0.118_463_442_528_094_54,
-    0.0,
+    0.0, FIVE[0].1, FIVE[1].1, FIVE[2].1, FIVE[3].1, FIVE[4].1, 0.0,
 ];
-
-/// Refinements after which the highest value seen is taken; the search gains
-/// about two thirds of a digit of the place at the worst, most often far more.
-const MOST_LOOKS: usize = 24;
-
-/// A value at a place within a step.
-type Sight = (f64, f64);
 
 impl Peak {
     /// Takes a step into account: `values` at `places` (ascending), `time`
@@ -78,64 +61,6 @@ impl Peak {
                 self.see(time(place), value);
             }
         }
-    }
-}
-
-/// Top of the parabola through three points, when it lies between the outer ones.
-fn vertex(points: &[Sight; 3]) -> Option<Sight> {
-    let [(a, fa), (b, fb), (c, fc)] = *points;
-    let (left, right) = ((fb - fa) / (b - a), (fc - fb) / (c - b));
-    let bend = (right - left) / (c - a);
-    if bend >= 0.0 || !bend.is_finite() {
-        return None;
-    }
-    let place = 0.5 * (a + b) - 0.5 * left / bend;
-    let value = fa + (place - a) * (left + (place - b) * bend);
-    (a < place && place < c).then_some((place, value))
-}
-
-/// Climbs to the top between three points: parabolas through the best three
-/// points, and a look into the wider side where they do not lead on.
-fn climb(mut three: [Sight; 3], look: &mut impl FnMut(f64) -> f64) -> Sight {
-    let (from, to) = (three[0].0, three[2].0);
-    for _ in 0..MOST_LOOKS {
-        let [(a, _), (b, fb), (c, _)] = three;
-        let resolution = 1e-9 * (to - from);
-        let wider = if b - a > c - b {
-            0.5 * (a + b)
-        } else {
-            0.5 * (b + c)
-        };
-        let place = match vertex(&three) {
-            Some((place, hoped)) => {
-                if (place - b).abs() < resolution || hoped - fb <= 1e-16 * fb.abs() {
-                    break;
-                }
-                place
-            }
-            None => wider,
-        };
-        if c - a < 4.0 * resolution {
-            break;
-        }
-        three = bracket(three, (place, look(place)));
-    }
-    three.into_iter().fold(
-        three[1],
-        |best, point| {
-            if point.1 > best.1 { point } else { best }
-        },
-    )
-}
-
-/// The three neighbours around the higher of the old middle and the new point.
-fn bracket(three: [Sight; 3], new: Sight) -> [Sight; 3] {
-    let [left, middle, right] = three;
-    match (new.0 < middle.0, new.1 > middle.1) {
-        (true, true) => [left, new, middle],
-        (true, false) => [new, middle, right],
-        (false, true) => [middle, new, right],
-        (false, false) => [left, middle, new],
     }
 }
 

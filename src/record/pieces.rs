@@ -5,7 +5,7 @@
 //! search for extremes look at a step at a few places: they want pieces within
 //! which a motion bends once. How many those are, [`super::smoothness`] tells.
 
-use crate::polynomial::{Step, divide};
+use crate::math::polynomial::{Step, divide};
 
 /// Degree above which a continuous output is that of collocation of high order.
 const SHORT: usize = 5;

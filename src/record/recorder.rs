@@ -10,7 +10,7 @@ use super::tally::Tally;
 use super::{ObjectFigures, Record};
 use crate::energy::EnergyAudit;
 use crate::integrate::{Modes, Sink, SwitchEvent};
-use crate::polynomial::Step;
+use crate::math::polynomial::Step;
 use crate::system::System;
 
 /// What to record.

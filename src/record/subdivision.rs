@@ -6,7 +6,7 @@
 //! dozen halvings around the place in question give the result to rounding,
 //! and nothing is overlooked on the way.
 
-use crate::polynomial::{MAX_DEGREE, divide};
+use crate::math::polynomial::{MAX_DEGREE, divide};
 
 /// Halvings after which a piece is taken as it is: the enclosure is then as
 /// tight as the square of 2⁻²⁷, below rounding.

@@ -1,7 +1,7 @@
 //! Several listeners to one run.
 
 use crate::integrate::{Modes, Sink, SwitchEvent};
-use crate::polynomial::Step;
+use crate::math::polynomial::Step;
 
 /// Passes everything on to each of several sinks, in order.
 pub struct Tee<'a, 'b>(pub &'a mut [&'b mut dyn Sink]);

@@ -11,8 +11,8 @@ use super::extrapolation::{attempt, follow};
 use super::motion::SteadyMotion;
 use super::profile::{Given, Profile};
 use super::refusal::Refusal;
-use super::root::bracketed;
 use super::{Question, motion};
+use crate::math::roots::bracketed;
 use serde::Serialize;
 
 /// The machine at a position and speed.

@@ -1,6 +1,6 @@
 //! Two functions over a cycle as polynomials on panels.
 
-use super::chebyshev::{self, COUNT, Series};
+use super::panel::{COUNT, NODES, Series};
 use super::profile::Given;
 use super::refusal::Refusal;
 
@@ -55,7 +55,7 @@ pub(super) fn fit(
     let mut done = Vec::new();
     while let Some(panel) = open.pop() {
         let values = sampled(&panel, at)?;
-        let series = values.map(|values| chebyshev::fit(&values));
+        let series = values.map(|values| NODES.fit(&values));
         let tails = [tail(&series[0]), tail(&series[1])];
         let settled = (0..2).all(|i| {
             let (tail, before) = (tails[i] / sizes[i], panel.before[i] / sizes[i]);
@@ -129,7 +129,7 @@ fn halve(panel: &Open, tails: [f64; 2], open: &mut Vec<Open>) {
 fn sampled(panel: &Open, at: At<'_>) -> Result<[[f64; COUNT]; 2], Refusal> {
     let (centre, half) = (0.5 * (panel.from + panel.to), 0.5 * (panel.to - panel.from));
     let mut values = [[0.0; COUNT]; 2];
-    for (k, x) in chebyshev::nodes().into_iter().enumerate() {
+    for (k, x) in NODES.places.into_iter().enumerate() {
         let position = centre + half * x;
         let [inertia, other] = at(panel.piece, position);
         if !(inertia.is_finite() && inertia > 0.0) {

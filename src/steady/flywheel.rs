@@ -4,9 +4,9 @@ use super::law::{Question, SteadyFigures};
 use super::motion::{SteadyMotion, steady};
 use super::profile::Profile;
 use super::refusal::Refusal;
-use super::root::bracketed;
 use super::table::Table;
 use super::table_motion::TableMotion;
+use crate::math::roots::bracketed;
 use serde::Serialize;
 
 /// A flywheel: the moment of inertia to add to the input link.

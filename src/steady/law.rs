@@ -3,7 +3,7 @@
 use super::Mean;
 use super::profile::Extreme;
 use super::refusal::{Field, Refusal};
-use super::root::bracketed;
+use crate::math::roots::bracketed;
 use serde::Serialize;
 
 /// Which of all periodic motions is asked for.

@@ -24,7 +24,6 @@
 //! 145–150. Two things differ from it: the lower end of its bracket is raised
 //! to where the kinetic energy stays above zero, and the bracket shrinks.
 
-mod chebyshev;
 pub mod cycle_map;
 mod extrapolation;
 mod fit;
@@ -34,9 +33,7 @@ mod law;
 mod motion;
 mod panel;
 mod profile;
-mod quadrature;
 mod refusal;
-mod root;
 mod samples;
 mod table;
 mod table_motion;

@@ -5,8 +5,8 @@ use super::extrapolation::follow;
 use super::law::{Family, Level, Means, Question, SteadyFigures, find, warnings};
 use super::panel::Panel;
 use super::profile::{Extreme, Profile};
-use super::quadrature::{Area, integrate};
 use super::refusal::Refusal;
+use crate::math::quadrature::{Area, integrate};
 use serde::Serialize;
 
 /// A steady motion: the machine and the level of its kinetic energy.

@@ -1,8 +1,18 @@
 //! A stretch of the cycle on which J and M are polynomials.
 
-use super::chebyshev::{self, COUNT, Series};
 use super::fit::Fitted;
 use super::profile::Given;
+use crate::math::chebyshev::{self, Nodes};
+use std::sync::LazyLock;
+
+/// Coefficients of a polynomial: degree 19 and below.
+pub(super) const COUNT: usize = 20;
+
+/// A polynomial on a panel, in Chebyshev's polynomials.
+pub(super) type Series = [f64; COUNT];
+
+/// The places at which functions on panels are fitted.
+pub(super) static NODES: LazyLock<Nodes<COUNT>> = LazyLock::new(Nodes::new);
 
 /// A stretch of the cycle.
 #[derive(Clone, Debug)]
@@ -78,9 +88,11 @@ impl Panel {
 
     /// The same polynomials on a part of the panel.
     pub(super) fn cut(&self, from: f64, to: f64) -> Self {
-        let places = chebyshev::nodes().map(|x| 0.5 * (from + to) + 0.5 * (to - from) * x);
+        let places = NODES
+            .places
+            .map(|x| 0.5 * (from + to) + 0.5 * (to - from) * x);
         let refit = |series: &Series| {
-            chebyshev::fit(&places.map(|place| chebyshev::value(series, self.x(place))))
+            NODES.fit(&places.map(|place| chebyshev::value(series, self.x(place))))
         };
         Self {
             from,

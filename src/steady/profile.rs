@@ -1,10 +1,10 @@
 //! The machine reduced to its input link: J(φ), M(φ) and the work over a cycle.
 
-use super::chebyshev::COUNT;
 use super::fit::fit;
+use super::panel::COUNT;
 use super::panel::{Panel, Point, Signed, panel};
 use super::refusal::Refusal;
-use super::root::bracketed;
+use crate::math::roots::bracketed;
 use std::f64::consts::TAU;
 
 /// What is given beside J.

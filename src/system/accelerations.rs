@@ -3,7 +3,7 @@
 use super::frozen::{Chain, Frozen, Step};
 use super::links::LinkForces;
 use super::passes::{Extent, Work};
-use super::quantity::Quantity;
+use crate::math::quantity::Quantity;
 
 impl Frozen {
     /// Accelerations, drivers before driven; u¨ into `out` (n).

@@ -12,9 +12,9 @@ use super::constraints::Chains;
 use super::frozen::{Chain, Frozen, Step};
 use super::pairs::OPEN;
 use super::passes::{Extent, Work};
-use super::quantity::Quantity;
+use crate::math::number::Dual;
+use crate::math::quantity::Quantity;
 use crate::model::Closure;
-use crate::number::Dual;
 use nalgebra::{DMatrix, DVector};
 
 /// Most iterations of Newton's method.

@@ -11,8 +11,9 @@
 
 use super::frozen::{Frozen, Step};
 use super::passes::{Extent, Work};
-use super::quantity::Quantity;
 use crate::constraint::{Constraint, ConstraintJet};
+use crate::math::linear::dense;
+use crate::math::quantity::Quantity;
 
 /// A node with several drivers.
 #[derive(Clone, Debug)]
@@ -72,6 +73,7 @@ pub(super) struct Coupling<N> {
     /// The linear system, row by row (C × C), and its right side and solution (C).
     matrix: Vec<N>,
     forces: Vec<N>,
+    exchanged: Vec<usize>,
 }
 
 impl<N: Quantity> ConstraintValues<N> {
@@ -149,6 +151,7 @@ impl<N: Quantity> Coupling<N> {
             shares: vec![zero; count * frozen.inertia.len()],
             matrix: vec![zero; count * count],
             forces: vec![zero; count],
+            exchanged: vec![0; count],
         }
     }
 }
@@ -236,11 +239,13 @@ impl Frozen {
             shares,
             matrix,
             forces,
+            exchanged,
         } = &mut coupling;
-        let (shares, matrix, forces) = (
+        let (shares, matrix, forces, exchanged) = (
             &mut shares[..count * nodes],
             &mut matrix[..count * count],
             &mut forces[..count],
+            &mut exchanged[..count],
         );
         for (number, row) in shares.chunks_exact_mut(nodes).enumerate() {
             self.shares_of(list(number), extent, chains, work, row);
@@ -257,7 +262,13 @@ impl Frozen {
             }
             forces[i] = mass * work.acceleration[node];
         }
-        solve(matrix, forces);
+        // The matrix is 1 + J·S with S symmetric and positive: none of its pivots vanishes,
+        // unless it is no number.
+        if dense::factorise(matrix, exchanged).is_regular() {
+            dense::solve(matrix, exchanged, forces, 1);
+        } else {
+            forces.fill(N::from(f64::NAN));
+        }
         for (number, &force) in forces.iter().enumerate() {
             let row = &shares[number * nodes..(number + 1) * nodes];
             let own = self.constraints[list(number)].node;
@@ -398,41 +409,6 @@ impl<N> Coupling<N> {
         shares: Vec::new(),
         matrix: Vec::new(),
         forces: Vec::new(),
+        exchanged: Vec::new(),
     };
-}
-
-/// Solves a small system in place by elimination; `right` becomes the solution. The
-/// matrix is 1 + J·S with S symmetric and positive: the greatest pivot is taken, and
-/// none vanishes.
-fn solve<N: Quantity>(matrix: &mut [N], right: &mut [N]) {
-    let count = right.len();
-    for column in 0..count {
-        let size = |row: usize| matrix[row * count + column].value().abs();
-        let pivot = (column..count).fold(column, |best, row| match size(row) > size(best) {
-            true => row,
-            false => best,
-        });
-        if pivot != column {
-            for entry in 0..count {
-                matrix.swap(column * count + entry, pivot * count + entry);
-            }
-            right.swap(column, pivot);
-        }
-        for row in column + 1..count {
-            let factor = matrix[row * count + column] / matrix[column * count + column];
-            for entry in column..count {
-                let above = matrix[column * count + entry];
-                matrix[row * count + entry] -= factor * above;
-            }
-            let above = right[column];
-            right[row] -= factor * above;
-        }
-    }
-    for row in (0..count).rev() {
-        let mut sum = right[row];
-        for entry in row + 1..count {
-            sum -= matrix[row * count + entry] * right[entry];
-        }
-        right[row] = sum / matrix[row * count + row];
-    }
 }

@@ -5,7 +5,7 @@ use super::passes::{Extent, Work};
 use super::taylor::{Start, Taylor};
 use super::{Bundle, DIRECTIONS, Scratch, System};
 use crate::integrate::{Dynamics, Edge, Modes, PhysicalStop, Probe, Watch};
-use crate::number::{Dual, Duals};
+use crate::math::number::{Dual, Duals};
 
 impl Scratch {
     pub(super) fn new(frozen: &Frozen) -> Self {

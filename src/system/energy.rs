@@ -2,9 +2,9 @@
 
 use super::frozen::{Chain, Frozen};
 use super::passes::{Extent, Work};
-use super::quantity::Quantity;
 use super::{Energy, Scratch, System};
 use crate::integrate::Modes;
+use crate::math::quantity::Quantity;
 
 impl System {
     /// Kinetic energy of all inertias; elastic energy of links and pairs with

@@ -10,7 +10,7 @@ use super::System;
 use super::linearised::Linearised;
 use super::pairs::OPEN;
 use crate::integrate::{Dynamics, Modes};
-use crate::order::Total;
+use crate::math::order::Total;
 use nalgebra::{DMatrix, DVector, Schur, SymmetricEigen};
 
 /// Which links count.

@@ -12,7 +12,7 @@ use super::loads::FrozenLoad;
 use super::pairs::Contact;
 use super::trains::Train;
 use crate::breaks::Breaks;
-use crate::jet::Jet;
+use crate::math::jet::Jet;
 use crate::motion::DriveMotion;
 use crate::position::Position;
 

@@ -1,7 +1,7 @@
 //! The forces of a chain's links, and chains on which nothing else acts.
 
 use super::frozen::{Branch, Frozen, segment};
-use super::quantity::Quantity;
+use crate::math::quantity::Quantity;
 use crate::motion::DriveMotion;
 
 impl Frozen {

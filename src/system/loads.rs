@@ -1,7 +1,7 @@
 //! Loads whose force is not constant.
 
-use super::quantity::Quantity;
 use crate::breaks::Breaks;
+use crate::math::quantity::Quantity;
 use crate::model::{LinearPiece, LoadLaw, Track};
 
 /// A load, frozen.

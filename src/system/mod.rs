@@ -34,11 +34,9 @@ mod pairs;
 mod passes;
 mod pattern;
 mod placing;
-mod quantity;
 mod reduce;
 mod scales;
 mod separate;
-mod series;
 mod start;
 mod start_messages;
 #[cfg(test)]
@@ -59,8 +57,8 @@ pub use reduce::Reduced;
 
 use crate::fault::Fault;
 use crate::integrate::Modes;
+use crate::math::number::{Dual, Duals};
 use crate::model::Model;
-use crate::number::{Dual, Duals};
 use frozen::{Frozen, Step};
 pub use masses::MassState;
 use observe::{Body, ObjectPlace};

@@ -10,7 +10,7 @@ use super::System;
 use super::frozen::Frozen;
 use super::pairs::OPEN;
 use super::passes::{Extent, Work};
-use super::series::{ORDER, Series};
+use crate::math::bounded_series::{ORDER, Series};
 
 impl System {
     /// Settles the modes of all pairs for the motion that leaves `state`;

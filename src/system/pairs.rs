@@ -7,8 +7,8 @@
 
 use crate::fault::Fault;
 use crate::integrate::{Guard, Watch};
+use crate::math::number::Number;
 use crate::model::{Closure, DampingLaw, Pair};
-use crate::number::Number;
 
 /// Mode of an open pair.
 pub(super) const OPEN: i64 = 0;

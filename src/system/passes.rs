@@ -12,7 +12,7 @@ use super::constraints::{Chains, ConstraintValues, Coupling};
 use super::friction::Rubbing;
 use super::frozen::{Chain, Frozen, Step, segment};
 use super::linkages::{Cursor, Solved};
-use super::quantity::Quantity;
+use crate::math::quantity::Quantity;
 use std::cell::{Cell, RefCell};
 
 /// A law at an instant.

@@ -4,8 +4,8 @@
 use super::passes::Extent;
 use super::{Scratch, System};
 use crate::integrate::Modes;
+use crate::math::number::Dual;
 use crate::model::TrackSource;
-use crate::number::Dual;
 
 /// A rotor with all that hangs rigidly on it, at a position and a speed: its
 /// equation of motion is inertia·φ̈ + inertia_slope·φ̇²/2 = moment.

@@ -1,7 +1,7 @@
 //! Small models for the tests of the system.
 
 use crate::breaks::Breaks;
-use crate::jet::Jet;
+use crate::math::jet::Jet;
 use crate::model::*;
 use crate::motion::DriveMotion;
 use crate::position::{Position, PositionFunction};

@@ -5,8 +5,8 @@ use super::System;
 use super::testing::*;
 use super::testing_random::*;
 use crate::integrate::{Dynamics, Modes};
+use crate::math::number::Dual;
 use crate::model::*;
-use crate::number::Dual;
 use crate::position::Position;
 use std::sync::Arc;
 

@@ -6,7 +6,7 @@
 
 use super::frozen::{Frozen, Step};
 use super::passes::{Extent, Work};
-use super::quantity::Quantity;
+use crate::math::quantity::Quantity;
 use crate::position::Position;
 
 /// A rotor and what it carries.

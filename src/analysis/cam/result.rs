@@ -184,7 +184,7 @@ impl From<[Option<At>; 2]> for Radii {
 }
 
 /// Greatest and least of a derivative of the motion.
-fn both(cam: &DiscCam, f: impl Fn(crate::jet::Jet) -> f64) -> [At; 2] {
+fn both(cam: &DiscCam, f: impl Fn(crate::math::jet::Jet) -> f64) -> [At; 2] {
     let motion = cam.motion();
     let one = |sign: f64| {
         let found = greatest(motion, &|piece, phi| sign * f(motion.jet(piece, phi)));

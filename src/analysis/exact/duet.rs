@@ -10,7 +10,7 @@ use super::joint::Joint;
 use crate::exact::Rest;
 use crate::exact::walk::{Given, Walk};
 use crate::integrate::{Modes, Outcome, Sink, Statistics, SwitchEvent};
-use crate::polynomial::Step;
+use crate::math::polynomial::Step;
 
 /// Listens to the rest and follows the trees.
 pub(super) struct Duet<'a, 's> {

@@ -14,9 +14,9 @@ use crate::energy::EnergyAudit;
 use crate::exact::walk::{Branch, Given, Listener, Motion, Way as Route};
 use crate::exact::{Ahead, Rest};
 use crate::integrate::{Dynamics, Modes, SwitchEvent};
+use crate::math::polynomial::Step;
 use crate::model::{LoadLaw, Model, NodeMotion};
 use crate::motion::DriveMotion;
-use crate::polynomial::Step;
 use crate::record::{
     Failure, Figured, Log, Observer, Recorded, RecorderSettings, Sampled, Tally, drive_cycle,
 };

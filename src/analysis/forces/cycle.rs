@@ -1,8 +1,8 @@
 //! Work, losses and efficiency over a course.
 
-use super::quadrature::Integrals;
 use super::row::{Forces, Row, Solver};
 use super::{Course, PositionSource};
+use crate::math::quadrature::Integrals;
 
 /// Error of a sum that a panel may have, as a share of what flows to and fro.
 const AGREES: f64 = 1e-13;

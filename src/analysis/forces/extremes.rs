@@ -4,11 +4,10 @@ use super::columns::{Column, columns};
 use super::row::{Row, Solver};
 use super::zones::{Zone, ZoneKind, approach, free_sides, unbounded};
 use super::{Course, PositionSource};
+use crate::math::optimise::golden;
 
-/// Part of the distance that golden section keeps.
-const GOLDEN: f64 = 0.618_033_988_749_894_9;
 /// Steps of golden section: the place to about 10⁻⁸ of a step of the course.
-const STEPS: usize = 38;
+const STEPS: u32 = 38;
 
 /// A value and where it is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -176,10 +175,12 @@ impl<S: PositionSource> Seeker<'_, '_, S> {
             let value = column.value(&row);
             value.map_or(f64::NEG_INFINITY, |value| sign * value)
         };
-        let found = golden(bracket, &mut worth);
-        let value = sign * worth(found);
-        Some(if sign * value > sign * here.value {
-            Extreme { value, at: found }
+        let found = golden(&mut worth, bracket, STEPS);
+        Some(if found.value > sign * here.value {
+            Extreme {
+                value: sign * found.value,
+                at: found.at,
+            }
         } else {
             here
         })
@@ -217,22 +218,4 @@ impl<S: PositionSource> Seeker<'_, '_, S> {
         }
         [low, high]
     }
-}
-
-/// Place of the greatest value in an interval, if it rises and falls once.
-fn golden([mut low, mut high]: [f64; 2], f: &mut impl FnMut(f64) -> f64) -> f64 {
-    let mut x = [high - GOLDEN * (high - low), low + GOLDEN * (high - low)];
-    let mut y = [f(x[0]), f(x[1])];
-    for _ in 0..STEPS {
-        if y[0] >= y[1] {
-            high = x[1];
-            x = [high - GOLDEN * (high - low), x[0]];
-            y = [f(x[0]), y[0]];
-        } else {
-            low = x[0];
-            x = [x[1], low + GOLDEN * (high - low)];
-            y = [y[1], f(x[1])];
-        }
-    }
-    if y[0] >= y[1] { x[0] } else { x[1] }
 }

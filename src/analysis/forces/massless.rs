@@ -9,11 +9,12 @@ use super::{Course, ForceSettings, PositionSource};
 use crate::fault::{Fault, Faults};
 use crate::linkage::kinetostatics::Kinetostatics;
 use crate::linkage::spec::LinkageSpec;
+use crate::math::roots::bisect;
 
 /// Deviation that counts as negligible.
 pub const NEGLIGIBLE: f64 = 0.01;
 /// Bisections of the limit up to which masses are negligible.
-const BISECTIONS: usize = 40;
+const BISECTIONS: u32 = 40;
 
 /// The comparison of χ without and with masses over one course.
 #[derive(Clone, Debug, PartialEq)]
@@ -189,14 +190,8 @@ fn limit(points: &[MasslessPoint], mut matters: impl FnMut(f64) -> bool) -> Opti
     let Some(first) = first else {
         return points.iter().map(|point| point.parameter).reduce(f64::max);
     };
-    let (mut low, mut high) = (0.0, first.parameter);
-    for _ in 0..BISECTIONS {
-        let middle = 0.5 * (low + high);
-        if matters(middle) {
-            high = middle;
-        } else {
-            low = middle;
-        }
-    }
+    let [low, _] = bisect([0.0, first.parameter], BISECTIONS, |parameter| {
+        !matters(parameter)
+    });
     (low > 0.0).then_some(low)
 }

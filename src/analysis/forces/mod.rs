@@ -9,7 +9,6 @@ mod cycle;
 mod extremes;
 mod figures;
 mod massless;
-mod quadrature;
 mod row;
 mod scan;
 mod zones;

@@ -2,11 +2,12 @@
 
 use super::row::Solver;
 use super::{Course, PositionSource};
+use crate::math::roots::bisect;
 
 /// Intervals of a course, at least.
 const INTERVALS: usize = 360;
 /// Bisections of a place over time.
-const BISECTIONS: usize = 60;
+const BISECTIONS: u32 = 60;
 
 /// Places from the lesser end of a course to the greater, both included; `None` where it has
 /// no length.
@@ -56,19 +57,12 @@ pub(super) fn singular_places<S: PositionSource>(
 }
 
 /// The place at which the input passes a coordinate, between two places.
-fn place_of(course: &Course, [mut low, mut high]: [f64; 2], at: f64) -> f64 {
+fn place_of(course: &Course, [low, high]: [f64; 2], at: f64) -> f64 {
     if matches!(course, Course::Even { .. }) {
         return at.clamp(low, high);
     }
     let off = |place: f64| course.between(place).motion.coordinate - at;
     let sign = off(high);
-    for _ in 0..BISECTIONS {
-        let middle = 0.5 * (low + high);
-        if off(middle) * sign > 0.0 {
-            high = middle;
-        } else {
-            low = middle;
-        }
-    }
-    high
+    let [_, place] = bisect([low, high], BISECTIONS, |place| !(off(place) * sign > 0.0));
+    place
 }

@@ -10,10 +10,12 @@ use super::row::{Row, Solver, Trouble};
 use super::scan::{scan, singular_places};
 use super::{Course, PositionSource};
 use crate::linkage::kinetostatics::{BAD_CONDITION, ForceFailure};
-use crate::order::Total;
+use crate::math::optimise::golden;
+use crate::math::order::Total;
+use crate::math::roots::bisect;
 
 /// Bisections of an end.
-const BISECTIONS: usize = 60;
+const BISECTIONS: u32 = 60;
 /// Ratio, in parts of the greatest, at which the output stands still.
 const STANDSTILL: f64 = 1e-9;
 /// Where zones are looked for beside a reversal of the output or a singular position, in
@@ -22,9 +24,7 @@ const ASIDE: f64 = 1e-5;
 /// Most changes between two places of the scan.
 const MOST_CHANGES: usize = 16;
 /// Steps of the search for the least distance from a change, each a golden section.
-const SEARCH: usize = 30;
-/// Part of the distance that golden section keeps.
-const GOLDEN: f64 = 0.618_033_988_749_894_9;
+const SEARCH: u32 = 30;
 /// A zone of this part of the course is none.
 const NOTHING: f64 = 1e-9;
 /// Growth of a force over a tenth of the distance that has no end: by 10 where it goes with
@@ -248,16 +248,11 @@ impl<S: PositionSource> Scanner<'_, '_, S> {
     }
 
     /// Where the sign of the ratio changes.
-    fn reversal(&mut self, [mut low, mut high]: [f64; 2], sign: f64) -> f64 {
-        for _ in 0..BISECTIONS {
-            let middle = 0.5 * (low + high);
-            if ratio(&self.row(middle)).is_some_and(|ratio| ratio * sign > 0.0) {
-                low = middle;
-            } else {
-                high = middle;
-            }
-        }
-        high
+    fn reversal(&mut self, ends: [f64; 2], sign: f64) -> f64 {
+        let [_, reversal] = bisect(ends, BISECTIONS, |place| {
+            ratio(&self.row(place)).is_some_and(|ratio| ratio * sign > 0.0)
+        });
+        reversal
     }
 
     /// Places between free ones that are the nearest to a change, where they are beyond it.
@@ -276,23 +271,19 @@ impl<S: PositionSource> Scanner<'_, '_, S> {
     }
 
     /// The place of least ease, once it is not free.
-    fn beyond(&mut self, mut low: f64, mut high: f64) -> Option<Mark> {
-        let inner =
-            |low: f64, high: f64| [high - GOLDEN * (high - low), low + GOLDEN * (high - low)];
-        let mut marks = inner(low, high).map(|place| self.mark(place));
-        for _ in 0..SEARCH {
-            if let Some(found) = marks.iter().find(|mark| mark.state.is_some()) {
-                return Some(*found);
+    fn beyond(&mut self, low: f64, high: f64) -> Option<Mark> {
+        let mut found = None;
+        let mut lack = |place: f64| {
+            // Once there is one, the search may end.
+            if found.is_some() {
+                return f64::NEG_INFINITY;
             }
-            if marks[0].ease <= marks[1].ease {
-                high = marks[1].place;
-                marks = [self.mark(inner(low, high)[0]), marks[0]];
-            } else {
-                low = marks[0].place;
-                marks = [marks[1], self.mark(inner(low, high)[1])];
-            }
-        }
-        None
+            let mark = self.mark(place);
+            found = mark.state.is_some().then_some(mark);
+            -mark.ease
+        };
+        golden(&mut lack, [low, high], SEARCH);
+        found
     }
 
     /// All changes between two places.
@@ -311,21 +302,15 @@ impl<S: PositionSource> Scanner<'_, '_, S> {
     }
 
     /// Both sides of the place where the state of the first place ends.
-    fn bisect(&mut self, mut low: Mark, mut high: Mark) -> [Mark; 2] {
-        let before = low.state;
-        for _ in 0..BISECTIONS {
-            let middle = 0.5 * (low.place + high.place);
-            if middle <= low.place || middle >= high.place {
-                break;
-            }
-            let mark = self.mark(middle);
-            if mark.state == before {
-                low = mark;
-            } else {
-                high = mark;
-            }
-        }
-        [low, high]
+    fn bisect(&mut self, low: Mark, high: Mark) -> [Mark; 2] {
+        let mut marks = [low, high];
+        bisect([low.place, high.place], BISECTIONS, |place| {
+            let mark = self.mark(place);
+            let same = mark.state == low.state;
+            marks[usize::from(!same)] = mark;
+            same
+        });
+        marks
     }
 
     /// Whether forces grow without bound from a free place towards an end.

@@ -3,8 +3,8 @@
 use super::course::Course;
 use super::study::span;
 use super::subject::Subject;
-use crate::jet::Jet;
 use crate::linkage::{Cause, Linkage, Reach};
+use crate::math::jet::Jet;
 use crate::model::{Coordinate, Model};
 
 /// Part of a reach that is kept away from dead positions at its ends.

@@ -1,9 +1,9 @@
 //! The quantities of a linkage at a position.
 
 use super::ask::Asked;
-use crate::jet::Jet;
 use crate::linkage::Workspace;
 use crate::linkage::spec::{PairKind, PointOf};
+use crate::math::jet::Jet;
 use crate::model::Coordinate;
 
 /// First transfer function, in parts of the second, at which something stands still, and sine

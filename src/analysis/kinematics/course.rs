@@ -2,7 +2,7 @@
 //! prescribed motion through the laws in between.
 
 use crate::constraint::Constraint;
-use crate::jet::Jet;
+use crate::math::jet::Jet;
 use crate::model::{Law, Model, NodeIndex, NodeMotion};
 use crate::motion::DriveMotion;
 

@@ -6,11 +6,12 @@
 
 use super::ask::{Asked, Over, whole_travel};
 use crate::linkage::{Linkage, Reduced, Workspace};
+use crate::math::roots::{bisect, middle};
 
 /// Intervals in which a root is looked for.
 const INTERVALS: usize = 720;
 /// Bisections of a root.
-const BISECTIONS: usize = 60;
+const BISECTIONS: u32 = 60;
 /// Share of the greatest force, and of the parts of a stiffness, that is rounding.
 const ROUNDING: f64 = 1e-12;
 
@@ -143,19 +144,10 @@ impl Seeker<'_> {
         reduced.map_or(f64::NAN, |reduced| reduced.force[0] - reduced.potential[1])
     }
 
-    fn root(&mut self, mut low: f64, mut high: f64, sign: f64) -> f64 {
-        for _ in 0..BISECTIONS {
-            let middle = 0.5 * (low + high);
-            if middle <= low || middle >= high {
-                break;
-            }
-            if self.force(middle) * sign > 0.0 {
-                low = middle;
-            } else {
-                high = middle;
-            }
-        }
-        0.5 * (low + high)
+    fn root(&mut self, low: f64, high: f64, sign: f64) -> f64 {
+        middle(bisect([low, high], BISECTIONS, |q| {
+            self.force(q) * sign > 0.0
+        }))
     }
 
     fn at(&mut self, at: f64) -> Option<Equilibrium> {

@@ -4,14 +4,11 @@ use super::ask::Asked;
 use super::columns;
 use super::{Column, Extremes};
 use crate::linkage::Workspace;
+use crate::math::optimise::{Peak, brent};
 
-/// Most evaluations for an extreme; some ten are usual.
-const STEPS: usize = 60;
 /// Part of the bracket to which an extreme is located: values nearer to it differ by rounding
 /// only.
 const LOCATED: f64 = 1e-9;
-/// (3 − √5)/2, the part that golden section cuts off.
-const GOLDEN: f64 = 0.381_966_011_250_105_1;
 
 /// Extremes of every column over the places of its rows.
 pub(super) fn extremes(asked: &Asked<'_>, places: &[f64], columns: &[Column]) -> Vec<Extremes> {
@@ -87,9 +84,7 @@ impl Seeker<'_, '_> {
     }
 }
 
-/// The extreme of sign·value next to a row, between its neighbours, by Brent's method: steps to
-/// the vertex of a parabola through the last three places, or else golden section (R. P. Brent,
-/// *Algorithms for Minimization without Derivatives*, 1973, chapter 5).
+/// The extreme of sign·value next to a row, between its neighbours, by Brent's method.
 pub(super) fn located(
     places: &[f64],
     values: &[f64],
@@ -105,8 +100,7 @@ pub(super) fn located(
     if flat(values[before]) && flat(values[row + 1]) {
         return found;
     }
-    let (mut low, mut high) = (places[before].min(*after), places[before].max(*after));
-    let near = LOCATED * (high - low);
+    let ends = [places[before].min(*after), places[before].max(*after)];
     let mut worth = |place: f64| {
         let value = sign * at(place);
         if value.is_nan() {
@@ -115,69 +109,12 @@ pub(super) fn located(
             value
         }
     };
-    // The best place, the one before, and the one before that, with what they are worth.
-    let mut best = (found.0, sign * found.1);
-    let (mut second, mut third) = (best, best);
-    let (mut step, mut before_last) = (0.0f64, 0.0f64);
-    for _ in 0..STEPS {
-        let middle = 0.5 * (low + high);
-        if (best.0 - middle).abs() <= 2.0 * near - 0.5 * (high - low) {
-            break;
-        }
-        let vertex = vertex([best, second, third]);
-        let inside = best.0 + vertex;
-        // A parabola is trusted where its steps become shorter.
-        if vertex.abs() < 0.5 * before_last.abs() && low < inside && inside < high {
-            (before_last, step) = (step, vertex);
-            if inside - low < 2.0 * near || high - inside < 2.0 * near {
-                step = near.copysign(middle - best.0);
-            }
-        } else {
-            before_last = if best.0 < middle {
-                high - best.0
-            } else {
-                low - best.0
-            };
-            step = GOLDEN * before_last;
-        }
-        let place = best.0
-            + if step.abs() >= near {
-                step
-            } else {
-                near.copysign(step)
-            };
-        let tried = (place, worth(place));
-        if tried.1 >= best.1 {
-            if tried.0 < best.0 {
-                high = best.0;
-            } else {
-                low = best.0;
-            }
-            (third, second, best) = (second, best, tried);
-        } else {
-            if tried.0 < best.0 {
-                low = tried.0;
-            } else {
-                high = tried.0;
-            }
-            if tried.1 >= second.1 || second.0 == best.0 {
-                (third, second) = (second, tried);
-            } else if tried.1 >= third.1 || third.0 == best.0 || third.0 == second.0 {
-                third = tried;
-            }
-        }
-    }
-    (best.0, sign * best.1)
-}
-
-/// From the first place to the vertex of the parabola through three; not a number where they do
-/// not make one.
-fn vertex([x, w, v]: [(f64, f64); 3]) -> f64 {
-    let r = (x.0 - w.0) * (x.1 - v.1);
-    let q = (x.0 - v.0) * (x.1 - w.1);
-    let above = (x.0 - v.0) * q - (x.0 - w.0) * r;
-    let below = 2.0 * (q - r);
-    -above / below
+    let start = Peak {
+        value: sign * found.1,
+        at: found.0,
+    };
+    let best = brent(start, ends, LOCATED, &mut worth);
+    (best.at, sign * best.value)
 }
 
 #[cfg(test)]

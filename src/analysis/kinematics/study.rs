@@ -6,8 +6,9 @@ use super::equilibria::equilibria;
 use super::extremes::extremes;
 use super::summary;
 use super::{Axis, Column, Kinematics, Limit, Stopped};
-use crate::jet::Jet;
 use crate::linkage::{Cause, OutOfReach, Reach, Rounding, Workspace};
+use crate::math::jet::Jet;
+use crate::math::roots::bisect;
 use crate::model::Coordinate;
 
 /// Share of its own size, or of what is ordinary for it, that the error of a value may have.
@@ -266,7 +267,7 @@ impl<'q, 'a> Rows<'q, 'a> {
     }
 
     /// Where the input reaches its end, between a place inside and one outside.
-    fn stop(&self, mut inside: f64, mut outside: f64, why: &OutOfReach) -> Stopped {
+    fn stop(&self, inside: f64, outside: f64, why: &OutOfReach) -> Stopped {
         let end = why.end.at;
         if !matches!(self.asked.over, Over::Time { .. }) {
             return Stopped {
@@ -279,17 +280,7 @@ impl<'q, 'a> Rows<'q, 'a> {
             let q = self.asked.input_at(place).value;
             !(why.reach[0] < q && q < why.reach[1])
         };
-        for _ in 0..200 {
-            let middle = 0.5 * (inside + outside);
-            if middle <= inside.min(outside) || middle >= inside.max(outside) {
-                break;
-            }
-            if beyond(middle) {
-                outside = middle;
-            } else {
-                inside = middle;
-            }
-        }
+        let [_, outside] = bisect([inside, outside], 200, |place| !beyond(place));
         Stopped {
             at: outside,
             input: end,

@@ -6,6 +6,7 @@ use super::extremes::{greatest_row, located};
 use super::{Stroke, Transmission};
 use crate::linkage::spec::{PairKind, PairSpec, PointOf};
 use crate::linkage::{Group, GroupKind, Workspace};
+use crate::math::roots::{bisect, middle};
 use crate::model::Coordinate;
 use std::f64::consts::FRAC_PI_2;
 
@@ -109,20 +110,11 @@ fn stroke(look: &mut dyn FnMut(f64, bool) -> f64, from: f64, period: f64) -> Opt
     Some((ends, [rise, period - rise]))
 }
 
-/// Where the derivative changes sign between two places, by bisection.
-fn root(look: &mut dyn FnMut(f64, bool) -> f64, mut low: f64, mut high: f64, rises: bool) -> f64 {
-    for _ in 0..80 {
-        let middle = 0.5 * (low + high);
-        if middle <= low || middle >= high {
-            break;
-        }
-        if (look(middle, false) > 0.0) == rises {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    0.5 * (low + high)
+/// Where the derivative changes sign between two places.
+fn root(look: &mut dyn FnMut(f64, bool) -> f64, low: f64, high: f64, rises: bool) -> f64 {
+    middle(bisect([low, high], 80, |place| {
+        (look(place, false) > 0.0) == rises
+    }))
 }
 
 /// Transmission angles of the dyads that have one, over the places.

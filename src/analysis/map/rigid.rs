@@ -12,6 +12,7 @@
 //! over maps. (For U = A·sin φ at constant speed Ω under a constant closing
 //! moment M: P = M − J·A·Ω² at the peak, J* = M/(A·Ω²).)
 
+use crate::math::optimise::vertex;
 use crate::model::{
     Closure, Load, LoadLaw, Model, Node, NodeIndex, NodeMotion, ObjectPart, Pair, Track,
     TrackSource,
@@ -324,12 +325,7 @@ fn least(samples: &[f64]) -> f64 {
         return samples[at];
     }
     let [before, here, after] = [samples[at - 1], samples[at], samples[at + 1]];
-    let curvature = before - 2.0 * here + after;
-    let slope = 0.5 * (after - before);
-    // At a kink the neighbours fit no parabola: never below half a step's fall.
-    if curvature > 0.0 && slope.abs() <= curvature {
-        here - 0.5 * slope * slope / curvature
-    } else {
-        here
-    }
+    // At a kink the neighbours fit no parabola; it falls by an eighth of their rise at most.
+    let summit = vertex(&[(-1.0, -before), (0.0, -here), (1.0, -after)]);
+    summit.map_or(here, |(_, value)| -value)
 }

@@ -8,7 +8,7 @@ use crate::fault::Fault;
 use crate::integrate::{
     Dynamics, Method, Modes, Outcome, Settings, Sink, Stop, SwitchEvent, integrate,
 };
-use crate::polynomial::Step;
+use crate::math::polynomial::Step;
 use crate::system::{InitialState, System};
 use std::time::Instant;
 

@@ -7,6 +7,7 @@ use super::stability::{Bound, SERIES_SLACK};
 use super::verdict::{Verdict, axis, judge};
 use crate::analysis::RunSettings;
 use crate::integrate::{Dynamics, Method};
+use crate::math::roots::try_bisect;
 use crate::system::System;
 use serde::Serialize;
 
@@ -160,15 +161,11 @@ fn stable_leap(system: &System, degree: usize, rate: f64) -> Option<f64> {
             return None;
         }
     }
-    while high > RATIO * low {
-        let middle = (low * high).sqrt();
-        if grows(middle)? {
-            high = middle;
-        } else {
-            low = middle;
-        }
-    }
-    Some(low)
+    // As ratios, until the two are within `RATIO` of each other.
+    let halvings = (COARSE.ln() / RATIO.ln()).log2().ceil() as u32;
+    let ends = [low.ln(), high.ln()];
+    let found = try_bisect(ends, halvings, 0.0, |step| Some(!grows(step.exp())?));
+    found.ok().map(|[stable, _]| stable.exp())
 }
 
 /// Runs with a step: the longest one taken, and whether the motion grew.

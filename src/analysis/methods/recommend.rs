@@ -1,7 +1,7 @@
 //! Which method to take for the asked accuracy.
 
 use super::study::MethodLine;
-use crate::order::Total;
+use crate::math::order::Total;
 use serde::Serialize;
 
 /// The fastest point with an error within the asked accuracy.

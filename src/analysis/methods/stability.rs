@@ -11,6 +11,7 @@
 //! R(z) = 1 + z·bᵀ(I − zA)⁻¹·1.
 
 use crate::integrate::{Method, series_degree};
+use crate::math::roots::bisect;
 use crate::system::System;
 
 /// Growth a step that counts as none: rounding.
@@ -144,16 +145,9 @@ fn limit(slack: f64, eigenvalue: [f64; 2], growth: impl Fn(f64, f64) -> f64) -> 
     }
     let grows = |r: f64| growth(r * re, r * im) > 1.0 + slack;
     let first = (1..FARTHEST).find(|&k| grows(STEP * k as f64))?;
-    let (mut low, mut high) = (STEP * (first - 1) as f64, STEP * first as f64);
-    for _ in 0..40 {
-        let middle = 0.5 * (low + high);
-        if grows(middle) {
-            high = middle;
-        } else {
-            low = middle;
-        }
-    }
-    Some(low)
+    let ends = [first - 1, first].map(|k| STEP * k as f64);
+    let [limit, _] = bisect(ends, 40, |r| !grows(r));
+    Some(limit)
 }
 
 /// |R(x + iy)|.

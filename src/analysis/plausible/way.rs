@@ -2,7 +2,7 @@
 
 use crate::breaks::Breaks;
 use crate::constraint::{Constraint, ConstraintJet};
-use crate::jet::Jet;
+use crate::math::jet::Jet;
 use crate::model::{Model, NodeMotion};
 use crate::record::drive_cycle;
 use std::f64::consts::TAU;

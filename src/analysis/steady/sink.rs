@@ -1,7 +1,7 @@
 //! The state at which an integration ends.
 
 use crate::integrate::{Modes, Sink, SwitchEvent};
-use crate::polynomial::Step;
+use crate::math::polynomial::Step;
 
 /// Keeps the last state and counts switches.
 #[derive(Clone, Debug, Default)]

@@ -7,6 +7,7 @@ use super::motion::Piece;
 use super::search::{At, greatest};
 use super::spec::{Contact, Guide, Surface};
 use crate::fault::Fault;
+use crate::math::optimise::golden;
 use serde::Serialize;
 use std::f64::consts::FRAC_PI_2;
 
@@ -113,17 +114,8 @@ impl DiscCam {
             return Err(Fault::new("cam.offset", message, ""));
         }
         let size = self.motion().sizes()[0];
-        let (mut low, mut high) = (-size, size);
-        let ratio = 0.5 * (5f64.sqrt() - 1.0);
-        for _ in 0..80 {
-            let (a, b) = (high - ratio * (high - low), low + ratio * (high - low));
-            if self.prime_for_pressure(limits, a) <= self.prime_for_pressure(limits, b) {
-                high = b;
-            } else {
-                low = a;
-            }
-        }
-        let offset = 0.5 * (low + high);
+        let mut lesser = |offset: f64| -self.prime_for_pressure(limits, offset);
+        let offset = golden(&mut lesser, [-size, size], 80).at;
         // A law with equal slopes both ways wants none: say 0, not its rounding.
         let offset = if offset.abs() < 1e-8 * size {
             0.0

@@ -3,8 +3,8 @@
 
 use super::BaseRange;
 use crate::cam::disc::DiscCam;
-use crate::cam::search::root;
 use crate::cam::spec::{CamGeometry, Contact, Guide};
+use crate::math::roots::root;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Steps of a scan.

@@ -7,7 +7,8 @@
 
 use super::course::{Course, Formulas, Instant, ROUNDING};
 use crate::exact::LAW_DEGREE;
-use crate::polynomial::{MAX_DEGREE, first_positive};
+use crate::math::chebyshev::{Nodes, combined, in_powers};
+use crate::math::polynomial::{MAX_DEGREE, first_positive, raise};
 use std::sync::LazyLock;
 
 /// Points of an interpolation: three coefficients more than are kept.
@@ -45,10 +46,9 @@ pub(crate) struct Fit {
 
 /// Tables of the interpolation.
 struct Tables {
-    /// The points in [0, 1].
+    nodes: Nodes<POINTS>,
+    /// The points in [0, 1], ascending: as far from 0 as the nodes from 1, without rounding.
     places: [f64; POINTS],
-    /// T_k at the points.
-    values: [[f64; POINTS]; POINTS],
     /// T_k in powers of s ∈ [0, 1].
     powers: [[f64; POINTS]; POINTS],
     /// T_k in Bernstein's form of degree POINTS − 1.
@@ -59,27 +59,11 @@ const _: () = assert!(POINTS <= MAX_DEGREE + 1);
 
 static TABLES: LazyLock<Tables> = LazyLock::new(|| {
     let angle = |j: usize| std::f64::consts::PI * (j as f64 + 0.5) / POINTS as f64;
-    let mut powers = [[0.0; POINTS]; POINTS];
-    // T₀ = 1, T₁ = 2s − 1, T_{k+1} = 2(2s − 1)T_k − T_{k−1}: whole numbers.
-    powers[0][0] = 1.0;
-    powers[1][..2].copy_from_slice(&[-1.0, 2.0]);
-    for k in 1..POINTS - 1 {
-        for j in 0..POINTS {
-            let up = if j > 0 { 4.0 * powers[k][j - 1] } else { 0.0 };
-            powers[k + 1][j] = up - 2.0 * powers[k][j] - powers[k - 1][j];
-        }
-    }
     Tables {
+        nodes: Nodes::new(),
         places: std::array::from_fn(|j| (0.5 * angle(j)).sin().powi(2)),
-        values: std::array::from_fn(|k| {
-            // cos of the angle measured from the other end: x = 2s − 1 = −cos.
-            std::array::from_fn(|j| {
-                let sign = if k % 2 == 0 { 1.0 } else { -1.0 };
-                sign * (k as f64 * angle(j)).cos()
-            })
-        }),
+        powers: in_powers([-1.0, 2.0]),
         bernstein: std::array::from_fn(bernstein_of),
-        powers,
     }
 });
 
@@ -97,24 +81,16 @@ fn bernstein_of(k: usize) -> [f64; POINTS] {
         let sign = if (k - i).is_multiple_of(2) { 1.0 } else { -1.0 };
         *c = sign * choose(2 * k, 2 * i) / choose(k, i);
     }
-    for degree in k..POINTS - 1 {
-        for i in (0..=degree + 1).rev() {
-            let share = i as f64 / (degree + 1) as f64;
-            let before = if i > 0 { c[i - 1] } else { 0.0 };
-            let own = if i <= degree { c[i] } else { 0.0 };
-            c[i] = share * before + (1.0 - share) * own;
-        }
-    }
+    raise(&mut c, k);
     c
 }
 
-/// Chebyshev's coefficients of a function with given values at the points.
+/// Chebyshev's coefficients of a function with given values at the places.
 fn coefficients(values: &[f64; POINTS]) -> [f64; POINTS] {
-    std::array::from_fn(|k| {
-        let row = &TABLES.values[k];
-        let sum: f64 = row.iter().zip(values).map(|(t, f)| t * f).sum();
-        sum * if k == 0 { 1.0 } else { 2.0 } / POINTS as f64
-    })
+    let mut found = TABLES.nodes.fit(values);
+    // The places ascend, the nodes descend: T_k(−x) = (−1)ᵏ·T_k(x).
+    found.iter_mut().skip(1).step_by(2).for_each(|c| *c = -*c);
+    found
 }
 
 /// What became of a trial.
@@ -198,12 +174,8 @@ fn attempt(
     }
     let kept = c[..=LAW_DEGREE].iter().rposition(|c| c.abs() > tail * size);
     let kept = kept.unwrap_or(0);
-    let mut powers = [0.0; LAW_DEGREE + 1];
-    for (c, row) in c[..=kept].iter().zip(&TABLES.powers) {
-        for (sum, t) in powers.iter_mut().zip(row) {
-            *sum += c * t;
-        }
-    }
+    let all = combined(&c[..=kept], &TABLES.powers);
+    let mut powers: [f64; LAW_DEGREE + 1] = std::array::from_fn(|power| all[power]);
     let sum: f64 = powers.iter().map(|c| c.abs()).sum();
     if sum > CANCELLATION * size {
         return Trial::Long;
@@ -289,13 +261,8 @@ fn leaves(
         if !edge.is_finite() {
             continue;
         }
-        let mut beyond = [0.0; POINTS];
-        for (c, row) in c.iter().zip(&TABLES.bernstein) {
-            for (sum, b) in beyond.iter_mut().zip(row) {
-                *sum += sign * c * b;
-            }
-        }
-        beyond.iter_mut().for_each(|b| *b -= sign * edge + rounding);
+        let beyond = combined(&c, &TABLES.bernstein);
+        let beyond = beyond.map(|b| sign * b - (sign * edge + rounding));
         if let Some(s) = first_positive(&beyond) {
             first = Some(first.map_or(s, |other: f64| other.min(s)));
         }

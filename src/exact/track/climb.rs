@@ -6,7 +6,7 @@ use super::{CUTS, Scene, Track, piece};
 use crate::exact::bound::reversed;
 use crate::exact::hermite::{End, Piece, Point};
 use crate::exact::lanes::{Arith, Task};
-use crate::order::by_first;
+use crate::math::order::by_first;
 
 /// A summit is looked for first where the last one was, if that is so near to
 /// where it is expected, in lengths of the piece.

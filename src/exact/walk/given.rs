@@ -1,6 +1,6 @@
 //! What is known of the motion beside the trees: a step of an integration.
 
-use crate::polynomial::Step;
+use crate::math::polynomial::Step;
 
 /// A step of the coordinates that no tree holds.
 pub(crate) struct Given<'g> {
@@ -31,7 +31,7 @@ impl Given<'_> {
 #[cfg(test)]
 mod tests {
     use super::Given;
-    use crate::polynomial::{Step, evaluate};
+    use crate::math::polynomial::{Step, evaluate};
 
     #[test]
     fn a_state_is_put_where_it_belongs() {

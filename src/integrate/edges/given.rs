@@ -3,6 +3,7 @@
 
 use crate::integrate::run::Run;
 use crate::integrate::{Dynamics, Edge};
+use crate::math::roots::bisect;
 
 /// Share of the expected way that the first look takes, and growth of the next.
 const FIRST: f64 = 1.0 / 16.0;
@@ -45,13 +46,13 @@ pub(super) fn arrival(
         let after = before + step;
         let now = left(after);
         if now[0] <= 0.0 {
-            return Some(bisect(before, after, |time| left(time)[0] <= 0.0));
+            return Some(first_instant(before, after, |time| left(time)[0] <= 0.0));
         }
         if last[1] < 0.0 && now[1] > 0.0 {
             // It turns back in between: beyond the edge or before it?
-            let turn = bisect(before, after, |time| left(time)[1] >= 0.0);
+            let turn = first_instant(before, after, |time| left(time)[1] >= 0.0);
             if left(turn)[0] <= 0.0 {
-                return Some(bisect(before, turn, |time| left(time)[0] <= 0.0));
+                return Some(first_instant(before, turn, |time| left(time)[0] <= 0.0));
             }
         }
         if !(now[0] <= far) {
@@ -65,20 +66,10 @@ pub(super) fn arrival(
     None
 }
 
-/// The end of what is true from some instant on.
-fn bisect(mut before: f64, mut after: f64, holds: impl Fn(f64) -> bool) -> f64 {
-    for _ in 0..100 {
-        let middle = 0.5 * (before + after);
-        if middle <= before || middle >= after {
-            break;
-        }
-        if holds(middle) {
-            after = middle;
-        } else {
-            before = middle;
-        }
-    }
-    after
+/// The first instant between two at which something holds that does so from there on.
+fn first_instant(before: f64, after: f64, holds: impl Fn(f64) -> bool) -> f64 {
+    let [_, first] = bisect([before, after], 100, |time| !holds(time));
+    first
 }
 
 #[cfg(test)]

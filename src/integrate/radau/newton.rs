@@ -2,8 +2,9 @@
 
 use super::tableau::{Tableau, times};
 use crate::integrate::Dynamics;
-use crate::integrate::linear::{Entry, Jacobian, Lanes, SparseLu};
+use crate::integrate::jacobian::Jacobian;
 use crate::integrate::run::Run;
+use crate::math::linear::{Entry, Lanes, SparseLu};
 
 /// Most iterations of a step.
 const ITERATIONS: u32 = 9;

@@ -3,8 +3,8 @@
 use super::newton::Stages;
 use super::{Attempt, Radau, allowed};
 use crate::integrate::Dynamics;
-use crate::integrate::linear::{Entry, Lanes};
 use crate::integrate::run::Run;
+use crate::math::linear::{Entry, Lanes};
 
 impl<const S: usize, const L: usize> Radau<S, L> {
     /// One step of a length: the new state and its derivative.

@@ -1,14 +1,15 @@
 //! Rodas5P: the own method for stiff systems.
 //!
 //! A Rosenbrock method: eight linear systems a step, all with one matrix (see
-//! [`super::linear`]), and no iteration that might fail.
+//! [`crate::math::linear`]), and no iteration that might fail.
 
 mod tableau;
 
 use super::Dynamics;
-use super::linear::{Jacobian, SparseLu};
+use super::jacobian::Jacobian;
 use super::pace::towards;
 use super::run::{Run, Verdict};
+use crate::math::linear::SparseLu;
 use tableau::{COUPLINGS, GAMMA, OUTPUT, STAGES, STATES, TIME_RATES, TIMES};
 
 /// Local error allowed per step, relative to the tolerance asked for.

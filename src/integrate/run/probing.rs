@@ -4,9 +4,11 @@
 use super::Run;
 use crate::integrate::locate::Located;
 use crate::integrate::{Dynamics, Guard, Probe, Watch};
+use crate::math::optimise::vertex;
+use crate::math::roots::bisect;
 
 /// Bisections, down to the rounding of a place on the step.
-const BISECTIONS: usize = 60;
+const BISECTIONS: u32 = 60;
 /// A probe may differ from a parabola by this part of its change.
 const UNLIKE: f64 = 0.25;
 
@@ -83,17 +85,8 @@ impl<D: Dynamics> Run<'_, D> {
 
     /// Where a probe becomes positive between two places; just before, where there are
     /// no forces beyond.
-    fn bisect(&self, probe: &Probe, [mut low, mut high]: [f64; 2], y: &mut [f64]) -> f64 {
-        for _ in 0..BISECTIONS {
-            let middle = 0.5 * (low + high);
-            if middle <= low || middle >= high {
-                break;
-            }
-            match self.value(probe, middle, y) > 0.0 {
-                true => high = middle,
-                false => low = middle,
-            }
-        }
+    fn bisect(&self, probe: &Probe, ends: [f64; 2], y: &mut [f64]) -> f64 {
+        let [low, high] = bisect(ends, BISECTIONS, |s| !(self.value(probe, s, y) > 0.0));
         if self.value(probe, high, y) == f64::INFINITY {
             low
         } else {
@@ -119,18 +112,13 @@ impl<D: Dynamics> Run<'_, D> {
 
 /// Where a parabola through three places has its summit, if it lies between them and
 /// may reach above zero while the first two are below.
-fn summit([(a, fa), (b, fb), (c, fc)]: [(f64, f64); 3]) -> Option<f64> {
+fn summit(points: [(f64, f64); 3]) -> Option<f64> {
+    let [(_, fa), (b, fb), (_, fc)] = points;
     if !(fa <= 0.0 && fb <= 0.0) {
         return None;
     }
-    let (left, right) = ((fb - fa) / (b - a), (fc - fb) / (c - b));
-    let curvature = (right - left) / (c - a);
-    if !(curvature < 0.0) {
-        return None;
-    }
-    let s = 0.5 * (a + b - left / curvature);
-    let rise = |x: f64| fa + left * (x - a) + curvature * (x - a) * (x - b);
+    let (s, top) = vertex(&points)?;
     let doubt = UNLIKE * (fa.max(fb).max(fc) - fa.min(fb).min(fc));
     // One beyond zero is found without it, unless it comes down before.
-    (s > a && s < c && rise(s) + doubt > 0.0 && (fc <= 0.0 || s < b)).then_some(s)
+    (top + doubt > 0.0 && (fc <= 0.0 || s < b)).then_some(s)
 }

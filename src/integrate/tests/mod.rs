@@ -8,7 +8,7 @@ mod traps;
 
 use super::*;
 use crate::budget::Budget;
-use crate::polynomial::Step;
+use crate::math::polynomial::Step;
 
 /// A sink that keeps what the tests ask for.
 #[derive(Default)]

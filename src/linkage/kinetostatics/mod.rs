@@ -19,7 +19,6 @@
 mod accelerate;
 mod equations;
 mod external;
-mod factor;
 mod friction;
 mod iteration;
 mod outputs;

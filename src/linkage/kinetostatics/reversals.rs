@@ -7,6 +7,7 @@ use super::place::AT_REST;
 use super::positions::Positions;
 use crate::breaks::Breaks;
 use crate::linkage::{Linkage, Reach, Workspace};
+use crate::math::roots::{middle, try_bisect};
 use std::f64::consts::PI;
 
 /// Positions looked at in a turn, or over the whole of a limited reach.
@@ -20,7 +21,7 @@ const DEEPEST: u32 = 24;
 /// them go one way, and where a rate is rounding no number of them is enough.
 const HALVINGS: u32 = 512;
 /// Bisections, down to rounding.
-const BISECTIONS: usize = 80;
+const BISECTIONS: u32 = 80;
 /// Two changes closer than this share of the whole are one.
 const SAME: f64 = 1e-12;
 
@@ -211,19 +212,11 @@ impl Course<'_> {
 
     /// The root of a derivative between two places, `sign` its sign at the first.
     fn bisect(&mut self, pair: usize, order: usize, ends: [f64; 2], sign: f64) -> f64 {
-        let [mut low, mut high] = ends;
-        for _ in 0..BISECTIONS {
-            let middle = 0.5 * (low + high);
-            if middle <= low || middle >= high {
-                break;
-            }
-            match self.rates(pair, middle) {
-                Some(rates) if rates[order] * sign > 0.0 => low = middle,
-                Some(_) => high = middle,
-                None => break,
-            }
-        }
-        0.5 * (low + high)
+        let found = try_bisect(ends, BISECTIONS, 0.0, |q| {
+            Some(self.rates(pair, q)?[order] * sign > 0.0)
+        });
+        let (Ok(ends) | Err(ends)) = found;
+        middle(ends)
     }
 
     /// Signs of all rates in the midst of every piece.

@@ -4,7 +4,7 @@
 use super::friction::Law;
 use super::iteration::{Convergence, Method};
 use super::workspace::ForceWorkspace;
-use crate::order::Total;
+use crate::math::order::Total;
 
 /// Sweeps of the power iteration in [`ForceWorkspace::is_contraction`].
 const SWEEPS: usize = 6;

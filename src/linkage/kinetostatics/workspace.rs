@@ -1,8 +1,8 @@
 //! Memory for one position, kept from position to position.
 
-use super::factor::Factors;
 use super::friction::Term;
 use super::positions::{LinkPosition, PointPosition};
+use crate::math::linear::Factors;
 
 /// Where a pair is and how it slides.
 #[derive(Clone, Copy, Debug, Default)]

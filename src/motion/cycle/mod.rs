@@ -18,7 +18,7 @@ pub use spec::{CycleSpec, Motion, Station, USUAL_ORDER};
 
 use crate::breaks::Breaks;
 use crate::fault::{Fault, Faults};
-use crate::jet::Jet;
+use crate::math::jet::Jet;
 use crate::motion::law::{EndPolynomial, Jump, Law};
 
 /// A plan of motion, ready to be evaluated.

@@ -1,17 +1,9 @@
 //! Constants of a law, by which designers compare laws.
 
 use super::Law;
-use crate::jet::Jet;
+use crate::math::jet::Jet;
+use crate::math::optimise::Peak;
 use serde::Serialize;
-
-/// An extreme and the τ where it is (first) reached.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
-pub struct Peak {
-    /// The value.
-    pub value: f64,
-    /// τ.
-    pub at: f64,
-}
 
 /// A jump of a derivative; of the speed a hard shock, of the acceleration a soft one.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]

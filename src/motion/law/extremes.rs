@@ -1,8 +1,9 @@
 //! Extremes of functions of a law.
 
 use super::{Law, Peak};
-use crate::jet::Jet;
-use crate::motion::extremes::greatest;
+use crate::math::jet::Jet;
+use crate::math::optimise::greatest;
+use crate::math::roots::{bisect, middle};
 
 impl Law {
     /// The greatest value of a function of the law, and the first τ where it is reached.
@@ -28,7 +29,7 @@ impl Law {
             }
             let at = |tau: f64| slope(&self.jet(piece, tau));
             if at(low) > 0.0 && at(high) < 0.0 {
-                let place = bisect(&at, low, high);
+                let place = middle(bisect([low, high], 60, |tau| at(tau) > 0.0));
                 return Peak {
                     value: value(&self.jet(piece, place)),
                     at: place,
@@ -37,17 +38,4 @@ impl Law {
         }
         rough
     }
-}
-
-/// The place where a function falls through zero.
-fn bisect(f: &dyn Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
-    for _ in 0..60 {
-        let middle = 0.5 * (low + high);
-        if f(middle) > 0.0 {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    0.5 * (low + high)
 }

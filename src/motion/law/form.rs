@@ -2,7 +2,7 @@
 
 use super::polynomial::EndPolynomial;
 use super::trapezoid::{Trapezoid, TrapezoidPart};
-use crate::jet::Jet;
+use crate::math::jet::Jet;
 use std::f64::consts::PI;
 
 /// A formula on the unit interval.

@@ -16,7 +16,8 @@ mod spec;
 mod tests;
 mod trapezoid;
 
-pub use constants::{Jump, LawConstants, Peak};
+pub use crate::math::optimise::Peak;
+pub use constants::{Jump, LawConstants};
 pub use names::{LawName, RunLawName};
 pub(crate) use polynomial::MOST_CONDITIONS;
 pub use polynomial::{EndPolynomial, PolynomialSpec};
@@ -24,7 +25,7 @@ pub(crate) use spec::TABLE_POINTS;
 pub use spec::{LawSpec, RunLawSpec, SectionsSpec};
 pub use trapezoid::{Trapezoid, TrapezoidPart};
 
-use crate::jet::Jet;
+use crate::math::jet::Jet;
 use form::Form;
 
 /// A dimensionless law of motion θ(τ), 0 ≤ τ ≤ 1, with θ(0) = 0, θ(1) = 1 and

@@ -1,6 +1,6 @@
 //! Polynomials from conditions at the ends of the unit interval and points between.
 
-use crate::jet::Jet;
+use crate::math::jet::Jet;
 
 /// Conditions that a polynomial law fulfils: its degree is one less than their number.
 #[derive(Clone, Debug, Default, PartialEq)]

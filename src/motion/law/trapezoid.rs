@@ -1,6 +1,6 @@
 //! The modified trapezoid of general form: run-up from rest to uniform motion.
 
-use crate::jet::Jet;
+use crate::math::jet::Jet;
 use std::f64::consts::{FRAC_2_PI, PI};
 
 /// A run-up law θ(τ), 0 ≤ τ ≤ 1, from rest to uniform motion: θ″ rises as a

@@ -22,7 +22,7 @@ pub use section::RunSection;
 pub use solve::{Skewness, StrokeSpec};
 
 use crate::fault::Fault;
-use crate::jet::Jet;
+use crate::math::jet::Jet;
 use crate::motion::law::SectionsSpec;
 use serde::Serialize;
 

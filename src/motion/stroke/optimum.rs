@@ -3,6 +3,7 @@
 use super::StrokeFigures;
 use super::solve::{Laws, StrokeSpec, figures};
 use crate::fault::Fault;
+use crate::math::optimise::golden;
 
 /// What the skewness is to make least, (1.6). The weight ξ ≥ 0 says how much
 /// the run-out counts.
@@ -103,17 +104,9 @@ pub fn optimum_uniform_stroke(g: f64) -> f64 {
 
 /// Place of the least value between `low` and `high` (golden section, then
 /// the vertex of a parabola, since a minimum is flat to rounding).
-fn least(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
-    let ratio = 0.5 * (5f64.sqrt() - 1.0);
-    while high - low > 2e-4 {
-        let (a, b) = (high - ratio * (high - low), low + ratio * (high - low));
-        if f(a) <= f(b) {
-            high = b;
-        } else {
-            low = a;
-        }
-    }
-    let (middle, h) = (0.5 * (low + high), 1e-3);
+fn least(f: impl Fn(f64) -> f64, low: f64, high: f64) -> f64 {
+    // To 2e-4: two steps of the scan by 0.618¹².
+    let (middle, h) = (golden(&mut |x| -f(x), [low, high], 12).at, 1e-3);
     // Fourth-order differences: the third derivative does not shift the vertex.
     let [a, b, c, d, e] = [-2.0, -1.0, 0.0, 1.0, 2.0].map(|k: f64| f(middle + k * h));
     let first = (a - 8.0 * b + 8.0 * d - e) / (12.0 * h);

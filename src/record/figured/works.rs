@@ -3,12 +3,13 @@
 use super::Figured;
 use crate::energy::EnergyAudit;
 use crate::integrate::Modes;
-use crate::polynomial::{MAX_DEGREE, Step};
+use crate::math::polynomial::{MAX_DEGREE, Step};
+use crate::math::roots::bisect;
 use crate::record::observed::places;
 use crate::record::peaks::PLACES;
 
 /// Bisections that a kink of the friction is located by.
-const KINK_BISECTIONS: usize = 24;
+const KINK_BISECTIONS: u32 = 24;
 
 impl Figured<'_> {
     /// Works of the step, integrated between the kinks of the powers.
@@ -59,16 +60,12 @@ impl Figured<'_> {
             if before == self.sides[index + 1] {
                 continue;
             }
-            let [mut low, mut high] = [places[index], places[index + 1]];
-            for _ in 0..KINK_BISECTIONS {
-                let middle = 0.5 * (low + high);
-                self.observer.at(step, middle, modes);
-                match self.observer.friction_side() == before {
-                    true => low = middle,
-                    false => high = middle,
-                }
-            }
-            self.kinks.push(high);
+            let ends = [places[index], places[index + 1]];
+            let [_, kink] = bisect(ends, KINK_BISECTIONS, |s| {
+                self.observer.at(step, s, modes);
+                self.observer.friction_side() == before
+            });
+            self.kinks.push(kink);
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::ForcesReport;
 use crate::analysis::forces::{Column, columns};
-use crate::order::by_first;
+use crate::math::order::by_first;
 use crate::report::quantity::significant;
 use crate::report::svg::chart::{Axis, Chart, Curve};
 

@@ -2,7 +2,7 @@
 
 use super::{diagrams, ratio, shocks};
 use crate::analysis::cycle::CycleFigures;
-use crate::jet::Jet;
+use crate::math::jet::Jet;
 use crate::motion::law::Peak;
 use crate::position::Position;
 use crate::report::csv::{number, write};

@@ -13,7 +13,7 @@ pub use stroke::{stroke_chart, stroke_csv, stroke_text};
 use super::csv::{number, write};
 use super::quantity::significant;
 use super::svg::chart::{Axis, Chart, Curve};
-use crate::jet::Jet;
+use crate::math::jet::Jet;
 use crate::motion::law::{Jump, Law, LawConstants, Peak};
 use std::fmt::Write as _;
 

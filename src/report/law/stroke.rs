@@ -1,7 +1,7 @@
 //! A synthesised stroke as text, table and diagram.
 
 use super::{diagrams, ratio};
-use crate::jet::Jet;
+use crate::math::jet::Jet;
 use crate::motion::stroke::{Stroke, StrokeFigures};
 use crate::report::csv::{number, write};
 use crate::report::quantity::significant;

@@ -1,7 +1,7 @@
 //! Outlines of links, in their own frames (m).
 
 use crate::linkage::spec::{LinkageSpec, PairKind, PairSpec};
-use crate::order::Total;
+use crate::math::order::Total;
 
 /// The distinct places of a link where something is: named points, pins, the
 /// reference points of blocks and guides.

@@ -2,8 +2,8 @@
 //! speed, settled by following cycles and by Newton's method.
 
 use super::{CycleEnd, Machine, Regime};
+use crate::math::roots::bracketed;
 use crate::steady::refusal::Refusal;
-use crate::steady::root::bracketed;
 
 /// Cycles followed at most.
 const MOST_CYCLES: u32 = 200;

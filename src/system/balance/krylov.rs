@@ -8,7 +8,7 @@
 //! are exact derivatives.
 
 use super::{Balance, MANY};
-use crate::number::Dual;
+use crate::math::number::Dual;
 use crate::system::frozen::{Frozen, Step};
 use crate::system::passes::Work;
 use nalgebra::{DMatrix, DVector};

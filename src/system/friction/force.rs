@@ -2,9 +2,9 @@
 
 use super::{Member, Obstacle};
 use crate::linkage::kinetostatics::{Options, Resisted};
+use crate::math::quantity::Quantity;
 use crate::system::frozen::Frozen;
 use crate::system::passes::Work;
-use crate::system::quantity::Quantity;
 
 /// Friction is found to rounding: the equations of motion are differentiated.
 const TOLERANCE: f64 = 1e-14;

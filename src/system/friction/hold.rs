@@ -3,9 +3,9 @@
 use super::force::Moving;
 use super::passes::sign_of;
 use super::{Direction, Group, Member};
+use crate::math::quantity::Quantity;
 use crate::system::frozen::{Frozen, segment};
 use crate::system::passes::{Extent, Work};
-use crate::system::quantity::Quantity;
 
 impl Frozen {
     /// A group that friction holds: no force is left on its root.

@@ -23,10 +23,10 @@ mod stops;
 mod unsolved;
 
 use super::frozen::{Frozen, FrozenTrack};
-use super::quantity::Quantity;
 use crate::integrate::{Guard, Watch};
 use crate::linkage::Workspace;
 use crate::linkage::kinetostatics::{ForceFailure, ForceWorkspace, Kinetostatics, Reversals};
+use crate::math::quantity::Quantity;
 use crate::model::LinkageBody;
 use crate::position::Position;
 use std::sync::Arc;

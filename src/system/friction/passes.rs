@@ -3,9 +3,9 @@
 use super::force::Moving;
 use super::{Direction, Group, HELD, Member, Obstacle, UNSETTLED};
 use crate::linkage::kinetostatics::ForceFailure;
+use crate::math::quantity::Quantity;
 use crate::system::frozen::{Frozen, segment};
 use crate::system::passes::{Extent, Work};
-use crate::system::quantity::Quantity;
 
 /// Rounds over the linkages of a group at most, and what they may still change.
 const ROUNDS: usize = 200;

@@ -9,9 +9,9 @@ mod table;
 
 use super::frozen::Frozen;
 use super::passes::{Extent, Work};
-use super::quantity::Quantity;
-use crate::jet::Jet;
 use crate::linkage::{Linkage, Reduced, Workspace};
+use crate::math::jet::Jet;
+use crate::math::quantity::Quantity;
 use crate::position::linkage_reach;
 use std::cell::{Cell, RefCell};
 use std::sync::Arc;

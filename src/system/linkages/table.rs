@@ -10,8 +10,8 @@
 
 mod build;
 
-use crate::jet::Jet;
 use crate::linkage::{Linkage, Reach};
+use crate::math::jet::Jet;
 use build::{Builder, period_of_outputs, repeats};
 use std::cell::Cell;
 

@@ -6,7 +6,7 @@
 //! distance r to both sides. It is exact for polynomial laws to degree 9; of a
 //! sine it misses less than 0.06·(r·k)⁹/9! of the amplitude of U′, k its harmonic.
 
-use crate::jet::Jet;
+use crate::math::jet::Jet;
 
 /// Highest power of a series.
 pub(crate) const HIGHEST: usize = 24;

@@ -1,8 +1,8 @@
 //! Loads along a motion.
 
 use super::law::{HIGHEST, Series, against, product};
+use crate::math::polynomial::first_positive;
 use crate::model::LoadLaw;
-use crate::polynomial::first_positive;
 
 /// |φ̇|/width down to which a step may lead that starts farther out: 1 − tanh is
 /// then 2·exp(−2·|φ̇|/width), below the digits that a series of this degree is

@@ -1,6 +1,7 @@
 //! The coefficients for any number of stages; compiled once for all of them.
 
-use crate::order::Total;
+use crate::math::order::Total;
+use crate::math::quadrature::{legendre, rule, zeros};
 use nalgebra::{Complex, DMatrix, DVector};
 
 /// A square matrix by columns.
@@ -149,44 +150,6 @@ fn bernstein(degree: usize, value: &dyn Fn(f64) -> f64) -> Vec<f64> {
     solution.iter().copied().collect()
 }
 
-/// Legendre's polynomial of a degree on [0, 1].
-fn legendre(degree: usize, x: f64) -> f64 {
-    let x = 2.0 * x - 1.0;
-    let (mut before, mut value) = (0.0, 1.0);
-    for k in 0..degree {
-        let k = k as f64;
-        let next = ((2.0 * k + 1.0) * x * value - k * before) / (k + 1.0);
-        (before, value) = (value, next);
-    }
-    value
-}
-
-/// Zeros within (0, 1) of a polynomial with simple zeros only, by halving.
-fn zeros(f: &dyn Fn(f64) -> f64) -> Vec<f64> {
-    const PARTS: usize = 499;
-    let mut found = Vec::new();
-    for part in 0..PARTS {
-        let [mut low, mut high] =
-            [part, part + 1].map(|k| (k as f64 + 0.01) / (PARTS as f64 + 1.0));
-        let rises = f(high) > 0.0;
-        if (f(low) > 0.0) == rises {
-            continue;
-        }
-        while {
-            let middle = 0.5 * (low + high);
-            let outside = middle <= low || middle >= high;
-            if (f(middle) > 0.0) == rises {
-                high = middle;
-            } else {
-                low = middle;
-            }
-            !outside
-        } {}
-        found.push(0.5 * (low + high));
-    }
-    found
-}
-
 fn nodes(stages: usize) -> Vec<f64> {
     // Without its zero at 1 the polynomial keeps its digits near there.
     let mut all = zeros(&|x| (legendre(stages, x) - legendre(stages - 1, x)) / (1.0 - x));
@@ -201,14 +164,7 @@ impl Quadrature {
     const POINTS: usize = 6;
 
     fn new() -> Self {
-        let weight = |x: f64| {
-            let n = Self::POINTS as f64;
-            let below = legendre(Self::POINTS - 1, x);
-            let z = 2.0 * x - 1.0;
-            (1.0 - z * z) / (n * n * below * below)
-        };
-        let points = zeros(&|x| legendre(Self::POINTS, x));
-        Self(points.into_iter().map(|x| (x, weight(x))).collect())
+        Self(rule(Self::POINTS))
     }
 
     /// The integral from 0 to a place; exact to degree 11.

@@ -105,7 +105,7 @@ fn the_continuous_output_is_exact_for_powers() {
             .collect();
         for i in 0..=10 {
             let x = f64::from(i) / 10.0;
-            let (value, slope) = crate::polynomial::evaluate(&coefficients, x);
+            let (value, slope) = crate::math::polynomial::evaluate(&coefficients, x);
             let expected = x.powi(power + 1) / f64::from(power + 1);
             approx::assert_abs_diff_eq!(value, expected, epsilon = 1e-14);
             approx::assert_abs_diff_eq!(slope, rate(x), epsilon = 1e-13);

@@ -3,7 +3,7 @@
 use super::{DEEPEST, Four, POINTS, Piece, Table};
 use crate::linkage::spec::{ForceLaw, LinkageSpec};
 use crate::linkage::{Linkage, Workspace};
-use std::f64::consts::PI;
+use crate::math::chebyshev::{Nodes, combined, in_powers};
 
 /// Coefficients at the end that must have died away …
 const TAIL: usize = 3;
@@ -72,9 +72,8 @@ pub(super) struct Builder<'a> {
     outputs: &'a [usize],
     workspace: Workspace,
     table: &'a mut Table,
-    /// Chebyshev's points, T_k there, and the coefficients of T_k.
-    points: [f64; POINTS],
-    values: [Coefficients; POINTS],
+    /// The points, and T_k in powers.
+    nodes: Nodes<POINTS>,
     powers: [Coefficients; POINTS],
     /// Greatest of every function met.
     sizes: Vec<f64>,
@@ -83,15 +82,13 @@ pub(super) struct Builder<'a> {
 
 impl<'a> Builder<'a> {
     pub(super) fn new(linkage: &'a Linkage, outputs: &'a [usize], table: &'a mut Table) -> Self {
-        let angle = |j: usize| PI * (j as f64 + 0.5) / POINTS as f64;
         Self {
             linkage,
             outputs,
             workspace: linkage.workspace(),
             table,
-            points: std::array::from_fn(|j| angle(j).cos()),
-            values: std::array::from_fn(|k| std::array::from_fn(|j| (k as f64 * angle(j)).cos())),
-            powers: powers(),
+            nodes: Nodes::new(),
+            powers: in_powers([0.0, 1.0]),
             sizes: vec![0.0; 3 + outputs.len()],
             positions: 0,
         }
@@ -153,7 +150,7 @@ impl<'a> Builder<'a> {
         let (linkage, workspace) = (self.linkage, &mut self.workspace);
         let mut functions = vec![[0.0; POINTS]; self.sizes.len()];
         self.positions += POINTS;
-        for (j, x) in self.points.iter().enumerate() {
+        for (j, x) in self.nodes.places.iter().enumerate() {
             let q = self.table.start + centre + half * x;
             // J′ is that of the polynomial.
             linkage.solve(q, 1, workspace).ok()?;
@@ -199,7 +196,7 @@ impl<'a> Builder<'a> {
                 own.max(SMALL * self.sizes[k])
             };
             if size > 0.0 {
-                let mut coefficients = self.chebyshev(values);
+                let mut coefficients = self.nodes.fit(values);
                 for c in &coefficients[POINTS - TAIL..] {
                     let share = c.abs() / size;
                     // Not a number counts as too much.
@@ -209,7 +206,7 @@ impl<'a> Builder<'a> {
                     // Its integral must not have one power more.
                     coefficients[POINTS - 1] = 0.0;
                 }
-                found[k] = self.in_powers(&coefficients);
+                found[k] = combined(&coefficients, &self.powers);
             }
         }
         let is_noise = before <= NOISE && (STAYS * before..=NOISE).contains(&left_over);
@@ -225,27 +222,6 @@ impl<'a> Builder<'a> {
             fours.push(Four::new([&value, first, &second, &third]));
         }
         Ok(fours)
-    }
-
-    /// Coefficients of T_k.
-    fn chebyshev(&self, values: &Coefficients) -> Coefficients {
-        std::array::from_fn(|k| {
-            let sum: f64 = (self.values[k].iter().zip(values))
-                .map(|(t, f)| t * f)
-                .sum();
-            sum * if k == 0 { 1.0 } else { 2.0 } / POINTS as f64
-        })
-    }
-
-    /// From coefficients of T_k to those of powers.
-    fn in_powers(&self, chebyshev: &Coefficients) -> Coefficients {
-        let mut out = [0.0; POINTS];
-        for (c, powers) in chebyshev.iter().zip(&self.powers) {
-            for (out, t) in out.iter_mut().zip(powers) {
-                *out += c * t;
-            }
-        }
-        out
     }
 }
 
@@ -263,18 +239,4 @@ fn integrated(polynomial: &Coefficients, half: f64, middle: f64) -> Coefficients
         0 => middle,
         _ => half * polynomial[power - 1] / power as f64,
     })
-}
-
-/// Coefficients of T_k: T_{k+1} = 2x·T_k − T_{k−1}.
-fn powers() -> [Coefficients; POINTS] {
-    let mut all = [[0.0; POINTS]; POINTS];
-    all[0][0] = 1.0;
-    all[1][1] = 1.0;
-    for k in 1..POINTS - 1 {
-        all[k + 1] = all[k - 1].map(|t| -t);
-        for power in 1..POINTS {
-            all[k + 1][power] += 2.0 * all[k][power - 1];
-        }
-    }
-    all
 }

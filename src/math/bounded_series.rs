@@ -5,14 +5,14 @@
 //! know how large a rounding error may be. Every coefficient therefore carries
 //! a magnitude, the sum of the absolute values of all that was added up to it.
 
-use super::quantity::Quantity;
-use crate::jet::Jet;
-use crate::number::Number;
+use crate::math::jet::Jet;
+use crate::math::number::Number;
+use crate::math::quantity::Quantity;
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
 /// Highest power of time: enough for the wave of a load on the last of 15
 /// undamped masses to show at the first.
-pub(super) const ORDER: usize = 32;
+pub(crate) const ORDER: usize = 32;
 
 /// A coefficient counts as zero below this share of its magnitude.
 const ROUNDING: f64 = 1e-12;
@@ -24,20 +24,20 @@ const DIFFERENCE_NOISE: f64 = 1e-6;
 
 /// A truncated Taylor series Σ c_k·t^k.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Series {
+pub(crate) struct Series {
     /// Powers above are not worked out, and 0. What is made of several series
     /// goes as far as the longest of them: constants are exact as they stand,
     /// and what varies is all made to the same order.
     order: usize,
     /// c_k.
-    pub(super) coefficients: [f64; ORDER + 1],
+    pub(crate) coefficients: [f64; ORDER + 1],
     /// Sum of the absolute values of what was added up to c_k.
     magnitudes: [f64; ORDER + 1],
 }
 
 impl Series {
     /// A constant known up to rounding of numbers of a size.
-    pub(super) fn constant(value: f64, size: f64) -> Self {
+    pub(crate) fn constant(value: f64, size: f64) -> Self {
         let mut series = Self::zero(0);
         series.set(0, value, size);
         series
@@ -53,26 +53,26 @@ impl Series {
     }
 
     /// The time itself, t; its functions are worked out up to a power.
-    pub(super) fn time(order: usize) -> Self {
+    pub(crate) fn time(order: usize) -> Self {
         let mut series = Self::zero(order);
         series.set(1, 1.0, 1.0);
         series
     }
 
     /// Sets a coefficient; `size` is that of the numbers it came from.
-    pub(super) fn set(&mut self, power: usize, value: f64, size: f64) {
+    pub(crate) fn set(&mut self, power: usize, value: f64, size: f64) {
         self.order = self.order.max(power);
         self.coefficients[power] = value;
         self.magnitudes[power] = size.abs().max(value.abs());
     }
 
     /// Magnitude of a coefficient.
-    pub(super) fn magnitude(&self, power: usize) -> f64 {
+    pub(crate) fn magnitude(&self, power: usize) -> f64 {
         self.magnitudes[power]
     }
 
     /// Derivative with respect to time.
-    pub(super) fn rate(&self) -> Self {
+    pub(crate) fn rate(&self) -> Self {
         let mut rate = Self::zero(self.order.saturating_sub(1));
         for power in 1..=self.order {
             let factor = power as f64;
@@ -84,13 +84,13 @@ impl Series {
 
     /// Sign just after t = 0: that of the first coefficient that is not zero
     /// beyond rounding; 0 when there is none.
-    pub(super) fn sign(&self) -> f64 {
+    pub(crate) fn sign(&self) -> f64 {
         let leading = self.leading();
         leading.map_or(0.0, |power| self.coefficients[power].signum())
     }
 
     /// The power of that coefficient.
-    pub(super) fn leading(&self) -> Option<usize> {
+    pub(crate) fn leading(&self) -> Option<usize> {
         let coefficients = &self.coefficients[..=self.order];
         let mut both = coefficients.iter().zip(&self.magnitudes);
         both.position(|(value, size)| value.abs() > ROUNDING * size)
@@ -272,23 +272,27 @@ impl SubAssign for Series {
 #[cfg(test)]
 mod tests {
     use super::{ORDER, Quantity, Series};
-    use crate::number::Number;
-    use crate::position::Position;
+    use crate::math::jet::Jet;
+    use crate::math::number::Number;
 
-    const SINE: Position = Position::Sine {
-        amplitude: 1.5,
-        harmonic: 2.0,
-        phase: 0.0,
-        offset: 0.0,
-    };
+    /// 1.5·sin 2φ.
+    fn sine(phi: f64) -> Jet {
+        let (sin, cos) = (2.0 * phi).sin_cos();
+        Jet {
+            value: 1.5 * sin,
+            first: 3.0 * cos,
+            second: -6.0 * sin,
+            third: -12.0 * cos,
+        }
+    }
 
     #[test]
     fn a_law_is_composed_with_a_motion_to_the_fourth_order() {
         let t = Series::time(ORDER);
         let phi = Series::from(0.4) + t.scale(3.0) + (t * t).scale(0.7);
-        let [value, first, _] = phi.lift(|phi| SINE.jet(0, phi));
+        let [value, first, _] = phi.lift(sine);
         // The series agrees with the law along the motion, to its order.
-        let at = |t: f64| SINE.jet(0, 0.4 + 3.0 * t + 0.7 * t * t);
+        let at = |t: f64| sine(0.4 + 3.0 * t + 0.7 * t * t);
         let sum = |series: &Series, t: f64, order: i32| -> f64 {
             (0..=order)
                 .map(|power| series.coefficients[power as usize] * t.powi(power))
@@ -316,7 +320,7 @@ mod tests {
     fn what_is_zero_up_to_rounding_does_not_decide_a_sign() {
         // U″ of sin 2φ at φ = π is 10⁻¹⁵, not zero; U‴ < 0 decides.
         let phi = Series::from(std::f64::consts::PI) + Series::time(ORDER);
-        let [_, _, second] = phi.lift(|phi| SINE.jet(0, phi));
+        let [_, _, second] = phi.lift(sine);
         assert!(second.value() > 0.0 && second.value() < 1e-14);
         assert_eq!(second.sign(), -1.0);
         assert_eq!((-second).sign(), 1.0);

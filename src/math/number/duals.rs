@@ -120,7 +120,7 @@ impl<const K: usize> SubAssign for Duals<K> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::number::Dual;
+    use crate::math::number::Dual;
 
     /// Every lane is what a number with one derivative gives.
     #[test]

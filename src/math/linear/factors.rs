@@ -2,11 +2,13 @@
 //! right sides.
 //!
 //! The matrices of kinetostatics are small (3 rows a link) and mostly zeros;
-//! zeros are passed over. Rows are exchanged for the greatest pivot.
+//! zeros are passed over.
+
+use super::dense;
 
 /// A square matrix and, after [`Factors::factorise`], its factors P·A = L·U.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Factors {
+pub(crate) struct Factors {
     size: usize,
     /// Row after row.
     values: Vec<f64>,
@@ -20,7 +22,7 @@ pub(super) struct Factors {
 
 impl Factors {
     /// Room for matrices of up to `size` rows.
-    pub(super) fn with_room(size: usize) -> Self {
+    pub(crate) fn with_room(size: usize) -> Self {
         Self {
             size,
             values: vec![0.0; size * size],
@@ -31,7 +33,7 @@ impl Factors {
     }
 
     /// Makes it the zero matrix of `size` rows.
-    pub(super) fn clear(&mut self, size: usize) {
+    pub(crate) fn clear(&mut self, size: usize) {
         self.size = size;
         self.values.clear();
         self.values.resize(size * size, 0.0);
@@ -41,54 +43,16 @@ impl Factors {
 
     /// Adds to an entry.
     #[inline]
-    pub(super) fn add(&mut self, row: usize, column: usize, value: f64) {
+    pub(crate) fn add(&mut self, row: usize, column: usize, value: f64) {
         self.values[row * self.size + column] += value;
     }
 
     /// Factorises the matrix in place; false if it is singular or not finite.
-    pub(super) fn factorise(&mut self) -> bool {
+    pub(crate) fn factorise(&mut self) -> bool {
         self.norm = self.greatest_column();
-        let n = self.size;
-        let (mut least, mut greatest) = (f64::INFINITY, 0.0f64);
-        for k in 0..n {
-            let pivot_row = (k..n).fold(k, |best, row| {
-                let better = self.values[row * n + k].abs() > self.values[best * n + k].abs();
-                if better { row } else { best }
-            });
-            self.exchanged[k] = pivot_row;
-            let pivot = self.values[pivot_row * n + k];
-            if !(pivot.is_finite() && pivot != 0.0) {
-                self.pivots = 0.0;
-                return false;
-            }
-            least = least.min(pivot.abs());
-            greatest = greatest.max(pivot.abs());
-            self.eliminate(k, pivot_row);
-        }
-        self.pivots = least / greatest;
-        self.values.iter().all(|value| value.is_finite())
-    }
-
-    /// Step k of the elimination.
-    #[inline]
-    fn eliminate(&mut self, k: usize, pivot_row: usize) {
-        let n = self.size;
-        if pivot_row != k {
-            let (upper, lower) = self.values.split_at_mut(pivot_row * n);
-            upper[k * n..(k + 1) * n].swap_with_slice(&mut lower[..n]);
-        }
-        let (upper, lower) = self.values.split_at_mut((k + 1) * n);
-        let top = &upper[k * n..];
-        let inverse = 1.0 / top[k];
-        for row in lower.chunks_exact_mut(n) {
-            if row[k] != 0.0 {
-                let factor = row[k] * inverse;
-                row[k] = factor;
-                for (value, above) in row[k + 1..].iter_mut().zip(&top[k + 1..]) {
-                    *value -= factor * above;
-                }
-            }
-        }
+        let found = dense::factorise(&mut self.values, &mut self.exchanged);
+        self.pivots = found.ratio;
+        found.is_regular() && self.values.iter().all(|value| value.is_finite())
     }
 
     /// Greatest sum of the magnitudes of a column.
@@ -105,41 +69,17 @@ impl Factors {
 
     /// Least pivot over greatest: a quick hint at how near to singular the
     /// matrix is; [`Self::condition`] is the measure.
-    pub(super) fn pivots(&self) -> f64 {
+    pub(crate) fn pivots(&self) -> f64 {
         self.pivots
     }
 
     /// Solves A·X = R for `width` right sides lying row after row in `right`.
-    pub(super) fn solve(&self, right: &mut [f64], width: usize) {
-        let n = self.size;
-        for k in 0..n {
-            let other = self.exchanged[k];
-            if other != k {
-                let (upper, lower) = right.split_at_mut(other * width);
-                upper[k * width..(k + 1) * width].swap_with_slice(&mut lower[..width]);
-            }
-        }
-        for i in 1..n {
-            let (known, rest) = right.split_at_mut(i * width);
-            for k in 0..i {
-                let factor = self.values[i * n + k];
-                subtract(&mut rest[..width], factor, &known[k * width..]);
-            }
-        }
-        for i in (0..n).rev() {
-            let (upper, known) = right.split_at_mut((i + 1) * width);
-            let row = &mut upper[i * width..];
-            for k in i + 1..n {
-                let factor = self.values[i * n + k];
-                subtract(row, factor, &known[(k - i - 1) * width..]);
-            }
-            let inverse = 1.0 / self.values[i * n + i];
-            row.iter_mut().for_each(|value| *value *= inverse);
-        }
+    pub(crate) fn solve(&self, right: &mut [f64], width: usize) {
+        dense::solve(&self.values, &self.exchanged, right, width);
     }
 
     /// Solves Aᵀ·x = r in place.
-    pub(super) fn solve_transposed(&self, x: &mut [f64]) {
+    pub(crate) fn solve_transposed(&self, x: &mut [f64]) {
         let n = self.size;
         for k in 0..n {
             x[k] /= self.values[k * n + k];
@@ -163,7 +103,7 @@ impl Factors {
     /// second factor as Hager estimates it (W. W. Hager, "Condition estimates",
     /// SIAM J. Sci. Stat. Comput. 5 (1984)): never above the true number, and
     /// seldom below a third of it. `x` and `y` are memory.
-    pub(super) fn condition(&self, x: &mut Vec<f64>, y: &mut Vec<f64>) -> f64 {
+    pub(crate) fn condition(&self, x: &mut Vec<f64>, y: &mut Vec<f64>) -> f64 {
         let n = self.size;
         x.clear();
         x.resize(n, 1.0 / n as f64);
@@ -184,16 +124,6 @@ impl Factors {
             x[greatest] = 1.0;
         }
         estimate * self.norm
-    }
-}
-
-/// row −= factor·above, where the factor is not zero.
-#[inline(always)]
-fn subtract(row: &mut [f64], factor: f64, above: &[f64]) {
-    if factor != 0.0 {
-        for (value, above) in row.iter_mut().zip(above) {
-            *value -= factor * above;
-        }
     }
 }
 

@@ -35,6 +35,12 @@ pub trait Number:
 
     /// `self` times a constant.
     fn scale(self, factor: f64) -> Self;
+
+    /// True for a zero without any derivative; false where that is not looked at.
+    #[inline(always)]
+    fn vanishes(self) -> bool {
+        false
+    }
 }
 
 impl Number for f64 {
@@ -51,6 +57,11 @@ impl Number for f64 {
     #[inline(always)]
     fn scale(self, factor: f64) -> Self {
         self * factor
+    }
+
+    #[inline(always)]
+    fn vanishes(self) -> bool {
+        self == 0.0
     }
 }
 

@@ -5,30 +5,16 @@
 //! panel are left out, so that a jump there does no harm, and the difference of
 //! the two rules tells of one within, which is then closed in by halving.
 
-/// Places (0 and positive) and weights of the seven; every second, from the
-/// first, is one of Gauss's three.
-const PLACES: [f64; 4] = [
-    0.0,
-    0.434_243_749_346_802_6,
-    0.774_596_669_241_483_4,
-    0.960_491_268_708_020_3,
-];
-const KRONROD: [f64; 4] = [
-    0.450_916_538_658_474_1,
-    0.401_397_414_775_962_2,
-    0.268_488_089_868_333_4,
-    0.104_656_226_026_467_3,
-];
-const GAUSS: [f64; 4] = [8.0 / 9.0, 0.0, 5.0 / 9.0, 0.0];
+use super::kronrod::SEVEN;
 
 /// Halvings of a panel at most: a jump is closed in to rounding.
 const DEEPEST: u32 = 46;
 
 /// Integrals over panels, summed up.
 #[derive(Debug)]
-pub(super) struct Integrals {
+pub(crate) struct Integrals {
     /// The integrals so far.
-    pub(super) sums: Vec<f64>,
+    pub(crate) sums: Vec<f64>,
     /// Error of each that a panel may have.
     bounds: Vec<f64>,
     /// Evaluations left; when they are used up nothing is halved any more.
@@ -40,7 +26,7 @@ pub(super) struct Integrals {
 
 impl Integrals {
     /// As many integrals as there are bounds, none summed up yet.
-    pub(super) fn new(bounds: Vec<f64>, evaluations: usize) -> Self {
+    pub(crate) fn new(bounds: Vec<f64>, evaluations: usize) -> Self {
         let zeros = vec![0.0; bounds.len()];
         Self {
             sums: zeros.clone(),
@@ -54,7 +40,7 @@ impl Integrals {
 
     /// Adds the integrals over a panel of `f`, which writes the values at a
     /// place; `None` where it has none.
-    pub(super) fn add(
+    pub(crate) fn add(
         &mut self,
         [from, to]: [f64; 2],
         mut f: impl FnMut(f64, &mut [f64]) -> Option<()>,
@@ -91,13 +77,13 @@ impl Integrals {
         let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
         self.fine.fill(0.0);
         self.coarse.fill(0.0);
-        for (index, place) in PLACES.iter().enumerate() {
+        for (index, node) in SEVEN.iter().enumerate() {
             for side in if index == 0 { &[1.0][..] } else { &[-1.0, 1.0] } {
-                f(middle + side * place * half, &mut self.values)?;
+                f(middle + side * node.place * half, &mut self.values)?;
                 self.left = self.left.saturating_sub(1);
                 for (k, value) in self.values.iter().enumerate() {
-                    self.fine[k] += half * KRONROD[index] * value;
-                    self.coarse[k] += half * GAUSS[index] * value;
+                    self.fine[k] += half * node.kronrod * value;
+                    self.coarse[k] += half * node.gauss * value;
                 }
             }
         }

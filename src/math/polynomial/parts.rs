@@ -40,7 +40,7 @@ pub fn raise(row: &mut [f64], from: usize) {
 #[cfg(test)]
 mod tests {
     use super::{divide, halve, raise};
-    use crate::polynomial::evaluate;
+    use crate::math::polynomial::evaluate;
 
     const ROW: [f64; 6] = [1.0, -2.0, 0.5, 3.0, 0.0, 4.0];
 

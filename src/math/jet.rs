@@ -1,6 +1,6 @@
 //! A function of one variable at a point: its value and first three derivatives.
 
-use crate::number::Number;
+use crate::math::number::Number;
 
 /// Value and first three derivatives of a function of one variable at a point.
 ///

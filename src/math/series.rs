@@ -5,7 +5,8 @@
 //! Closed formulas evaluated on series give transfer functions of every order
 //! at once, to the precision of the formulas themselves.
 
-use crate::jet::Jet;
+use crate::math::chebyshev::Argument;
+use crate::math::jet::Jet;
 use std::ops::{Add, Mul, Neg, Sub};
 
 /// The first `N` coefficients of a power series.
@@ -173,6 +174,23 @@ impl<const N: usize> Series<N> {
             second: 2.0 * at(2),
             third: 6.0 * at(3),
         }
+    }
+}
+
+impl<const N: usize> Argument for Series<N> {
+    #[inline(always)]
+    fn constant(value: f64) -> Self {
+        Self::constant(value)
+    }
+
+    #[inline(always)]
+    fn scale(self, factor: f64) -> Self {
+        self.scale(factor)
+    }
+
+    #[inline(always)]
+    fn shift(self, value: f64) -> Self {
+        self.shift(value)
     }
 }
 

@@ -1,6 +1,6 @@
-//! Extremes of piecewise smooth functions.
+//! The greatest value of a function that is smooth in pieces.
 
-use super::law::Peak;
+use super::{Peak, golden};
 
 /// Intervals a piece is searched in at least: a polynomial of the highest degree
 /// allowed has far fewer turning points. At most, for what oscillates.
@@ -9,6 +9,9 @@ const MOST_INTERVALS: usize = 1 << 14;
 
 /// Intervals for each turning point that is met.
 const A_TURN: usize = 8;
+
+/// Steps of golden section: the place to about 1e-8, the value to rounding.
+const STEPS: u32 = 60;
 
 /// Differences that count as rounding when two extremes are compared.
 const SAME: f64 = 1e-13;
@@ -34,17 +37,18 @@ pub(crate) fn greatest(
         };
         let samples: Vec<f64> = (0..=count).map(|i| at(place(i))).collect();
         for i in 0..=count {
-            best.raise(samples[i], place(i));
+            best.raise(Peak {
+                value: samples[i],
+                at: place(i),
+            });
             let inner = i > 0 && i < count;
             if inner && samples[i] >= samples[i - 1] && samples[i] >= samples[i + 1] {
-                let (value, x) = golden(&at, place(i - 1), place(i + 1));
-                best.raise(value, x);
+                best.raise(golden(&mut |x| at(x), [place(i - 1), place(i + 1)], STEPS));
             }
         }
         // Steep ends: the greatest value may lie within the outer intervals.
         for (a, b) in [(0, 1), (count - 1, count)] {
-            let (value, x) = golden(&at, place(a), place(b));
-            best.raise(value, x);
+            best.raise(golden(&mut |x| at(x), [place(a), place(b)], STEPS));
         }
     }
     best
@@ -86,33 +90,12 @@ fn turns(samples: &[f64]) -> usize {
 
 impl Peak {
     /// Takes the greater one; of equal ones the first stays.
-    fn raise(&mut self, value: f64, at: f64) {
+    fn raise(&mut self, other: Self) {
         let floor = SAME * self.value.abs().max(SAME);
-        if !self.value.is_finite() || value > self.value + floor {
-            *self = Self { value, at };
+        if !self.value.is_finite() || other.value > self.value + floor {
+            *self = other;
         }
     }
-}
-
-/// Greatest value and its place between `low` and `high` (golden section).
-pub(crate) fn golden(f: &dyn Fn(f64) -> f64, mut low: f64, mut high: f64) -> (f64, f64) {
-    let ratio = 0.5 * (5f64.sqrt() - 1.0);
-    let (mut a, mut b) = (high - ratio * (high - low), low + ratio * (high - low));
-    let (mut fa, mut fb) = (f(a), f(b));
-    for _ in 0..60 {
-        if fa >= fb {
-            high = b;
-            (b, fb) = (a, fa);
-            a = high - ratio * (high - low);
-            fa = f(a);
-        } else {
-            low = a;
-            (a, fa) = (b, fb);
-            b = low + ratio * (high - low);
-            fb = f(b);
-        }
-    }
-    if fa >= fb { (fa, a) } else { (fb, b) }
 }
 
 #[cfg(test)]

@@ -1,36 +1,9 @@
-//! Integrals with an error that is known: adaptive Gauss and Kronrod.
+//! An integral with an error that is known: adaptive Gauss and Kronrod.
 //!
-//! Source of the rule and of its error estimate: R. Piessens, E. de
+//! Source of the error estimate: R. Piessens, E. de
 //! Doncker-Kapenga, C. W. Überhuber, D. K. Kahaner, QUADPACK, 1983.
 
-/// Places (0 and positive) and weights of Kronrod's 15 points; Gauss's 7 are
-/// the ones with an odd number.
-const PLACES: [f64; 8] = [
-    0.991_455_371_120_812_6,
-    0.949_107_912_342_758_5,
-    0.864_864_423_359_769_1,
-    0.741_531_185_599_394_4,
-    0.586_087_235_467_691_1,
-    0.405_845_151_377_397_2,
-    0.207_784_955_007_898_47,
-    0.0,
-];
-const KRONROD: [f64; 8] = [
-    0.022_935_322_010_529_224,
-    0.063_092_092_629_978_56,
-    0.104_790_010_322_250_19,
-    0.140_653_259_715_525_92,
-    0.169_004_726_639_267_9,
-    0.190_350_578_064_785_4,
-    0.204_432_940_075_298_89,
-    0.209_482_141_084_727_82,
-];
-const GAUSS: [f64; 4] = [
-    0.129_484_966_168_869_7,
-    0.279_705_391_489_276_64,
-    0.381_830_050_505_118_9,
-    0.417_959_183_673_469_4,
-];
+use super::kronrod::FIFTEEN;
 
 /// Most halvings of an interval: a root or a logarithm at an end is followed
 /// down to where it no longer counts.
@@ -38,9 +11,9 @@ const MOST_HALVINGS: u32 = 100;
 
 /// An integral and the estimate of its error.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Area {
-    pub(super) value: f64,
-    pub(super) error: f64,
+pub(crate) struct Area {
+    pub(crate) value: f64,
+    pub(crate) error: f64,
 }
 
 /// Intervals at most: rounding in the integrand must not be chased for ever.
@@ -51,7 +24,7 @@ const ROUNDING: f64 = 20.0 * f64::EPSILON;
 
 /// ∫ of `f` over [from, to] with an error below `tolerance`, as far as
 /// rounding allows.
-pub(super) fn integrate(f: &impl Fn(f64) -> f64, from: f64, to: f64, tolerance: f64) -> Area {
+pub(crate) fn integrate(f: &impl Fn(f64) -> f64, from: f64, to: f64, tolerance: f64) -> Area {
     let mut total = Area::default();
     let mut open = vec![(from, to, 0)];
     let mut intervals = 0;
@@ -76,21 +49,23 @@ pub(super) fn integrate(f: &impl Fn(f64) -> f64, from: f64, to: f64, tolerance: 
 fn rule(f: &impl Fn(f64) -> f64, a: f64, b: f64) -> Area {
     let (centre, half) = (0.5 * (a + b), 0.5 * (b - a));
     let mut values = [0.0; 15];
-    for (i, place) in PLACES.iter().enumerate() {
-        values[i] = f(centre - half * place);
-        values[14 - i] = f(centre + half * place);
+    for (i, node) in FIFTEEN.iter().enumerate() {
+        values[i] = f(centre - half * node.place);
+        values[14 - i] = f(centre + half * node.place);
     }
-    let pair = |i: usize| values[i] + values[14 - i];
-    let (mut kronrod, mut gauss) = (KRONROD[7] * values[7], GAUSS[3] * values[7]);
-    for i in 0..7 {
-        kronrod += KRONROD[i] * pair(i);
-        if i % 2 == 1 {
-            gauss += GAUSS[i / 2] * pair(i);
+    let middle = FIFTEEN[7];
+    let (mut kronrod, mut gauss) = (middle.kronrod * values[7], middle.gauss * values[7]);
+    for (i, node) in FIFTEEN[..7].iter().enumerate() {
+        let pair = values[i] + values[14 - i];
+        kronrod += node.kronrod * pair;
+        // A value without end is no part of the other rule.
+        if node.gauss > 0.0 {
+            gauss += node.gauss * pair;
         }
     }
     // The mean deviation tells how much of the difference is to be believed.
     let mean = 0.5 * kronrod;
-    let weight = |i: usize| KRONROD[if i < 8 { i } else { 14 - i }];
+    let weight = |i: usize| FIFTEEN[if i < 8 { i } else { 14 - i }].kronrod;
     let spread: f64 = (0..15).map(|i| weight(i) * (values[i] - mean).abs()).sum();
     let difference = (kronrod - gauss).abs();
     let error = if difference <= ROUNDING * kronrod.abs() {

@@ -1,12 +1,16 @@
-//! The Jacobian of the accelerations, on its pattern.
+//! The Jacobian of the accelerations, on its pattern, for the implicit methods.
+//!
+//! The order of the system is halved: of (κ·I − J)·[k_u; k_v] = [r_u; r_v] with
+//! J = [0, I; J_u, J_v] remains (κ²·I − κ·J_v − J_u)·k_u = r_v + κ·r_u − J_v·r_u,
+//! and k_v = κ·k_u − r_u.
 //!
 //! Coordinates whose columns have no row in common are differentiated together:
 //! one product of the Jacobian with a vector gives them all (A. Curtis, M. Powell
 //! and J. Reid, On the estimation of sparse Jacobian matrices, 1974). The products
 //! are exact, so that the grouping costs no accuracy.
 
-use super::{Entry, sparse::Rows};
 use crate::integrate::{Dynamics, evaluator::Evaluator};
+use crate::math::linear::{Entry, Rows};
 
 /// Products that are asked for at a time.
 const AT_A_TIME: usize = 8;
