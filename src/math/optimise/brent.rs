@@ -93,7 +93,8 @@ mod tests {
 
     #[test]
     fn smooth_tops_cost_few_evaluations_and_kinks_are_found_too() {
-        let cases: [(fn(f64) -> f64, f64, usize); 3] = [
+        type Case = (fn(f64) -> f64, f64, usize);
+        let cases: [Case; 3] = [
             (|x| -(x - 0.3) * (x - 0.3), 0.3, 12),
             (|x| (x - 0.2).cos() + 0.1 * x, 0.2 + 0.1f64.asin(), 20),
             (|x| -(x - 0.37).abs(), 0.37, 60),
