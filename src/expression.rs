@@ -175,6 +175,15 @@ fn constant(name: &str) -> Option<f64> {
         .find_map(|(known, value)| is(known).then_some(*value))
 }
 
+/// How what other languages call `if` is written.
+const CONDITION: &str = "a condition is written `phi < pi ? sin(phi) : 0`";
+
+/// True for a text with an `if` in it, as spreadsheets have it.
+fn asks_if(text: &str) -> bool {
+    let mut words = text.split(|letter: char| !letter.is_alphanumeric());
+    words.any(|word| word.eq_ignore_ascii_case("if"))
+}
+
 fn mistake(text: &str, variables: &[&str], error: Error) -> Mistake {
     let place = error.span.start..error.span.end;
     let words = text.get(place.clone()).unwrap_or_default();
@@ -186,13 +195,19 @@ fn mistake(text: &str, variables: &[&str], error: Error) -> Mistake {
             );
             (format!("`{words}` is not known"), hint)
         }
+        ErrorKind::UnknownFunction if words == "if" => {
+            (format!("`{words}` is no function"), CONDITION.to_owned())
+        }
         ErrorKind::UnknownFunction => (
             format!("`{words}` is no function"),
             format!("the functions are {FUNCTIONS}"),
         ),
         ErrorKind::ArgumentCount | ErrorKind::TooManyArguments => (
             format!("`{words}` has a wrong number of arguments"),
-            "atan2, min and max take two, the others one".to_owned(),
+            match asks_if(text) {
+                true => CONDITION.to_owned(),
+                false => "atan2, min and max take two, the others one".to_owned(),
+            },
         ),
         ErrorKind::UnexpectedEnd => ("the expression ends too early".to_owned(), String::new()),
         ErrorKind::UnclosedParenthesis => ("this `(` is not closed".to_owned(), String::new()),

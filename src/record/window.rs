@@ -2,9 +2,13 @@
 
 use crate::model::{Coordinate, Model, NodeMotion};
 use crate::motion::DriveMotion;
+use crate::units::shown;
 
 /// Whole cycles that a run must have before its last one is taken for steady.
 const CYCLES_BEFORE_STEADY: f64 = 3.0;
+
+/// Digits of times in messages.
+const DIGITS: usize = 7;
 
 /// The window `[from, to]` (s) of a run over [0, `duration`]: the one asked
 /// for, else the last whole cycle (counted from t = 0) of the drive when the
@@ -33,6 +37,7 @@ pub fn choose_window_of(
         return if 0.0 <= from && from < to && to <= duration {
             Ok([from, to])
         } else {
+            let [from, to, duration] = [from, to, duration].map(|time| shown(time, DIGITS));
             Err(format!(
                 "the window from {from} to {to} s does not lie within the run of {duration} s"
             ))
@@ -47,6 +52,7 @@ fn last_cycle(duration: f64, cycle: f64) -> Result<[f64; 2], String> {
     // A duration meant as a whole number of cycles may fall short by rounding.
     let cycles = (duration / cycle * (1.0 + 1e-12)).floor();
     if cycles < CYCLES_BEFORE_STEADY {
+        let [duration, cycle] = [duration, cycle].map(|time| shown(time, DIGITS));
         return Err(format!(
             "the run of {duration} s has fewer than three whole cycles of the drive ({cycle} s each)"
         ));

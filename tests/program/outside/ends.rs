@@ -390,3 +390,31 @@ fn every_scene_is_shown() {
     }
     assert!(shown > 50, "{shown}");
 }
+
+#[test]
+fn times_in_reasons_are_in_the_one_format_of_numbers() {
+    let run = [
+        "run",
+        "scenarios/shafts/free_vibration.json",
+        "--set",
+        "run.duration=1e-7",
+    ];
+    let told = text(&output(&run).stdout);
+    let reason =
+        "the run of 1e-7 s has fewer than three whole cycles of the drive (0.2094395 s each)";
+    assert!(told.contains(reason), "{told}");
+}
+
+#[test]
+fn who_writes_if_in_an_expression_is_told_how_conditions_are_written() {
+    let steady = |work: &str| {
+        let work = format!("--work={work}");
+        output(&["steady", "--inertia=1", &work, "--mean-speed", "10"])
+    };
+    for work in ["if(phi < pi, sin(phi), 0)", "cos(phi)*if(phi < pi)"] {
+        let told = text(&steady(work).stderr);
+        assert!(told.contains("phi < pi ? sin(phi) : 0"), "{work}: {told}");
+    }
+    let right = steady("phi < pi ? sin(phi) : 0");
+    assert_eq!(right.status.code(), Some(0), "{}", text(&right.stderr));
+}
