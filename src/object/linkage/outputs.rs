@@ -123,6 +123,10 @@ fn output(
         let direction = fields.maybe("direction", doc, |slot| {
             slot.quantity(q::ANGLE, Bounds::ANY)
         });
+        // Read, and so described in the schema, whatever becomes of the rest.
+        let own = kind.as_ref().zip(pairs);
+        let own = own.map(|(kind, pairs)| coordinate(kind, pairs));
+        let loads = load::read_all(fields, On::Output(Measures(own)));
         let kind = match (kind?, direction?) {
             (OutputKind::Point { point, .. }, direction) => OutputKind::Point {
                 point,
@@ -135,9 +139,7 @@ fn output(
                 return None;
             }
         };
-        let own = pairs.map(|pairs| coordinate(&kind, pairs));
-        let loads = load::read_all(fields, On::Output(Measures(own)))?;
-        let name = name.to_owned();
+        let (name, loads) = (name.to_owned(), loads?);
         Some((OutputSpec { name, kind }, loads))
     })
 }
