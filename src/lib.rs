@@ -143,6 +143,7 @@ pub mod budget;
 pub mod build;
 pub mod builder;
 pub mod cam;
+pub mod cli;
 pub mod constraint;
 pub mod diagnostics;
 pub mod energy;

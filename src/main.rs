@@ -1,7 +1,5 @@
-//! The `dam` program.
-
-mod cli;
+//! The `dam` program: all of it is in the library, so that what both need is compiled once.
 
 fn main() -> std::process::ExitCode {
-    cli::main()
+    dam::cli::main()
 }

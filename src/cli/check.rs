@@ -4,9 +4,9 @@ use super::args::{CheckArgs, SceneArgs, SchemaArgs};
 use super::console;
 use super::failure::{Failure, Status};
 use super::input::Input;
-use dam::analysis::kinematics::reaches;
-use dam::object::Registry;
-use dam::scene::{schema, schema_of, schema_text};
+use crate::analysis::kinematics::reaches;
+use crate::object::Registry;
+use crate::scene::{schema, schema_of, schema_text};
 use serde_json::json;
 
 /// Checks a scene as far as is possible without running it.

@@ -7,13 +7,13 @@ use super::input::{Input, Ready};
 use super::output::{self, OutputFolder, ResultFile};
 use super::run::run_with_progress;
 use super::{interrupt, tables};
-use dam::analysis::compare::{Comparison, compare};
-use dam::analysis::list::ValueList;
-use dam::integrate::Stop;
-use dam::record::Quantity;
-use dam::report::compare::{CompareReport, ComparedRun, chart, page};
-use dam::report::csv::{record_csv, table_csv};
-use dam::report::diagram::Diagram;
+use crate::analysis::compare::{Comparison, compare};
+use crate::analysis::list::ValueList;
+use crate::integrate::Stop;
+use crate::record::Quantity;
+use crate::report::compare::{CompareReport, ComparedRun, chart, page};
+use crate::report::csv::{record_csv, table_csv};
+use crate::report::diagram::Diagram;
 
 /// Most values of one comparison.
 const MOST: usize = 50;

@@ -2,7 +2,7 @@
 
 use super::failure::Failure;
 use super::interrupt;
-use dam::diagnostics::{Diagnostics, is_harmful, printable};
+use crate::diagnostics::{Diagnostics, is_harmful, printable};
 use std::io::{ErrorKind, IsTerminal, Write};
 
 /// Writes data to standard output, all of it. A reader that has gone away

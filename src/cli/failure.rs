@@ -1,7 +1,7 @@
 //! How a command ends.
 
 use super::{console, interrupt};
-use dam::diagnostics::Diagnostics;
+use crate::diagnostics::Diagnostics;
 use serde_json::{Value, json};
 
 /// How a command that did its work ended.
@@ -78,8 +78,8 @@ impl From<Diagnostics> for Failure {
     }
 }
 
-impl From<dam::Error> for Failure {
-    fn from(error: dam::Error) -> Self {
+impl From<crate::Error> for Failure {
+    fn from(error: crate::Error) -> Self {
         error.into_diagnostics().into()
     }
 }

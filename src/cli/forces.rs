@@ -7,19 +7,19 @@ use super::failure::{Failure, Status};
 use super::input::{Input, Ready};
 use super::kinematics::{asked_over, quantity};
 use super::output::{self, OutputFolder, ResultFile};
-use dam::analysis::expectations::Verdict;
-use dam::analysis::forces::{
+use crate::analysis::expectations::Verdict;
+use crate::analysis::forces::{
     Course, ForceSettings, ForceStudy, LinkagePositions, compare_massless, course_of,
     course_of_record, only_loaded_output, study,
 };
-use dam::analysis::kinematics::{Asked, Question, even_motion, linkage_of, whole_travel};
-use dam::analysis::studied::{POSITIONS, check_forces};
-use dam::fault::Fault;
-use dam::linkage::Linkage;
-use dam::linkage::kinetostatics::{Convention, ForceFailure, Kinetostatics, Options};
-use dam::model::{Coordinate, LinkageBody, Model, ObjectPart};
-use dam::object::Measures;
-use dam::report::forces::{
+use crate::analysis::kinematics::{Asked, Question, even_motion, linkage_of, whole_travel};
+use crate::analysis::studied::{POSITIONS, check_forces};
+use crate::fault::Fault;
+use crate::linkage::Linkage;
+use crate::linkage::kinetostatics::{Convention, ForceFailure, Kinetostatics, Options};
+use crate::model::{Coordinate, LinkageBody, Model, ObjectPart};
+use crate::object::Measures;
+use crate::report::forces::{
     ForcesReport, document, drawing, forces_csv, massless_chart, page, text,
 };
 use serde_json::Value;

@@ -2,11 +2,11 @@
 
 use super::args::SceneArgs;
 use super::failure::Failure;
-use dam::diagnostics::Diagnostics;
-use dam::scene::{BuiltIn, Catalogue, Document, Folder, Layered, Overrides, Reading, read_bounded};
+use crate::diagnostics::Diagnostics;
+use crate::scene::{BuiltIn, Catalogue, Document, Folder, Layered, Overrides, Reading, read_bounded};
 use std::fs;
 
-pub(crate) use dam::Mechanism as Ready;
+pub(crate) use crate::Mechanism as Ready;
 
 /// A scene's text with everything that its decoding needs.
 #[derive(Debug)]

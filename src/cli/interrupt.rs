@@ -7,7 +7,7 @@
 //! program in any case.
 
 use super::failure::{Failure, Status};
-use dam::budget::Budget;
+use crate::budget::Budget;
 use std::sync::atomic::{AtomicBool, AtomicU8, Ordering};
 use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError};
 use std::time::Duration;

@@ -34,7 +34,7 @@ use std::process::ExitCode;
 use std::time::Duration;
 
 /// Runs the program.
-pub(crate) fn main() -> ExitCode {
+pub fn main() -> ExitCode {
     let cli = match Cli::try_parse() {
         Ok(cli) => cli,
         Err(told) => return without_command(&told),

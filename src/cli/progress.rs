@@ -1,9 +1,9 @@
 //! A progress bar for runs longer than a second, on a terminal only.
 
 use super::interrupt::{self, Keeping};
-use dam::diagnostics::printable;
-use dam::integrate::{Modes, Sink, SwitchEvent};
-use dam::polynomial::Step;
+use crate::diagnostics::printable;
+use crate::integrate::{Modes, Sink, SwitchEvent};
+use crate::polynomial::Step;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::IsTerminal;
 use std::time::{Duration, Instant};

@@ -4,15 +4,15 @@ use super::args::{Form, ShowArgs, View};
 use super::console;
 use super::failure::{Failure, Status};
 use super::input::Input;
-use dam::analysis::exact::{Mixed, mixed};
-use dam::exact::{Parts, Refusal};
-use dam::model::{Coordinate, LinkageBody, Model};
-use dam::report::diagram::Diagram;
-use dam::report::show::equations::{equations, latex, text};
-use dam::report::show::graph;
-use dam::report::show::masses::{self, Frequencies};
-use dam::report::svg::graph::svg;
-use dam::system::{Regime, System};
+use crate::analysis::exact::{Mixed, mixed};
+use crate::exact::{Parts, Refusal};
+use crate::model::{Coordinate, LinkageBody, Model};
+use crate::report::diagram::Diagram;
+use crate::report::show::equations::{equations, latex, text};
+use crate::report::show::graph;
+use crate::report::show::masses::{self, Frequencies};
+use crate::report::svg::graph::svg;
+use crate::system::{Regime, System};
 use serde_json::json;
 
 /// Runs the command.

@@ -1,7 +1,7 @@
 //! Figures on the terminal.
 
-use dam::record::{Figures, ObjectFigures, PairFigures, Units};
-use dam::units::shown;
+use crate::record::{Figures, ObjectFigures, PairFigures, Units};
+use crate::units::shown;
 use std::fmt::Write as _;
 
 /// Significant digits shown; files carry all of them.

@@ -5,10 +5,10 @@ use crate::cli::console;
 use crate::cli::failure::Failure;
 use crate::cli::input::{Input, Ready};
 use crate::cli::interrupt;
-use dam::analysis::cam::{CamForce, Steady, steady_contact};
-use dam::analysis::law::{LiftOff, lift_off};
-use dam::model::{Closure, Model, NodeMotion};
-use dam::motion::DriveMotion;
+use crate::analysis::cam::{CamForce, Steady, steady_contact};
+use crate::analysis::law::{LiftOff, lift_off};
+use crate::model::{Closure, Model, NodeMotion};
+use crate::motion::DriveMotion;
 
 /// Why a search ended early.
 enum Ended {

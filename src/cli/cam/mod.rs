@@ -10,9 +10,9 @@ use super::input::{Input, Ready};
 use super::interrupt;
 use super::law::told;
 use super::output::{self, OutputFolder, ResultFile};
-use dam::analysis::cam::{CamFigures, CamForce, disc_cam, figures, objects_with_cam};
-use dam::cam::DiscCam;
-use dam::report::cam::{
+use crate::analysis::cam::{CamFigures, CamForce, disc_cam, figures, objects_with_cam};
+use crate::cam::DiscCam;
+use crate::report::cam::{
     CamReport, NamedCurve, cam_text, curves, cycle_csv, dxf, page, picture, polygon_csv,
 };
 use serde_json::{Value, json};
@@ -47,7 +47,7 @@ pub(crate) fn command(args: &CamArgs) -> Result<Status, Failure> {
     let id = chosen(args, &ready)?;
     let folder = OutputFolder::asked(&args.out, &ready.scene().name, &FILES)?;
     let model = ready.system.model();
-    let diagnose = |faults: Vec<dam::fault::Fault>| ready.reading.places.diagnose(&faults);
+    let diagnose = |faults: Vec<crate::fault::Fault>| ready.reading.places.diagnose(&faults);
     let cam = disc_cam(ready.scene(), model, &id).map_err(diagnose)?;
     let asked = question::read(args, &cam)?;
     let index = model.objects.iter().position(|part| part.id == id);

@@ -2,12 +2,12 @@
 
 use crate::cli::args::CamArgs;
 use crate::cli::failure::Failure;
-use dam::analysis::cam::{Question, Reserve};
-use dam::cam::sizing::PressureLimits;
-use dam::cam::{DiscCam, Guide};
-use dam::object::law::read_argument;
-use dam::read::{Bounds, Wanted};
-use dam::units::{parse, quantities as q};
+use crate::analysis::cam::{Question, Reserve};
+use crate::cam::sizing::PressureLimits;
+use crate::cam::{DiscCam, Guide};
+use crate::object::law::read_argument;
+use crate::read::{Bounds, Wanted};
+use crate::units::{parse, quantities as q};
 use std::f64::consts::FRAC_PI_2;
 
 /// The question, and what the curves are to be like.
@@ -74,7 +74,7 @@ fn reserve(text: &str) -> Result<Reserve, Failure> {
     } else {
         forces
     };
-    let read = |slot: dam::read::Slot<'_>| slot.quantity(wanted, Bounds::NOT_NEGATIVE);
+    let read = |slot: crate::read::Slot<'_>| slot.quantity(wanted, Bounds::NOT_NEGATIVE);
     let value = read_argument("--reserve", text, read)?;
     Ok(match share {
         true => Reserve::Share(value),

@@ -7,21 +7,21 @@ use super::expected;
 use super::failure::{Failure, Status};
 use super::input::{Input, Ready};
 use super::output::{self, OutputFolder, ResultFile};
-use dam::analysis::expectations::Verdict;
-use dam::analysis::kinematics::{
+use crate::analysis::expectations::Verdict;
+use crate::analysis::kinematics::{
     Asked, Kinematics, Over, Question, Subject, kinematics, whole_travel,
 };
-use dam::analysis::studied::{POSITIONS, check_kinematics};
-use dam::linkage::Linkage;
-use dam::model::Coordinate;
-use dam::object::Measures;
-use dam::object::law::read_argument;
-use dam::read::{Bounds, Wanted};
-use dam::report::kinematics::{
+use crate::analysis::studied::{POSITIONS, check_kinematics};
+use crate::linkage::Linkage;
+use crate::model::Coordinate;
+use crate::object::Measures;
+use crate::object::law::read_argument;
+use crate::read::{Bounds, Wanted};
+use crate::report::kinematics::{
     KinematicsReport, document, drawing, kinematics_csv, page, picture, text,
 };
-use dam::units::quantities as q;
-use dam::units::with_common_unit;
+use crate::units::quantities as q;
+use crate::units::with_common_unit;
 
 const FILES: [&str; 4] = [
     "kinematics.csv",

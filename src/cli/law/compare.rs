@@ -7,12 +7,12 @@ use crate::cli::failure::{Failure, Status};
 use crate::cli::input::{Input, Ready};
 use crate::cli::interrupt;
 use crate::cli::run::run_with_progress;
-use dam::analysis::RunSettings;
-use dam::analysis::law::{ComparedLaw, Figure, LawResponse, lift_off, response};
-use dam::model::{Model, NodeMotion};
-use dam::motion::{DriveMotion, Law, LawName};
-use dam::object::law::stroke_law;
-use dam::report::law::{comparison_csv, comparison_text};
+use crate::analysis::RunSettings;
+use crate::analysis::law::{ComparedLaw, Figure, LawResponse, lift_off, response};
+use crate::model::{Model, NodeMotion};
+use crate::motion::{DriveMotion, Law, LawName};
+use crate::object::law::stroke_law;
+use crate::report::law::{comparison_csv, comparison_text};
 use serde_json::json;
 use std::f64::consts::TAU;
 

@@ -5,9 +5,9 @@ use super::args::{CycleArgs, Form};
 use crate::cli::console;
 use crate::cli::failure::Failure;
 use crate::cli::input::Input;
-use dam::analysis::cycle::cycle;
-use dam::model::{Coordinate, NodeMotion};
-use dam::report::law::{cycle_chart, cycle_csv, cycle_text};
+use crate::analysis::cycle::cycle;
+use crate::model::{Coordinate, NodeMotion};
+use crate::report::law::{cycle_chart, cycle_csv, cycle_text};
 use serde_json::json;
 
 pub(super) fn command(args: &CycleArgs) -> Result<(), Failure> {

@@ -8,10 +8,10 @@ mod synthesize;
 use super::console;
 use super::failure::{Failure, Status};
 use args::{Form, LawCommand, ListArgs, ShowArgs};
-use dam::fault::Fault;
-use dam::motion::{Law, LawName, RunLawName};
-use dam::object::law::{AnyLaw, any_law, run_up_law};
-use dam::report::law::{LawRow, constants_csv, constants_table, law_chart, law_csv, law_text};
+use crate::fault::Fault;
+use crate::motion::{Law, LawName, RunLawName};
+use crate::object::law::{AnyLaw, any_law, run_up_law};
+use crate::report::law::{LawRow, constants_csv, constants_table, law_chart, law_csv, law_text};
 use serde_json::{Value, json};
 
 /// Size of pictures (pixels).

@@ -4,13 +4,13 @@ use super::args::{Form, SynthesizeArgs};
 use super::{PICTURE, told};
 use crate::cli::console;
 use crate::cli::failure::Failure;
-use dam::fault::Fault;
-use dam::motion::stroke::{Criterion, Skewness, Stroke, StrokeFigures, StrokeSpec};
-use dam::object::law::{read_argument, run_up_law};
-use dam::read::{Bounds, Wanted};
-use dam::report::law::{stroke_chart, stroke_csv, stroke_text};
-use dam::report::quantity::significant;
-use dam::units::{Quantity, parse, quantities as q};
+use crate::fault::Fault;
+use crate::motion::stroke::{Criterion, Skewness, Stroke, StrokeFigures, StrokeSpec};
+use crate::object::law::{read_argument, run_up_law};
+use crate::read::{Bounds, Wanted};
+use crate::report::law::{stroke_chart, stroke_csv, stroke_text};
+use crate::report::quantity::significant;
+use crate::units::{Quantity, parse, quantities as q};
 use serde_json::{Value, json};
 
 pub(super) fn command(args: &SynthesizeArgs) -> Result<(), Failure> {

@@ -1,6 +1,6 @@
 //! A progress bar over the points of a study, on a terminal only.
 
-use dam::analysis::methods::Now;
+use crate::analysis::methods::Now;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::io::IsTerminal;
 

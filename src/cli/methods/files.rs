@@ -3,11 +3,11 @@
 use crate::cli::failure::Failure;
 use crate::cli::input::Ready;
 use crate::cli::output::ResultFile;
-use dam::analysis::methods::Study;
-use dam::analysis::methods::sweep::Sweep;
-use dam::report::diagram::Diagram;
-use dam::report::methods::charts::{Against, cost, regions, stable_steps, work_precision};
-use dam::report::methods::{MethodsReport, methods_csv, page, sweep_csv, sweep_page};
+use crate::analysis::methods::Study;
+use crate::analysis::methods::sweep::Sweep;
+use crate::report::diagram::Diagram;
+use crate::report::methods::charts::{Against, cost, regions, stable_steps, work_precision};
+use crate::report::methods::{MethodsReport, methods_csv, page, sweep_csv, sweep_page};
 
 /// Files of a study.
 pub(super) const OF_STUDY: [&str; 5] = [

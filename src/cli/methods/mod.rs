@@ -11,11 +11,11 @@ use super::input::{Input, Ready};
 use super::interrupt;
 use super::output::{self, OutputFolder};
 use bar::PointBar;
-use dam::analysis::Control;
-use dam::analysis::axis::Axis;
-use dam::analysis::methods::sweep::{Sweep, sweep};
-use dam::analysis::methods::{Plan, Study, all_methods, study};
-use dam::integrate::Method;
+use crate::analysis::Control;
+use crate::analysis::axis::Axis;
+use crate::analysis::methods::sweep::{Sweep, sweep};
+use crate::analysis::methods::{Plan, Study, all_methods, study};
+use crate::integrate::Method;
 use std::time::Duration;
 
 /// Most values of an axis: each is a study of its own.

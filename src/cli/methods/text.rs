@@ -1,8 +1,8 @@
 //! Studies of methods on the terminal.
 
-use dam::analysis::methods::sweep::{Standing, Sweep};
-use dam::analysis::methods::{MethodLine, Point, Study, Verdict};
-use dam::integrate::Method;
+use crate::analysis::methods::sweep::{Standing, Sweep};
+use crate::analysis::methods::{MethodLine, Point, Study, Verdict};
+use crate::integrate::Method;
 use std::fmt::Write as _;
 
 /// A study as text.

@@ -3,11 +3,11 @@
 use super::args::SteadyArgs;
 use super::{Answered, asked, folder, machine_document, tell};
 use crate::cli::failure::{Failure, Status};
-use dam::analysis::steady::{ROWS, by_energy, csv};
-use dam::report::steady::Shown;
-use dam::scene::SteadySpec;
-use dam::steady::flywheel::{Flywheel, size_of_table};
-use dam::steady::{Formula, Given, Profile, Question, Refusal, TableFigures};
+use crate::analysis::steady::{ROWS, by_energy, csv};
+use crate::report::steady::Shown;
+use crate::scene::SteadySpec;
+use crate::steady::flywheel::{Flywheel, size_of_table};
+use crate::steady::{Formula, Given, Profile, Question, Refusal, TableFigures};
 use serde::Serialize;
 use std::io::Read;
 use std::path::Path;
@@ -43,7 +43,7 @@ fn refused(refusal: &Refusal) -> Failure {
     };
     Failure::Other(match refusal {
         Refusal::Input { faults } => {
-            let one = |f: &dam::steady::Field| {
+            let one = |f: &crate::steady::Field| {
                 let name = f.field.replace('_', "-");
                 line(&format!("--{name}: {}", f.message), &f.hint)
             };

@@ -10,16 +10,16 @@ use super::input::{Input, Ready};
 use super::output::{self, OutputFolder, ResultFile};
 use super::run::doubts;
 use args::{Form, MeanChoice, QuestionArgs, SteadyArgs};
-use dam::analysis::expectations::Verdict;
-use dam::analysis::steady::{Answer, ROWS, check, steady_motion};
-use dam::object::law::read_argument;
-use dam::read::Bounds;
-use dam::report::steady::{
+use crate::analysis::expectations::Verdict;
+use crate::analysis::steady::{Answer, ROWS, check, steady_motion};
+use crate::object::law::read_argument;
+use crate::read::Bounds;
+use crate::report::steady::{
     Shown, SteadyReport, page, periodic_text, rigid_text, rows_csv, wittenbauer,
 };
-use dam::scene::SteadySpec;
-use dam::steady::{MOST_TURNS, Mean};
-use dam::units::{Quantity, quantities as q};
+use crate::scene::SteadySpec;
+use crate::steady::{MOST_TURNS, Mean};
+use crate::units::{Quantity, quantities as q};
 use serde::Serialize;
 use serde_json::{Value, json};
 
@@ -36,7 +36,7 @@ struct Answered<'a> {
     scene: Option<&'a str>,
     document: Value,
     rigid: Option<Shown<'a>>,
-    periodic: Option<&'a dam::analysis::steady::PeriodicAnswer>,
+    periodic: Option<&'a crate::analysis::steady::PeriodicAnswer>,
 }
 
 /// Runs the command.
@@ -239,7 +239,7 @@ fn files(answered: &Answered<'_>, csv: &str) -> Result<Vec<ResultFile>, Failure>
 
 /// Deviations over a period; parts have periods of their own, so that each row
 /// is one value.
-fn orbit_csv(answer: &dam::analysis::steady::PeriodicAnswer) -> Result<String, Failure> {
+fn orbit_csv(answer: &crate::analysis::steady::PeriodicAnswer) -> Result<String, Failure> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     let failed = |error: csv::Error| error.to_string();
     writer
