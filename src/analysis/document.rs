@@ -1,6 +1,6 @@
 //! The document of figures that a run gives, and what there is to say of it.
 
-use super::method::Choice;
+use super::choice::Choice;
 use super::settings::RunSettings;
 use super::warning::Warning;
 use crate::integrate::{Outcome, Stop};

@@ -1,10 +1,12 @@
 //! Which method a run takes, and why.
 
+use super::choice::Choice;
+use super::choice::plain;
+use super::demand::Demand;
 use super::document::can_open;
 use super::exact::{Mixed, mixed, tried};
-use super::run::Demand;
 use super::settings::RunSettings;
-use crate::exact::{Parts, Rest};
+use crate::exact::Parts;
 use crate::fault::Fault;
 use crate::integrate::{Chosen, Dynamics, Method, Situation, Vibration, choose};
 use crate::model::{Model, NodeMotion, Start};
@@ -18,58 +20,6 @@ const MANY: usize = 40;
 
 /// A mode belongs to a base frequency within this factor.
 const NEAR: f64 = 3.0;
-
-/// The method of a run.
-pub(super) struct Choice {
-    /// The method.
-    pub(super) method: Method,
-    /// The tolerance it is given.
-    pub(super) tolerance: f64,
-    /// Its name in the figures.
-    pub(super) name: String,
-    /// Why this one.
-    pub(super) why: String,
-    /// What is propagated exactly, when anything is.
-    pub(super) parts: Option<Parts>,
-    /// What is integrated beside it by the method.
-    pub(super) rest: Option<Rest>,
-}
-
-impl Choice {
-    /// One method for everything.
-    fn general(chosen: Chosen) -> Self {
-        Self {
-            method: chosen.method,
-            tolerance: chosen.tolerance,
-            name: chosen.method.name().to_owned(),
-            why: chosen.why,
-            parts: None,
-            rest: None,
-        }
-    }
-
-    /// One method with the tolerance of the scene.
-    fn plain(method: Method, settings: &RunSettings, why: &str) -> Self {
-        Self::general(plain(method, settings, why))
-    }
-
-    /// Exact propagation of everything.
-    fn exact(parts: Parts, settings: &RunSettings, why: &str) -> Self {
-        Self {
-            parts: Some(parts),
-            ..Self::plain(Method::Exact, settings, why)
-        }
-    }
-}
-
-/// A method with the tolerance of the scene.
-fn plain(method: Method, settings: &RunSettings, why: &str) -> Chosen {
-    Chosen {
-        method,
-        tolerance: settings.tolerance,
-        why: why.to_owned(),
-    }
-}
 
 /// The method asked for, or the one that suits the system.
 ///

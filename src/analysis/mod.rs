@@ -2,8 +2,10 @@
 
 pub mod axis;
 pub mod cam;
+mod choice;
 pub mod compare;
 pub mod cycle;
+mod demand;
 mod document;
 pub mod exact;
 pub mod expectations;

@@ -1,12 +1,14 @@
 //! One run: the motion of a mechanism and its figures.
 
+use super::choice::Choice;
+use super::demand::Demand;
 use super::document::{document, summary, warnings_of};
 use super::exact;
-use super::method::{Choice, choose_general, choose_method};
+use super::method::{choose_general, choose_method};
 use super::plausible;
 use super::settings::{Control, RunSettings};
 use super::warning::Warning;
-use crate::exact::{Asked, KeptLaws, Parts};
+use crate::exact::Asked;
 use crate::fault::Fault;
 use crate::integrate::{Dynamics, Limits, Method, Outcome, Settings, Sink, Stop, integrate};
 use crate::record::{
@@ -14,7 +16,6 @@ use crate::record::{
     drive_cycle,
 };
 use crate::system::{InitialState, System};
-use std::cell::RefCell;
 
 /// What a run leaves.
 #[derive(Clone, Debug)]
@@ -102,34 +103,6 @@ pub fn run(
         audit: recorded.audit,
         warnings,
     })
-}
-
-/// What is wanted of a motion.
-#[derive(Clone, Copy)]
-pub(super) struct Demand<'d> {
-    /// Where the whole system is propagated exactly: the figures of its elastic objects
-    /// that are wanted, and no others, no samples and no energy audit; `None`:
-    /// everything.
-    pub(super) figures: Option<&'d dyn Fn(usize) -> Asked>,
-    /// Laws of systems before that move by the same ones.
-    pub(super) laws: Option<&'d RefCell<KeptLaws>>,
-}
-
-impl Demand<'_> {
-    /// Figures of all objects, samples, the energy audit.
-    pub(super) const EVERYTHING: Self = Self {
-        figures: None,
-        laws: None,
-    };
-
-    /// The parts of a system that is propagated exactly as a whole; its modes are not
-    /// tried beforehand.
-    pub(super) fn parts(&self, system: &System) -> Result<Parts, Vec<Fault>> {
-        match self.laws {
-            Some(laws) => exact::whole_with(system, &mut laws.borrow_mut()),
-            None => exact::whole(system),
-        }
-    }
 }
 
 /// A motion and what was found of it.

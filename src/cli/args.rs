@@ -5,6 +5,7 @@ mod course;
 mod forces;
 mod kinematics;
 mod methods;
+pub(crate) mod scene;
 
 pub(crate) use cam::{CamArgs, CamForm};
 pub(crate) use course::CourseArgs;
@@ -15,7 +16,8 @@ pub(crate) use methods::MethodsArgs;
 use super::law::args::LawCommand;
 use super::steady::args::SteadyArgs;
 use clap::{Args, Parser, Subcommand, ValueEnum};
-use std::path::{Path, PathBuf};
+use scene::{OutArgs, SceneArgs};
+use std::path::PathBuf;
 
 /// Dynamic analysis of machine mechanisms: from a scene of elastic and rigid
 /// objects to its motion, figures and pictures.
@@ -87,50 +89,11 @@ impl Command {
     }
 }
 
-/// What every command on a scene takes.
-#[derive(Debug, Args)]
-pub(crate) struct SceneArgs {
-    /// The scene: a JSON file; - reads it from standard input
-    pub(crate) scene: PathBuf,
-    /// Set a property before anything else: rocker.masses=10
-    #[arg(long = "set", value_name = "PATH=VALUE")]
-    pub(crate) set: Vec<String>,
-    /// Print one JSON document on standard output and nothing else there
-    #[arg(long)]
-    pub(crate) json: bool,
-    /// Say nothing on standard error but errors
-    #[arg(long, short)]
-    pub(crate) quiet: bool,
-}
-
-impl SceneArgs {
-    /// A scene as it stands in its file.
-    pub(crate) fn of(scene: &Path) -> Self {
-        Self {
-            scene: scene.to_owned(),
-            set: Vec::new(),
-            json: false,
-            quiet: false,
-        }
-    }
-}
-
 /// Arguments of `dam schema`.
 #[derive(Debug, Args)]
 pub(crate) struct SchemaArgs {
     /// Offer the ids of this scene for `input`, and what its catalogue has for `from`
     pub(crate) scene: Option<PathBuf>,
-}
-
-/// Where results go.
-#[derive(Debug, Args)]
-pub(crate) struct OutArgs {
-    /// Folder for the result files; made if it does not exist
-    #[arg(long, value_name = "DIR")]
-    pub(crate) out: Option<PathBuf>,
-    /// Replace files in the folder even if they are not this scene's results
-    #[arg(long, requires = "out")]
-    pub(crate) force: bool,
 }
 
 /// Arguments of `dam run`.

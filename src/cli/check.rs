@@ -1,10 +1,12 @@
 //! `dam check` and `dam schema`.
 
-use super::args::{CheckArgs, SceneArgs, SchemaArgs};
+use super::args::{CheckArgs, SchemaArgs};
 use super::console;
-use super::failure::{Failure, Status};
+use super::failure::Failure;
 use super::input::Input;
+use super::status::Status;
 use crate::analysis::kinematics::reaches;
+use crate::cli::args::scene::SceneArgs;
 use crate::object::Registry;
 use crate::scene::{schema, schema_of, schema_text};
 use serde_json::json;

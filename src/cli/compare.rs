@@ -2,10 +2,11 @@
 
 use super::args::CompareArgs;
 use super::console;
-use super::failure::{Failure, Status};
+use super::failure::Failure;
 use super::input::{Input, Ready};
 use super::output::{self, OutputFolder, ResultFile};
 use super::run::run_with_progress;
+use super::status::Status;
 use super::{interrupt, tables};
 use crate::analysis::compare::{Comparison, compare};
 use crate::analysis::list::ValueList;

@@ -3,10 +3,11 @@
 use super::args::{ConventionName, Direction, ForcesArgs};
 use super::console;
 use super::expected;
-use super::failure::{Failure, Status};
+use super::failure::Failure;
 use super::input::{Input, Ready};
 use super::kinematics::{asked_over, quantity};
 use super::output::{self, OutputFolder, ResultFile};
+use super::status::Status;
 use crate::analysis::expectations::Verdict;
 use crate::analysis::forces::{
     Course, ForceSettings, ForceStudy, LinkagePositions, compare_massless, course_of,

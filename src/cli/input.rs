@@ -1,9 +1,11 @@
 //! From a scene's file to a system.
 
-use super::args::SceneArgs;
 use super::failure::Failure;
+use crate::cli::args::scene::SceneArgs;
 use crate::diagnostics::Diagnostics;
-use crate::scene::{BuiltIn, Catalogue, Document, Folder, Layered, Overrides, Reading, read_bounded};
+use crate::scene::{
+    BuiltIn, Catalogue, Document, Folder, Layered, Overrides, Reading, read_bounded,
+};
 use std::fs;
 
 pub(crate) use crate::Mechanism as Ready;

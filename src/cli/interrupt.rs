@@ -6,7 +6,8 @@
 //! and the command ends in good order with what it has. A second signal ends the
 //! program in any case.
 
-use super::failure::{Failure, Status};
+use super::failure::Failure;
+use super::status::Status;
 use crate::budget::Budget;
 use std::sync::atomic::{AtomicBool, AtomicU8, Ordering};
 use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError};

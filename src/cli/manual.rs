@@ -3,7 +3,8 @@
 
 use super::args::{Cli, CompletionsArgs, ManualArgs};
 use super::console;
-use super::failure::{Failure, Status};
+use super::failure::Failure;
+use super::status::Status;
 use clap::CommandFactory;
 
 /// Prints the completions of a shell.

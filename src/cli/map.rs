@@ -2,11 +2,12 @@
 
 use super::args::MapArgs;
 use super::console;
-use super::failure::{Failure, Status};
+use super::failure::Failure;
 use super::input::Input;
 use super::interrupt;
 use super::journal::Journal;
 use super::output::{self, OutputFolder, ResultFile};
+use super::status::Status;
 use crate::analysis::axis::Axis;
 use crate::analysis::map::{Cell, Listener, MapResult, Panels, Question, Study, StudyFault, map};
 use crate::diagnostics::printable;

@@ -22,13 +22,15 @@ mod output;
 mod progress;
 mod run;
 mod show;
+mod status;
 mod steady;
 mod tables;
 mod terminal;
 
 use args::{Cli, Command};
 use clap::Parser;
-use failure::{Failure, Status};
+use failure::Failure;
+use status::Status;
 use std::io::Write;
 use std::process::ExitCode;
 use std::time::Duration;

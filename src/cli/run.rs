@@ -2,10 +2,11 @@
 
 use super::args::{Columns, RunArgs};
 use super::console;
-use super::failure::{Failure, Status};
+use super::failure::Failure;
 use super::input::{Input, Ready};
 use super::output::{self, OutputFolder, ResultFile};
 use super::progress::Progress;
+use super::status::Status;
 use super::{interrupt, tables, terminal};
 use crate::analysis::cam::disc_cams;
 use crate::analysis::expectations::{Verdict, check, of_run};

@@ -2,8 +2,9 @@
 
 use super::args::{Form, ShowArgs, View};
 use super::console;
-use super::failure::{Failure, Status};
+use super::failure::Failure;
 use super::input::Input;
+use super::status::Status;
 use crate::analysis::exact::{Mixed, mixed};
 use crate::exact::{Parts, Refusal};
 use crate::model::{Coordinate, LinkageBody, Model};

@@ -1,11 +1,12 @@
 //! Putting the linkage together at the start: the branch of every dyad, the
 //! first position of every larger group.
 
-use super::course::{Branch, Course, Table, nearest_turn};
+use super::choice::{Wrong, asked_branch, mismatch, names, short, start_in_words};
+use super::course::{Branch, Course, Table};
 use super::dyad::{Dyad, Form, Margin};
 use super::examine::tolerance;
 use super::guesses;
-use super::plan::{Body, Frame, Plan, Step};
+use super::plan::{Plan, Step};
 use super::solve::{around, drive};
 use super::spec::{AssemblyChoice, AssemblySpec, LinkageSpec};
 use super::state::State;
@@ -135,9 +136,6 @@ fn path(spec: &LinkageSpec, group: &Group, choices: &[&AssemblySpec]) -> String 
     format!("links.{}", spec.links[link].name)
 }
 
-/// What is wrong, and what would help.
-pub(super) type Wrong = (String, String);
-
 /// The branch of a dyad, and how far each choice would be from its other assembly.
 fn dyad_at_start(
     spec: &LinkageSpec,
@@ -224,46 +222,6 @@ fn agree(
     ))
 }
 
-/// The branch that was asked for, if any.
-pub(super) fn asked_branch(choices: &[&AssemblySpec]) -> Result<Option<f64>, Wrong> {
-    let mut asked = None;
-    for choice in choices {
-        let AssemblyChoice::Branch(sign) = choice.choice else {
-            continue;
-        };
-        if asked.is_some_and(|other| other != sign) {
-            let hint = "give the branch of one of its links only";
-            return Err(("both branches are asked for".to_owned(), hint.to_owned()));
-        }
-        asked = Some(sign);
-    }
-    Ok(asked)
-}
-
-/// How far a link is from where it was said to be about, dimensionless.
-pub(super) fn mismatch(choice: &AssemblySpec, state: &State, size: f64) -> f64 {
-    let motion = &state.links[choice.link];
-    match choice.choice {
-        AssemblyChoice::Branch(_) => 0.0,
-        AssemblyChoice::Angle(angle) => (nearest_turn(motion.angle(), angle) - angle).abs(),
-        AssemblyChoice::Near { point, place } => {
-            let frame: Frame<1> = motion.frame();
-            let [x, y] = frame.place(point).value();
-            (x - place[0]).hypot(y - place[1]) / size
-        }
-    }
-}
-
-/// Names of the links of some bodies.
-pub(super) fn names(spec: &LinkageSpec, bodies: &[Body]) -> String {
-    let names: Vec<String> = bodies
-        .iter()
-        .flat_map(Body::links)
-        .map(|link| format!("`{}`", spec.links[link].name))
-        .collect();
-    names.join(" and ")
-}
-
 /// Why a dyad cannot be assembled at the start.
 fn not_assemblable(
     spec: &LinkageSpec,
@@ -312,24 +270,6 @@ fn not_assemblable(
     };
     let hint = "change these lengths, or give the approximate positions for another input";
     (message, hint.to_owned())
-}
-
-/// The input at the start with its unit.
-pub(super) fn start_in_words(spec: &LinkageSpec) -> String {
-    match spec.pairs[spec.driver].slides() {
-        true => format!("{} m", short(spec.start)),
-        false => format!("{} deg", short(spec.start.to_degrees())),
-    }
-}
-
-/// A number with six digits, without zeros at the end; with an exponent where it
-/// is very large or small.
-pub(super) fn short(number: f64) -> String {
-    let rounded: f64 = format!("{number:.5e}").parse().unwrap_or(number);
-    match rounded.abs() {
-        0.0 | 1e-6..1e10 => rounded.to_string(),
-        _ => format!("{rounded:e}"),
-    }
 }
 
 /// The course before anything is known of it but its start.

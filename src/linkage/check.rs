@@ -1,6 +1,6 @@
 //! Checks of the plain numbers of a linkage, all at once.
 
-use super::assemble::short;
+use super::choice::short;
 use super::spec::{AssemblyChoice, ForceLaw, LinkageSpec, OutputKind, PairKind, PairSpec, PointOf};
 use crate::fault::{Fault, Faults};
 
@@ -251,7 +251,7 @@ fn law(spec: &LinkageSpec, path: &str, law: &ForceLaw, found: &mut Faults) {
             damping,
         } => {
             index(found, &under("pair"), *pair, spec.pairs.len(), "pair");
-            if spec.pairs.get(*pair).is_some_and(super::plan::slides) {
+            if spec.pairs.get(*pair).is_some_and(super::elements::slides) {
                 let hint = "name a revolute pair, or put a strut between two points";
                 found.add(
                     under("pair"),

@@ -3,8 +3,9 @@
 
 use super::decompose::{Decomposition, Edge, decompose};
 use super::dyad::{Dyad, Form};
+use super::elements::{Body, Element, Part, elements, slides};
 use super::newton::{Joint, NewtonGroup, Side};
-use super::plan::{Body, Driver, Element, Part, Plan, Step, elements, size, slides};
+use super::plan::{Driver, Plan, Step, size};
 use super::redundant::parallel_rods;
 use super::spec::{LinkageSpec, PairSpec};
 use super::structure::{Group, GroupKind, explanation, mobility};

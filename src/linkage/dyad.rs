@@ -7,7 +7,7 @@
 //! without angles; the one square root of a form carries the branch.
 
 use super::closure::{TwoCircles, circle_and_line, guide_between_pins};
-use super::plan::{Body, Element, Frame, Part};
+use super::elements::{Body, Element, Frame, Part};
 use super::vector::{Arm, Local, Vector};
 use crate::math::series::Series;
 

@@ -20,11 +20,13 @@
 mod assemble;
 mod change;
 mod check;
+mod choice;
 pub(crate) mod closure;
 mod compile;
 mod course;
 mod decompose;
 mod dyad;
+mod elements;
 mod examine;
 mod forces;
 mod guesses;
@@ -97,7 +99,7 @@ impl Linkage {
     fn with(spec: LinkageSpec, closed_forms: bool) -> Result<Self, Vec<Fault>> {
         check::check(&spec)?;
         let (plan, mut groups) = compile::compile(&spec, closed_forms)?;
-        let mut state = State::new(&plan);
+        let mut state = plan.state();
         let branches = assemble::assemble(&spec, &plan, &groups, &mut state)?;
         for (group, branch) in groups[1..].iter_mut().zip(&branches) {
             let two_ways = matches!(group.kind, GroupKind::Rrr | GroupKind::Rrp | GroupKind::Rpr);
@@ -222,12 +224,12 @@ fn explore(
         solve::solve::<4>(plan, course, Guess::Near(&here), state, at, groups)
     {
         let links = plan.steps[group].bodies();
-        let names = assemble::names(spec, links);
+        let names = choice::names(spec, links);
         return Err(vec![Fault::new(
             "links",
             format!(
                 "{names} are in a dead position at the start {}",
-                assemble::start_in_words(spec)
+                choice::start_in_words(spec)
             ),
             "give approximate positions for another input",
         )]);

@@ -8,7 +8,8 @@
 //! matrix must balance.
 
 use super::dyad::Margin;
-use super::plan::{Body, Element, Frame, Part};
+use super::elements::{Body, Element, Frame, Part};
+use super::state::Scratch;
 use super::state::State;
 use super::vector::Vector;
 use crate::math::linear::dense::{factorise, solve};
@@ -52,31 +53,6 @@ pub(super) struct NewtonGroup {
 /// The iteration did not come to an end.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct NotConverged;
-
-/// Memory for groups of a given size.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Scratch {
-    /// x, y (m), θ of each body as series.
-    pub(super) unknowns: Vec<[f64; 4]>,
-    pub(super) matrix: Vec<f64>,
-    pub(super) pivots: Vec<usize>,
-    pub(super) equations: Vec<[f64; 4]>,
-    pub(super) right: Vec<f64>,
-}
-
-impl Scratch {
-    /// Memory for a group of `bodies`.
-    pub(super) fn new(bodies: usize) -> Self {
-        let n = 3 * bodies;
-        Self {
-            unknowns: vec![[0.0; 4]; n],
-            matrix: vec![0.0; n * n],
-            pivots: vec![0; n],
-            equations: vec![[0.0; 4]; n],
-            right: vec![0.0; n],
-        }
-    }
-}
 
 /// A point and a direction of a pair's side, seen from the ground.
 pub(super) struct Seen<const N: usize> {

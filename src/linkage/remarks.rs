@@ -2,11 +2,10 @@
 //! approximate positions far from the assembly.
 
 use super::Linkage;
-use super::assemble::{mismatch, short};
-use super::plan::slides;
+use super::choice::{mismatch, short};
+use super::elements::slides;
 use super::solve::{Guess, solve};
 use super::spec::{AssemblyChoice, OutputKind};
-use super::state::State;
 
 /// An output that moves less than this, in radians or sizes of the linkage for each radian
 /// or size of the input, stands still.
@@ -30,7 +29,7 @@ impl Linkage {
     /// Approximate positions that are not near the assembly.
     fn far_positions(&self) -> Vec<String> {
         let (spec, plan) = (self.spec(), &self.core.plan);
-        let mut state = State::new(plan);
+        let mut state = plan.state();
         let course = &self.core.course;
         let guess = Guess::Table(&course.table);
         let at = (spec.start, spec.start);

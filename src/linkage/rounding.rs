@@ -92,7 +92,7 @@ fn disturbed(linkage: &Linkage, seed: u64) -> Option<Linkage> {
         return None;
     }
     let mut course = core.course.clone();
-    let mut state = State::new(&plan);
+    let mut state = plan.state();
     for group in 0..plan.steps.len() {
         for index in 0..course.branches[group].changes.len() {
             let again = interpolated(&plan, &course, &mut state, group, index)?;

@@ -2,8 +2,9 @@
 
 use super::course::{Course, Table};
 use super::dyad::{Around, Dyad};
+use super::elements::{Frame, inverse};
 use super::newton::NewtonGroup;
-use super::plan::{Frame, Plan, Step, inverse};
+use super::plan::{Plan, Step};
 use super::state::State;
 
 /// Positions to start an iteration from.

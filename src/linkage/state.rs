@@ -1,8 +1,9 @@
 //! All memory that solving needs.
 
 use super::dyad::Margin;
-use super::newton::Scratch;
-use super::plan::{Frame, Plan, Step};
+use super::elements::Body;
+
+use super::elements::Frame;
 use super::vector::Vector;
 
 /// The frame of a link as power series.
@@ -66,19 +67,6 @@ pub(super) struct State {
 }
 
 impl State {
-    pub(super) fn new(plan: &Plan) -> Self {
-        let most = plan.steps.iter().map(|step| match step {
-            Step::Dyad(_) => 0,
-            Step::Newton(group) => group.bodies.len(),
-        });
-        Self {
-            links: vec![Motion::GROUND; plan.links],
-            relative: Motion::GROUND,
-            margins: vec![Margin::default(); plan.steps.len()],
-            scratch: Scratch::new(most.max().unwrap_or(0)),
-        }
-    }
-
     /// The frame of a link or of the ground.
     #[inline(always)]
     pub(super) fn frame<const N: usize>(&self, link: Option<usize>) -> Frame<N> {
@@ -96,7 +84,7 @@ impl State {
 
     /// Puts a body, with the driven link if it has one, into its place.
     #[inline(always)]
-    pub(super) fn put<const N: usize>(&mut self, body: &super::plan::Body, frame: &Frame<N>) {
+    pub(super) fn put<const N: usize>(&mut self, body: &Body, frame: &Frame<N>) {
         self.links[body.base].set(frame);
         if let Some(driven) = body.driven {
             let relative = self.relative_frame::<N>();
@@ -105,6 +93,31 @@ impl State {
                 direction: frame.direction.turn(relative.direction),
             };
             self.links[driven].set(&placed);
+        }
+    }
+}
+
+/// Memory for groups of a given size.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Scratch {
+    /// x, y (m), θ of each body as series.
+    pub(super) unknowns: Vec<[f64; 4]>,
+    pub(super) matrix: Vec<f64>,
+    pub(super) pivots: Vec<usize>,
+    pub(super) equations: Vec<[f64; 4]>,
+    pub(super) right: Vec<f64>,
+}
+
+impl Scratch {
+    /// Memory for a group of `bodies`.
+    pub(super) fn new(bodies: usize) -> Self {
+        let n = 3 * bodies;
+        Self {
+            unknowns: vec![[0.0; 4]; n],
+            matrix: vec![0.0; n * n],
+            pivots: vec![0; n],
+            equations: vec![[0.0; 4]; n],
+            right: vec![0.0; n],
         }
     }
 }

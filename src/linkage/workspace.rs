@@ -1,7 +1,7 @@
 //! Where everything is after solving: poses, transfer functions, points, pairs.
 
 use super::course::nearest_turn;
-use super::plan::{elements, slides};
+use super::elements::{elements, slides};
 use super::spec::{OutputKind, PairSpec, PointOf};
 use super::state::State;
 use super::vector::Vector;
@@ -47,7 +47,7 @@ impl Pose {
 impl Workspace {
     pub(super) fn new(core: Arc<Core>) -> Self {
         Self {
-            state: State::new(&core.plan),
+            state: core.plan.state(),
             input: f64::NAN,
             reduced: f64::NAN,
             turns: 0.0,

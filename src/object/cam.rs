@@ -1,8 +1,8 @@
 //! The position function of a cam.
 
 use super::law::law;
-use super::measures::Measures;
-use super::position::phase;
+use super::measures::{Measures, any};
+
 use crate::motion::LawSpec;
 use crate::position::{CamSpec, PositionSpec};
 use crate::read::{Bounds, Fields, Slot};
@@ -100,4 +100,13 @@ fn whole_turn(fields: &mut Fields<'_>, spec: CamSpec, rest: Option<f64>) -> Opti
     }
     fields.fill_in("rest", json!(rest.unwrap_or(left)));
     Some(spec)
+}
+
+pub(super) fn phase(fields: &mut Fields<'_>) -> Option<f64> {
+    fields.or(
+        "phase",
+        "Added to the driver's angle",
+        json!(0.0),
+        any(q::ANGLE),
+    )
 }

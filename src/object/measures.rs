@@ -1,7 +1,7 @@
 //! Which quantities the properties of an object have.
 
 use crate::model::Coordinate::{self, Sliding, Turning};
-use crate::read::Wanted;
+use crate::read::{Bounds, Slot, Wanted};
 use crate::units::quantities as q;
 use crate::units::{Dimension, Quantity};
 
@@ -108,4 +108,18 @@ fn higher_coefficient(own: Coordinate, driver: Coordinate, power: usize) -> Quan
         angle_may_be_left_out: true,
         units: &["SI units"],
     }
+}
+
+/// What a position function leads from and to.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Ends {
+    /// What it gives.
+    pub(super) output: Measures,
+    /// What it is given.
+    pub(super) driver: Measures,
+}
+
+pub(super) fn any(wanted: impl Into<Wanted>) -> impl Fn(Slot<'_>) -> Option<f64> {
+    let wanted = wanted.into();
+    move |slot| slot.quantity(wanted, Bounds::ANY)
 }

@@ -1,8 +1,8 @@
 //! Plans of motion in scenes.
 
 use super::law::composed;
+use super::measures::Ends;
 use super::measures::Measures;
-use super::position::Ends;
 use crate::fault::Fault;
 use crate::model::Coordinate;
 use crate::motion::cycle::{MOST_STATIONS, Motion, Station, USUAL_ORDER};

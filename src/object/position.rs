@@ -4,11 +4,13 @@ mod linkages;
 
 use super::cam;
 use super::load::points;
+use super::measures::Ends;
 use super::measures::Measures;
+use super::measures::any;
 use super::plan;
 use crate::model::Coordinate::{Sliding, Turning};
 use crate::position::{CustomPosition, PositionSpec, SlottedDriver, SlottedOutput};
-use crate::read::{Bounds, Fields, Slot, Wanted};
+use crate::read::{Bounds, Fields, Slot};
 use crate::units::quantities as q;
 use linkages::{four_bar, slider_crank, slotted_link};
 use serde_json::json;
@@ -28,15 +30,6 @@ pub(super) const ALL: &[&str] = &[
     "cam",
     "plan",
 ];
-
-/// What a position function leads from and to.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Ends {
-    /// What it gives.
-    pub(super) output: Measures,
-    /// What it is given.
-    pub(super) driver: Measures,
-}
 
 /// Reads `position`. Only the functions in `allowed` are described; any other
 /// is read too, to say what is wrong with it.
@@ -187,20 +180,6 @@ fn check(fields: &mut Fields<'_>, function: &PositionSpec, ends: Ends, allowed: 
         fault.hints.push(hint.to_owned());
     }
     fields.faults() == before
-}
-
-fn any(wanted: impl Into<Wanted>) -> impl Fn(Slot<'_>) -> Option<f64> {
-    let wanted = wanted.into();
-    move |slot| slot.quantity(wanted, Bounds::ANY)
-}
-
-pub(super) fn phase(fields: &mut Fields<'_>) -> Option<f64> {
-    fields.or(
-        "phase",
-        "Added to the driver's angle",
-        json!(0.0),
-        any(q::ANGLE),
-    )
 }
 
 fn ratio(slot: Slot<'_>, ends: Ends) -> Option<PositionSpec> {

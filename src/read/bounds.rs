@@ -1,6 +1,5 @@
 //! Bounds of numbers.
 
-use super::number::plain;
 use serde_json::{Map, Value, json};
 
 /// The interval a number must lie in.
@@ -103,5 +102,13 @@ impl Bounds {
         if self.not_zero {
             schema.insert("not".into(), json!({ "const": 0 }));
         }
+    }
+}
+
+/// A number as people write it.
+pub(super) fn plain(value: f64) -> String {
+    match value == 0.0 || (1e-4..1e7).contains(&value.abs()) {
+        true => value.to_string(),
+        false => format!("{value:e}"),
     }
 }

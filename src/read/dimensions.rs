@@ -1,50 +1,14 @@
 //! Named numbers: an object that gives `dimensions` can refer to them by name
 //! wherever it takes a number: `"rod"`, `"-rod"`, `"rod/2"`, `"rod*0.4"`.
 
+use super::dimension::{Dimensions, Entry, Given};
 use super::fields::Fields;
 use super::number::{NUMBER_PATTERN, Wanted, shorten};
 use super::slot::Slot;
 use super::suggest::{did_you_mean, quoted_list};
 use super::tree::Value;
-use crate::diagnostics::Place;
-use crate::units::{Measure, parse};
+use crate::units::parse;
 use serde_json::json;
-
-/// Texts that refer to a named number.
-const REFERENCE_PATTERN: &str =
-    r"^\s*-?\s*[A-Za-z_][A-Za-z0-9_-]*\s*([*/]\s*[0-9]+\.?[0-9]*([eE][-+]?[0-9]+)?)?\s*$";
-
-/// The named numbers of the object that is being read.
-#[derive(Debug, Default)]
-pub(super) struct Dimensions {
-    /// True while the schema of an object with named numbers is written.
-    described: bool,
-    entries: Vec<Entry>,
-}
-
-#[derive(Debug)]
-struct Entry {
-    name: String,
-    place: Place,
-    /// A faulty one stands for any number, so that its fault is said once.
-    value: Option<Given>,
-    used: bool,
-}
-
-/// A number with its unit, or without one: then it is in SI units of whatever
-/// is wanted where it is referred to.
-#[derive(Clone, Copy, Debug)]
-enum Given {
-    Plain(f64),
-    Measured(Measure),
-}
-
-impl Dimensions {
-    /// What a number's text looks like besides a number with a unit.
-    pub(super) fn pattern(&self) -> Option<&'static str> {
-        self.described.then_some(REFERENCE_PATTERN)
-    }
-}
 
 impl Fields<'_> {
     /// Reads `dimensions`, named numbers that the properties asked for from

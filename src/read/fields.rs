@@ -2,7 +2,6 @@
 
 mod closing;
 
-use super::one_of::OneOf;
 use super::own::OWN;
 use super::slot::{Reader, Reading, Slot, join, kept, push};
 use super::suggest::quoted_list;
@@ -205,11 +204,6 @@ impl<'a> Fields<'a> {
         if !self.describing() {
             self.out.remove(name);
         }
-    }
-
-    /// Reads properties of which exactly one must be there.
-    pub fn one_of<T>(&mut self, what: &'static str) -> OneOf<'_, 'a, T> {
-        OneOf::new(self, what)
     }
 
     /// Number of faults and warnings noted so far.

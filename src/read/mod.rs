@@ -12,6 +12,7 @@
 
 mod bounds;
 mod compound;
+mod dimension;
 mod dimensions;
 mod fields;
 mod given;

@@ -1,6 +1,7 @@
 //! Reading of numbers, with and without units.
 
 use super::bounds::Bounds;
+use super::bounds::plain;
 use super::slot::{Slot, last_name};
 use super::suggest::did_you_mean;
 use super::tree::Value;
@@ -306,14 +307,6 @@ impl Slot<'_> {
             _ => format!("this is in {found}"),
         };
         fault.hints.push(hint);
-    }
-}
-
-/// A number as people write it.
-pub(super) fn plain(value: f64) -> String {
-    match value == 0.0 || (1e-4..1e7).contains(&value.abs()) {
-        true => value.to_string(),
-        false => format!("{value:e}"),
     }
 }
 

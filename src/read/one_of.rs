@@ -21,6 +21,13 @@ struct Group<'f, 'a> {
     found: Vec<&'static str>,
 }
 
+impl<'a> Fields<'a> {
+    /// Reads properties of which exactly one must be there.
+    pub fn one_of<T>(&mut self, what: &'static str) -> OneOf<'_, 'a, T> {
+        OneOf::new(self, what)
+    }
+}
+
 impl<'f, 'a, T> OneOf<'f, 'a, T> {
     pub(super) fn new(fields: &'f mut Fields<'a>, what: &'static str) -> Self {
         Self {

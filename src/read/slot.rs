@@ -1,6 +1,6 @@
 //! The place of one value, and what can be read there.
 
-use super::dimensions::Dimensions;
+use super::dimension::Dimensions;
 use super::suggest::{did_you_mean, quoted_list};
 use super::tree::{Node, Value};
 use crate::diagnostics::{Diagnostic, Place};

@@ -1,12 +1,13 @@
 //! Figures and energy audit of an integrated system, step by step.
 
 use super::audit::{Ledger, WEIGHTED};
+use super::failure::{self, Failure};
 use super::joints::JointTracker;
 use super::observed::{Coordinates, Observed, places};
 use super::observer::Observer;
 use super::pieces::{self, Pieces};
-use super::recorder::{Failure, RecorderSettings, failure};
 use super::rows::is_finite;
+use super::settings::RecorderSettings;
 use super::smoothness::{Smoothness, smooth_length};
 use super::tally::Tally;
 use crate::energy::EnergyAudit;

@@ -1,10 +1,11 @@
 //! Samples and switches of a run.
 
+use super::failure::Failure;
 use super::joints::JointTracker;
 use super::observer::Observer;
 use super::pairs::PairTracker;
-use super::recorder::{Failure, RecorderSettings};
 use super::rows::{Rows, Seen, is_finite};
+use super::settings::RecorderSettings;
 use super::tally::Tally;
 use super::{Interval, ObjectFigures, PairFigures, Record, Recorded, SwitchRow};
 use crate::energy::EnergyAudit;

@@ -3,6 +3,7 @@
 mod addresses;
 mod audit;
 mod contact;
+pub(crate) mod failure;
 mod figure;
 mod figured;
 mod figures;
@@ -17,6 +18,7 @@ mod quantity;
 mod recorder;
 mod rows;
 mod sampled;
+mod settings;
 mod smoothness;
 mod subdivision;
 mod tally;
@@ -25,13 +27,15 @@ mod window;
 
 pub use crate::energy::EnergyAudit;
 pub use addresses::AddressError;
+pub use failure::Failure;
 pub use figure::Figure;
 pub use figures::{
     Figures, FinalState, JointFigures, ObjectFigures, PairFigures, RunSummary, Units,
     greatest_magnitude,
 };
 pub use quantity::Quantity;
-pub use recorder::{Failure, Recorded, Recorder, RecorderSettings};
+pub use recorder::{Recorded, Recorder};
+pub use settings::RecorderSettings;
 pub use tee::Tee;
 pub use window::{choose_window, choose_window_of, drive_cycle};
 pub(crate) use {figured::Figured, log::Log, observer::Observer, sampled::Sampled, tally::Tally};

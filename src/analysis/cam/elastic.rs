@@ -1,7 +1,8 @@
 //! Lift-off with the follower's elasticity, by runs of the dynamic model.
 
+use crate::analysis::demand::Demand;
 use crate::analysis::document::stop_in_words;
-use crate::analysis::run::{Demand, motion};
+use crate::analysis::run::motion;
 use crate::analysis::{Control, RunSettings};
 use crate::exact::Asked;
 use crate::fault::Fault;

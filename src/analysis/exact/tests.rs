@@ -1,4 +1,5 @@
-use crate::analysis::run::{Demand, Motion, motion, run as recorded};
+use crate::analysis::demand::Demand;
+use crate::analysis::run::{Motion, motion, run as recorded};
 use crate::analysis::{Control, RunSettings};
 use crate::exact::Asked;
 use crate::integrate::{Method, Stop};

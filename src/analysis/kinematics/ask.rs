@@ -1,7 +1,7 @@
 //! What is asked of a linkage, and what is known of its input's motion.
 
 use super::course::Course;
-use super::study::span;
+
 use super::subject::Subject;
 use crate::linkage::{Cause, Linkage, Reach};
 use crate::math::jet::Jet;
@@ -281,5 +281,24 @@ pub fn whole_travel(linkage: &Linkage) -> Over {
     Over::Range {
         from: from + room,
         to: to - room,
+    }
+}
+
+/// First and last place on the axis.
+pub(super) fn span(asked: &Asked<'_>) -> [f64; 2] {
+    match asked.over {
+        Over::Time { to } => [0.0, to],
+        Over::Range { from, to } => [from, to],
+        Over::Turn => {
+            let from = asked.first_input();
+            let period = asked.linkage.range().period;
+            let length = period.map_or(std::f64::consts::TAU, |period| period.length);
+            let sense = if asked.input == Coordinate::Turning && asked.rate[0] < 0.0 {
+                -1.0
+            } else {
+                1.0
+            };
+            [from, from + sense * length]
+        }
     }
 }

@@ -1,5 +1,6 @@
 //! The rows of a study, one after the other.
 
+use super::ask::span;
 use super::ask::{Asked, Over};
 use super::columns::{self, unit_of};
 use super::equilibria::equilibria;
@@ -285,25 +286,6 @@ impl<'q, 'a> Rows<'q, 'a> {
             at: outside,
             input: end,
             cause: cause(self.asked, why.end.cause),
-        }
-    }
-}
-
-/// First and last place on the axis.
-pub(super) fn span(asked: &Asked<'_>) -> [f64; 2] {
-    match asked.over {
-        Over::Time { to } => [0.0, to],
-        Over::Range { from, to } => [from, to],
-        Over::Turn => {
-            let from = asked.first_input();
-            let period = asked.linkage.range().period;
-            let length = period.map_or(std::f64::consts::TAU, |period| period.length);
-            let sense = if asked.input == Coordinate::Turning && asked.rate[0] < 0.0 {
-                -1.0
-            } else {
-                1.0
-            };
-            [from, from + sense * length]
         }
     }
 }

@@ -1,7 +1,8 @@
 //! The lightest run that answers the question: samples of the deviations and
 //! the times of the switches, nothing else. This is what is timed.
 
-use crate::analysis::run::{Demand, motion};
+use crate::analysis::demand::Demand;
+use crate::analysis::run::motion;
 use crate::analysis::{Control, RunSettings, exact};
 use crate::exact::Asked;
 use crate::fault::Fault;

@@ -15,6 +15,7 @@
 mod attempt;
 mod light;
 mod limit;
+mod line;
 mod point;
 mod recommend;
 mod reference;
@@ -25,10 +26,11 @@ pub mod sweep;
 mod verdict;
 
 pub use limit::StabilityLimit;
+pub use line::MethodLine;
 pub use point::{FigureError, Point};
 pub use recommend::{Recommendation, recommend};
 pub use reference::{AGREE, Distance, HORIZON, Reference};
 pub use setting::{Setting, all_methods, is_exact, is_fixed_step};
 pub use stability::{series_limit, stability_limit};
-pub use study::{MethodLine, Now, Plan, Study, study};
+pub use study::{Now, Plan, Study, study};
 pub use verdict::{GROWN, Verdict};

@@ -1,6 +1,6 @@
 //! Which method to take for the asked accuracy.
 
-use super::study::MethodLine;
+use super::line::MethodLine;
 use crate::math::order::Total;
 use serde::Serialize;
 

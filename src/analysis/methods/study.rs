@@ -3,6 +3,7 @@
 use super::attempt::{Attempt, Effort, Problem};
 use super::light::tracks;
 use super::limit::{StabilityLimit, too_long};
+use super::line::MethodLine;
 use super::point::Point;
 use super::recommend::{Recommendation, recommend};
 use super::reference::{Distance, Reference, Truth, find};
@@ -93,19 +94,6 @@ pub struct Study {
     pub methods: Vec<MethodLine>,
     /// Which to take.
     pub recommendation: Recommendation,
-}
-
-/// One method at all its settings.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct MethodLine {
-    /// The method.
-    pub method: Method,
-    /// True: the points are steps; false: tolerances.
-    pub fixed_step: bool,
-    /// The limit of its stability.
-    pub stability: StabilityLimit,
-    /// Its points, the coarsest first.
-    pub points: Vec<Point>,
 }
 
 /// Tries every method of a plan on a system; `progress` hears of every point.

@@ -1,8 +1,9 @@
 //! The same over a parameter: where each method starts to fail as the scene changes.
 
+use super::line::MethodLine;
 use super::setting::{first_step, is_fixed_step};
 use super::stability::Spectrum;
-use super::study::{MethodLine, Now, Plan, Study, start, study};
+use super::study::{Now, Plan, Study, start, study};
 use super::verdict::Verdict;
 use crate::analysis::axis::Axis;
 use crate::analysis::{Control, RunSettings};

@@ -1,6 +1,6 @@
 //! Arguments of `dam cam`.
 
-use super::{OutArgs, SceneArgs};
+use crate::cli::args::scene::{OutArgs, SceneArgs};
 use clap::{Args, ValueEnum};
 
 /// Arguments of `dam cam`.

@@ -1,6 +1,7 @@
 //! Arguments of `dam forces`.
 
-use super::{CourseArgs, OutArgs, SceneArgs};
+use super::CourseArgs;
+use crate::cli::args::scene::{OutArgs, SceneArgs};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 

@@ -1,6 +1,7 @@
 //! Arguments of `dam kinematics`.
 
-use super::{CourseArgs, OutArgs, SceneArgs};
+use super::CourseArgs;
+use crate::cli::args::scene::{OutArgs, SceneArgs};
 use clap::Args;
 
 /// Arguments of `dam kinematics`.

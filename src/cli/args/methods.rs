@@ -1,6 +1,7 @@
 //! Arguments of `dam methods`.
 
-use super::{OutArgs, SceneArgs, positive_seconds};
+use super::positive_seconds;
+use crate::cli::args::scene::{OutArgs, SceneArgs};
 use clap::Args;
 
 /// Arguments of `dam methods`.

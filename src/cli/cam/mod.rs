@@ -5,11 +5,12 @@ mod question;
 
 use super::args::{CamArgs, CamForm};
 use super::console;
-use super::failure::{Failure, Status};
+use super::failure::Failure;
 use super::input::{Input, Ready};
 use super::interrupt;
 use super::law::told;
 use super::output::{self, OutputFolder, ResultFile};
+use super::status::Status;
 use crate::analysis::cam::{CamFigures, CamForce, disc_cam, figures, objects_with_cam};
 use crate::cam::DiscCam;
 use crate::report::cam::{

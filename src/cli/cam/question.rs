@@ -1,10 +1,10 @@
 //! What the arguments of `dam cam` ask.
 
-use crate::cli::args::CamArgs;
-use crate::cli::failure::Failure;
 use crate::analysis::cam::{Question, Reserve};
 use crate::cam::sizing::PressureLimits;
 use crate::cam::{DiscCam, Guide};
+use crate::cli::args::CamArgs;
+use crate::cli::failure::Failure;
 use crate::object::law::read_argument;
 use crate::read::{Bounds, Wanted};
 use crate::units::{parse, quantities as q};

@@ -4,9 +4,10 @@
 use super::args::{CourseArgs, KinematicsArgs};
 use super::console;
 use super::expected;
-use super::failure::{Failure, Status};
+use super::failure::Failure;
 use super::input::{Input, Ready};
 use super::output::{self, OutputFolder, ResultFile};
+use super::status::Status;
 use crate::analysis::expectations::Verdict;
 use crate::analysis::kinematics::{
     Asked, Kinematics, Over, Question, Subject, kinematics, whole_travel,

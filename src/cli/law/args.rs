@@ -1,6 +1,6 @@
 //! Arguments of `dam law …`.
 
-use crate::cli::args::SceneArgs;
+use crate::cli::args::scene::SceneArgs;
 use clap::{Args, Subcommand, ValueEnum};
 
 /// Commands on laws of motion.

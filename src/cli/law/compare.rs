@@ -2,13 +2,14 @@
 
 use super::args::{CompareArgs, RankBy};
 use super::told;
+use crate::analysis::RunSettings;
+use crate::analysis::law::{ComparedLaw, Figure, LawResponse, lift_off, response};
 use crate::cli::console;
-use crate::cli::failure::{Failure, Status};
+use crate::cli::failure::Failure;
 use crate::cli::input::{Input, Ready};
 use crate::cli::interrupt;
 use crate::cli::run::run_with_progress;
-use crate::analysis::RunSettings;
-use crate::analysis::law::{ComparedLaw, Figure, LawResponse, lift_off, response};
+use crate::cli::status::Status;
 use crate::model::{Model, NodeMotion};
 use crate::motion::{DriveMotion, Law, LawName};
 use crate::object::law::stroke_law;

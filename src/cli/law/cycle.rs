@@ -2,10 +2,10 @@
 
 use super::PICTURE;
 use super::args::{CycleArgs, Form};
+use crate::analysis::cycle::cycle;
 use crate::cli::console;
 use crate::cli::failure::Failure;
 use crate::cli::input::Input;
-use crate::analysis::cycle::cycle;
 use crate::model::{Coordinate, NodeMotion};
 use crate::report::law::{cycle_chart, cycle_csv, cycle_text};
 use serde_json::json;

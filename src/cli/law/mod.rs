@@ -6,12 +6,13 @@ mod cycle;
 mod synthesize;
 
 use super::console;
-use super::failure::{Failure, Status};
-use args::{Form, LawCommand, ListArgs, ShowArgs};
+use super::failure::Failure;
+use super::status::Status;
 use crate::fault::Fault;
 use crate::motion::{Law, LawName, RunLawName};
 use crate::object::law::{AnyLaw, any_law, run_up_law};
 use crate::report::law::{LawRow, constants_csv, constants_table, law_chart, law_csv, law_text};
+use args::{Form, LawCommand, ListArgs, ShowArgs};
 use serde_json::{Value, json};
 
 /// Size of pictures (pixels).

@@ -1,10 +1,10 @@
 //! Result files of studies of methods.
 
+use crate::analysis::methods::Study;
+use crate::analysis::methods::sweep::Sweep;
 use crate::cli::failure::Failure;
 use crate::cli::input::Ready;
 use crate::cli::output::ResultFile;
-use crate::analysis::methods::Study;
-use crate::analysis::methods::sweep::Sweep;
 use crate::report::diagram::Diagram;
 use crate::report::methods::charts::{Against, cost, regions, stable_steps, work_precision};
 use crate::report::methods::{MethodsReport, methods_csv, page, sweep_csv, sweep_page};

@@ -6,16 +6,17 @@ mod text;
 
 use super::args::MethodsArgs;
 use super::console;
-use super::failure::{Failure, Status};
+use super::failure::Failure;
 use super::input::{Input, Ready};
 use super::interrupt;
 use super::output::{self, OutputFolder};
-use bar::PointBar;
+use super::status::Status;
 use crate::analysis::Control;
 use crate::analysis::axis::Axis;
 use crate::analysis::methods::sweep::{Sweep, sweep};
 use crate::analysis::methods::{Plan, Study, all_methods, study};
 use crate::integrate::Method;
+use bar::PointBar;
 use std::time::Duration;
 
 /// Most values of an axis: each is a study of its own.

@@ -2,7 +2,8 @@
 
 use super::args::{NewArgs, Template};
 use super::console;
-use super::failure::{Failure, Status};
+use super::failure::Failure;
+use super::status::Status;
 use std::fs::File;
 use std::io::Write;
 

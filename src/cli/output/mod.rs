@@ -12,9 +12,9 @@
 mod lock;
 mod provenance;
 
-use super::args::OutArgs;
 use super::failure::Failure;
 use super::{console, interrupt, journal};
+use crate::cli::args::scene::OutArgs;
 use lock::{Lock, Refused};
 use provenance::{Provenance, digest};
 use std::collections::BTreeSet;

@@ -1,6 +1,6 @@
 //! Arguments of `dam steady`.
 
-use crate::cli::args::{OutArgs, SceneArgs};
+use crate::cli::args::scene::{OutArgs, SceneArgs};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 

@@ -2,8 +2,9 @@
 
 use super::args::SteadyArgs;
 use super::{Answered, asked, folder, machine_document, tell};
-use crate::cli::failure::{Failure, Status};
 use crate::analysis::steady::{ROWS, by_energy, csv};
+use crate::cli::failure::Failure;
+use crate::cli::status::Status;
 use crate::report::steady::Shown;
 use crate::scene::SteadySpec;
 use crate::steady::flywheel::{Flywheel, size_of_table};

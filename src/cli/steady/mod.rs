@@ -5,11 +5,11 @@ mod machine;
 
 use super::console;
 use super::expected;
-use super::failure::{Failure, Status};
+use super::failure::Failure;
 use super::input::{Input, Ready};
 use super::output::{self, OutputFolder, ResultFile};
 use super::run::doubts;
-use args::{Form, MeanChoice, QuestionArgs, SteadyArgs};
+use super::status::Status;
 use crate::analysis::expectations::Verdict;
 use crate::analysis::steady::{Answer, ROWS, check, steady_motion};
 use crate::object::law::read_argument;
@@ -20,6 +20,7 @@ use crate::report::steady::{
 use crate::scene::SteadySpec;
 use crate::steady::{MOST_TURNS, Mean};
 use crate::units::{Quantity, quantities as q};
+use args::{Form, MeanChoice, QuestionArgs, SteadyArgs};
 use serde::Serialize;
 use serde_json::{Value, json};
 

@@ -4,7 +4,6 @@
 //! returned where several exist. Where it cycles or runs away, it is damped,
 //! then Newton's method is tried with the present signs.
 
-use super::solve::TOO_GREAT;
 use super::workspace::ForceWorkspace;
 
 /// How the friction was found.
@@ -195,3 +194,7 @@ impl ForceWorkspace {
         }
     }
 }
+
+/// Forces from which on their squares would not be numbers (N): an iteration that
+/// grows that far has no end.
+pub(super) const TOO_GREAT: f64 = 1e150;

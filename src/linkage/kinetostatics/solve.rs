@@ -1,6 +1,7 @@
 //! One position: from the motion to reactions and driving force.
 
 use super::external::Input;
+use super::iteration::TOO_GREAT;
 use super::iteration::{Convergence, Method};
 use super::positions::Positions;
 use super::workspace::ForceWorkspace;
@@ -11,9 +12,6 @@ use std::fmt;
 pub const BAD_CONDITION: f64 = 1e12;
 /// Condition number from which W counts as singular.
 const SINGULAR: f64 = 1e15;
-/// Forces from which on their squares would not be numbers (N): an iteration that
-/// grows that far has no end.
-pub(super) const TOO_GREAT: f64 = 1e150;
 /// Ratio of pivots below which the condition number is looked at.
 const SMALL_PIVOT: f64 = 1e-7;
 

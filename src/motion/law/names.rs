@@ -1,7 +1,5 @@
 //! Names of laws of motion.
 
-use super::spec::{LawSpec, RunLawSpec, SectionsSpec};
-
 /// A named law of a full stroke, from rest to rest.
 ///
 /// θ(0) = 0, θ(1) = 1, θ′(0) = θ′(1) = 0, and θ(1 − τ) = 1 − θ(τ) for all of
@@ -82,27 +80,6 @@ impl LawName {
             Self::Polynomial4567 => "35τ⁴ − 84τ⁵ + 70τ⁶ − 20τ⁷",
         }
     }
-
-    /// As sections of a stroke, for the laws that are made of them.
-    pub(super) fn sections(self) -> Option<SectionsSpec> {
-        let (b, d, uniform) = match self {
-            Self::Parabolic => (0.0, 0.0, 0.0),
-            Self::ModifiedTrapezoid => (0.25, 0.25, 0.0),
-            Self::ModifiedSine => (0.25, 0.75, 0.0),
-            Self::ModifiedConstantVelocity => (0.25, 0.75, 0.5),
-            _ => return None,
-        };
-        Some(SectionsSpec {
-            uniform,
-            ..SectionsSpec::scca(b, d)
-        })
-    }
-}
-
-impl From<LawName> for LawSpec {
-    fn from(name: LawName) -> Self {
-        Self::Named(name)
-    }
 }
 
 /// A named run-up law: a special point of the modified trapezoid of general form.
@@ -160,12 +137,5 @@ impl RunLawName {
             Self::UnequalTrapezoid => (0.125, 0.5),
             Self::ModifiedSine => (0.25, 0.75),
         }
-    }
-}
-
-impl From<RunLawName> for RunLawSpec {
-    fn from(name: RunLawName) -> Self {
-        let (s1, s2) = name.shares();
-        Self::Trapezoid { s1, s2 }
     }
 }

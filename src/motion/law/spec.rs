@@ -153,3 +153,33 @@ pub(super) fn check_table(points: &[(f64, f64)]) -> Result<(), Vec<Fault>> {
     }
     faults.check()
 }
+
+impl LawName {
+    /// As sections of a stroke, for the laws that are made of them.
+    pub(super) fn sections(self) -> Option<SectionsSpec> {
+        let (b, d, uniform) = match self {
+            Self::Parabolic => (0.0, 0.0, 0.0),
+            Self::ModifiedTrapezoid => (0.25, 0.25, 0.0),
+            Self::ModifiedSine => (0.25, 0.75, 0.0),
+            Self::ModifiedConstantVelocity => (0.25, 0.75, 0.5),
+            _ => return None,
+        };
+        Some(SectionsSpec {
+            uniform,
+            ..SectionsSpec::scca(b, d)
+        })
+    }
+}
+
+impl From<LawName> for LawSpec {
+    fn from(name: LawName) -> Self {
+        Self::Named(name)
+    }
+}
+
+impl From<RunLawName> for RunLawSpec {
+    fn from(name: RunLawName) -> Self {
+        let (s1, s2) = name.shares();
+        Self::Trapezoid { s1, s2 }
+    }
+}

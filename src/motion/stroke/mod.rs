@@ -11,15 +11,18 @@
 //!    0 φ_I      φ_II  φ_III
 //! ```
 
+mod criterion;
+mod figures;
 mod optimum;
 mod section;
 mod solve;
 #[cfg(test)]
 mod tests;
 
-pub use optimum::{Criterion, optimum_uniform_stroke};
+pub use criterion::Criterion;
+pub use figures::optimum_uniform_stroke;
+pub use figures::{Skewness, StrokeSpec};
 pub use section::RunSection;
-pub use solve::{Skewness, StrokeSpec};
 
 use crate::fault::Fault;
 use crate::math::jet::Jet;

@@ -1,44 +1,9 @@
 //! Optimum skewness and optimum uniform section.
 
-use super::StrokeFigures;
-use super::solve::{Laws, StrokeSpec, figures};
+use super::criterion::Criterion;
+use super::figures::{Laws, StrokeSpec, figures};
 use crate::fault::Fault;
 use crate::math::optimise::golden;
-
-/// What the skewness is to make least, (1.6). The weight ξ ≥ 0 says how much
-/// the run-out counts.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Criterion {
-    /// K1 = Π″_max + ξ·|Π″_min|: forces.
-    Acceleration {
-        /// ξ.
-        weight: f64,
-    },
-    /// K2 = (Π′Π″)_max + ξ·|(Π′Π″)_min|: torques.
-    Product {
-        /// ξ.
-        weight: f64,
-    },
-}
-
-impl Criterion {
-    /// ξ.
-    pub fn weight(self) -> f64 {
-        match self {
-            Self::Acceleration { weight } | Self::Product { weight } => weight,
-        }
-    }
-
-    /// Its value for a stroke, counted in the direction of the stroke.
-    pub fn of(self, figures: &StrokeFigures) -> f64 {
-        match self {
-            Self::Acceleration { weight } => {
-                figures.acceleration_run_up.abs() + weight * figures.acceleration_run_out
-            }
-            Self::Product { weight } => figures.product_run_up + weight * figures.product_run_out,
-        }
-    }
-}
 
 /// Skewness is looked for between these (e⁻⁷ … e⁷).
 const REACH: f64 = 7.0;
@@ -91,15 +56,6 @@ pub(super) fn optimum_skewness(
         ));
     }
     Ok(least(value, at(best - 1), at(best + 1)).exp())
-}
-
-/// The uniform share of the stroke that makes |Π′Π″| least.
-///
-/// With x = 1 − ζ_Π both sections have |Π′Π″| ∝ (1 + (G − 1)·x)³/x, least at
-/// x = 1/(2(G − 1)); for G ≤ 3/2 that is beyond x = 1, and no uniform section
-/// is best.
-pub fn optimum_uniform_stroke(g: f64) -> f64 {
-    (1.0 - 0.5 / (g - 1.0)).max(0.0)
 }
 
 /// Place of the least value between `low` and `high` (golden section, then

@@ -6,7 +6,8 @@ mod names;
 mod outputs;
 mod pairs;
 
-use super::position::{self, Ends};
+use super::measures::Ends;
+use super::position;
 use super::spec::DrivenLinkage;
 use super::{INPUT, Inputs, Kind, Measures, ModelBuilder, Object, Place, Port, Ports};
 use crate::linkage::spec::LinkageSpec;

@@ -1,8 +1,9 @@
 //! Position functions of simple linkages.
 
-use super::{any, phase};
 use crate::model::Coordinate::{Sliding, Turning};
+use crate::object::cam::phase;
 use crate::object::measures::Measures;
+use crate::object::measures::any;
 use crate::position::{PositionSpec, SlottedDriver, SlottedLinkSpec, SlottedOutput};
 use crate::read::{Bounds, Fields, Slot};
 use crate::units::quantities as q;

@@ -1,0 +1,24 @@
+//! What a recorder is asked for.
+
+/// What to record.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RecorderSettings {
+    /// Time at which the run is to end (s); it starts at 0.
+    pub duration: f64,
+    /// Number of equal intervals between samples (one more row than that); 0: no
+    /// samples at all.
+    pub samples: usize,
+    /// True: two more rows (before, after) at every switch of a pair.
+    pub switch_rows: bool,
+    /// True: columns of all masses and links of elastic objects too.
+    pub masses: bool,
+    /// True: more samples behind every switch of a pair, beside the record.
+    pub closeups: bool,
+    /// Window in which the working order of pairs is judged (s).
+    pub window: Option<[f64; 2]>,
+    /// True for power series and collocation, whose steps may be whole
+    /// oscillations long: they are looked at in pieces.
+    pub long_steps: bool,
+    /// Tolerance of the run: the finer, the smaller the pieces.
+    pub tolerance: f64,
+}
