@@ -57,6 +57,18 @@ pub(crate) fn talk(text: &str) {
     rendered(&printable(text));
 }
 
+impl Failure {
+    /// Tells people.
+    pub(crate) fn talk(&self) {
+        match self {
+            Self::Scene(diagnostics) => diagnose(diagnostics),
+            Self::Other(message) | Self::Output(message) => {
+                talk(&format!("error: {message}\n"));
+            }
+        }
+    }
+}
+
 /// Says on standard error what is wrong or doubtful in a scene.
 pub(crate) fn diagnose(diagnostics: &Diagnostics) {
     rendered(&diagnostics.render(colour()));

@@ -1,6 +1,5 @@
 //! How a command ends.
 
-use super::console;
 use super::status::Status;
 use crate::diagnostics::Diagnostics;
 use serde_json::{Value, json};
@@ -22,16 +21,6 @@ impl Failure {
         match self {
             Self::Scene(_) | Self::Other(_) => 2,
             Self::Output(_) => Status::NotTrusted.code(),
-        }
-    }
-
-    /// Tells people.
-    pub(crate) fn talk(&self) {
-        match self {
-            Self::Scene(diagnostics) => console::diagnose(diagnostics),
-            Self::Other(message) | Self::Output(message) => {
-                console::talk(&format!("error: {message}\n"));
-            }
         }
     }
 

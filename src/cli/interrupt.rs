@@ -9,15 +9,12 @@
 use super::failure::Failure;
 use super::status::Status;
 use crate::budget::Budget;
-use std::sync::atomic::{AtomicBool, AtomicU8, Ordering};
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError};
 use std::time::Duration;
 
 /// Raised by the first signal.
 static SIGNALLED: AtomicBool = AtomicBool::new(false);
-
-/// The exit status that tells of the signal: 128 and its number.
-static CODE: AtomicU8 = AtomicU8::new(130);
 
 /// How many keep something at present.
 static KEEPERS: Mutex<usize> = Mutex::new(0);
@@ -91,17 +88,12 @@ pub(crate) fn status() -> Status {
     }
 }
 
-/// The exit status of a command that a signal ended.
-pub(crate) fn code() -> u8 {
-    CODE.load(Ordering::Relaxed)
-}
-
 /// A signal has come; `code` is its exit status.
 fn heard(code: u8) {
     if SIGNALLED.load(Ordering::Relaxed) {
         std::process::exit(i32::from(code));
     }
-    CODE.store(code, Ordering::Relaxed);
+    Status::set_signalled(code);
     SIGNALLED.store(true, Ordering::Relaxed);
     end_if_nothing_is_kept(|| code);
 }

@@ -1,6 +1,9 @@
 //! Exit statuses of the program.
 
-use super::interrupt;
+use std::sync::atomic::{AtomicU8, Ordering};
+
+/// The exit status that tells of the signal: 128 and its number.
+static CODE: AtomicU8 = AtomicU8::new(130);
 
 /// How a command that did its work ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -19,7 +22,12 @@ impl Status {
         match self {
             Self::Answered => 0,
             Self::NotTrusted => 1,
-            Self::Interrupted => interrupt::code(),
+            Self::Interrupted => CODE.load(Ordering::Relaxed),
         }
+    }
+
+    /// A signal has come; `code` is the exit status of a command that it ends.
+    pub(crate) fn set_signalled(code: u8) {
+        CODE.store(code, Ordering::Relaxed);
     }
 }

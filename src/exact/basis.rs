@@ -18,7 +18,7 @@ mod response;
 
 use super::lanes::{SIN_COS_LIMIT, V, WIDTH};
 use super::pencil::C;
-use super::polynomial::SLOW;
+
 use super::problem::{PairState, TreeProblem};
 use super::resonance::Resonance;
 use crate::math::order::Total;
@@ -296,3 +296,7 @@ fn flank_force(problem: &TreeProblem, states: &[PairState]) -> Vec<f64> {
     }
     force
 }
+
+/// A mode with |λ|·(length of the span) below this gets its response to a
+/// polynomial as a Taylor series, the others as a finite polynomial.
+pub(super) const SLOW: f64 = 3.0;

@@ -13,7 +13,7 @@ use super::basis::Basis;
 use super::lanes::{Arith, Task, V, WIDTH, exp, reduced_one, sin_cos, sin_cos_one};
 use super::law::{Forcing, PolynomialSpan};
 use super::pencil::C;
-use super::polynomial::Steady;
+
 use super::problem::{ForcePiece, TreeProblem};
 
 /// Room for the coefficients of a polynomial part.
@@ -382,4 +382,13 @@ impl Exponentials {
             swings: vec![Swing::default(); harmonics],
         }
     }
+}
+
+/// The response to forces that never change: P_i of a steady problem.
+#[derive(Clone, Debug)]
+pub(crate) struct Steady {
+    /// Displacement of each mass by the constant loads (elastic part).
+    pub(super) still: Vec<f64>,
+    /// η̈/2 of each floating part.
+    pub(super) fall: Vec<f64>,
 }

@@ -2,23 +2,12 @@
 //! time and polynomial laws, and the rigid motion of floating parts.
 
 use super::basis::Basis;
+use super::basis::SLOW;
 use super::law::Law;
 use super::pencil::C;
+use super::phase::Steady;
 use super::phase::{POLY, Phase};
 use super::problem::{TimeLoad, TreeMass, TreeProblem};
-
-/// A mode with |λ|·(length of the span) below this gets its response to a
-/// polynomial as a Taylor series, the others as a finite polynomial.
-pub(super) const SLOW: f64 = 3.0;
-
-/// The response to forces that never change: P_i of a steady problem.
-#[derive(Clone, Debug)]
-pub(crate) struct Steady {
-    /// Displacement of each mass by the constant loads (elastic part).
-    still: Vec<f64>,
-    /// η̈/2 of each floating part.
-    fall: Vec<f64>,
-}
 
 impl Steady {
     /// `None` when loads, law or resonance make the polynomial part change with time.

@@ -7,7 +7,7 @@ use super::functional::{Functional, ORDERS, Weights};
 use super::lanes::{Plain, V, WIDTH};
 use super::panel::Panel;
 use super::pencil::C;
-use super::polynomial::Steady;
+use super::phase::Steady;
 use super::problem::{PairState, Refusal, TreeObject, TreeProblem};
 use super::sample::Strides;
 use super::workspace::Workspace;

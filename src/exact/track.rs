@@ -12,6 +12,7 @@
 mod ahead;
 mod back;
 mod climb;
+mod lanes_ahead;
 #[cfg(test)]
 mod tests;
 mod walk;

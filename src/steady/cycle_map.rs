@@ -8,8 +8,9 @@
 mod regime;
 
 use super::extrapolation::{attempt, follow};
+use super::given::Given;
 use super::motion::SteadyMotion;
-use super::profile::{Given, Profile};
+use super::profile::Profile;
 use super::refusal::Refusal;
 use super::{Question, motion};
 use crate::math::roots::bracketed;

@@ -1,7 +1,8 @@
 //! Two functions over a cycle as polynomials on panels.
 
+use super::given::Given;
+use super::panel::Fitted;
 use super::panel::{COUNT, NODES, Series};
-use super::profile::Given;
 use super::refusal::Refusal;
 
 /// Panels in a turn, and in a cycle, at least: nothing slips through between
@@ -16,14 +17,6 @@ const CONVERGED: f64 = 1e-15;
 /// Below this, terms that halving a panel does not make smaller are the
 /// rounding of the function itself.
 const NOISE: f64 = 1e-10;
-
-/// One panel: J and what is given, the moment or the work.
-pub(super) struct Fitted {
-    pub(super) from: f64,
-    pub(super) to: f64,
-    pub(super) inertia: Series,
-    pub(super) other: Series,
-}
 
 /// J and the moment or the work at φ; the piece number tells which formula.
 pub(super) type At<'a> = &'a mut dyn FnMut(usize, f64) -> [f64; 2];

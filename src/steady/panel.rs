@@ -1,7 +1,6 @@
 //! A stretch of the cycle on which J and M are polynomials.
 
-use super::fit::Fitted;
-use super::profile::Given;
+use super::given::Given;
 use crate::math::chebyshev::{self, Nodes};
 use std::sync::LazyLock;
 
@@ -154,4 +153,12 @@ pub(super) fn panel(fitted: Fitted, given: Given) -> Panel {
         Given::Work => chebyshev::derivative(&fitted.other).map(|c| c / half),
     };
     Panel::new(fitted.from, fitted.to, fitted.inertia, moment)
+}
+
+/// One panel: J and what is given, the moment or the work.
+pub(super) struct Fitted {
+    pub(super) from: f64,
+    pub(super) to: f64,
+    pub(super) inertia: Series,
+    pub(super) other: Series,
 }

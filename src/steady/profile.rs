@@ -1,20 +1,12 @@
 //! The machine reduced to its input link: J(φ), M(φ) and the work over a cycle.
 
 use super::fit::fit;
+use super::given::Given;
 use super::panel::COUNT;
 use super::panel::{Panel, Point, Signed, panel};
 use super::refusal::Refusal;
 use crate::math::roots::bracketed;
 use std::f64::consts::TAU;
-
-/// What is given beside J.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Given {
-    /// The reduced moment M(φ) of all external forces (N·m).
-    Moment,
-    /// Their work A(φ) from any position on (J).
-    Work,
-}
 
 /// J(φ) and M(φ) over one cycle as polynomials on panels, followed to rounding.
 ///

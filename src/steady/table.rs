@@ -1,15 +1,11 @@
 //! The steady motion on samples.
 
 use super::Mean;
-use super::law::{Family, Means, Question, find};
+use super::law::{Family, Means};
 use super::profile::Extreme;
 use super::refusal::Refusal;
 use super::samples::{LEAST, SAME, check_inertia, extreme, faults, repeats_end, too_few};
-use super::table_motion::{Halving, TableMotion};
 use crate::motion::Spline;
-
-/// How closely the mean is met.
-const FINEST: f64 = 1e-16;
 
 /// J and the work as samples over one cycle.
 #[derive(Clone, Debug, PartialEq)]
@@ -118,7 +114,7 @@ impl Table {
     }
 
     /// Every second sample.
-    fn halved(&self) -> Option<Self> {
+    pub(super) fn halved(&self) -> Option<Self> {
         let count = self.positions.len();
         if count % 2 == 1 || count / 2 < LEAST {
             return None;
@@ -134,7 +130,7 @@ impl Table {
     }
 
     /// The same with a moment, or a moment of inertia, added.
-    fn with(&self, moment: f64, inertia: f64) -> Self {
+    pub(super) fn with(&self, moment: f64, inertia: f64) -> Self {
         let mut table = self.clone();
         let first = self.positions[0];
         for (work, position) in table.work.iter_mut().zip(&self.positions) {
@@ -220,41 +216,6 @@ impl Table {
             angle: weights.iter().zip(speeds).map(|(w, v)| w * v).sum(),
             midrange: 0.5 * (least + greatest),
         }
-    }
-
-    /// The steady motion with the mean speed asked for.
-    ///
-    /// # Errors
-    /// There is none: see [`Refusal`].
-    pub fn steady(&self, question: &Question) -> Result<TableMotion, Refusal> {
-        let mut motion = self.solve(question)?;
-        let half = self.halved().and_then(|half| half.solve(question).ok());
-        motion.figures.halving = half.map(|half| {
-            let (all, half) = (&motion.figures.steady, &half.figures.steady);
-            Halving {
-                energy_at_start: all.energy_at_start - half.energy_at_start,
-                period: all.period - half.period,
-                least_speed: all.least_speed.value - half.least_speed.value,
-                greatest_speed: all.greatest_speed.value - half.greatest_speed.value,
-            }
-        });
-        Ok(motion)
-    }
-
-    fn solve(&self, question: &Question) -> Result<TableMotion, Refusal> {
-        question.check()?;
-        let balance = question.balance(self.surplus, self.range(), self.cycle)?;
-        let table = self.with(balance.unwrap_or(0.0), 0.0);
-        // Near stalling the figures amplify what the mean is off, and another mean of
-        // samples costs next to nothing.
-        let finest = Question {
-            tolerance: question.tolerance.min(FINEST),
-            ..*question
-        };
-        let level = find(&table, &finest)?;
-        let motion = TableMotion::new(table, &level, question, self.surplus, balance);
-        motion.figures.steady.check()?;
-        Ok(motion)
     }
 }
 

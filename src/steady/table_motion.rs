@@ -1,11 +1,16 @@
 //! A steady motion on samples, and its figures.
 
+use super::law::find;
 use super::law::{Family, Level, Question, SteadyFigures, warnings};
 use super::motion::Row;
+use super::refusal::Refusal;
 use super::samples::extreme;
 use super::table::Table;
 use crate::motion::Spline;
 use serde::Serialize;
+
+/// How closely the mean is met.
+const FINEST: f64 = 1e-16;
 
 /// A steady motion on samples.
 #[derive(Clone, Debug, PartialEq)]
@@ -38,6 +43,43 @@ pub struct Halving {
     pub least_speed: f64,
     /// Of the greatest speed (rad/s).
     pub greatest_speed: f64,
+}
+
+impl Table {
+    /// The steady motion with the mean speed asked for.
+    ///
+    /// # Errors
+    /// There is none: see [`Refusal`].
+    pub fn steady(&self, question: &Question) -> Result<TableMotion, Refusal> {
+        let mut motion = self.solve(question)?;
+        let half = self.halved().and_then(|half| half.solve(question).ok());
+        motion.figures.halving = half.map(|half| {
+            let (all, half) = (&motion.figures.steady, &half.figures.steady);
+            Halving {
+                energy_at_start: all.energy_at_start - half.energy_at_start,
+                period: all.period - half.period,
+                least_speed: all.least_speed.value - half.least_speed.value,
+                greatest_speed: all.greatest_speed.value - half.greatest_speed.value,
+            }
+        });
+        Ok(motion)
+    }
+
+    fn solve(&self, question: &Question) -> Result<TableMotion, Refusal> {
+        question.check()?;
+        let balance = question.balance(self.surplus, self.range(), self.cycle)?;
+        let table = self.with(balance.unwrap_or(0.0), 0.0);
+        // Near stalling the figures amplify what the mean is off, and another mean of
+        // samples costs next to nothing.
+        let finest = Question {
+            tolerance: question.tolerance.min(FINEST),
+            ..*question
+        };
+        let level = find(&table, &finest)?;
+        let motion = TableMotion::new(table, &level, question, self.surplus, balance);
+        motion.figures.steady.check()?;
+        Ok(motion)
+    }
 }
 
 impl TableMotion {

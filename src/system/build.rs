@@ -1,5 +1,6 @@
 //! From the model to the frozen layout, with every check on its numbers.
 
+use super::check::chains_of;
 use super::constraints::Constrained;
 use super::frozen::{Chain, Frozen, FrozenLaw, FrozenTrack, Prescribed, Rigid, Rotor, Step};
 use super::linkages::{FrozenLinkage, OutputPlace};
@@ -309,26 +310,4 @@ impl Frozen {
         });
         self.coordinates + index
     }
-}
-
-/// Links of each chain, link 1 first; chains in the order of their first links.
-pub(super) fn chains_of(model: &Model) -> Vec<Vec<usize>> {
-    let mut above: Vec<Option<usize>> = vec![None; model.nodes.len()];
-    for (index, link) in model.links.iter().enumerate() {
-        if let LinkBase::Mass(node) = link.base {
-            above[node] = Some(index);
-        }
-    }
-    let first = (0..model.links.len())
-        .filter(|&link| matches!(model.links[link].base, LinkBase::Law { .. }));
-    first
-        .map(|link| {
-            let next = |&link: &usize| above[model.links[link].mass];
-            // A chain has no more links than the model: a loop ends here and
-            // is refused by the checks.
-            std::iter::successors(Some(link), next)
-                .take(model.links.len())
-                .collect()
-        })
-        .collect()
 }

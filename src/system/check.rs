@@ -1,6 +1,5 @@
 //! Checks of a model's numbers and structure before it is frozen.
 
-use super::build::chains_of;
 use crate::fault::Fault;
 use crate::model::{Law, LinkBase, LoadLaw, Model, NodeMotion, TrackSource};
 use crate::position::Position;
@@ -290,4 +289,26 @@ fn check_chains(model: &Model, faults: &mut Vec<Fault>) {
             "",
         ));
     }
+}
+
+/// Links of each chain, link 1 first; chains in the order of their first links.
+pub(super) fn chains_of(model: &Model) -> Vec<Vec<usize>> {
+    let mut above: Vec<Option<usize>> = vec![None; model.nodes.len()];
+    for (index, link) in model.links.iter().enumerate() {
+        if let LinkBase::Mass(node) = link.base {
+            above[node] = Some(index);
+        }
+    }
+    let first = (0..model.links.len())
+        .filter(|&link| matches!(model.links[link].base, LinkBase::Law { .. }));
+    first
+        .map(|link| {
+            let next = |&link: &usize| above[model.links[link].mass];
+            // A chain has no more links than the model: a loop ends here and
+            // is refused by the checks.
+            std::iter::successors(Some(link), next)
+                .take(model.links.len())
+                .collect()
+        })
+        .collect()
 }

@@ -8,19 +8,11 @@
 
 use super::System;
 use super::linearised::Linearised;
+use super::linearised::Regime;
 use super::pairs::OPEN;
 use crate::integrate::{Dynamics, Modes};
 use crate::math::order::Total;
 use nalgebra::{DMatrix, DVector, Schur, SymmetricEigen};
-
-/// Which links count.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Regime {
-    /// All pairs engaged.
-    Engaged,
-    /// All pairs that can open are open.
-    Open,
-}
 
 /// One natural mode of vibration, without damping.
 #[derive(Clone, Debug, PartialEq)]
@@ -207,8 +199,9 @@ fn normalised(shape: &DVector<f64>) -> Vec<f64> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::linearised::Regime;
     use super::super::testing::*;
-    use super::{Regime, System};
+    use super::System;
     use crate::model::*;
     use crate::position::Position;
     use std::f64::consts::PI;

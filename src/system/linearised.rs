@@ -1,7 +1,7 @@
 //! The equations of small vibrations about the position at t = 0.
 
 use super::forest::Forest;
-use super::frequencies::Regime;
+
 use super::frozen::{Frozen, Step};
 use super::passes::{Extent, Work};
 use crate::model::LoadLaw;
@@ -202,4 +202,13 @@ fn add_link(stiffness: &mut Stiffness, c: f64, end: usize, base: &[(usize, f64)]
         stiffness.add(end, base, -c * factor);
         stiffness.add(base, end, -c * factor);
     }
+}
+
+/// Which links count.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Regime {
+    /// All pairs engaged.
+    Engaged,
+    /// All pairs that can open are open.
+    Open,
 }

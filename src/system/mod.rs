@@ -51,8 +51,9 @@ mod testing_random;
 mod tests;
 mod trains;
 
-pub use frequencies::{Regime, VibrationMode};
+pub use frequencies::VibrationMode;
 pub(crate) use friction::HELD;
+pub use linearised::Regime;
 pub use reduce::Reduced;
 
 use crate::fault::Fault;

@@ -5,6 +5,7 @@
 //! depends on the speed. Elastic objects behind a prescribed drive: the periodic
 //! motion, by shooting.
 
+mod answer;
 pub mod csv;
 mod expectations;
 mod machine;
@@ -15,11 +16,13 @@ mod shooting;
 mod simulate;
 mod sink;
 
+pub use answer::Forces;
+pub use answer::Simulation;
+pub use answer::{Agreement, RigidAnswer};
 pub use expectations::{check, figure};
 pub use machine::{Machine, constant_speed, drive_of, is_elastic};
 pub use periodic::{LongRun, Multiplier, Orbit, PartMotion, PeriodicAnswer, Stability};
-pub use rigid::{Agreement, Forces, ROWS, RigidAnswer, by_energy};
-pub use simulate::Simulation;
+pub use rigid::{ROWS, by_energy};
 
 use crate::analysis::RunSettings;
 use crate::fault::Fault;

@@ -1,25 +1,13 @@
 //! A simulation in time of what was found: does the machine keep it?
 
+use super::answer::RigidAnswer;
+use super::answer::Simulation;
 use super::machine::freed;
-use super::rigid::RigidAnswer;
 use super::sink::Last;
 use crate::budget::Budget;
 use crate::integrate::{Dynamics, Limits, Method, Settings, Stop, integrate};
 use crate::model::Model;
 use crate::system::System;
-use serde::Serialize;
-
-/// What a simulation of the scene in time came to.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Simulation {
-    /// Cycles simulated.
-    pub cycles: u32,
-    /// Relative difference of its start from the steady motion.
-    pub disturbed: f64,
-    /// Relative difference of its last speed from that of the steady motion at
-    /// the same position.
-    pub speed: f64,
-}
 
 /// Cycles at least, and at most.
 const CYCLES: [u32; 2] = [5, 400];

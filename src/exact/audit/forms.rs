@@ -1,12 +1,10 @@
 //! Work and dissipation over a phase of one combination of engaged pairs.
 
-use super::form::{Ends, Form};
-use super::moving::{Moving, Room};
+use super::form::Form;
 use super::varying;
 use crate::exact::basis::{Basis, Lane, LaneKind};
-use crate::exact::lanes::{Arith, WIDTH};
 use crate::exact::pencil::C;
-use crate::exact::phase::{Exponentials, POLY, Phase};
+use crate::exact::phase::{POLY, Phase};
 use crate::exact::problem::{PairState, TreeProblem};
 
 /// Work and dissipation over a phase (J).
@@ -20,12 +18,12 @@ pub(super) struct Work {
 
 /// A link through which the law does work, with what its moment is.
 #[derive(Clone, Copy, Debug)]
-struct Driven {
-    mass: usize,
+pub(super) struct Driven {
+    pub(super) mass: usize,
     /// Speed of the place it starts from, for L̇ = 1, in its own deformation.
-    ratio: f64,
+    pub(super) ratio: f64,
     /// Deformation at which it is relaxed, sign turned.
-    relaxed: f64,
+    pub(super) relaxed: f64,
 }
 
 /// A damper: b, the mass and its parent with the lever between (a link), or
@@ -33,9 +31,9 @@ struct Driven {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Damper {
     pub(super) rate: f64,
-    mass: usize,
+    pub(super) mass: usize,
     parent: Option<(usize, f64)>,
-    ratio: f64,
+    pub(super) ratio: f64,
 }
 
 /// The integrals of a regime.
@@ -43,17 +41,17 @@ pub(super) struct Damper {
 pub(in crate::exact) struct Forms {
     /// Lane and Ω of each harmonic.
     pub(in crate::exact) harmonic: Vec<(usize, f64)>,
-    links: Form,
-    ground: Option<Form>,
-    drive: Form,
-    driven: Vec<Driven>,
+    pub(super) links: Form,
+    pub(super) ground: Option<Form>,
+    pub(super) drive: Form,
+    pub(super) driven: Vec<Driven>,
     /// Engaged links that are damped, then dampers to the ground from `grounded` on.
     pub(super) dampers: Vec<Damper>,
     pub(super) grounded: usize,
     /// Moment of the driven links times their ratio, by lane.
     pub(super) moment: Vec<C>,
     /// Nothing but lanes and constants: no polynomial moves a damper or the law.
-    plain: bool,
+    pub(super) plain: bool,
 }
 
 impl Damper {
@@ -168,58 +166,6 @@ impl Forms {
             grounded,
             moment,
             plain,
-        }
-    }
-
-    /// Over the phase, from its start to the instant of `e`.
-    #[inline(always)]
-    pub(super) fn work<A: Arith>(
-        &self,
-        problem: &TreeProblem,
-        basis: &Basis,
-        phase: &Phase,
-        e: &Exponentials,
-        room: &mut Room,
-    ) -> Work {
-        Ends::take::<A>(phase, e, basis.blocks, &mut room.ends);
-        let ends = &room.ends;
-        let mut work = Work {
-            drives: self.drive.integral::<A>(ends, phase, e),
-            loads: 0.0,
-            dissipated: self.links.integral::<A>(ends, phase, e),
-        };
-        if let Some(ground) = &self.ground {
-            work.loads -= ground.integral::<A>(ends, phase, e);
-        }
-        if self.plain && phase.forcing.degree == 0 {
-            // The moment's constant part moves with the harmonics alone.
-            let mut constant = 0.0;
-            for d in &self.driven {
-                let mass = &problem.masses[d.mass];
-                let base = mass
-                    .parent
-                    .map_or(0.0, |p| mass.lever * phase.poly[p * POLY]);
-                let x = phase.poly[d.mass * POLY] - base + d.relaxed;
-                constant += d.ratio * mass.stiffness * x;
-            }
-            for (z, &(k, _)) in phase.forcing.harmonics.iter().zip(&self.harmonic) {
-                let (re, im) = (e.re[k / WIDTH].0[k % WIDTH], e.im[k / WIDTH].0[k % WIDTH]);
-                work.drives -= constant * (z.re * (re - 1.0) - z.im * im);
-            }
-            return work;
-        }
-        let more = A::apart(Moving {
-            forms: self,
-            problem,
-            basis,
-            phase,
-            room,
-            h: e.s,
-        });
-        Work {
-            drives: work.drives + more.drives,
-            loads: work.loads + more.loads,
-            dissipated: work.dissipated + more.dissipated,
         }
     }
 

@@ -9,7 +9,7 @@ use crate::exact::basis::{Basis, LaneKind};
 use crate::exact::lanes::{Arith, Task, WIDTH};
 use crate::exact::law::LAW_DEGREE;
 use crate::exact::pencil::C;
-use crate::exact::phase::{POLY, Phase};
+use crate::exact::phase::{Exponentials, POLY, Phase};
 use crate::exact::problem::TreeProblem;
 
 /// What polynomials add over a phase of length h.
@@ -147,6 +147,60 @@ impl Moving<'_> {
                     work.loads += (speed * integral).re;
                 }
             }
+        }
+    }
+}
+
+impl Forms {
+    /// Over the phase, from its start to the instant of `e`.
+    #[inline(always)]
+    pub(super) fn work<A: Arith>(
+        &self,
+        problem: &TreeProblem,
+        basis: &Basis,
+        phase: &Phase,
+        e: &Exponentials,
+        room: &mut Room,
+    ) -> Work {
+        Ends::take::<A>(phase, e, basis.blocks, &mut room.ends);
+        let ends = &room.ends;
+        let mut work = Work {
+            drives: self.drive.integral::<A>(ends, phase, e),
+            loads: 0.0,
+            dissipated: self.links.integral::<A>(ends, phase, e),
+        };
+        if let Some(ground) = &self.ground {
+            work.loads -= ground.integral::<A>(ends, phase, e);
+        }
+        if self.plain && phase.forcing.degree == 0 {
+            // The moment's constant part moves with the harmonics alone.
+            let mut constant = 0.0;
+            for d in &self.driven {
+                let mass = &problem.masses[d.mass];
+                let base = mass
+                    .parent
+                    .map_or(0.0, |p| mass.lever * phase.poly[p * POLY]);
+                let x = phase.poly[d.mass * POLY] - base + d.relaxed;
+                constant += d.ratio * mass.stiffness * x;
+            }
+            for (z, &(k, _)) in phase.forcing.harmonics.iter().zip(&self.harmonic) {
+                let (re, im) = (e.re[k / WIDTH].0[k % WIDTH], e.im[k / WIDTH].0[k % WIDTH]);
+                work.drives -= constant * (z.re * (re - 1.0) - z.im * im);
+            }
+            return work;
+        }
+        let more = A::apart(Moving {
+            forms: self,
+            problem,
+            basis,
+            phase,
+            room,
+            h: e.s,
+        });
+        Work {
+            drives: work.drives + more.drives,
+            loads: work.loads + more.loads,
+            dissipated: work.dissipated + more.dissipated,
         }
     }
 }

@@ -1,20 +1,11 @@
 //! Looking back at the steps of a phase: what is bounded, and what happens in them.
 
 use super::climb::{Climb, Turns};
+use super::lanes_ahead::LanesAhead;
 use super::walk::Walk;
 use super::{Scene, Track};
 use crate::exact::hermite::{Loss, Point, enclose};
 use crate::exact::lanes::{Arith, Task, V};
-use crate::exact::panel::Amplitudes;
-
-/// How the lanes go on from the start of a part.
-#[derive(Clone, Copy)]
-pub(super) enum Ahead<'a> {
-    /// All can be followed; a bound on the fourth derivatives.
-    Followed(V),
-    /// Some turn far.
-    Mixed(&'a Amplitudes),
-}
 
 /// [`Track::look_back`], out of line.
 pub(crate) struct LookBack<'a> {
@@ -46,7 +37,7 @@ impl Track {
     #[inline(always)]
     pub(super) fn look_into<A: Arith>(&mut self, scene: Scene, a: &Point, b: &Point) {
         if scene.followed(b.s - a.s) == scene.lanes() {
-            self.span::<A>(scene, Ahead::Followed(a.fourth), a, b);
+            self.span::<A>(scene, LanesAhead::Followed(a.fourth), a, b);
         } else if !self.settled::<A>(scene, a, b) {
             A::apart(Walk {
                 track: self,
@@ -72,16 +63,16 @@ impl Track {
 
     /// What Hermite's cubic may miss over a length h.
     #[inline(always)]
-    fn loss<A: Arith>(&self, scene: Scene, ahead: Ahead, h: f64) -> Loss {
+    fn loss<A: Arith>(&self, scene: Scene, ahead: LanesAhead, h: f64) -> Loss {
         match ahead {
-            Ahead::Followed(fourth) => {
+            LanesAhead::Followed(fourth) => {
                 let square = h * h;
                 Loss {
                     middle: fourth * V::splat(square * square * (1.0 / 144.0)),
                     flat: V::ZERO,
                 }
             }
-            Ahead::Mixed(from) => {
+            LanesAhead::Mixed(from) => {
                 let lanes = (Some(from), scene.lanes());
                 self.state.loss::<A>(scene.basis, scene.panel, lanes, h)
             }
@@ -93,16 +84,16 @@ impl Track {
     pub(super) fn loss_of<A: Arith>(
         &self,
         scene: Scene,
-        ahead: Ahead,
+        ahead: LanesAhead,
         h: f64,
         k: usize,
     ) -> (f64, f64) {
         match ahead {
-            Ahead::Followed(fourth) => {
+            LanesAhead::Followed(fourth) => {
                 let square = h * h;
                 (fourth.0[k] * (square * square * (1.0 / 144.0)), 0.0)
             }
-            Ahead::Mixed(from) => {
+            LanesAhead::Mixed(from) => {
                 let lanes = (from, scene.phase.active);
                 self.state
                     .loss_of::<A>(scene.basis, scene.panel, lanes, h, k)
@@ -112,7 +103,7 @@ impl Track {
 
     /// Takes the part between two points.
     #[inline(always)]
-    pub(super) fn span<A: Arith>(&mut self, scene: Scene, ahead: Ahead, a: &Point, b: &Point) {
+    pub(super) fn span<A: Arith>(&mut self, scene: Scene, ahead: LanesAhead, a: &Point, b: &Point) {
         let loss = self.loss::<A>(scene, ahead, b.s - a.s);
         let bounds = enclose::<A>(a, b, &loss);
         let beyond = (bounds.high - self.high).max(self.low - bounds.low);

@@ -1,7 +1,7 @@
 //! Climbing to what may pass the greatest value so far, and to the changes of
 //! sign of δ, within a step.
 
-use super::back::Ahead;
+use super::lanes_ahead::LanesAhead;
 use super::{CUTS, Scene, Track, piece};
 use crate::exact::bound::reversed;
 use crate::exact::hermite::{End, Piece, Point};
@@ -16,7 +16,7 @@ const NEAR: f64 = 0.02;
 pub(super) struct Climb<'a> {
     pub(super) track: &'a mut Track,
     pub(super) scene: Scene<'a>,
-    pub(super) ahead: Ahead<'a>,
+    pub(super) ahead: LanesAhead<'a>,
     pub(super) ends: (&'a Point, &'a Point),
     pub(super) figure: (usize, f64),
     pub(super) margin: f64,
@@ -43,7 +43,7 @@ impl Task for Climb<'_> {
 pub(super) struct Turns<'a> {
     pub(super) track: &'a mut Track,
     pub(super) scene: Scene<'a>,
-    pub(super) ahead: Ahead<'a>,
+    pub(super) ahead: LanesAhead<'a>,
     pub(super) ends: (&'a Point, &'a Point),
 }
 
@@ -63,7 +63,7 @@ impl Track {
     pub(super) fn climb<A: Arith>(
         &mut self,
         scene: Scene,
-        ahead: Ahead,
+        ahead: LanesAhead,
         (a, b): (&Point, &Point),
         (k, sign): (usize, f64),
         margin: f64,
@@ -170,7 +170,12 @@ impl Track {
     ///
     /// An error d in the instant of a root costs only δ̇d² in the integral.
     #[inline(always)]
-    pub(super) fn turns<A: Arith>(&mut self, scene: Scene, ahead: Ahead, (a, b): (&Point, &Point)) {
+    pub(super) fn turns<A: Arith>(
+        &mut self,
+        scene: Scene,
+        ahead: LanesAhead,
+        (a, b): (&Point, &Point),
+    ) {
         let noise = self.state.noise(b.s, self.whole).0[0];
         self.roots.clear();
         self.pieces.clear();

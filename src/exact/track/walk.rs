@@ -1,6 +1,6 @@
 //! Parts of a step with lanes that turn far.
 
-use super::back::Ahead;
+use super::lanes_ahead::LanesAhead;
 use super::{FOLLOW, Scene, Track};
 use crate::exact::hermite::{Point, enclose};
 use crate::exact::lanes::{Arith, Task};
@@ -65,7 +65,7 @@ impl Track {
             let h = to.s - from.s;
             let follow = scene.followed(h);
             if follow == scene.lanes() {
-                let ahead = Ahead::Followed(last.fourth);
+                let ahead = LanesAhead::Followed(last.fourth);
                 self.span::<A>(scene, ahead, &last, &end);
             } else if !self.ruled_out::<A>(scene, (from, to), &[last, end], follow) {
                 let short = self.short(scene, from);
@@ -76,7 +76,7 @@ impl Track {
                     length = short.max(0.25 * h);
                     continue;
                 }
-                self.span::<A>(scene, Ahead::Mixed(from), &last, &end);
+                self.span::<A>(scene, LanesAhead::Mixed(from), &last, &end);
             }
             // Most often the rest of a long step has nothing more to show.
             if end.s >= b.s || self.rules_out::<A>(end.s, b.s, end.envelope) {

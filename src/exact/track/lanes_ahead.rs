@@ -1,0 +1,13 @@
+//! How the lanes of a signal go on from the start of a part.
+
+use crate::exact::lanes::V;
+use crate::exact::panel::Amplitudes;
+
+/// How the lanes go on from the start of a part.
+#[derive(Clone, Copy)]
+pub(super) enum LanesAhead<'a> {
+    /// All can be followed; a bound on the fourth derivatives.
+    Followed(V),
+    /// Some turn far.
+    Mixed(&'a Amplitudes),
+}
