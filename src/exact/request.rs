@@ -55,7 +55,7 @@ pub enum Halt {
     Switches,
     /// There were as many steps of the search as allowed.
     Steps,
-    /// It was told to stop.
+    /// The budget was cancelled: by a signal or its time limit.
     Cancelled,
 }
 

@@ -55,6 +55,15 @@ pub struct Probe {
     pub looks: usize,
 }
 
+impl Probe {
+    /// Value of a probe that fires.
+    pub const FIRES: f64 = 1.0;
+    /// Value of a probe that does not fire.
+    pub const RESTS: f64 = -1.0;
+    /// Value of a probe where there are no forces: the motion ends just before.
+    pub const NO_FORCES: f64 = f64::INFINITY;
+}
+
 /// A place that a signal cannot pass, because the equations end there: they hold
 /// the square root of the distance to it, and are not numbers beyond. A run
 /// ends a little before (a millionth of the span, or ten times the tolerance in
@@ -263,9 +272,9 @@ pub trait Dynamics: Sync {
         out.clear();
     }
 
-    /// A probe at a state: it fires where this becomes positive, or just before where
-    /// it is infinite, which means that there are no forces there. `y` is memory
-    /// afterwards. Must not allocate.
+    /// Value of a probe at a state: the probe fires where the value becomes positive, or
+    /// just before where the value is [`Probe::NO_FORCES`]. `y` is memory afterwards.
+    /// Must not allocate.
     fn probe(
         &self,
         _probe: &Probe,
@@ -274,7 +283,7 @@ pub trait Dynamics: Sync {
         _modes: &Modes,
         _scratch: &mut Self::Scratch,
     ) -> f64 {
-        -1.0
+        Probe::RESTS
     }
 
     /// Why the evaluation made last gave no numbers, where the mechanism itself is

@@ -3,7 +3,7 @@
 use super::figures::JointFigures;
 use super::peaks::WEIGHTS;
 use crate::integrate::{Modes, SwitchEvent};
-use crate::system::HELD;
+use crate::system::StickSlip;
 
 /// Follows the joints of one linkage through a run.
 #[derive(Clone, Debug)]
@@ -30,7 +30,7 @@ impl JointTracker {
 
     fn is_held(&self, modes: &Modes) -> bool {
         self.component
-            .is_some_and(|component| modes.0[component] == HELD)
+            .is_some_and(|component| StickSlip::of(modes.0[component]) == StickSlip::Stuck)
     }
 
     pub(super) fn start(&mut self, time: f64, modes: &Modes) {

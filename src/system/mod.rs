@@ -52,7 +52,7 @@ mod tests;
 mod trains;
 
 pub use frequencies::VibrationMode;
-pub(crate) use friction::HELD;
+pub(crate) use friction::StickSlip;
 pub use linearised::Regime;
 pub use reduce::Reduced;
 

@@ -230,7 +230,7 @@ impl SpanSource for CourseLaw {
     }
 }
 
-/// time + turn·period as a number and what it lacks.
+/// time + turn·period in double-double: (sum, rounding error).
 fn shifted(time: f64, turn: f64, period: f64) -> (f64, f64) {
     let (whole, rest) = product(turn, period);
     let sum = whole + time;

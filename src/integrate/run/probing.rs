@@ -87,7 +87,7 @@ impl<D: Dynamics> Run<'_, D> {
     /// no forces beyond.
     fn bisect(&self, probe: &Probe, ends: [f64; 2], y: &mut [f64]) -> f64 {
         let [low, high] = bisect(ends, BISECTIONS, |s| !(self.value(probe, s, y) > 0.0));
-        if self.value(probe, high, y) == f64::INFINITY {
+        if self.value(probe, high, y) == Probe::NO_FORCES {
             low
         } else {
             high

@@ -19,8 +19,11 @@ mod hold;
 mod passes;
 mod sides;
 mod standstill;
+mod stick_slip;
 mod stops;
 mod unsolved;
+
+pub(crate) use stick_slip::StickSlip;
 
 use super::frozen::{Frozen, FrozenTrack};
 use crate::integrate::{Guard, Watch};
@@ -30,15 +33,6 @@ use crate::math::quantity::Quantity;
 use crate::model::LinkageBody;
 use crate::position::Position;
 use std::sync::Arc;
-
-/// Mode of a direction that is not known yet: friction is left out.
-pub(super) const UNSETTLED: i64 = 0;
-/// Mode of a group that friction holds at rest; −1 and 1: it moves.
-pub(crate) const HELD: i64 = 2;
-/// A target of no mode: the equations of motion have not just one solution.
-pub(super) const UNSOLVED: i64 = 3;
-/// A target of no mode: pairs press on another side.
-pub(super) const LIFTED: i64 = 4;
 
 /// What follows a root rigidly, as far as joints with friction are in it.
 #[derive(Clone, Debug)]
@@ -271,16 +265,17 @@ impl Frozen {
         for group in &self.groups {
             let held = match group.component {
                 Some(component) => {
-                    if modes[component].abs() == 1 {
-                        turning(group.signal, component, HELD);
+                    let state = StickSlip::of(modes[component]);
+                    if state.slides() {
+                        turning(group.signal, component, StickSlip::Stuck.mode());
                     }
-                    modes[component] == HELD
+                    state == StickSlip::Stuck
                 }
                 None => false,
             };
             for member in group.members.iter().filter(|_| !held) {
                 if let Direction::Own { component, signal } = member.direction
-                    && modes[component].abs() == 1
+                    && StickSlip::of(modes[component]).slides()
                 {
                     turning(signal, component, -modes[component]);
                 }

@@ -1,7 +1,7 @@
 //! Friction within an evaluation: after the forces, before the accelerations.
 
 use super::force::Moving;
-use super::{Direction, Group, HELD, Member, Obstacle, UNSETTLED};
+use super::{Direction, Group, Member, Obstacle, StickSlip};
 use crate::linkage::kinetostatics::ForceFailure;
 use crate::math::quantity::Quantity;
 use crate::system::frozen::{Frozen, segment};
@@ -26,11 +26,12 @@ impl Frozen {
                 work.rubbing[member.linkage].force = N::from(0.0);
                 work.rubbing[member.linkage].failure = None;
             }
-            match group.component.map(|component| modes[component]) {
+            let direction = group.component.map(|c| StickSlip::of(modes[c]));
+            match direction {
                 // A given motion is not changed; what drives it is.
                 None if extent == Extent::Full => self.rub_driven(group, modes, work),
-                None | Some(UNSETTLED) => {}
-                Some(HELD) => self.hold(group, state, modes, extent, work),
+                None | Some(StickSlip::Unset) => {}
+                Some(StickSlip::Stuck) => self.hold(group, state, modes, extent, work),
                 Some(_) => self.rub_moving(group, state, modes, work),
             }
         }
@@ -43,7 +44,9 @@ impl Frozen {
         work: &'a Work<f64>,
     ) -> impl Iterator<Item = (usize, f64)> + 'a {
         self.groups.iter().flat_map(move |group| {
-            let held = group.component.is_some_and(|c| modes[c] == HELD);
+            let held = group
+                .component
+                .is_some_and(|c| StickSlip::of(modes[c]) == StickSlip::Stuck);
             group.members.iter().map(move |member| {
                 let force = work.rubbing[member.linkage].force;
                 let loss = 0.0 - force * work.speed[member.node];

@@ -2,7 +2,7 @@
 //! the normal force on a block's corner passes through zero, or the reaction of a pin
 //! close by, the run is cut.
 
-use super::{Group, HELD, Member, UNSETTLED};
+use super::{Group, Member, StickSlip};
 use crate::integrate::PhysicalStop;
 use crate::linkage::kinetostatics::{ForceWorkspace, Kinetostatics};
 use crate::system::System;
@@ -24,8 +24,8 @@ impl Member {
 impl Group {
     /// True if it moves, with known directions.
     fn moves(&self, modes: &[i64]) -> bool {
-        let mode = self.component.map(|component| modes[component]);
-        !matches!(mode, None | Some(HELD | UNSETTLED))
+        self.component
+            .is_some_and(|component| StickSlip::of(modes[component]).slides())
     }
 
     /// Number of guides with friction.

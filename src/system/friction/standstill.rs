@@ -2,7 +2,8 @@
 //! break loose?
 
 use super::passes::sign_of;
-use super::{Direction, Group, HELD, LIFTED, Member, Obstacle, UNSETTLED, UNSOLVED};
+use super::stick_slip::ProbeAction;
+use super::{Direction, Group, Member, Obstacle, StickSlip};
 use crate::integrate::{Modes, PhysicalStop, Probe};
 use crate::linkage::kinetostatics::ForceFailure;
 use crate::system::System;
@@ -25,31 +26,35 @@ impl Frozen {
     /// no solution or several.
     pub(in crate::system) fn probes(&self, modes: &[i64], out: &mut Vec<Probe>) {
         for (index, group) in self.groups.iter().enumerate() {
-            let mut probe = |component: usize, target: i64, looks: usize| {
+            let mut probe = |component: usize, action: ProbeAction, looks: usize| {
                 out.push(Probe {
                     index,
                     component,
-                    target,
+                    target: action.target(),
                     looks,
                 });
             };
             match group.component {
-                Some(component) if modes[component] == HELD => {
-                    probe(component, 1, LOOKS);
-                    probe(component, -1, LOOKS);
-                }
-                Some(component) if modes[component] != UNSETTLED => probe(component, UNSOLVED, 1),
-                Some(_) => {}
+                Some(component) => match StickSlip::of(modes[component]) {
+                    StickSlip::Stuck => {
+                        probe(component, ProbeAction::Start(StickSlip::Forward), LOOKS);
+                        probe(component, ProbeAction::Start(StickSlip::Backward), LOOKS);
+                    }
+                    StickSlip::Unset => {}
+                    StickSlip::Forward | StickSlip::Backward => {
+                        probe(component, ProbeAction::Stop, 1);
+                    }
+                },
                 None => {
                     if let Some(Direction::Own { component, .. }) =
                         group.members.first().map(|member| member.direction)
                     {
-                        probe(component, UNSOLVED, 1);
+                        probe(component, ProbeAction::Stop, 1);
                     }
                 }
             }
             if let Some(component) = group.pressing(modes) {
-                probe(component, LIFTED, SIDES);
+                probe(component, ProbeAction::FlipSide, SIDES);
             }
         }
     }
@@ -64,22 +69,21 @@ impl Frozen {
         work: &mut Work<f64>,
     ) -> f64 {
         let group = &self.groups[probe.index];
-        if probe.target == UNSOLVED {
-            return match self.unsolved(group, time, state, modes, work) {
-                Some((_, Obstacle::Failed(ForceFailure::SelfLocking { .. }))) => f64::INFINITY,
-                Some(_) => 1.0,
-                None => -1.0,
-            };
-        }
-        if probe.target == LIFTED {
-            return self.lifts(group, time, state, modes, work);
-        }
-        self.stop_root(group, time, state, modes, work);
-        let [forwards, backwards] = self.starts(group, time, state, modes, work);
-        if probe.target > 0 {
-            forwards
-        } else {
-            backwards
+        match ProbeAction::of(probe.target) {
+            ProbeAction::Stop => match self.unsolved(group, time, state, modes, work) {
+                Some((_, Obstacle::Failed(ForceFailure::SelfLocking { .. }))) => Probe::NO_FORCES,
+                Some(_) => Probe::FIRES,
+                None => Probe::RESTS,
+            },
+            ProbeAction::FlipSide => self.lifts(group, time, state, modes, work),
+            ProbeAction::Start(direction) => {
+                self.stop_root(group, time, state, modes, work);
+                let [forwards, backwards] = self.starts(group, time, state, modes, work);
+                match direction {
+                    StickSlip::Forward => forwards,
+                    _ => backwards,
+                }
+            }
         }
     }
 
@@ -136,19 +140,19 @@ impl Frozen {
     }
 
     /// Puts a group into a direction, or to rest, at the state that is in `work`.
-    fn set_out(&self, group: &Group, now: i64, modes: &mut [i64], work: &Work<f64>) {
+    fn set_out(&self, group: &Group, now: StickSlip, modes: &mut [i64], work: &Work<f64>) {
         if let Some(component) = group.component {
-            modes[component] = now;
+            modes[component] = now.mode();
         }
-        if now == HELD {
+        if now == StickSlip::Stuck {
             return;
         }
         for member in &group.members {
             let [ratio, _] = self.along(member, 0.0, work);
             let direction = match member.direction {
-                Direction::OfRoot(sign) => sign * now as f64,
+                Direction::OfRoot(sign) => sign * now.sense(),
                 Direction::Own { component, .. } => {
-                    let direction = sign_of(ratio) * now as f64;
+                    let direction = sign_of(ratio) * now.sense();
                     modes[component] = direction as i64;
                     direction
                 }
@@ -175,9 +179,9 @@ impl System {
         frozen.stop_root(group, time, y, modes, &mut work);
         let [forwards, backwards] = frozen.starts(group, time, y, modes, &mut work);
         let now = match (forwards > 0.0, backwards > 0.0) {
-            (true, false) => 1,
-            (false, true) => -1,
-            (false, false) => HELD,
+            (true, false) => StickSlip::Forward,
+            (false, true) => StickSlip::Backward,
+            (false, false) => StickSlip::Stuck,
             (true, true) => return Err(self.either_way(index, time)),
         };
         frozen.set_out(group, now, modes, &work);
@@ -204,10 +208,10 @@ impl System {
         let Some(index) = concerned else {
             return Ok(());
         };
-        match target {
-            UNSOLVED => return Err(self.without_solution(index, time, y, &modes.0)),
-            LIFTED => return self.change_sides(index, time, y, &mut modes.0),
-            _ => {}
+        match ProbeAction::of(target) {
+            ProbeAction::Stop => return Err(self.without_solution(index, time, y, &modes.0)),
+            ProbeAction::FlipSide => return self.change_sides(index, time, y, &mut modes.0),
+            ProbeAction::Start(_) => {}
         }
         if self.frozen.groups[index].component == Some(component) {
             self.decide(index, time, y, &mut modes.0)?;
@@ -234,9 +238,15 @@ impl System {
             if group.component.is_none() {
                 frozen.settle_driven(group, modes, &work);
             } else if speed.abs() > ROUNDING * size {
-                frozen.set_out(group, speed.signum() as i64, modes, &work);
+                let forward = speed > 0.0;
+                let state = if forward {
+                    StickSlip::Forward
+                } else {
+                    StickSlip::Backward
+                };
+                frozen.set_out(group, state, modes, &work);
             } else {
-                frozen.set_out(group, HELD, modes, &work);
+                frozen.set_out(group, StickSlip::Stuck, modes, &work);
                 // An undetermined start ends the run at once, with its reason.
                 let _ = self.decide(index, 0.0, y, modes);
             }
