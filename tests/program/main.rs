@@ -3,6 +3,7 @@
 mod command_line;
 mod diagnostics;
 mod documents;
+mod imports;
 mod map;
 mod meaning;
 mod outside;
