@@ -169,6 +169,7 @@ pub mod scene;
 pub(crate) mod segment;
 pub mod steady;
 pub mod system;
+mod trajectory;
 pub mod units;
 
 pub use ask::{Mechanism, Scene};

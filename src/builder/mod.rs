@@ -28,7 +28,6 @@ pub use place::{Connected, Place};
 use crate::breaks::Breaks;
 use crate::fault::{Fault, Faults};
 use crate::model::{Model, NodeIndex, ObjectPart, Track, TrackSource};
-use reach::Course;
 use std::collections::BTreeMap;
 
 /// Standard acceleration of free fall (m/s²), for weights.
@@ -50,8 +49,6 @@ pub struct ModelBuilder {
     outputs: BTreeMap<String, NodeIndex>,
     /// For each node the object part that it belongs to, and where it will be.
     known: Vec<Known>,
-    /// Motions as long as every mass follows its law, as far as they are known.
-    courses: Vec<Course>,
 }
 
 /// What is known of a node.
@@ -59,8 +56,6 @@ pub struct ModelBuilder {
 struct Known {
     /// Index into [`Model::objects`].
     part: usize,
-    /// Index into [`ModelBuilder::courses`].
-    course: usize,
     /// Displacement at t = 0.
     start: f64,
 }
@@ -87,7 +82,6 @@ impl ModelBuilder {
             explicit,
             outputs: BTreeMap::new(),
             known: Vec::new(),
-            courses: Vec::new(),
         }
     }
 

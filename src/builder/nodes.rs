@@ -1,6 +1,6 @@
 //! The single steps: nodes, laws, links, outputs.
 
-use super::reach::{Course, DEAD};
+use super::reach::DEAD;
 use super::{ChainParameters, Connected, Known, ModelBuilder, Place};
 use crate::constraint::Constraint;
 use crate::model::{
@@ -8,28 +8,28 @@ use crate::model::{
 };
 use crate::motion::DriveMotion;
 use crate::position::Position;
+use crate::trajectory::instant;
 
 impl ModelBuilder {
     /// A node whose motion is given over time.
     pub fn prescribed(&mut self, at: &Place, motion: DriveMotion) -> NodeIndex {
         let track = self.track(TrackSource::Time, motion.breaks(), at.object);
-        let course = self.add_course(Course::prescribed(&motion));
+        let start = instant(&motion, 0.0).value;
         let node = Node {
             inertia: 0.0,
             motion: NodeMotion::Prescribed { motion, track },
         };
-        self.add_node(at.object, node, course)
+        self.add_node(at.object, node, start)
     }
 
     /// A rotor: its displacement is a coordinate. Inertia (kg·m² or kg), displacement
     /// and speed at t = 0.
     pub fn rotor(&mut self, at: &Place, inertia: f64, angle: f64, speed: f64) -> NodeIndex {
-        let course = self.add_course(Course::motor(angle));
         let node = Node {
             inertia,
             motion: NodeMotion::Rotor { angle, speed },
         };
-        self.add_node(at.object, node, course)
+        self.add_node(at.object, node, angle)
     }
 
     /// The law lever·U over the displacement of what an input hangs on, with the
@@ -74,7 +74,7 @@ impl ModelBuilder {
         constraint: Constraint,
     ) -> Connected {
         let drivers: Vec<NodeIndex> = inputs.iter().map(|input| input.node).collect();
-        let course = self.add_course(self.combined(&drivers, &constraint));
+        let start = self.combined(&drivers, &constraint);
         let motion = NodeMotion::Constrained {
             drivers,
             constraint,
@@ -89,8 +89,7 @@ impl ModelBuilder {
         let coordinate = object.coordinate;
         self.known.push(Known {
             part: at.object,
-            course,
-            start: self.courses[course].start,
+            start,
         });
         Connected {
             port: String::new(),
@@ -114,11 +113,11 @@ impl ModelBuilder {
         parameters: &ChainParameters,
         pair: Pair,
     ) -> Vec<NodeIndex> {
-        let course = self.add_course(self.following(law));
+        let start = self.following(law);
         let mut nodes: Vec<NodeIndex> = Vec::with_capacity(parameters.inertias.len());
         for (index, &inertia) in parameters.inertias.iter().enumerate() {
             let motion = NodeMotion::Mass { law: law.clone() };
-            let mass = self.add_node(at.object, Node { inertia, motion }, course);
+            let mass = self.add_node(at.object, Node { inertia, motion }, start);
             let base = match nodes.last() {
                 None => LinkBase::Law { pair },
                 Some(&node) => LinkBase::Mass(node),
@@ -159,19 +158,14 @@ impl ModelBuilder {
         pair: Pair,
     ) -> NodeIndex {
         self.model.objects[part].rigid_pair = Some(pair);
-        let course = self.add_course(self.following(&law));
+        let start = self.following(&law);
         let motion = NodeMotion::Rigid { law };
-        self.add_node(part, Node { inertia, motion }, course)
+        self.add_node(part, Node { inertia, motion }, start)
     }
 
-    fn add_course(&mut self, course: Course) -> usize {
-        self.courses.push(course);
-        self.courses.len() - 1
-    }
-
-    /// Adds a node to an object or an output of one; it is the output until another
+    /// Adds a node to an object or an output of one, with its displacement at t = 0; it is the output until another
     /// one is added.
-    fn add_node(&mut self, part: usize, node: Node, course: usize) -> NodeIndex {
+    fn add_node(&mut self, part: usize, node: Node, start: f64) -> NodeIndex {
         self.model.nodes.push(node);
         let index = self.model.nodes.len() - 1;
         let object = &mut self.model.objects[part];
@@ -182,8 +176,7 @@ impl ModelBuilder {
         self.outputs.insert(object.id.clone(), index);
         self.known.push(Known {
             part,
-            course,
-            start: given.unwrap_or(self.courses[course].start),
+            start: given.unwrap_or(start),
         });
         index
     }

@@ -43,6 +43,19 @@ impl Jet {
         }
     }
 
+    /// Derivatives of f(x(t)) from those of f at x, in `self`, and of x at t.
+    #[must_use]
+    pub fn after(self, x: Self) -> Self {
+        Self {
+            value: self.value,
+            first: self.first * x.first,
+            second: self.second * x.first * x.first + self.first * x.second,
+            third: self.third * x.first.powi(3)
+                + 3.0 * self.second * x.first * x.second
+                + self.first * x.third,
+        }
+    }
+
     /// True when all four numbers are finite.
     pub fn is_finite(&self) -> bool {
         [self.value, self.first, self.second, self.third]

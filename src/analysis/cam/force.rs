@@ -1,11 +1,12 @@
 //! Contact force, lift-off and closing spring of a cam in a scene.
 
-use super::reduction::{Reduction, constant_speed};
+use super::reduction::Reduction;
 use crate::analysis::law::LiftOff;
 use crate::cam::closing::{Closing, ClosingSpring, LetsGo, Rates};
 use crate::cam::search::greatest_over;
 use crate::cam::{At, DiscCam, Surface};
 use crate::model::{Closure, Coordinate, Model};
+use crate::trajectory::Trajectory;
 use crate::units::shown;
 use serde::Serialize;
 
@@ -115,7 +116,7 @@ impl<'m> CamForce<'m> {
         let reduction = Reduction::new(model, object, cam)?;
         let driver = model.objects[object].driver();
         let node = driver.and_then(|driver| model.objects[driver].nodes.last());
-        let speed = speed.or_else(|| constant_speed(model, *node?));
+        let speed = speed.or_else(|| Trajectory::of(model, *node?)?.constant_speed());
         let speed = speed.ok_or("the cam has no constant speed: give one")?;
         if !(speed.is_finite() && speed != 0.0) {
             return Err(format!("{speed} rad/s is no speed of a cam"));

@@ -10,11 +10,11 @@
 
 use crate::cam::closing::{ClosingSpring, Demand};
 use crate::cam::{DiscCam, FollowerMotion};
+use crate::math::jet::Jet;
 use crate::model::{
     Closure, Law, LinearPiece, Load, LoadLaw, Model, NodeMotion, Pair, Track, TrackSource,
 };
-use crate::motion::DriveMotion;
-use crate::position::Position;
+use crate::trajectory::transfer;
 
 /// Most stretches of a turn.
 const MOST_PIECES: usize = 20_000;
@@ -39,14 +39,6 @@ pub(super) struct Reduction<'m> {
     pub(super) pieces: Vec<[f64; 2]>,
     /// What is left out, in words.
     pub(super) notes: Vec<String>,
-}
-
-/// A node's displacement over the follower's: value, r, r₂.
-#[derive(Clone, Copy, Debug, Default)]
-struct Ratio {
-    value: f64,
-    first: f64,
-    second: f64,
 }
 
 impl<'m> Reduction<'m> {
@@ -197,19 +189,24 @@ impl<'m> Reduction<'m> {
         ]
     }
 
-    /// Displacements of all nodes over the follower's, at its displacement q.
-    fn ratios(&self, q: f64, sense: f64) -> Vec<Ratio> {
-        let mut found: Vec<Ratio> = Vec::with_capacity(self.nodes.len());
+    /// Displacements of all nodes over the follower's, at its displacement q: values, r and
+    /// r₂. The sign of `sense` is that in which the follower moves.
+    fn ratios(&self, q: f64, sense: f64) -> Vec<Jet> {
+        let mut found: Vec<Jet> = Vec::with_capacity(self.nodes.len());
         for &node in &self.nodes {
-            let own = Ratio {
+            let own = Jet {
                 value: q,
                 first: 1.0,
-                second: 0.0,
+                ..Jet::default()
             };
             let ratio = match law_of(self.model, node) {
                 Some(law) if law.driver != self.law.driver || node != self.first => {
                     match self.nodes.iter().position(|&other| other == law.driver) {
-                        Some(place) => behind(law, found[place], sense),
+                        Some(place) => {
+                            let driver = found[place];
+                            let sense = sense * driver.first;
+                            transfer(self.model, law, driver.value, sense).after(driver)
+                        }
                         // Another mass of the follower itself.
                         None => own,
                     }
@@ -265,7 +262,7 @@ impl<'m> Reduction<'m> {
     }
 
     /// The argument of a load's table.
-    fn along(&self, track: &Track, phi: f64, q: f64, ratios: &[Ratio]) -> f64 {
+    fn along(&self, track: &Track, phi: f64, q: f64, ratios: &[Jet]) -> f64 {
         match track.source {
             TrackSource::Node(node) if node == self.law.driver => phi,
             TrackSource::Node(node) => {
@@ -295,41 +292,10 @@ fn pair_of(model: &Model, object: usize) -> Pair {
     })
 }
 
-/// A node behind another one.
-fn behind(law: &Law, driver: Ratio, sense: f64) -> Ratio {
-    let segment = law
-        .position
-        .breaks()
-        .locate(driver.value, sense * driver.first);
-    let jet = law.position.jet(segment, driver.value).scaled(law.lever);
-    Ratio {
-        value: jet.value,
-        first: jet.first * driver.first,
-        second: jet.second * driver.first * driver.first + jet.first * driver.second,
-    }
-}
-
 /// A table's force at x, by the piece that holds `at`.
 fn linear(track: &Track, pieces: &[LinearPiece], x: f64, at: f64) -> f64 {
     let (index, shift) = track.breaks.piece(track.breaks.locate(at, 1.0));
     pieces.get(index).map_or(0.0, |piece| {
         piece.value + piece.slope * (x - shift - piece.start)
     })
-}
-
-/// Constant speed of a node (rad/s), if the scene gives it one.
-pub(super) fn constant_speed(model: &Model, node: usize) -> Option<f64> {
-    match &model.nodes[node].motion {
-        NodeMotion::Prescribed {
-            motion: DriveMotion::Constant { speed, .. },
-            ..
-        } => Some(*speed),
-        NodeMotion::Mass { law } | NodeMotion::Rigid { law } => match law.position {
-            Position::Ratio { ratio, .. } => {
-                Some(ratio * law.lever * constant_speed(model, law.driver)?)
-            }
-            _ => None,
-        },
-        _ => None,
-    }
 }

@@ -1,11 +1,10 @@
 //! What is asked of a linkage, and what is known of its input's motion.
 
-use super::course::Course;
-
 use super::subject::Subject;
 use crate::linkage::{Cause, Linkage, Reach};
 use crate::math::jet::Jet;
 use crate::model::{Coordinate, Model};
+use crate::trajectory::Trajectory;
 
 /// Part of a reach that is kept away from dead positions at its ends.
 const ROOM: f64 = 1e-6;
@@ -80,7 +79,7 @@ pub struct Asked<'a> {
     pub(in crate::analysis) input: Coordinate,
     /// Whether each output turns or slides.
     pub(super) outputs: Vec<Coordinate>,
-    pub(super) course: Option<Course<'a>>,
+    pub(super) trajectory: Option<Trajectory<'a>>,
     pub(in crate::analysis) over: Over,
     pub(in crate::analysis) positions: usize,
     pub(super) also: Option<f64>,
@@ -106,13 +105,13 @@ impl<'a> Asked<'a> {
     /// # Errors
     /// What cannot be answered, in words.
     pub fn of(model: &'a Model, subject: Subject, question: &Question) -> Result<Self, String> {
-        let course = Course::of(model, subject.node);
-        let uniform = course.as_ref().and_then(Course::constant_speed);
+        let trajectory = Trajectory::of(model, subject.node);
+        let uniform = trajectory.as_ref().and_then(Trajectory::constant_speed);
         let over = match question.over {
             Some(over) => over,
             None => default_over(
                 &subject.linkage,
-                course.is_some(),
+                trajectory.is_some(),
                 uniform,
                 question.duration,
             ),
@@ -123,7 +122,7 @@ impl<'a> Asked<'a> {
             linkage: subject.linkage,
             input: subject.input,
             outputs: subject.outputs,
-            course,
+            trajectory,
             over,
             positions: question.positions,
             also: question.also,
@@ -183,7 +182,7 @@ impl<'a> Asked<'a> {
                  for a turn or a range"
                     .to_owned(),
             ),
-            Over::Time { .. } if self.course.is_none() => Err(format!(
+            Over::Time { .. } if self.trajectory.is_none() => Err(format!(
                 "`{}` is driven by a motor: its motion over time follows from the forces (`dam \
                  run`); ask for a turn or a range",
                 self.object
@@ -211,16 +210,16 @@ impl<'a> Asked<'a> {
 
     /// Where a turn begins.
     pub(in crate::analysis) fn first_input(&self) -> f64 {
-        match &self.course {
-            Some(course) => course.at(0.0).value,
+        match &self.trajectory {
+            Some(trajectory) => trajectory.at(0.0).value,
             None => self.linkage.range().start,
         }
     }
 
     /// The input's motion at a place of the axis.
     pub(in crate::analysis) fn input_at(&self, place: f64) -> Jet {
-        match (self.over, &self.course) {
-            (Over::Time { .. }, Some(course)) => course.at(place),
+        match (self.over, &self.trajectory) {
+            (Over::Time { .. }, Some(trajectory)) => trajectory.at(place),
             _ => Jet {
                 value: place,
                 first: self.rate[0],

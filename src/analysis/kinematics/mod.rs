@@ -4,7 +4,6 @@
 
 mod ask;
 mod columns;
-mod course;
 mod equilibria;
 mod extremes;
 mod figures;

@@ -12,6 +12,7 @@
 //! over maps. (For U = A·sin φ at constant speed Ω under a constant closing
 //! moment M: P = M − J·A·Ω² at the peak, J* = M/(A·Ω²).)
 
+use crate::math::jet::Jet;
 use crate::math::optimise::vertex;
 use crate::model::{
     Closure, Load, LoadLaw, Model, Node, NodeIndex, NodeMotion, ObjectPart, Pair, Track,
@@ -19,6 +20,7 @@ use crate::model::{
 };
 use crate::position::Position;
 use crate::record::drive_cycle;
+use crate::trajectory::{instant, transfer};
 
 /// Instants looked at, over a cycle of the drive or the whole run.
 const SAMPLES: usize = 128;
@@ -114,26 +116,23 @@ impl Path {
 
     /// The motion of a node whose driver has been followed.
     fn follow(&self, model: &Model, node: NodeIndex) -> Motion {
-        let segment = |track: Option<usize>, x: f64, sense: f64| {
-            track.map_or(0, |track| model.tracks[track].breaks.locate(x, sense))
-        };
-        let at = |(instant, &time): (usize, &f64)| match &model.nodes[node].motion {
-            NodeMotion::Prescribed { motion, track } => {
-                let jet = motion.jet(segment(*track, time, 1.0), time);
+        let at = |(place, &time): (usize, &f64)| match &model.nodes[node].motion {
+            NodeMotion::Prescribed { motion, .. } => {
+                let jet = instant(motion, time);
                 [jet.value, jet.first, jet.second, 0.0]
             }
             NodeMotion::Rotor { .. } | NodeMotion::Constrained { .. } => [f64::NAN; 4],
             NodeMotion::Mass { law } | NodeMotion::Rigid { law } => {
                 let driver = &self.motions[self.places[law.driver]];
-                let (phi, speed) = (driver.displacement[instant], driver.speed[instant]);
-                let segment = segment(law.track, phi, speed);
-                let jet = law.position.jet(segment, phi).scaled(law.lever);
-                [
-                    jet.value,
-                    jet.first * speed,
-                    jet.second * speed * speed + jet.first * driver.acceleration[instant],
-                    jet.first,
-                ]
+                let driver = Jet {
+                    value: driver.displacement[place],
+                    first: driver.speed[place],
+                    second: driver.acceleration[place],
+                    ..Jet::default()
+                };
+                let slope = transfer(model, law, driver.value, driver.first);
+                let jet = slope.after(driver);
+                [jet.value, jet.first, jet.second, slope.first]
             }
         };
         let all: Vec<[f64; 4]> = self.times.iter().enumerate().map(at).collect();
