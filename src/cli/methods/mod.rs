@@ -10,12 +10,12 @@ use super::failure::{Failure, Status};
 use super::input::{Input, Ready};
 use super::interrupt;
 use super::output::{self, OutputFolder};
-use bar::PointBar;
 use crate::analysis::Control;
 use crate::analysis::axis::Axis;
 use crate::analysis::methods::sweep::{Sweep, sweep};
 use crate::analysis::methods::{Plan, Study, all_methods, study};
 use crate::integrate::Method;
+use bar::PointBar;
 use std::time::Duration;
 
 /// Most values of an axis: each is a study of its own.
@@ -76,7 +76,7 @@ fn show(
 ) -> Result<(), Failure> {
     match args.scene.json {
         true => console::json(document),
-        false => console::data(&text()),
+        false => console::text(&text()),
     }
 }
 

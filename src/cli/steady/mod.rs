@@ -9,7 +9,6 @@ use super::failure::{Failure, Status};
 use super::input::{Input, Ready};
 use super::output::{self, OutputFolder, ResultFile};
 use super::run::doubts;
-use args::{Form, MeanChoice, QuestionArgs, SteadyArgs};
 use crate::analysis::expectations::Verdict;
 use crate::analysis::steady::{Answer, ROWS, check, steady_motion};
 use crate::object::law::read_argument;
@@ -20,6 +19,7 @@ use crate::report::steady::{
 use crate::scene::SteadySpec;
 use crate::steady::{MOST_TURNS, Mean};
 use crate::units::{Quantity, quantities as q};
+use args::{Form, MeanChoice, QuestionArgs, SteadyArgs};
 use serde::Serialize;
 use serde_json::{Value, json};
 
@@ -215,8 +215,8 @@ fn show(args: &SteadyArgs, answered: &Answered<'_>, csv: &str) -> Result<(), Fai
             let why = "only machines with rigid objects have an energy-mass diagram";
             Err(Failure::Other(why.to_owned()))
         }
-        (Form::Text, Some(shown), _) => console::data(&rigid_text(shown)),
-        (Form::Text, None, Some(answer)) => console::data(&periodic_text(answered.title, answer)),
+        (Form::Text, Some(shown), _) => console::text(&rigid_text(shown)),
+        (Form::Text, None, Some(answer)) => console::text(&periodic_text(answered.title, answer)),
         (Form::Text, None, None) => Ok(()),
     }
 }
