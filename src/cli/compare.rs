@@ -49,7 +49,7 @@ pub(crate) fn command(args: &CompareArgs) -> Result<Status, Failure> {
     let files = || files(&input, &ready, &comparison);
     let show = || match args.scene.json {
         true => console::json(&tables::comparison_document(&scene, &comparison)),
-        false => console::data(&tables::comparison(&scene, &comparison.table)),
+        false => console::text(&tables::comparison(&scene, &comparison.table)),
     };
     let hash = &ready[0].scene().hash;
     output::deliver(folder.as_ref(), "compare", hash, files, show)?;

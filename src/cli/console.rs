@@ -3,6 +3,7 @@
 use super::failure::Failure;
 use super::interrupt;
 use crate::diagnostics::{Diagnostics, is_harmful, printable};
+use crate::report::fitted::fitted;
 use std::io::{ErrorKind, IsTerminal, Write};
 
 /// Writes data to standard output, all of it. A reader that has gone away
@@ -18,6 +19,33 @@ pub(crate) fn data(text: &str) -> Result<(), Failure> {
         .write_all(printable(text).as_bytes())
         .and_then(|()| out.flush());
     checked(written)
+}
+
+/// Writes a text for people to standard output: no line is longer than the terminal is wide.
+/// What goes into a file or another program stays as it is.
+///
+/// # Errors
+/// Those of [`data`].
+pub(crate) fn text(text: &str) -> Result<(), Failure> {
+    match width() {
+        Some(width) => data(&fitted(text, width)),
+        None => data(text),
+    }
+}
+
+/// Characters a line of standard output has room for: what `COLUMNS` says, else the terminal;
+/// `None` where it is neither said nor a terminal.
+fn width() -> Option<usize> {
+    let said = std::env::var("COLUMNS").ok();
+    let said = said.and_then(|said| said.parse().ok());
+    let found = || {
+        let terminal = std::io::stdout().is_terminal();
+        let size = ::console::Term::stdout()
+            .size_checked()
+            .filter(|_| terminal);
+        size.map(|(_, columns)| usize::from(columns))
+    };
+    said.or_else(found).filter(|width| *width >= 20)
 }
 
 /// What a write to standard output came to.

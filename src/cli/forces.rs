@@ -291,7 +291,7 @@ fn show(
     } else if args.csv {
         console::data(&forces_csv(report.study).map_err(|error| error.to_string())?)?;
     } else {
-        console::data(&text(report))?;
+        console::text(&text(report))?;
     }
     Ok(())
 }

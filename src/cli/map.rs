@@ -11,8 +11,8 @@ use super::status::Status;
 use crate::analysis::axis::Axis;
 use crate::analysis::map::{Cell, Listener, MapResult, Panels, Question, Study, StudyFault, map};
 use crate::diagnostics::printable;
+use crate::report::map::picture;
 use crate::report::map::{MapReport, document, map_csv, page, text};
-use crate::report::svg;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde_json::Value;
 use std::collections::BTreeMap;
@@ -62,7 +62,7 @@ pub(crate) fn command(args: &MapArgs) -> Result<Status, Failure> {
     let files = || files(&command_of(args), &input, &study, &result, seconds);
     let show = || match args.scene.json {
         true => console::json(&document(&study, &result)),
-        false => console::data(&text(&study, &result)),
+        false => console::text(&text(&study, &result)),
     };
     // With the files of the whole map its journal goes.
     output::deliver(whole, "map", &study.hash, files, show)?;
@@ -144,7 +144,7 @@ fn files(
     Ok(vec![
         ResultFile::new(FILES[0], table),
         ResultFile::new(FILES[1], format!("{document:#}\n")),
-        ResultFile::new(FILES[2], svg::map::svg(study, result)),
+        ResultFile::new(FILES[2], picture::svg(study, result)),
         ResultFile::new(FILES[3], report),
         ResultFile::new(FILES[4], format!("{timing:#}\n")),
     ])

@@ -92,7 +92,7 @@ pub(crate) fn command(args: &RunArgs) -> Result<Status, Failure> {
         true => console::json(&document),
         false => {
             let spread = spread.as_ref().map_or(String::new(), tables::spread);
-            console::data(&(terminal::summary(&result.figures) + &spread))
+            console::text(&(terminal::summary(&result.figures) + &spread))
         }
     };
     output::deliver(folder.as_ref(), "run", &ready.scene().hash, files, show)?;

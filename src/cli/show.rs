@@ -31,7 +31,7 @@ pub(crate) fn command(args: &ShowArgs) -> Result<Status, Failure> {
         Form::Latex => latex(&equations(model)),
         Form::Text => in_words(args.view, system),
     };
-    console::data(&out)?;
+    console::text(&out)?;
     Ok(Status::Answered)
 }
 

@@ -3,11 +3,11 @@
 
 use crate::record::{Figures, ObjectFigures, Quantity, Record};
 use crate::report::diagram::Diagram;
-use crate::report::html::data::{PlotData, QUANTITIES, RunSeries};
+use crate::report::html::runs::{self, QUANTITIES, RunSeries};
 use crate::report::html::{facts, header, mechanism, scene, shell, tables, warnings};
+use crate::report::plot::{Plot, Plots};
 use crate::report::quantity::{escape, significant, with_unit};
-use crate::report::svg::chart::{Chart, Curve};
-use crate::report::verdict::{Sort, verdict};
+use crate::report::verdict::{Sort, Verdict, verdict};
 
 /// One of the runs compared.
 #[derive(Clone, Debug)]
@@ -98,17 +98,11 @@ const fn row(name: &'static str, unit: Unit, read: fn(&ObjectFigures) -> Option<
 /// The page of a comparison.
 pub fn page(report: &CompareReport<'_>) -> String {
     let runs = report.runs;
-    let series: Vec<RunSeries<'_>> = runs
-        .iter()
-        .map(|run| RunSeries {
-            label: run.label.clone(),
-            record: run.record,
-        })
-        .collect();
-    let plots = PlotData::new(&series);
+    let mut plots = Plots::default();
+    let series = series(runs);
     let last = runs.last().map_or("", |run| run.label.as_str());
     let subtitle = format!("{} runs compared; errors against {last}", runs.len());
-    let mut body = header(report.title, &subtitle, None);
+    let mut body = header(report.title, &subtitle, Some(&answer(runs)));
     body.push_str("<main>\n");
     body.push_str(&verdicts(runs));
     body.push_str(&all_warnings(runs));
@@ -117,13 +111,68 @@ pub fn page(report: &CompareReport<'_>) -> String {
     let mut boxes: Vec<_> = report.diagram.boxes.iter().collect();
     boxes.sort_by_cached_key(|one| usize::from(one.is_drive()));
     for one in boxes {
-        body.push_str(&plots.section(&one.id, &one.kind.replace('_', " ")));
+        body.push_str(&runs::section(
+            &mut plots,
+            &series,
+            &one.id,
+            &one.kind.replace('_', " "),
+        ));
         body.push_str(&side_by_side(runs, &one.id));
     }
     body.push_str(&scene(report.scene));
     body.push_str("</main>\n");
     body.push_str(&footer(report));
     shell(report.title, &body, &plots.json())
+}
+
+/// How far the greatest deviation depends on what is compared, and whether a run is in doubt.
+fn answer(runs: &[ComparedRun<'_>]) -> Verdict {
+    let judged: Vec<Verdict> = runs.iter().map(|run| verdict(run.figures)).collect();
+    let deviation = |run: &ComparedRun<'_>| {
+        let all = run.figures.objects.iter();
+        let greatest = all.max_by(|a, b| a.1.delta_abs.total_cmp(&b.1.delta_abs))?;
+        let unit = tables::units(run.figures, greatest.0).displacement;
+        Some((greatest.0.clone(), greatest.1.delta_abs, unit))
+    };
+    let found: Vec<_> = runs.iter().filter_map(deviation).collect();
+    let least = found.iter().min_by(|a, b| a.1.total_cmp(&b.1));
+    let most = found.iter().max_by(|a, b| a.1.total_cmp(&b.1));
+    let headline = match least.zip(most) {
+        Some(((id, least, unit), (_, most, _))) if *most > 0.0 => format!(
+            "Greatest |δ|, of {id}: {} to {}.",
+            with_unit(*least, unit, 4),
+            with_unit(*most, unit, 4)
+        ),
+        _ => "No object deviates from its law.".to_owned(),
+    };
+    let bad = |sort: Sort| judged.iter().filter(|one| one.sort == sort).count();
+    let (numerical, mechanism, unfinished) = (
+        bad(Sort::Numerical),
+        bad(Sort::Mechanism),
+        bad(Sort::Unfinished),
+    );
+    let (sort, text) = match (numerical, unfinished, mechanism) {
+        (0, 0, 0) => (
+            Sort::Good,
+            format!("All {} runs are in working order.", runs.len()),
+        ),
+        (0, 0, count) => (
+            Sort::Mechanism,
+            format!("{count} of {} runs are not in working order.", runs.len()),
+        ),
+        (0, count, _) => (
+            Sort::Unfinished,
+            format!("{count} of {} runs did not finish.", runs.len()),
+        ),
+        (count, ..) => (
+            Sort::Numerical,
+            format!(
+                "{count} of {} runs failed their own check and are not to be trusted.",
+                runs.len()
+            ),
+        ),
+    };
+    Verdict::answer(sort, headline, text)
 }
 
 /// One row a run: verdict, method, effort.
@@ -263,35 +312,22 @@ fn footer(report: &CompareReport<'_>) -> String {
 
 /// The curves of one quantity of one object over each other; `None` when no run
 /// has it. With a single run its open intervals are shaded.
-pub fn chart(runs: &[ComparedRun<'_>], object: &str, quantity: Quantity) -> Option<Chart> {
+pub fn chart(runs: &[ComparedRun<'_>], object: &str, quantity: Quantity) -> Option<Plot> {
     let name = QUANTITIES.iter().find(|(key, _)| *key == quantity)?.1;
-    let mut unit = None;
-    let mut curves = Vec::new();
-    for run in runs {
-        let Some(column) = run.record.column(object, quantity) else {
-            continue;
-        };
-        unit = Some(column.unit);
-        let times = run.record.times.iter().copied();
-        curves.push(Curve {
-            label: run.label.clone(),
-            points: times.zip(column.values.iter().copied()).collect(),
-        });
-    }
-    let shaded = match runs {
-        [run] => {
-            let own = run.record.separations.iter().filter(|i| i.object == object);
-            own.map(|interval| [interval.from, interval.to]).collect()
-        }
-        _ => Vec::new(),
+    runs::chart(
+        &series(runs),
+        object,
+        quantity,
+        &format!("{name} of {object}"),
+    )
+}
+
+fn series<'a>(runs: &'a [ComparedRun<'_>]) -> Vec<RunSeries<'a>> {
+    let one = |run: &'a ComparedRun<'_>| RunSeries {
+        label: run.label.clone(),
+        record: run.record,
     };
-    Some(Chart {
-        title: format!("{name} of {object}"),
-        unit: unit?.to_owned(),
-        curves,
-        shaded,
-        ..Chart::default()
-    })
+    runs.iter().map(one).collect()
 }
 
 #[cfg(test)]
@@ -330,7 +366,7 @@ mod tests {
         assert!(page.contains("errors against rocker.masses = 10"));
         assert!(page.contains("The paper&#39;s &lt;figures&gt;"));
         let chart = chart(&runs, "rocker", Quantity::Delta).unwrap();
-        assert_eq!((chart.curves.len(), chart.unit.as_str()), (3, "rad"));
+        assert_eq!((chart.series.len(), chart.y.unit.as_str()), (3, "rad"));
         assert!(super::chart(&runs, "nobody", Quantity::Delta).is_none());
         if std::env::var_os("DAM_PREVIEW").is_some() {
             std::fs::write("target/preview/compare.html", page).unwrap();

@@ -7,18 +7,20 @@
 //! * [`kinematics`], [`forces`]: what a linkage does and carries.
 //! * [`map`]: maps over parameters; [`methods`]: methods compared.
 //! * [`csv`]: the samples as a table.
+//! * [`fitted`]: texts in the width of a terminal.
 //! * [`law`]: laws of motion and synthesised strokes.
 //! * [`steady`]: the steady motion of a machine.
-//! * [`svg`]: the object graph, charts and maps as stand-alone pictures.
+//! * [`plot`]: the one engine of all charts; [`svg`]: the object graph as a picture.
 //! * [`show`]: the three models of a scene as text: graph, masses and links, equations.
 //! * [`math`]: formulas, written as Unicode text or as LaTeX.
 //! * [`diagram`]: the object graph with places for its objects; [`quantity`]: numbers for
-//!   reading; [`ticks`]: places on axes; [`verdict`]: what is to be said of a run.
+//!   reading; [`verdict`]: what is to be said of a run.
 
 pub mod cam;
 pub mod compare;
 pub mod csv;
 pub mod diagram;
+pub mod fitted;
 #[cfg(test)]
 mod fixture;
 pub mod forces;
@@ -30,9 +32,9 @@ pub mod map;
 pub mod math;
 pub mod mechanism;
 pub mod methods;
+pub mod plot;
 pub mod quantity;
 pub mod show;
 pub mod steady;
 pub mod svg;
-pub mod ticks;
 pub mod verdict;

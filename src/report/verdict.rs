@@ -28,6 +28,17 @@ pub struct Verdict {
     pub text: String,
 }
 
+impl Verdict {
+    /// An answer in a sentence: what it comes to, and what is to be added.
+    pub(in crate::report) fn answer(sort: Sort, headline: String, text: String) -> Self {
+        Self {
+            sort,
+            headline,
+            text,
+        }
+    }
+}
+
 /// Judges a run by its figures.
 pub fn verdict(figures: &Figures) -> Verdict {
     let run = &figures.run;

@@ -470,6 +470,12 @@ fn element(page: &str, id: &str) -> Value {
     serde_json::from_str(&page[from..to]).unwrap()
 }
 
+/// The first series of a chart of a page.
+fn plotted<'a>(page: &'a Value, id: &str) -> &'a Value {
+    let plots = page["plots"].as_array().unwrap();
+    &plots.iter().find(|plot| plot["id"] == id).unwrap()["series"][0]
+}
+
 #[test]
 fn every_object_is_drawn_moving_and_its_deflection_is_seen() {
     let (page, player) = page(ROCKER, &["run.duration=0.1"]);
@@ -485,14 +491,12 @@ fn every_object_is_drawn_moving_and_its_deflection_is_seen() {
     assert!(bodies.iter().all(|body| body["kind"] == "turn"));
     let factor = player["magnify"]["factor"].as_f64().unwrap();
     let plots = element(&page, "data");
-    let group = player["columns"][1]["group"].as_u64().unwrap() as usize;
-    assert_eq!(plots["groups"][group]["id"], "rocker");
-    let panels = plots["groups"][group]["panels"].as_array().unwrap();
-    let delta = panels
-        .iter()
-        .find(|panel| panel["quantity"] == "delta")
-        .unwrap();
-    let values = delta["series"][0]["values"].as_array().unwrap();
+    let column = player["columns"][1]["deviation"].as_u64().unwrap();
+    assert_eq!(
+        column,
+        plotted(&plots, "rocker.delta")["y"].as_u64().unwrap()
+    );
+    let values = plots["columns"][column as usize].as_array().unwrap();
     let most = values
         .iter()
         .map(|v| v.as_f64().unwrap().abs())
@@ -650,7 +654,7 @@ fn the_page_of_a_map_answers_with_every_cell() {
             "{verdict} {name}"
         );
     }
-    assert_eq!(page.matches("data-panel=\"0\"").count(), 1);
+    assert_eq!(page.matches("class=\"plot\" data-plot=\"0\"").count(), 1);
 }
 
 // ---- in a browser --------------------------------------------------------------------
@@ -709,7 +713,7 @@ fn asked(page: &str, script: &str) -> Option<Value> {
 fn machine_and_cursors_go_together() {
     let (page, player) = page(ROCKER, &["run.duration=0.1"]);
     let script = r##"
-        const instant = (time) => document.dispatchEvent(new CustomEvent("instant", { detail: { time, by: "plots" } }));
+        const instant = (time) => document.dispatchEvent(new CustomEvent("instant", { detail: { axis: "t s", value: time, by: "plots" } }));
         const poses = () => [...document.querySelectorAll("#machine [data-link]")].map((node) => node.getAttribute("transform").match(/-?[\d.]+(e-?\d+)?/g).map(Number));
         const cursors = () => [...document.querySelectorAll(".pointer")].filter((line) => line.getAttribute("visibility") === "visible").length;
         const before = cursors();
@@ -744,19 +748,14 @@ fn machine_and_cursors_go_together() {
     // The lever: its law, and its law with the deflection magnified.
     let plots = element(&page, "data");
     let values = |id: &str, quantity: &str| {
-        let groups = plots["groups"].as_array().unwrap();
-        let group = groups.iter().find(|group| group["id"] == id).unwrap();
-        let panels = group["panels"].as_array().unwrap();
-        let panel = panels
-            .iter()
-            .find(|panel| panel["quantity"] == quantity)
-            .unwrap();
-        let times = plots["times"][0].as_array().unwrap();
+        let series = plotted(&plots, &format!("{id}.{quantity}"));
+        let column = |name: &str| &plots["columns"][series[name].as_u64().unwrap() as usize];
+        let times = column("x").as_array().unwrap();
         let row = times
             .iter()
             .position(|t| t.as_f64().unwrap() >= 0.013 - 1e-12)
             .unwrap();
-        panel["series"][0]["values"][row].as_f64().unwrap()
+        column("y")[row].as_f64().unwrap()
     };
     let offset = player["bodies"][1]["offset"].as_f64().unwrap();
     let (phi, delta) = (values("rocker", "displacement"), values("rocker", "delta"));
@@ -797,7 +796,7 @@ fn a_cell_that_is_clicked_gives_its_command() {
     assert!(status.status.success(), "{}", text(&status.stderr));
     let page = std::fs::read_to_string(out.join("report.html")).unwrap();
     let script = r##"
-        const panel = document.querySelector("[data-panel]"), box = panel.getBoundingClientRect();
+        const panel = document.querySelector(".map .pad"), box = panel.getBoundingClientRect();
         const at = { clientX: box.left + box.width * 0.9, clientY: box.top + box.height * 0.9, bubbles: true };
         panel.dispatchEvent(new PointerEvent("pointermove", at));
         const told = document.getElementById("cell").textContent;

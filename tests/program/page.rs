@@ -1,8 +1,11 @@
-//! The report page draws itself in a browser, without a network and without an error.
+//! Every kind of page draws itself in a browser, is zoomed and told of at the pointer, without a
+//! network and without an error.
 //!
 //! Needs Chromium; where there is none the test says so and leaves it. With
 //! `DAM_BROWSER` set (as `.ci/run` does) that browser must be there.
 
+use serde_json::Value;
+use std::path::Path;
 use std::process::Command;
 
 fn browser() -> Option<String> {
@@ -14,8 +17,15 @@ fn browser() -> Option<String> {
     names.into_iter().find(works).map(str::to_owned)
 }
 
-/// The page as the browser has made it after running its script.
-fn drawn(browser: &str, page: &std::path::Path, profile: &std::path::Path) -> String {
+/// What the page says of itself once its scripts and `PROBE` have run.
+fn probed(browser: &str, page: &str, folder: &Path) -> Value {
+    let probe = format!("<pre id=\"answer\"></pre><script>{PROBE}</script></body>");
+    // Errors of the page's own scripts are told in the answer.
+    let trap = "<head><script>window.failures = []; addEventListener('error', e => \
+                failures.push(e.message));</script>";
+    let path = folder.join("page.html");
+    let page = page.replacen("<head>", trap, 1);
+    std::fs::write(&path, page.replace("</body>", &probe)).unwrap();
     let output = Command::new(browser)
         .args([
             "--headless",
@@ -25,52 +35,223 @@ fn drawn(browser: &str, page: &std::path::Path, profile: &std::path::Path) -> St
         ])
         .args(["--no-first-run", "--disable-background-networking"])
         .args(["--disable-component-update", "--disable-sync"])
-        .args(["--virtual-time-budget=3000", "--dump-dom"])
-        .arg(format!("--user-data-dir={}", profile.display()))
-        .arg(format!("file://{}", page.display()))
+        .args(["--window-size=1280,1600", "--virtual-time-budget=3000"])
+        .arg("--dump-dom")
+        .arg(format!(
+            "--user-data-dir={}",
+            folder.join("profile").display()
+        ))
+        .arg(format!("file://{}", path.display()))
         .output()
         .unwrap();
     assert!(output.status.success(), "{browser} failed");
-    String::from_utf8(output.stdout).unwrap()
+    let dom = String::from_utf8(output.stdout).unwrap();
+    let drawing = dom.split("<script").next().unwrap_or_default();
+    assert!(!drawing.contains("NaN"), "a coordinate is not a number");
+    let answer = dom.split("<pre id=\"answer\">").nth(1).expect("an answer");
+    let answer = answer.split("</pre>").next().unwrap_or_default();
+    let plain = answer
+        .replace("&lt;", "<")
+        .replace("&gt;", ">")
+        .replace("&amp;", "&");
+    serde_json::from_str(&plain).unwrap_or_else(|error| panic!("{error}: {plain}"))
 }
 
-#[test]
-fn the_report_draws_itself_in_a_browser() {
-    let Some(browser) = browser() else { return };
-    let folder = tempfile::tempdir().unwrap();
-    let out = folder.path().join("out");
-    let root = env!("CARGO_MANIFEST_DIR");
-    let runs: [&[&str]; 2] = [
-        &["run", "scenarios/valve_train/lift_off.json"],
+/// Points at every chart, drags over half of it, switches its first series off, goes back to
+/// everything, and points at what moves.
+const PROBE: &str = r##"
+  const answer = { failures, plots: [], moving: null, answer: "" };
+  const verdict = document.querySelector("header .verdict, main .verdict");
+  answer.answer = verdict ? verdict.textContent.trim() : "";
+  const tip = document.querySelector(".tip");
+  for (const group of document.querySelectorAll("g.plot")) {
+    const pad = group.querySelector(".pad"), box = pad.getBoundingClientRect();
+    const at = (x, y) => ({ clientX: box.left + box.width * x, clientY: box.top + box.height * y, bubbles: true, button: 0, pointerId: 1, pointerType: "mouse" });
+    const send = (kind, place) => pad.dispatchEvent(new PointerEvent(kind, place));
+    const state = () => [".grid", ".inside", ".field", ".points"].map((name) => group.querySelector(name).innerHTML).join("");
+    const data = page.plots[+group.dataset.plot];
+    // Where values belong to points the pointer goes to the first of them.
+    const spot = group.querySelector(".points .mark:not([visibility=hidden])");
+    let told = "";
+    for (let i = 0; i <= 20 && !told; i++) for (let j = 0; j <= 20 && !told; j++) {
+      send("pointermove", at((i + 0.5) / 21, (j + 0.5) / 21));
+      const cell = document.getElementById("cell");
+      told = !tip.hidden ? tip.textContent : cell && cell.querySelector("b") ? cell.textContent : "";
+    }
+    const before = state();
+    send("pointerdown", at(0.25, 0.25)); send("pointermove", at(0.7, 0.75)); send("pointerup", at(0.7, 0.75));
+    const zoomed = state();
+    pad.dispatchEvent(new MouseEvent("dblclick", at(0.5, 0.5)));
+    const back = state();
+    pad.dispatchEvent(new WheelEvent("wheel", { ...at(0.5, 0.5), deltaY: -1, ctrlKey: true, cancelable: true }));
+    const wheeled = state();
+    pad.dispatchEvent(new MouseEvent("dblclick", at(0.5, 0.5)));
+    const entry = group.querySelector(".entry.switch");
+    let switched = null;
+    if (entry) {
+      const index = entry.dataset.series, shown = () => (group.querySelector(`.inside [data-series="${index}"]`).getAttribute("d") || "") + group.querySelectorAll(`.points [data-series="${index}"] .mark:not([visibility=hidden])`).length;
+      const full = shown();
+      entry.dispatchEvent(new MouseEvent("click", { bubbles: true }));
+      const off = shown();
+      entry.dispatchEvent(new MouseEvent("click", { bubbles: true }));
+      switched = off !== full && shown() === full;
+    }
+    // No label stands on another.
+    const texts = [...group.querySelectorAll(".grid text, .legend text, .title")].filter((text) => text.textContent && getComputedStyle(text).visibility !== "hidden");
+    const boxes = texts.map((text) => text.getBoundingClientRect());
+    const clashes = [];
+    for (let i = 0; i < boxes.length; i++) for (let j = 0; j < i; j++) {
+      const [a, b] = [boxes[i], boxes[j]];
+      if (a.left < b.right - 1 && b.left < a.right - 1 && a.top < b.bottom - 3 && b.top < a.bottom - 3) clashes.push(`${texts[i].textContent} | ${texts[j].textContent}`);
+    }
+    answer.plots.push({ title: data.title, told, zooms: before !== zoomed, resets: before === back, wheels: back !== wheeled, switched, clashes });
+  }
+  const moving = document.querySelector("svg.mechanism [data-link]");
+  if (moving) {
+    const box = moving.getBoundingClientRect();
+    const middle = moving.querySelector("path, circle, line, rect") || moving;
+    middle.dispatchEvent(new PointerEvent("pointermove", { clientX: box.left + box.width / 2, clientY: box.top + box.height / 2, bubbles: true }));
+    answer.moving = tip.hidden ? "" : tip.textContent;
+    const slider = document.querySelector("figure.moving input[type=range]");
+    slider.value = slider.max / 3;
+    slider.dispatchEvent(new Event("input"));
+    answer.cursors = [...document.querySelectorAll(".pointer")].filter((line) => line.getAttribute("visibility") === "visible").length;
+  }
+  document.getElementById("answer").textContent = JSON.stringify(answer);
+"##;
+
+/// Commands that write a page: arguments, least number of charts, whether something moves.
+const PAGES: [(&[&str], usize, bool); 11] = [
+    (&["run", "scenarios/valve_train/lift_off.json"], 6, true),
+    (
         &[
             "compare",
             "scenarios/rocker/two_masses.json",
             "--over",
             "rocker.masses=1,2",
+            "--set",
+            "run.duration=0.1",
         ],
-    ];
-    for arguments in runs {
+        4,
+        false,
+    ),
+    (
+        &[
+            "map",
+            "scenarios/rocker/two_masses.json",
+            "--set",
+            "run.duration=0.2",
+            "--x",
+            "rocker.inertia=0.05:1:5",
+            "--y",
+            "rocker.stiffness=0.25e7:5e7:4",
+            "--panels",
+            "rocker.masses=1,2",
+            "--unchecked",
+        ],
+        2,
+        false,
+    ),
+    (
+        &[
+            "map",
+            "scenarios/valve_train/in_working_order.json",
+            "--x",
+            "camshaft.motion.speed=500:2500 rpm:5",
+            "--unchecked",
+        ],
+        1,
+        false,
+    ),
+    (
+        &[
+            "methods",
+            "scenarios/rocker/one_mass.json",
+            "--set",
+            "run.duration=0.02",
+            "--accuracy",
+            "1e-6",
+            "--repeats",
+            "1",
+            "--methods",
+            "exact,rk4,taylor",
+        ],
+        2,
+        false,
+    ),
+    (
+        &[
+            "methods",
+            "scenarios/rocker/one_mass.json",
+            "--set",
+            "run.duration=0.02",
+            "--x",
+            "rocker.stiffness=1e6:1e8:3:log",
+            "--repeats",
+            "1",
+            "--methods",
+            "exact,rk4",
+        ],
+        2,
+        false,
+    ),
+    (&["kinematics", "scenarios/linkages/shaper.json"], 6, true),
+    (
+        &["forces", "scenarios/kinetostatics/slider_crank.json"],
+        6,
+        true,
+    ),
+    (&["steady", "scenarios/steady/engine.json"], 6, false),
+    (&["cam", "scenarios/cams/indexing_dwells.json"], 5, true),
+    (&["law", "show", "modified_sine"], 5, false),
+];
+
+#[test]
+fn every_page_draws_itself_zooms_and_tells_values_in_a_browser() {
+    let Some(browser) = browser() else { return };
+    for (arguments, least, moves) in PAGES {
+        let folder = tempfile::tempdir().unwrap();
+        let out = folder.path().join("out");
         let status = Command::new(env!("CARGO_BIN_EXE_dam"))
             .args(arguments)
-            .args(["--quiet", "--force", "--out"])
+            .arg("--out")
             .arg(&out)
-            .current_dir(root)
+            .current_dir(env!("CARGO_MANIFEST_DIR"))
             .output()
             .unwrap();
-        assert!(status.status.success());
-        // Errors of the script show in the title.
+        let name = format!("{} {}", arguments[0], arguments[1]);
+        assert!(out.join("report.html").exists(), "{name}: {status:?}");
         let page = std::fs::read_to_string(out.join("report.html")).unwrap();
-        let trap = "<head><script>addEventListener('error', e => \
-                    { document.title = 'FAILED: ' + e.message; });</script>";
-        let path = folder.path().join("page.html");
-        std::fs::write(&path, page.replacen("<head>", trap, 1)).unwrap();
-        let before = page.matches("<path").count();
-        let dom = drawn(&browser, &path, &folder.path().join("profile"));
-        let title = dom.split("<title>").nth(1).unwrap_or_default();
-        let title = title.split("</title>").next().unwrap_or_default();
-        assert!(!title.contains("FAILED"), "{title}");
-        let curves = dom.matches("<path").count() - before;
-        assert!(curves >= 6, "only {curves} curves were drawn");
-        assert!(!dom.contains("NaN"), "a coordinate is not a number");
+        let found = probed(&browser, &page, folder.path());
+        assert_eq!(found["failures"], serde_json::json!([]), "{name}");
+        assert!(
+            found["answer"].as_str().unwrap().len() > 20,
+            "{name}: {found}"
+        );
+        let plots = found["plots"].as_array().unwrap();
+        assert!(plots.len() >= least, "{name}: only {} charts", plots.len());
+        for plot in plots {
+            let title = format!("{name}: {}", plot["title"]);
+            assert!(
+                !plot["told"].as_str().unwrap().is_empty(),
+                "{title} tells nothing"
+            );
+            for does in ["zooms", "resets", "wheels"] {
+                assert_eq!(plot[does], true, "{title} {does}");
+            }
+            assert_ne!(plot["switched"], false, "{title} switches");
+            assert_eq!(plot["clashes"], serde_json::json!([]), "{title}");
+        }
+        if moves {
+            assert!(
+                found["moving"].as_str().unwrap().len() > 3,
+                "{name}: {}",
+                found["moving"]
+            );
+            assert!(
+                found["cursors"].as_u64().unwrap() > 0,
+                "{name}: no cursor goes along"
+            );
+        }
     }
 }

@@ -5,8 +5,8 @@ use dam::analysis::axis::Axis;
 use dam::analysis::map::{
     Cell, Listener, MapResult, Panels, Question, Silent, Study, journal, map,
 };
+use dam::report::map::picture;
 use dam::report::map::{MapReport, document, map_csv, page, text};
-use dam::report::svg;
 use dam::scene::{BuiltIn, Document};
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -46,7 +46,7 @@ fn everything(study: &Study<'_>, result: &MapResult) -> String {
     let csv = map_csv(study, result).unwrap();
     format!(
         "{document}{csv}{}{}",
-        svg::map::svg(study, result),
+        picture::svg(study, result),
         text(study, result)
     )
 }
@@ -75,7 +75,7 @@ fn panels_are_told_apart_everywhere() {
         scene: scene.text(),
         version: "1",
     };
-    let (page, picture) = (page(&report), svg::map::svg(&study, &result));
+    let (page, picture) = (page(&report), picture::svg(&study, &result));
     for (letter, load) in [("a", "-600"), ("b", "-900")] {
         let label = format!("{letter}  rocker.loads.closing.constant = {load}");
         assert!(picture.contains(&label), "{label}");
@@ -121,7 +121,7 @@ fn a_curve_of_which_half_would_lie_on_the_axis_is_logarithmic() {
             .iter()
             .map(|cell| cell.as_ref().unwrap().value.unwrap())
             .collect();
-        (values, svg::map::svg(&study, &result))
+        (values, picture::svg(&study, &result))
     };
     // From tens of µrad, with a sign, to being thrown off by radians.
     let (values, wide) = picture("shaft.motion.speed=100:900 rpm:9");
@@ -129,9 +129,19 @@ fn a_curve_of_which_half_would_lie_on_the_axis_is_logarithmic() {
     assert!(wide.contains("|rocker.delta_max|, rad"));
     assert!(!wide.contains("NaN") && !wide.contains("inf"));
     // The first point stands near the floor, the last near the ceiling.
-    let heights: Vec<f64> = (wide.split("<circle ").skip(1))
-        .filter_map(|mark| mark.split("cy=\"").nth(1)?.split('"').next()?.parse().ok())
+    let heights: Vec<f64> = (wide.split("class=\"mark ").skip(1))
+        .filter_map(|mark| {
+            mark.split("translate(")
+                .nth(1)?
+                .split(')')
+                .next()?
+                .split(' ')
+                .nth(1)?
+                .parse()
+                .ok()
+        })
         .collect();
+    assert_eq!(heights.len(), 9);
     let share = |value: f64| (value.abs() / values[0].abs()).ln();
     let slope = (heights[8] - heights[0]) / share(values[8]);
     for (height, value) in heights.iter().zip(&values) {

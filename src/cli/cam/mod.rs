@@ -81,7 +81,10 @@ pub(crate) fn command(args: &CamArgs) -> Result<Status, Failure> {
     };
     let show = || match args.scene.json {
         true => console::json(&found.document()),
-        false => console::data(&found.shown(args.form)?),
+        false => match args.form {
+            CamForm::Text => console::text(&found.shown(args.form)?),
+            form => console::data(&found.shown(form)?),
+        },
     };
     let (hash, files) = (&ready.scene().hash, || found.files(&input));
     output::deliver(folder.as_ref(), "cam", hash, files, show)?;

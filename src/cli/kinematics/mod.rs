@@ -106,7 +106,7 @@ fn show(
     } else if args.csv {
         console::data(&kinematics_csv(found).map_err(|error| error.to_string())?)?;
     } else {
-        console::data(&text(&scene.name, found))?;
+        console::text(&text(&scene.name, found))?;
     }
     Ok(())
 }

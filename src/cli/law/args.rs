@@ -1,6 +1,7 @@
 //! Arguments of `dam law …`.
 
 use crate::cli::args::scene::SceneArgs;
+use crate::cli::args::scene::OutArgs;
 use clap::{Args, Subcommand, ValueEnum};
 
 /// Commands on laws of motion.
@@ -54,6 +55,8 @@ pub(crate) struct FormArgs {
     /// Equal steps of the samples in CSV
     #[arg(long, default_value_t = 360, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     pub(crate) samples: u32,
+    #[command(flatten)]
+    pub(crate) out: OutArgs,
 }
 
 /// Forms of output.
@@ -158,6 +161,8 @@ pub(crate) struct CompareArgs {
     /// Print a table as CSV
     #[arg(long, conflicts_with = "json")]
     pub(crate) csv: bool,
+    #[command(flatten)]
+    pub(crate) out: OutArgs,
 }
 
 /// Figures of the response.
@@ -189,4 +194,6 @@ pub(crate) struct CycleArgs {
     /// Equal steps of the samples in CSV
     #[arg(long, default_value_t = 360, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     pub(crate) samples: u32,
+    #[command(flatten)]
+    pub(crate) out: OutArgs,
 }

@@ -1,6 +1,7 @@
 //! `dam law compare`: laws ranked by constants and by what a scene makes of them.
 
 use super::args::{CompareArgs, RankBy};
+use super::files::{self, Results};
 use super::told;
 use crate::analysis::RunSettings;
 use crate::analysis::law::{ComparedLaw, Figure, LawResponse, lift_off, response};
@@ -13,7 +14,7 @@ use crate::cli::status::Status;
 use crate::model::{Model, NodeMotion};
 use crate::motion::{DriveMotion, Law, LawName};
 use crate::object::law::stroke_law;
-use crate::report::law::{comparison_csv, comparison_text};
+use crate::report::law::{LawPage, comparison_chart, comparison_csv, comparison_text};
 use serde_json::json;
 use std::f64::consts::TAU;
 
@@ -56,17 +57,53 @@ pub(super) fn command(args: &CompareArgs) -> Result<Status, Failure> {
         }
     }
     let by = figure(args.by);
-    if args.scene.json {
+    let document = {
         let places: serde_json::Map<String, serde_json::Value> = Figure::ALL
             .into_iter()
             .map(|figure| (figure.name().to_owned(), json!(figure.ranks(&compared))))
             .collect();
-        console::json(&json!({ "dam": 1, "by": by.name(), "laws": compared, "places": places }))?;
-    } else if args.csv {
-        console::data(&comparison_csv(&compared).map_err(|error| error.to_string())?)?;
-    } else {
-        console::data(&comparison_text(&compared, by))?;
-    }
+        json!({ "dam": 1, "by": by.name(), "laws": compared, "places": places })
+    };
+    let text = comparison_text(&compared, by);
+    let charts = [comparison_chart(&compared)];
+    let places = by.ranks(&compared);
+    let best = compared
+        .iter()
+        .zip(&places)
+        .find(|(_, place)| **place == Some(1));
+    let best = best.map_or("none", |(law, _)| law.name.as_str());
+    let doubt = match trusted {
+        true => "",
+        false => " Some runs failed their own check: see the figures.",
+    };
+    let answer = format!(
+        "Best by {}: {best}. Of {} laws.{doubt}",
+        by.name(),
+        compared.len()
+    );
+    let subtitle = format!("laws compared at {}", args.at);
+    let ready = input.prepare(&[])?;
+    let results = Results {
+        document: &document,
+        csv: comparison_csv(&compared).map_err(|error| error.to_string())?,
+        page: LawPage {
+            title: &ready.scene().name,
+            subtitle: &subtitle,
+            answer: (trusted, answer),
+            text: &text,
+            charts: &charts,
+            scene: Some(input.text()),
+            hash: &ready.scene().hash,
+            version: env!("CARGO_PKG_VERSION"),
+        },
+    };
+    files::deliver(&args.out, args.scene.quiet, &results, || {
+        match (args.scene.json, args.csv) {
+            (true, _) => console::json(&document),
+            (_, true) => console::data(&results.csv),
+            _ => console::text(&text),
+        }
+    })?;
     Ok(match (interrupted, trusted) {
         (true, _) => interrupt::status(),
         (false, true) => Status::Answered,

@@ -2,16 +2,20 @@
 
 use super::PICTURE;
 use super::args::{CycleArgs, Form};
+use super::files;
+use super::files::Results;
 use crate::analysis::cycle::cycle;
 use crate::cli::console;
 use crate::cli::failure::Failure;
 use crate::cli::input::Input;
 use crate::model::{Coordinate, NodeMotion};
-use crate::report::law::{cycle_chart, cycle_csv, cycle_text};
+use crate::report::law::{LawPage, cycle_chart, cycle_csv, cycle_parts, cycle_text, shocks_said};
+use crate::report::quantity::significant;
 use serde_json::json;
 
 pub(super) fn command(args: &CycleArgs) -> Result<(), Failure> {
-    let ready = Input::load(&args.scene)?.prepare(&[])?;
+    let input = Input::load(&args.scene)?;
+    let ready = input.prepare(&[])?;
     let model = ready.system.model();
     let wrong = |what: &str| Failure::Other(format!("--of {}: {what}", args.of));
     let part = model.objects.iter().find(|part| part.id == args.of);
@@ -34,29 +38,48 @@ pub(super) fn command(args: &CycleArgs) -> Result<(), Failure> {
         unit(part.coordinate),
         unit(model.objects[driver].coordinate),
     ];
-    if args.scene.json {
-        console::json(&json!({
-            "dam": 1, "scene": ready.scene().name, "object": part.id,
-            "units": { "displacement": units[0], "driver": units[1] }, "cycle": found
-        }))?;
-        return Ok(());
-    }
-    match args.form {
-        Form::Text => {
-            console::data(&format!(
-                "{}: {}",
-                part.id,
-                cycle_text(&found, units[0], units[1])
-            ))?;
+    let document = json!({
+        "dam": 1, "scene": ready.scene().name, "object": part.id,
+        "units": { "displacement": units[0], "driver": units[1] }, "cycle": found
+    });
+    let text = format!("{}: {}", part.id, cycle_text(&found, units[0], units[1]));
+    let csv = cycle_csv(&law.position, law.lever, units, args.samples as usize);
+    let mut charts = vec![cycle_chart(
+        &part.id,
+        &law.position,
+        law.lever,
+        &found,
+        units[1],
+    )];
+    charts.extend(cycle_parts(&law.position, law.lever, units));
+    let (sound, shocks) = shocks_said(&found.jumps);
+    let answer = format!(
+        "Greatest U″ = {} {}/{}². {shocks}",
+        significant(found.acceleration.value, 6),
+        units[0],
+        units[1]
+    );
+    let subtitle = format!("cycle of {}", part.id);
+    let results = Results {
+        document: &document,
+        csv: csv.map_err(|error| error.to_string())?,
+        page: LawPage {
+            title: &ready.scene().name,
+            subtitle: &subtitle,
+            answer: (sound, answer),
+            text: &text,
+            charts: &charts,
+            scene: Some(input.text()),
+            hash: &ready.scene().hash,
+            version: env!("CARGO_PKG_VERSION"),
+        },
+    };
+    files::deliver(&args.out, args.scene.quiet, &results, || {
+        match (args.scene.json, args.form) {
+            (true, _) => console::json(&document),
+            (_, Form::Text) => console::text(&text),
+            (_, Form::Csv) => console::data(&results.csv),
+            (_, Form::Svg) => console::data(&charts[0].svg(PICTURE.0, PICTURE.1)),
         }
-        Form::Csv => {
-            let text = cycle_csv(&law.position, law.lever, units, args.samples as usize);
-            console::data(&text.map_err(|error| error.to_string())?)?;
-        }
-        Form::Svg => {
-            let chart = cycle_chart(&part.id, &law.position, law.lever, &found, units[1]);
-            console::data(&chart.svg(PICTURE.0, PICTURE.1))?;
-        }
-    }
-    Ok(())
+    })
 }

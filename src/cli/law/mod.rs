@@ -3,16 +3,34 @@
 pub(crate) mod args;
 mod compare;
 mod cycle;
+mod files;
 mod synthesize;
 
 use super::console;
 use super::failure::Failure;
 use super::status::Status;
 use crate::fault::Fault;
-use crate::motion::{Law, LawName, RunLawName};
-use crate::object::law::{AnyLaw, any_law, run_up_law};
-use crate::report::law::{LawRow, constants_csv, constants_table, law_chart, law_csv, law_text};
-use args::{Form, LawCommand, ListArgs, ShowArgs};
+use crate::motion::Law;
+use crate::motion::LawName;
+use crate::motion::RunLawName;
+use crate::object::law::AnyLaw;
+use crate::object::law::any_law;
+use crate::object::law::run_up_law;
+use crate::report::law::LawRow;
+use crate::report::law::constants_csv;
+use crate::report::law::constants_table;
+use crate::report::law::law_chart;
+use crate::report::law::law_csv;
+use crate::report::law::law_text;
+use args::Form;
+use args::LawCommand;
+use args::ListArgs;
+use args::ShowArgs;
+use crate::report::law::LawPage;
+use crate::report::law::law_parts;
+use crate::report::law::shocks_said;
+use crate::report::quantity::significant;
+use files::Results;
 use serde_json::{Value, json};
 
 /// Size of pictures (pixels).
@@ -62,9 +80,9 @@ fn list(args: &ListArgs) -> Result<(), Failure> {
         return Ok(());
     }
     console::data("Full strokes, from rest to rest; stroke 1, duration 1\n\n")?;
-    console::data(&constants_table(&rows))?;
+    console::text(&constants_table(&rows))?;
     console::data("\nRun-ups, from rest to uniform motion; run-outs are counted backwards\n\n")?;
-    console::data(&constants_table(&run_ups))?;
+    console::text(&constants_table(&run_ups))?;
     console::data("\nNames in the guideline VDI 2143\n\n")?;
     for (row, vdi) in strokes {
         if let Some(vdi) = vdi {
@@ -104,22 +122,42 @@ fn show(args: &ShowArgs) -> Result<(), Failure> {
         constants: law.constants(),
     };
     let samples = args.form.samples as usize;
-    if args.form.json {
-        console::json(&json!({
-            "dam": 1, "law": row.name, "run_up": law.is_run_up(), "joints": law.joints(),
-            "constants": row.constants
-        }))?;
-        return Ok(());
-    }
-    match args.form.form {
-        Form::Text => console::data(&law_text(&row, &law))?,
-        Form::Csv => console::data(&law_csv(&law, samples).map_err(|error| error.to_string())?)?,
-        Form::Svg => {
-            let chart = law_chart(&row.name, &law, &row.constants);
-            console::data(&chart.svg(PICTURE.0, PICTURE.1))?;
+    let document = json!({
+        "dam": 1, "law": row.name, "run_up": law.is_run_up(), "joints": law.joints(),
+        "constants": row.constants
+    });
+    let (text, csv) = (law_text(&row, &law), law_csv(&law, samples));
+    let csv = csv.map_err(|error| error.to_string())?;
+    let mut charts = vec![law_chart(&row.name, &law, &row.constants)];
+    charts.extend(law_parts(&law));
+    let (sound, shocks) = shocks_said(&row.constants.jumps);
+    let answer = format!(
+        "Greatest acceleration C_a = {}, greatest speed C_v = {}. {shocks}",
+        significant(row.constants.acceleration.value, 6),
+        significant(row.constants.speed.value, 6)
+    );
+    let results = Results {
+        document: &document,
+        csv,
+        page: LawPage {
+            title: &row.name,
+            subtitle: &row.words,
+            answer: (sound, answer),
+            text: &text,
+            charts: &charts,
+            scene: None,
+            hash: "",
+            version: env!("CARGO_PKG_VERSION"),
+        },
+    };
+    files::deliver(&args.form.out, false, &results, || {
+        match (args.form.json, args.form.form) {
+            (true, _) => console::json(&document),
+            (_, Form::Text) => console::text(&text),
+            (_, Form::Csv) => console::data(&results.csv),
+            (_, Form::Svg) => console::data(&charts[0].svg(PICTURE.0, PICTURE.1)),
         }
-    }
-    Ok(())
+    })
 }
 
 /// Faults of arguments; their paths are names of options after `prefix`.

@@ -1,6 +1,7 @@
 //! `dam law synthesize`: a stroke of run-up, uniform section and run-out.
 
 use super::args::{Form, SynthesizeArgs};
+use super::files::{self, Results};
 use super::{PICTURE, told};
 use crate::cli::console;
 use crate::cli::failure::Failure;
@@ -8,7 +9,7 @@ use crate::fault::Fault;
 use crate::motion::stroke::{Criterion, Skewness, Stroke, StrokeFigures, StrokeSpec};
 use crate::object::law::{read_argument, run_up_law};
 use crate::read::{Bounds, Wanted};
-use crate::report::law::{stroke_chart, stroke_csv, stroke_text};
+use crate::report::law::{LawPage, stroke_chart, stroke_csv, stroke_parts, stroke_text};
 use crate::report::quantity::significant;
 use crate::units::{Quantity, parse, quantities as q};
 use serde_json::{Value, json};
@@ -41,28 +42,50 @@ pub(super) fn command(args: &SynthesizeArgs) -> Result<(), Failure> {
     };
     let stroke = Stroke::new(&spec).map_err(|faults| refused(faults, args))?;
     let words = format!("{} up, {} out", spec.run_up.words(), spec.run_out.words());
-    if args.form.json {
-        console::json(&document(&stroke, &words, unit, spec.skewness))?;
-        return Ok(());
+    let document = document(&stroke, &words, unit, spec.skewness);
+    let mut text = format!("{words}\n{}", stroke_text(&stroke, unit));
+    if let Some(changes) = against_none(&spec, &stroke) {
+        text.push_str(&changes_text(changes));
     }
-    match args.form.form {
-        Form::Text => {
-            console::data(&format!("{words}\n{}", stroke_text(&stroke, unit)))?;
-            if let Some(changes) = against_none(&spec, &stroke) {
-                console::data(&changes_text(changes))?;
-            }
-            if let Skewness::Optimum(criterion) = spec.skewness {
-                let value = criterion.of(stroke.figures());
-                console::data(&format!("  {:<28} {value:>16e}\n", "criterion"))?;
-            }
-        }
-        Form::Csv => {
-            let text = stroke_csv(&stroke, unit, args.form.samples as usize);
-            console::data(&text.map_err(|error| error.to_string())?)?;
-        }
-        Form::Svg => console::data(&stroke_chart(&words, &stroke).svg(PICTURE.0, PICTURE.1))?,
+    if let Skewness::Optimum(criterion) = spec.skewness {
+        let value = significant(criterion.of(stroke.figures()), 10);
+        text.push_str(&format!("  {:<28} {value:>16}\n", "criterion"));
     }
-    Ok(())
+    let csv = stroke_csv(&stroke, unit, args.form.samples as usize);
+    let mut charts = vec![stroke_chart(&words, &stroke)];
+    charts.extend(stroke_parts(&stroke, unit));
+    let found = stroke.figures();
+    let answer = format!(
+        "Stroke {} {unit} in {} rad, greatest speed {} {unit}/rad. Greatest Π″ {} {unit}/rad² in the \
+         run-up and {} {unit}/rad² in the run-out.",
+        significant(found.stroke, 6),
+        significant(found.span, 6),
+        significant(found.peak_speed, 6),
+        significant(found.acceleration_run_up, 6),
+        significant(found.acceleration_run_out, 6)
+    );
+    let results = Results {
+        document: &document,
+        csv: csv.map_err(|error| error.to_string())?,
+        page: LawPage {
+            title: &words,
+            subtitle: "a stroke of run-up, uniform section and run-out",
+            answer: (true, answer),
+            text: &text,
+            charts: &charts,
+            scene: None,
+            hash: "",
+            version: env!("CARGO_PKG_VERSION"),
+        },
+    };
+    files::deliver(&args.form.out, false, &results, || {
+        match (args.form.json, args.form.form) {
+            (true, _) => console::json(&document),
+            (_, Form::Text) => console::text(&text),
+            (_, Form::Csv) => console::data(&results.csv),
+            (_, Form::Svg) => console::data(&charts[0].svg(PICTURE.0, PICTURE.1)),
+        }
+    })
 }
 
 fn skewness(args: &SynthesizeArgs) -> Skewness {

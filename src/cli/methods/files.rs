@@ -6,7 +6,9 @@ use crate::cli::failure::Failure;
 use crate::cli::input::Ready;
 use crate::cli::output::ResultFile;
 use crate::report::diagram::Diagram;
-use crate::report::methods::charts::{Against, cost, regions, stable_steps, work_precision};
+use crate::report::methods::charts::{
+    Against, cost, height_of_regions, regions, stable_steps, work_precision,
+};
 use crate::report::methods::{MethodsReport, methods_csv, page, sweep_csv, sweep_page};
 
 /// Files of a study.
@@ -63,7 +65,10 @@ pub(super) fn of_sweep(
     let mut files = vec![
         ResultFile::new(OF_SWEEP[0], document(sweep)?),
         ResultFile::new(OF_SWEEP[1], csv),
-        ResultFile::new(OF_SWEEP[2], regions(sweep).svg(SIZE.0)),
+        ResultFile::new(
+            OF_SWEEP[2],
+            regions(sweep).svg(SIZE.0, height_of_regions(sweep)),
+        ),
     ];
     let charts = [
         (OF_SWEEP[3], cost(sweep)),

@@ -77,7 +77,7 @@ fn show(
 ) -> Result<(), Failure> {
     match args.scene.json {
         true => console::json(document),
-        false => console::data(&text()),
+        false => console::text(&text()),
     }
 }
 

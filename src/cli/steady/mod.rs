@@ -216,8 +216,8 @@ fn show(args: &SteadyArgs, answered: &Answered<'_>, csv: &str) -> Result<(), Fai
             let why = "only machines with rigid objects have an energy-mass diagram";
             Err(Failure::Other(why.to_owned()))
         }
-        (Form::Text, Some(shown), _) => console::data(&rigid_text(shown)),
-        (Form::Text, None, Some(answer)) => console::data(&periodic_text(answered.title, answer)),
+        (Form::Text, Some(shown), _) => console::text(&rigid_text(shown)),
+        (Form::Text, None, Some(answer)) => console::text(&periodic_text(answered.title, answer)),
         (Form::Text, None, None) => Ok(()),
     }
 }

@@ -3,7 +3,7 @@
 use super::page::sampled;
 use crate::analysis::cam::{CamFigures, CamForce};
 use crate::cam::{CamState, DiscCam};
-use crate::report::svg::chart::{Axis, Chart, Curve};
+use crate::report::plot::{Axis, Look, Mark, Plot, Series};
 
 /// Radii beyond this multiple of the prime circle are not drawn.
 const FAR: f64 = 6.0;
@@ -14,15 +14,15 @@ pub(super) fn charts(
     cam: &DiscCam,
     figures: &CamFigures,
     force: Option<&CamForce<'_>>,
-) -> Vec<Chart> {
+) -> Vec<Plot> {
     let places = sampled(cam);
     let states: Vec<CamState> = places
         .iter()
         .map(|&(piece, phi)| cam.at(&cam.motion().pieces()[piece], phi))
         .collect();
-    let curve = |label: &str, f: &dyn Fn(&CamState) -> f64| Curve {
-        label: label.to_owned(),
-        points: states.iter().map(|s| (s.phi.to_degrees(), f(s))).collect(),
+    let curve = |label: &str, f: &dyn Fn(&CamState) -> f64| {
+        let points = states.iter().map(|s| (s.phi.to_degrees(), f(s)));
+        Series::line(label, points.collect())
     };
     let unit = figures.unit;
     let speed = force.map(CamForce::speed);
@@ -80,39 +80,36 @@ pub(super) fn charts(
             };
             places.iter().map(at).collect()
         };
-        let plain = |points| Curve {
-            label: String::new(),
-            points,
-        };
+        let plain = |points| Series::line("", points);
         list.push(over("Contact force", "N", vec![plain(column(1))]));
         list.push(over("Torque of the cam", "N m", vec![plain(column(2))]));
     }
     list
 }
 
-fn over(title: &str, unit: &str, curves: Vec<Curve>) -> Chart {
-    Chart {
+fn over(title: &str, unit: &str, curves: Vec<Series>) -> Plot {
+    Plot {
         title: title.to_owned(),
-        unit: unit.to_owned(),
-        curves,
-        shaded: Vec::new(),
-        horizontal: Axis {
-            symbol: "φ".to_owned(),
-            unit: "deg".to_owned(),
-        },
+        y: Axis::of(unit),
+        series: curves,
+        x: Axis::new("φ", "deg"),
+        ..Plot::default()
     }
 }
 
-type Drawn<'a> = dyn Fn(&str, &dyn Fn(&CamState) -> f64) -> Curve + 'a;
+type Drawn<'a> = dyn Fn(&str, &dyn Fn(&CamState) -> f64) -> Series + 'a;
 
-fn pressure(cam: &DiscCam, figures: &CamFigures, curve: &Drawn<'_>) -> Chart {
+fn pressure(cam: &DiscCam, figures: &CamFigures, curve: &Drawn<'_>) -> Plot {
     let (from, to) = cam.motion().range();
-    let line = |label: &str, angle: f64| Curve {
-        label: label.to_owned(),
-        points: vec![
-            (from.to_degrees(), angle.to_degrees()),
-            (to.to_degrees(), angle.to_degrees()),
-        ],
+    let line = |label: &str, angle: f64| Series {
+        look: Look::Theory,
+        ..Series::line(
+            label,
+            vec![
+                (from.to_degrees(), angle.to_degrees()),
+                (to.to_degrees(), angle.to_degrees()),
+            ],
+        )
     };
     let limits = figures.limits;
     let mut curves = vec![curve("pressure angle", &|s| s.pressure_angle.to_degrees())];
@@ -121,7 +118,7 @@ fn pressure(cam: &DiscCam, figures: &CamFigures, curve: &Drawn<'_>) -> Chart {
     over("Pressure angle", "deg", curves)
 }
 
-fn radii(cam: &DiscCam, curve: &Drawn<'_>) -> Chart {
+fn radii(cam: &DiscCam, curve: &Drawn<'_>) -> Plot {
     let far = FAR * cam.geometry().prime_radius();
     let near = |radius: f64| {
         if radius.abs() <= far {
@@ -138,7 +135,7 @@ fn radii(cam: &DiscCam, curve: &Drawn<'_>) -> Chart {
 }
 
 /// The least preload over the rate, and the spring of the scene.
-pub(super) fn springs(figures: &CamFigures) -> Option<Chart> {
+pub(super) fn springs(figures: &CamFigures) -> Option<Plot> {
     let force = figures.force.as_ref()?;
     let answer = force.closing.as_ref()?;
     let points = |list: &[[f64; 2]]| {
@@ -147,38 +144,19 @@ pub(super) fn springs(figures: &CamFigures) -> Option<Chart> {
             .collect()
     };
     let spring = force.spring;
-    let size = answer.boundary.last().map_or(1.0, |last| last[0]) / 60.0;
-    let height = answer
-        .boundary
-        .iter()
-        .fold(spring.preload.abs(), |most, p| most.max(p[1].abs()))
-        / 30.0;
-    let (c, p) = (spring.rate, spring.preload);
-    let cross = vec![
-        (c - size, p),
-        (c + size, p),
-        (f64::NAN, f64::NAN),
-        (c, p - height),
-        (c, p + height),
-    ];
     let unit = if force.unit == "N" { "N/m" } else { "N m/rad" };
-    Some(Chart {
+    Some(Plot {
         title: "Least preload".to_owned(),
-        unit: force.unit.to_owned(),
-        curves: vec![
-            Curve {
-                label: "least preload with the reserve".to_owned(),
-                points: points(&answer.boundary),
-            },
-            Curve {
-                label: "spring of the scene".to_owned(),
-                points: cross,
+        y: Axis::of(force.unit),
+        series: vec![
+            Series::line("least preload with the reserve", points(&answer.boundary)),
+            Series {
+                look: Look::Points,
+                marks: vec![Mark::default()],
+                ..Series::line("spring of the scene", vec![(spring.rate, spring.preload)])
             },
         ],
-        shaded: Vec::new(),
-        horizontal: Axis {
-            symbol: "rate".to_owned(),
-            unit: unit.to_owned(),
-        },
+        x: Axis::new("rate", unit),
+        ..Plot::default()
     })
 }

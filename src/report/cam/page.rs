@@ -8,9 +8,9 @@ use super::view::{View, view};
 use super::{NamedCurve, charts};
 use crate::analysis::cam::{CamFigures, CamForce};
 use crate::cam::DiscCam;
-use crate::report::html::data::PlotData;
 use crate::report::html::player::{Coordinates, Player, Reading, RowAxis, Shown, short};
-use crate::report::html::{facts, header, scene, shell};
+use crate::report::html::{bar, facts, header, scene, shell};
+use crate::report::plot::Plots;
 use crate::report::quantity::escape;
 use crate::report::verdict::{Sort, Verdict};
 use std::fmt::Write as _;
@@ -50,18 +50,13 @@ pub fn page(report: &CamReport<'_>) -> String {
     let title = format!("{}: the cam of {}", report.name, report.id);
     let subtitle = describe(report.cam.geometry());
     let mut body = header(&title, &subtitle, Some(&verdict(report)));
-    let _ = write!(
-        body,
-        "<style>\n{}\n\
-         .charts{{display:grid;grid-template-columns:repeat(auto-fit,minmax(420px,1fr));gap:8px 20px}}\
-         .charts svg{{width:100%;height:auto}}</style>\n<main>\n",
-        style()
-    );
+    let _ = write!(body, "<style>\n{}\n</style>\n<main>\n", style());
     body.push_str(&notes(report));
     body.push_str(&turning(report));
     let rows: Vec<(&str, String)> = cam_facts(report.cam, report.figures);
     let _ = write!(body, "<h2>Figures</h2>\n{}", facts(&rows));
-    body.push_str(&diagrams(report));
+    let mut plots = Plots::default();
+    body.push_str(&diagrams(report, &mut plots));
     body.push_str(&scene(report.scene));
     let points: usize = report
         .curves
@@ -85,7 +80,7 @@ pub fn page(report: &CamReport<'_>) -> String {
         "</main>\n<footer>\n<h2>Provenance</h2>\n{}</footer>\n",
         facts(&rows)
     );
-    shell(&title, &body, &PlotData::new(&[]).json())
+    shell(&title, &body, &plots.json())
 }
 
 fn verdict(report: &CamReport<'_>) -> Verdict {
@@ -146,22 +141,24 @@ fn turning(report: &CamReport<'_>) -> String {
     )
 }
 
-fn diagrams(report: &CamReport<'_>) -> String {
-    let pictures: String = charts::charts(report.cam, report.figures, report.force)
-        .into_iter()
-        .map(|chart| {
-            let svg = chart.svg(560.0, 300.0);
-            format!("<div class=\"over-angle\">{svg}</div>\n")
-        })
-        .collect();
+fn diagrams(report: &CamReport<'_>, plots: &mut Plots) -> String {
+    let charts = charts::charts(report.cam, report.figures, report.force);
+    let rows = charts.len().div_ceil(2);
+    let mut pictures = String::new();
+    for chart in &charts {
+        pictures.push_str(&plots.figure(chart, [579.0, 300.0], "turn"));
+    }
     let springs = charts::springs(report.figures).map_or(String::new(), |chart| {
         format!(
-            "<h2>Closing spring</h2>\n<div class=\"graph scroll\">{}</div>\n<p class=\"soft\">Springs \
+            "<h2>Closing spring</h2>\n{}<p class=\"soft\">Springs \
              above the line leave the reserve in contact at this speed.</p>\n",
-            chart.svg(760.0, 340.0)
+            plots.figure(&chart, [1184.0, 340.0], "")
         )
     });
-    format!("<h2>Over the turn</h2>\n<div class=\"charts\">\n{pictures}</div>\n{springs}")
+    format!(
+        "<h2>Over the turn</h2>\n{}<div class=\"plots\" style=\"--rows:{rows}\">\n{pictures}</div>\n{springs}",
+        bar("turn")
+    )
 }
 
 /// What the player moves: cam and follower, and readings over the turn.
@@ -232,13 +229,14 @@ fn player(report: &CamReport<'_>, view: &View) -> Player {
             closed: cam.motion().is_closed(),
         }),
         seconds: SECONDS,
+        scale: Some([1.0 / view.scale, view.origin[0], view.origin[1]]),
+        names: vec!["cam".to_owned(), "follower".to_owned()],
         readings: readings.collect(),
         columns: vec![
-            Coordinates::Own { values: places },
-            Coordinates::Own { values: lift },
+            Coordinates::Own { own: places },
+            Coordinates::Own { own: lift },
         ],
         bodies: bodies(cam, view, 0, &follower).into(),
-        charts: Some(".charts"),
         ..Player::default()
     }
 }

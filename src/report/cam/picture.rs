@@ -5,8 +5,7 @@ use super::NamedCurve;
 use super::view::{Mover, View, mover, parts, rim_radius, view};
 use crate::cam::{Contact, DiscCam, Guide, Surface};
 use crate::report::html::player::{Body, Shown};
-use crate::report::quantity::escape;
-use crate::report::svg::without_variables;
+use crate::report::plot::document;
 use std::fmt::Write as _;
 
 const STYLE: &str = "\
@@ -33,15 +32,8 @@ pub(in crate::report) fn drawn(cam: &DiscCam) -> Vec<NamedCurve> {
 pub fn picture(title: &str, cam: &DiscCam, phi: f64) -> String {
     let curves = drawn(cam);
     let view = view(cam, &curves);
-    let [w, h] = view.size.map(short);
-    format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {w} {h}\" width=\"{w}\" \
-         height=\"{h}\" role=\"img\" aria-label=\"{}\">\n<style>{}</style>\n\
-         <rect width=\"{w}\" height=\"{h}\" fill=\"#fff\"/>\n{}</svg>\n",
-        escape(title),
-        without_variables(STYLE),
-        drawing(cam, &curves, &view, phi, None)
-    )
+    let body = drawing(cam, &curves, &view, phi, None);
+    document("cam", view.size, title, STYLE, &body)
 }
 
 /// The cam at φ as part 0 of a picture and its follower as part 1; with `beside`, an
@@ -301,5 +293,5 @@ pub(in crate::report) fn style() -> &'static str {
 }
 
 pub(super) fn short(value: f64) -> String {
-    crate::report::svg::coordinate(value)
+    crate::report::plot::coordinate(value)
 }

@@ -3,13 +3,13 @@
 use super::ForcesReport;
 use crate::analysis::forces::{Column, columns};
 use crate::math::order::by_first;
+use crate::report::plot::{Axis, Band, Plot, Series};
 use crate::report::quantity::significant;
-use crate::report::svg::chart::{Axis, Chart, Curve};
 
 /// A group of charts under a heading.
 pub(super) struct Group {
     pub(super) title: &'static str,
-    pub(super) charts: Vec<Chart>,
+    pub(super) charts: Vec<Plot>,
 }
 
 /// All curves over the course.
@@ -103,7 +103,7 @@ fn over_course(
     all: &[Column],
     title: &str,
     names: &[(String, &str)],
-) -> Chart {
+) -> Plot {
     let study = report.study;
     let mut unit = String::new();
     let mut curves = Vec::new();
@@ -121,20 +121,18 @@ fn over_course(
             })
             .collect();
         unit.clone_from(&column.unit);
-        curves.push(Curve {
-            label: (*label).to_owned(),
-            points,
-        });
+        curves.push(Series::line(label, points));
     }
-    Chart {
+    Plot {
         title: title.to_owned(),
-        unit,
-        curves,
-        shaded: shaded(report),
-        horizontal: Axis {
-            symbol: if report.over_time() { "t" } else { "q" }.to_owned(),
-            unit: report.axis_unit().to_owned(),
-        },
+        y: Axis::of(&unit),
+        series: curves,
+        bands: Band::plain(shaded(report)),
+        x: Axis::new(
+            if report.over_time() { "t" } else { "q" },
+            report.axis_unit(),
+        ),
+        ..Plot::default()
     }
 }
 
@@ -147,7 +145,7 @@ fn shaded(report: &ForcesReport<'_>) -> Vec<[f64; 2]> {
 }
 
 /// χ against i; without masses and friction the line of slope ∓1.
-pub fn ratio_chart(report: &ForcesReport<'_>) -> Option<Chart> {
+pub fn ratio_chart(report: &ForcesReport<'_>) -> Option<Plot> {
     let study = report.study;
     study.settings.output?;
     let point = |forces: &crate::analysis::forces::Forces| {
@@ -183,33 +181,24 @@ pub fn ratio_chart(report: &ForcesReport<'_>) -> Option<Chart> {
         let column = all.into_iter().find(|column| column.name == name);
         column.map_or(String::new(), |column| column.unit)
     };
-    Some(Chart {
+    Some(Plot {
         title: format!(
             "χ against i, convention `{}`",
             study.settings.convention.name()
         ),
-        unit: unit("chi"),
-        curves: vec![
-            Curve {
-                label: "with friction and masses".to_owned(),
-                points,
-            },
-            Curve {
-                label: "without".to_owned(),
-                points: ideal,
-            },
+        y: Axis::of(&unit("chi")),
+        series: vec![
+            Series::line("with friction and masses", points),
+            Series::line("without", ideal),
         ],
-        horizontal: Axis {
-            symbol: "i".to_owned(),
-            unit: unit("ratio"),
-        },
-        ..Chart::default()
+        x: Axis::new("i", &unit("ratio")),
+        ..Plot::default()
     })
 }
 
 /// χ over the input coordinate without masses and for each m·ω²/P; `None`
 /// where the comparison was not asked for.
-pub fn massless_chart(report: &ForcesReport<'_>) -> Option<Chart> {
+pub fn massless_chart(report: &ForcesReport<'_>) -> Option<Plot> {
     let found = report.massless?;
     let study = report.study;
     let all = columns(&study.linkage, study.settings.output);
@@ -223,29 +212,23 @@ pub fn massless_chart(report: &ForcesReport<'_>) -> Option<Chart> {
         }
         points
     };
-    let without = Curve {
-        label: "massless".to_owned(),
-        points: points(&found.massless),
-    };
-    let with = found.points.iter().map(|point| Curve {
-        label: format!(
+    let without = Series::line("massless", points(&found.massless));
+    let with = found.points.iter().map(|point| {
+        let label = format!(
             "m·ω²/P = {}: {} %",
             significant(point.parameter, 4),
             significant(100.0 * point.deviation, 2)
-        ),
-        points: points(&point.chi),
+        );
+        Series::line(&label, points(&point.chi))
     });
-    Some(Chart {
+    Some(Plot {
         title: format!(
             "Dynamic transmission ratio χ without masses and with them, convention `{}`",
             study.settings.convention.name()
         ),
-        unit: unit.map_or(String::new(), |column| column.unit),
-        curves: std::iter::once(without).chain(with).collect(),
-        horizontal: Axis {
-            symbol: "q".to_owned(),
-            unit: report.axis_unit().to_owned(),
-        },
-        ..Chart::default()
+        y: Axis::of(&unit.map_or(String::new(), |column| column.unit)),
+        series: std::iter::once(without).chain(with).collect(),
+        x: Axis::new("q", report.axis_unit()),
+        ..Plot::default()
     })
 }

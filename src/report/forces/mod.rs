@@ -4,7 +4,6 @@ mod charts;
 mod csv;
 mod document;
 mod drawing;
-mod hodograph;
 mod page;
 mod text;
 
@@ -12,7 +11,6 @@ pub use charts::{massless_chart, ratio_chart};
 pub use csv::forces_csv;
 pub use document::document;
 pub use drawing::drawing;
-pub use hodograph::Hodograph;
 pub use page::page;
 pub use text::text;
 

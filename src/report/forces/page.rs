@@ -2,17 +2,18 @@
 
 use super::charts::{groups, massless_chart, ratio_chart};
 use super::text::verdict;
-use super::{ForcesReport, Hodograph, drawing, shown};
+use super::{ForcesReport, drawing, shown};
 use crate::analysis::forces::Extreme;
-use crate::report::html::data::PlotData;
-use crate::report::html::{facts, header, scene, shell, warnings};
+use crate::report::html::{bar, facts, header, scene, shell, warnings};
+use crate::report::plot::{Plots, page::hodograph};
 use crate::report::quantity::{escape, significant};
+use crate::report::verdict::{Sort, Verdict};
 use std::fmt::Write as _;
 
 /// Sizes of pictures (pixels).
-const PLOT: (f64, f64) = (590.0, 300.0);
-const WIDE: (f64, f64) = (1000.0, 420.0);
-const POLAR: f64 = 330.0;
+const PLOT: [f64; 2] = [579.0, 300.0];
+const WIDE: [f64; 2] = [1184.0, 420.0];
+const POLAR: [f64; 2] = [360.0, 370.0];
 /// Most points of a hodograph.
 const MOST_POINTS: usize = 2000;
 
@@ -20,7 +21,7 @@ const MOST_POINTS: usize = 2000;
 pub fn page(report: &ForcesReport<'_>) -> String {
     let study = report.study;
     let subtitle = format!("forces of {}, {}", report.object, report.motion);
-    let mut body = header(report.name, &subtitle, None);
+    let mut body = header(report.name, &subtitle, Some(&answer(report)));
     body.push_str("<main>\n");
     body.push_str(&warnings(report.warnings));
     if study.solved().next().is_some() {
@@ -33,24 +34,26 @@ pub fn page(report: &ForcesReport<'_>) -> String {
     }
     body.push_str(&zones(report));
     body.push_str(&cycle(report));
+    let mut plots = Plots::default();
     if let Some(chart) = ratio_chart(report) {
         let _ = writeln!(
             body,
-            "<h2>Transmission</h2>\n<div class=\"graph\">{}</div>",
-            chart.svg(WIDE.0, WIDE.1)
+            "<h2>Transmission</h2>\n{}",
+            plots.figure(&chart, WIDE, "")
         );
     }
-    body.push_str(&massless(report));
-    body.push_str(&hodographs(report));
+    body.push_str(&massless(report, &mut plots));
+    body.push_str(&hodographs(report, &mut plots));
     for group in groups(report) {
-        let charts = group.charts.iter().filter(|chart| !chart.curves.is_empty());
+        let charts = group.charts.iter().filter(|chart| !chart.series.is_empty());
         let charts: Vec<String> = charts
-            .map(|chart| format!("<div class=\"graph\">{}</div>\n", chart.svg(PLOT.0, PLOT.1)))
+            .map(|chart| plots.figure(chart, PLOT, "course"))
             .collect();
         let _ = writeln!(
             body,
-            "<h2>{}</h2>\n<div class=\"plots\" style=\"--rows:{}\">\n{}</div>",
+            "<h2>{}</h2>\n{}<div class=\"plots\" style=\"--rows:{}\">\n{}</div>",
             group.title,
+            bar("course"),
             charts.len().div_ceil(2),
             charts.concat()
         );
@@ -59,28 +62,62 @@ pub fn page(report: &ForcesReport<'_>) -> String {
     body.push_str(&scene(report.scene));
     body.push_str("</main>\n");
     body.push_str(&footer(report));
-    shell(report.name, &body, &PlotData::new(&[]).json())
+    shell(report.name, &body, &plots.json())
 }
 
-fn hodographs(report: &ForcesReport<'_>) -> String {
+/// Between what the driving force lies, and whether the balance of power closes.
+fn answer(report: &ForcesReport<'_>) -> Verdict {
+    let study = report.study;
+    let solved = study.solved().count();
+    let drive = study.extremes.iter().find(|found| found.name == "drive");
+    let headline = match drive {
+        Some(drive) => {
+            let end = |end: &Extreme| report.extreme(end, &drive.unit)[0].trim().to_owned();
+            format!(
+                "Driving force from {} to {}.",
+                end(&drive.least),
+                end(&drive.greatest)
+            )
+        }
+        None => "No position has forces.".to_owned(),
+    };
+    let missing = study.rows.len().saturating_sub(solved);
+    let balance = study.worst_balance();
+    let mut text = format!("The balance of power closes to {}", significant(balance, 2));
+    if missing > 0 {
+        let _ = write!(
+            text,
+            "; {missing} of {} positions have no forces",
+            study.rows.len()
+        );
+    }
+    let sort = match (missing, balance < 1e-6) {
+        (_, false) => Sort::Numerical,
+        (0, _) => Sort::Good,
+        _ => Sort::Mechanism,
+    };
+    Verdict::answer(sort, headline, text + ".")
+}
+
+fn hodographs(report: &ForcesReport<'_>, plots: &mut Plots) -> String {
     let study = report.study;
     let mut out = String::from(
         "<h2>Hodographs</h2>\n<p class=\"soft\">The tip of each force over the course; the dot is \
-         the first position.</p>\n<div style=\"display:flex;flex-wrap:wrap;gap:12px\">\n",
+         the first position.</p>\n<div class=\"round\">\n",
     );
     let stride = study.rows.len().div_ceil(MOST_POINTS).max(1);
     for (index, pair) in study.linkage.pairs.iter().enumerate() {
         let vectors = study.rows.iter().step_by(stride).map(|row| {
             let forces = row.forces.as_ref();
-            forces.map_or([f64::NAN; 2], |forces| forces.pairs[index].force)
+            let [x, y] = forces.map_or([f64::NAN; 2], |forces| forces.pairs[index].force);
+            (x, y)
         });
-        let plot = Hodograph {
-            title: format!("Force in {}", pair.name),
-            unit: "N".to_owned(),
-            vectors: vectors.collect(),
-            closed: study.course.is_closed(),
-        };
-        let _ = writeln!(out, "<div class=\"graph\">{}</div>", plot.svg(POLAR));
+        let mut vectors: Vec<(f64, f64)> = vectors.collect();
+        if study.course.is_closed() {
+            vectors.extend(vectors.first().copied());
+        }
+        let plot = hodograph(&format!("Force in {}", pair.name), "N", vectors);
+        out.push_str(&plots.figure(&plot, POLAR, ""));
     }
     out.push_str("</div>\n");
     out
@@ -134,19 +171,22 @@ fn cycle(report: &ForcesReport<'_>) -> String {
         );
         rows.push(("Best counterweight", text));
     }
-    rows.push(("Power balance", format!("to {:.1e}", study.worst_balance())));
-    let influence = format!("to {:.1e}", study.worst_influence());
+    rows.push((
+        "Power balance",
+        format!("to {}", significant(study.worst_balance(), 2)),
+    ));
+    let influence = format!("to {}", significant(study.worst_influence(), 2));
     rows.push(("Influence coefficients", influence));
     format!("<h2>Figures</h2>\n{}", facts(&rows))
 }
 
-fn massless(report: &ForcesReport<'_>) -> String {
+fn massless(report: &ForcesReport<'_>, plots: &mut Plots) -> String {
     let (Some(found), Some(chart)) = (report.massless, massless_chart(report)) else {
         return String::new();
     };
     format!(
-        "<h2>Massless against full model</h2>\n<div class=\"graph\">{}</div>\n<p>{}</p>\n",
-        chart.svg(WIDE.0, WIDE.1),
+        "<h2>Massless against full model</h2>\n{}<p>{}</p>\n",
+        plots.figure(&chart, WIDE, ""),
         escape(&verdict(found))
     )
 }

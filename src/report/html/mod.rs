@@ -1,20 +1,20 @@
 //! Pages that open without a network: style, script and data are in them.
 
-pub mod data;
 pub(in crate::report) mod player;
+pub mod runs;
 pub mod tables;
 
 use crate::record::{Figures, Record};
 use crate::report::diagram::Diagram;
 use crate::report::machine::Machine;
 use crate::report::mechanism;
+use crate::report::plot::{Plots, page::SCRIPT, palette};
 use crate::report::quantity::{escape, significant, with_unit};
 use crate::report::svg::graph;
 use crate::report::verdict::{Sort, Verdict, verdict};
-use data::{PlotData, RunSeries};
+use runs::RunSeries;
 
 const STYLE: &str = include_str!("style.css");
-const SCRIPT: &str = include_str!("script.js");
 const PLAYER: &str = include_str!("player.js");
 
 /// Everything that goes into the page of one run.
@@ -42,14 +42,13 @@ pub fn page(report: &RunReport<'_>) -> String {
         label: String::new(),
         record: &record,
     }];
-    let plots = PlotData::new(&series);
+    let mut plots = Plots::default();
     let mut body = header(&figures.scene, &subtitle(figures), Some(&verdict(figures)));
     body.push_str("<main>\n");
     body.push_str(&warnings(&figures.warnings));
     body.push_str(&mechanism(report.diagram));
     if let Some(machine) = &report.machine {
-        let place = |id: &str| plots.place(id);
-        body.push_str(&machine.section(figures, report.record, &place));
+        body.push_str(&machine.section(figures, &record, &mut plots));
     }
     body.push_str("<h2>Figures</h2>\n");
     body.push_str(&tables::figures(figures));
@@ -58,7 +57,7 @@ pub fn page(report: &RunReport<'_>) -> String {
     body.push_str(&window_note(figures, record.times.len()));
     for one in &report.diagram.boxes {
         let kind = format!("{}, {}", one.kind.replace('_', " "), one.detail);
-        body.push_str(&plots.section(&one.id, &kind));
+        body.push_str(&runs::section(&mut plots, &series, &one.id, &kind));
     }
     body.push_str(&tables::switches(report.record, figures));
     body.push_str(&tables::statistics(figures));
@@ -83,10 +82,12 @@ pub(in crate::report) fn shell(title: &str, body: &str, data: &str) -> String {
          <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; \
          style-src 'unsafe-inline'; script-src 'unsafe-inline'\">\n\
          <meta name=\"generator\" content=\"dam\">\n\
-         <title>{}</title>\n<style>\n{STYLE}{moving}</style>\n</head>\n<body>\n{body}\
+         <title>{}</title>\n<style>\n{}{}{STYLE}{moving}</style>\n</head>\n<body>\n{body}\
          <script id=\"data\" type=\"application/json\">{data}</script>\n\
          <script>\n{SCRIPT}</script>\n{player}</body>\n</html>\n",
-        escape(title)
+        escape(title),
+        palette::of_page(),
+        palette::STYLE,
     )
 }
 
@@ -95,8 +96,8 @@ pub(in crate::report) fn header(title: &str, subtitle: &str, verdict: Option<&Ve
     let verdict = verdict.map_or(String::new(), verdict_banner);
     format!(
         "<header>\n<h1>{}</h1>\n<p class=\"subtitle\">{}</p>\n{verdict}</header>\n\
-         <noscript><main><p>The plots of this page are drawn by a small script, which is \
-         switched off here; figures and tables are complete.</p></main></noscript>\n",
+         <noscript><main><p>The small script that zooms the plots of this page and moves its \
+         drawings is switched off here; everything is shown all the same.</p></main></noscript>\n",
         escape(title),
         escape(subtitle)
     )
@@ -124,6 +125,11 @@ fn subtitle(figures: &Figures) -> String {
         if count == 1 { "object" } else { "objects" },
         figures.run.method
     )
+}
+
+/// The place of the buttons that zoom the charts of a link, and of words on how.
+pub(in crate::report) fn bar(link: &str) -> String {
+    format!("<div class=\"bar\" data-zoom=\"{}\"></div>\n", escape(link))
 }
 
 /// The list of warnings; nothing without any.

@@ -4,26 +4,15 @@
 // table over a coordinate, a turn or a slide by a coordinate. The player follows the
 // cursor of the charts, and the charts' cursors follow the player.
 (() => {
-  const SVG = "http://www.w3.org/2000/svg";
-  const page = JSON.parse(document.getElementById("data").textContent);
-  const minus = (text) => text.replace(/-/g, "−");
+  const { minus, significant } = numbers;
 
   // A coordinate over the rows, and its deviation from the law.
   function column(given) {
-    if (given.group === undefined) return { values: given.values, deviation: null };
-    const panels = page.groups[given.group].panels;
-    const of = (quantity) => {
-      const panel = panels.find((one) => one.quantity === quantity);
-      return panel ? panel.series[0].values : null;
-    };
-    return { values: of("displacement"), deviation: of("delta") };
+    if (given.own) return { values: given.own, deviation: null };
+    return { values: page.columns[given.values], deviation: given.deviation === null ? null : page.columns[given.deviation] };
   }
 
-  const number = (value) => {
-    if (value === null || !isFinite(value)) return "–";
-    const size = Math.abs(value);
-    return minus(size !== 0 && (size < 1e-3 || size >= 1e6) ? value.toExponential(3) : String(+value.toPrecision(5)));
-  };
+  const number = (value) => significant(value, 5);
 
   // Between two rows, or at the nearer one where the other has no value.
   function between(values, place) {
@@ -49,7 +38,11 @@
 
   function player(figure) {
     const data = JSON.parse(document.getElementById(`${figure.id}-data`).textContent);
-    const axis = data.axis || { name: "t", unit: "s", values: page.times[0], times: page.times[0], closed: false };
+    const clockwork = data.times === null ? null : page.columns[data.times];
+    const axis = data.axis || { name: "t", unit: "s", values: clockwork, times: clockwork, closed: false };
+    // The charts whose horizontal axis this one is.
+    const over = page.plots.map((plot) => plot.x).find((x) => x.unit === axis.unit);
+    const key = over ? `${over.name} ${over.unit}` : null;
     const { values, times, closed } = axis, count = values.length;
     if (!count) return;
     const columns = data.columns.map(column);
@@ -67,6 +60,7 @@
     });
     const sets = data.sets.map((_, index) => figure.querySelector(`[data-set="${index}"]`));
     const words = [...figure.querySelectorAll("[data-column]")];
+    let poses = [];
     const cells = data.readings.map((reading) => {
       const list = figure.querySelector(".readings"), name = document.createElement("dt"), value = document.createElement("dd");
       name.textContent = reading.name;
@@ -95,28 +89,9 @@
       return pose(body.table, share * (body.table.length / 4 - 1));
     }
 
-    // Lines at the present place in the charts drawn beforehand.
-    const charts = data.charts ? [...document.querySelectorAll(`${data.charts} svg[data-frame]`)] : [];
-    const lines = charts.map((svg) => {
-      const [left, top, width, height, from, to] = svg.dataset.frame.split(" ").map(Number);
-      const line = document.createElementNS(SVG, "path");
-      line.setAttribute("class", "now");
-      svg.append(line);
-      const box = () => svg.getBoundingClientRect();
-      svg.addEventListener("pointermove", (event) => {
-        if (playing) return;
-        const x = (event.clientX - box().left) * svg.viewBox.baseVal.width / box().width;
-        goTo(from + Math.min(1, Math.max(0, (x - left) / width)) * (to - from));
-      });
-      return (value) => {
-        const x = left + (value - from) / (to - from) * width;
-        line.setAttribute("d", x >= left - 0.5 && x <= left + width + 0.5 ? `M${x} ${top}v${height}` : "");
-      };
-    });
-
     function show(at) {
       place = at;
-      const poses = data.bodies.map((body) => placed(body, at));
+      poses = data.bodies.map((body) => placed(body, at));
       for (const drawing of drawings) {
         for (const { node, body } of drawing.links) {
           const pose = poses[body];
@@ -150,7 +125,6 @@
         cells[index].textContent = value === null ? "straight" : `${number(value)} ${reading.unit}`;
       });
       const value = between(values, at);
-      lines.forEach((line) => line(value));
       slider.value = data.axis ? at : clockAt(at);
       reading.textContent = minus(`${axis.name} ${data.axis ? +value.toPrecision(6) : number(value)} ${axis.unit}`);
       return value;
@@ -168,7 +142,7 @@
       return span === 0 ? low : low + Math.min(1, Math.max(0, (value - values[low]) / span));
     }
     const goTo = (value) => show(rowOf(value));
-    const tell = (value) => { if (!data.axis) document.dispatchEvent(new CustomEvent("instant", { detail: { time: value, by: "player" } })); };
+    const tell = (value) => { if (key) document.dispatchEvent(new CustomEvent("instant", { detail: { axis: key, value, by: "player" } })); };
 
     // Where the times say nothing, rows follow each other evenly.
     const timed = times.length === count && times.every((t, i) => t !== null && (i === 0 || t >= times[i - 1])) && times[count - 1] > times[0];
@@ -223,7 +197,30 @@
     };
     data.sets.forEach((set, index) => check(set.caption, set.shown, (on) => sets[index].setAttribute("visibility", on ? "visible" : "hidden")));
     if (figure.querySelector("[data-path]")) check("paths", true, (on) => figure.querySelectorAll("[data-path]").forEach((node) => node.setAttribute("visibility", on ? "visible" : "hidden")));
-    if (!data.axis) document.addEventListener("instant", (event) => { if (event.detail.by !== "player" && !playing) goTo(event.detail.time); });
+    document.addEventListener("instant", (event) => {
+      const { axis: told, value, by } = event.detail;
+      if (by !== "player" && told === key && value !== null && !playing) goTo(value);
+    });
+    // What the pointer rests on: the part with its place and angle, or its displacement.
+    for (const [index, svg] of [...figure.querySelectorAll("svg.mechanism")].entries()) {
+      svg.addEventListener("pointermove", (event) => {
+        const node = event.target.closest("[data-link]"), drawing = drawings[index];
+        const link = node && drawing.links.find((one) => one.node === node), body = link && data.bodies[link.body], pose = link && poses[link.body];
+        const name = link ? data.names[link.body] : null, lines = [];
+        if (name) lines.push(name);
+        if (data.scale) {
+          const [metres, x0, y0] = data.scale, point = new DOMPoint(event.clientX, event.clientY).matrixTransform(svg.getScreenCTM().inverse());
+          const length = (pixels) => numbers.withUnit(pixels * metres, "m", 4);
+          if (pose) lines.push(`origin (${length(pose[0] - x0)}, ${length(y0 - pose[1])}), angle ${significant(Math.atan2(pose[3], pose[2]) * 180 / Math.PI, 5)}°`);
+          lines.push(`pointer (${length(point.x - x0)}, ${length(y0 - point.y)})`);
+        } else if (body && body.column !== undefined) {
+          const word = words.find((one) => +one.dataset.column === body.column);
+          if (word) lines.push(word.textContent);
+        }
+        pointed(event, lines);
+      });
+      svg.addEventListener("pointerleave", (event) => pointed(event, null));
+    }
     show(0);
   }
   document.querySelectorAll("figure.moving").forEach(player);

@@ -26,9 +26,14 @@ pub(in crate::report) struct Player {
     pub(in crate::report) readings: Vec<Reading>,
     /// How deflections are magnified, where some are shown.
     pub(in crate::report) magnify: Option<Magnify>,
-    /// Selector of the drawn charts that get a cursor; their horizontal axis is
-    /// [`RowAxis::values`].
-    pub(in crate::report) charts: Option<&'static str>,
+    /// The column of the page's charts that is the time of the rows, where there is no
+    /// axis.
+    pub(in crate::report) times: Option<usize>,
+    /// Metres a pixel, and the place of the origin (pixels), of pictures to scale: what the
+    /// pointer reads.
+    pub(in crate::report) scale: Option<[f64; 3]>,
+    /// Names of the parts.
+    pub(in crate::report) names: Vec<String>,
 }
 
 /// What leads from one row to the next.
@@ -50,15 +55,17 @@ pub(in crate::report) struct RowAxis {
 #[derive(Clone, Debug, Serialize)]
 #[serde(untagged)]
 pub(in crate::report) enum Coordinates {
-    /// Displacement and deviation of a group of the page's plots.
+    /// Displacement and deviation, columns of the page's charts.
     Plotted {
-        /// Its index.
-        group: usize,
+        /// The displacement.
+        values: usize,
+        /// Its deviation from the law; `None`: none.
+        deviation: Option<usize>,
     },
     /// Numbers of its own.
     Own {
         /// One a row.
-        values: Vec<f64>,
+        own: Vec<f64>,
     },
 }
 

@@ -50,11 +50,14 @@ fn the_data_of_the_plots_are_the_samples_of_the_record() {
     let page = rendered(|_, record| record.columns[0].values[3] = f64::NAN);
     let data = data(&page);
     let (_, record) = fixture::run(2, 0.05, 200);
-    let group = &data["groups"][0];
-    assert_eq!(group["id"], "rocker");
-    let panel = &group["panels"][0];
-    assert_eq!(panel["unit"], "rad");
-    let values = panel["series"][0]["values"].as_array().unwrap();
+    let plots = data["plots"].as_array().unwrap();
+    let plot = plots
+        .iter()
+        .find(|plot| plot["id"] == "rocker.displacement")
+        .unwrap();
+    assert_eq!(plot["y"]["unit"], "rad");
+    let column = plot["series"][0]["y"].as_u64().unwrap() as usize;
+    let values = data["columns"][column].as_array().unwrap();
     assert_eq!(values.len(), record.times.len());
     assert!(values[3].is_null());
     approx::assert_relative_eq!(
@@ -62,7 +65,7 @@ fn the_data_of_the_plots_are_the_samples_of_the_record() {
         record.columns[0].values[100],
         max_relative = 1e-8
     );
-    let open = group["shades"][0]["intervals"].as_array().unwrap();
+    let open = plot["bands"][0].as_array().unwrap();
     assert_eq!(open.len(), record.separations.len());
     // The drive has no δ and no contact: said in words instead of drawn.
     assert!(page.contains("Zero throughout: Acceleration"));

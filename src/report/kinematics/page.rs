@@ -3,9 +3,10 @@
 use super::text::{behaviour, reach};
 use super::{angle_or, drawing, input, place, plots};
 use crate::analysis::kinematics::Kinematics;
-use crate::report::html::data::PlotData;
-use crate::report::html::{facts, header, scene, shell};
+use crate::report::html::{bar, facts, header, scene, shell};
+use crate::report::plot::Plots;
 use crate::report::quantity::{escape, significant};
+use crate::report::verdict::{Sort, Verdict};
 use std::fmt::Write as _;
 
 /// Everything that goes into the page.
@@ -27,18 +28,8 @@ pub struct KinematicsReport<'a> {
 pub fn page(report: &KinematicsReport<'_>) -> String {
     let found = report.found;
     let subtitle = format!("kinematics of {}, {}", found.object, found.motion);
-    let mut body = header(report.name, &subtitle, None);
+    let mut body = header(report.name, &subtitle, Some(&answer(found)));
     body.push_str("<main>\n");
-    if let Some(stop) = &found.stopped {
-        let _ = writeln!(
-            body,
-            "<p class=\"verdict mechanism\"><span class=\"sort\">Mechanism</span><b>stops at {}</b> \
-             input {}: {}</p>",
-            escape(&place(found, stop.at)),
-            escape(&input(found, stop.input)),
-            escape(&stop.cause)
-        );
-    }
     for warning in &found.warnings {
         let _ = writeln!(body, "<p class=\"soft\">Warning: {}</p>", escape(warning));
     }
@@ -46,19 +37,17 @@ pub fn page(report: &KinematicsReport<'_>) -> String {
     body.push_str(&structure(found));
     body.push_str(&strokes(found));
     body.push_str(&transmission(found));
+    let mut charts = Plots::default();
     for group in plots::groups(found) {
         let _ = writeln!(
             body,
-            "<h2>{}</h2>\n<div class=\"plots\" style=\"--rows:{}\">",
+            "<h2>{}</h2>\n{}<div class=\"plots\" style=\"--rows:{}\">",
             group.title,
+            bar("course"),
             group.charts.len().div_ceil(2)
         );
         for chart in &group.charts {
-            let _ = writeln!(
-                body,
-                "<div class=\"graph\">{}</div>",
-                chart.svg(plots::SIZE.0, plots::SIZE.1)
-            );
+            body.push_str(&charts.figure(chart, plots::SIZE, "course"));
         }
         body.push_str("</div>\n");
     }
@@ -76,7 +65,27 @@ pub fn page(report: &KinematicsReport<'_>) -> String {
         "<footer>\n<h2>Provenance</h2>\n{}</footer>\n",
         facts(&rows)
     );
-    shell(report.name, &body, &PlotData::new(&[]).json())
+    shell(report.name, &body, &charts.json())
+}
+
+/// Where it stops, or how far its outputs and links go.
+fn answer(found: &Kinematics) -> Verdict {
+    if let Some(stop) = &found.stopped {
+        let headline = format!("The mechanism stops at {}.", place(found, stop.at));
+        let text = format!("Input {}: {}", input(found, stop.input), stop.cause);
+        return Verdict::answer(Sort::Mechanism, headline, text);
+    }
+    let stroke = |stroke: &crate::analysis::kinematics::Stroke| {
+        let [low, high] = stroke.ends;
+        format!("{} {}", stroke.owner, angle_or(high.1 - low.1, stroke.unit))
+    };
+    let strokes: Vec<String> = found.strokes.iter().take(3).map(stroke).collect();
+    let text = match strokes.is_empty() {
+        true => String::new(),
+        false => format!("Strokes: {}.", strokes.join(", ")),
+    };
+    let headline = format!("It goes through all {} positions.", found.axis.values.len());
+    Verdict::answer(Sort::Good, headline, text)
 }
 
 fn structure(found: &Kinematics) -> String {

@@ -1,15 +1,15 @@
 //! Plots over the axis, one a quantity.
 
 use crate::analysis::kinematics::{Column, Kinematics, Quantity};
-use crate::report::svg::chart::{Axis, Chart, Curve};
+use crate::report::plot::{Axis, Plot, Series};
 
 /// Size of a plot (pixels).
-pub(super) const SIZE: (f64, f64) = (590.0, 300.0);
+pub(super) const SIZE: [f64; 2] = [579.0, 300.0];
 
 /// A group of plots under a heading.
 pub(super) struct Group {
     pub(super) title: String,
-    pub(super) charts: Vec<Chart>,
+    pub(super) charts: Vec<Plot>,
 }
 
 /// The plots: links, points, sliding pairs, outputs.
@@ -31,7 +31,7 @@ pub(super) fn groups(found: &Kinematics) -> Vec<Group> {
         let charts = rows
             .iter()
             .flat_map(|&(name, quantity)| charts(found, name, owners, quantity));
-        let charts: Vec<Chart> = charts.collect();
+        let charts: Vec<Plot> = charts.collect();
         if !charts.is_empty() {
             groups.push(Group {
                 title: title.to_owned(),
@@ -98,8 +98,8 @@ fn names<T>(list: &[T], name: impl Fn(&T) -> String) -> Vec<String> {
 }
 
 /// One chart a unit; what is zero throughout gets none.
-fn charts(found: &Kinematics, name: &str, owners: &[String], quantity: Quantity) -> Vec<Chart> {
-    let mut charts: Vec<Chart> = Vec::new();
+fn charts(found: &Kinematics, name: &str, owners: &[String], quantity: Quantity) -> Vec<Plot> {
+    let mut charts: Vec<Plot> = Vec::new();
     for owner in owners {
         let mut columns = found.columns.iter();
         let column = columns.find(|column| &column.owner == owner && column.quantity == quantity);
@@ -112,14 +112,14 @@ fn charts(found: &Kinematics, name: &str, owners: &[String], quantity: Quantity)
         } else {
             column.unit.as_str()
         };
-        match charts.iter_mut().find(|chart| chart.unit == unit) {
-            Some(chart) => chart.curves.push(curve),
-            None => charts.push(Chart {
+        match charts.iter_mut().find(|chart| chart.y.unit == unit) {
+            Some(chart) => chart.series.push(curve),
+            None => charts.push(Plot {
                 title: name.to_owned(),
-                unit: unit.to_owned(),
-                curves: vec![curve],
-                shaded: Vec::new(),
-                horizontal: axis(found),
+                y: Axis::of(unit),
+                series: vec![curve],
+                x: axis(found),
+                ..Plot::default()
             }),
         }
     }
@@ -132,20 +132,15 @@ fn axis(found: &Kinematics) -> Axis {
         "m" => ("q", "m"),
         unit => ("t", unit),
     };
-    Axis {
-        symbol: symbol.to_owned(),
-        unit: unit.to_owned(),
-    }
+    Axis::new(symbol, unit)
 }
 
-fn curve(found: &Kinematics, column: &Column) -> Curve {
+fn curve(found: &Kinematics, column: &Column) -> Series {
     let degrees = found.axis.unit == "rad";
     let place = |at: f64| if degrees { at.to_degrees() } else { at };
     let points = found.axis.values.iter().zip(&column.values);
-    Curve {
-        label: short(&column.owner).to_owned(),
-        points: points.map(|(&at, &value)| (place(at), value)).collect(),
-    }
+    let points = points.map(|(&at, &value)| (place(at), value));
+    Series::line(short(&column.owner), points.collect())
 }
 
 /// An owner without the word that says what it is: the heading says that.

@@ -6,8 +6,8 @@ use crate::math::jet::Jet;
 use crate::motion::law::Peak;
 use crate::position::Position;
 use crate::report::csv::{number, write};
+use crate::report::plot::Plot;
 use crate::report::quantity::significant;
-use crate::report::svg::chart::Chart;
 use std::fmt::Write as _;
 
 /// Joints, extremes and shocks; units of the object and of its driver.
@@ -69,7 +69,7 @@ pub fn cycle_text(found: &CycleFigures, unit: &str, driver: &str) -> String {
 }
 
 /// One cycle: `count` equal steps, and both sides of every joint.
-fn sampled(position: &Position, lever: f64, count: usize) -> Vec<(f64, Jet)> {
+pub(super) fn sampled(position: &Position, lever: f64, count: usize) -> Vec<(f64, Jet)> {
     let breaks = position.breaks();
     let (Some(period), Some(&first)) = (breaks.period, breaks.points.first()) else {
         return Vec::new();
@@ -122,7 +122,7 @@ pub fn cycle_chart(
     lever: f64,
     found: &CycleFigures,
     driver: &str,
-) -> Chart {
+) -> Plot {
     let rows = sampled(position, lever, 720);
     let stroke = rows
         .iter()

@@ -2,19 +2,21 @@
 
 mod compare;
 mod cycle;
+mod page;
 mod stroke;
 #[cfg(test)]
 mod tests;
 
 pub use compare::{comparison_csv, comparison_text};
 pub use cycle::{cycle_chart, cycle_csv, cycle_text};
+pub use page::{LawPage, comparison_chart, cycle_parts, law_parts, shocks_said, stroke_parts};
 pub use stroke::{stroke_chart, stroke_csv, stroke_text};
 
 use super::csv::{number, write};
 use super::quantity::significant;
-use super::svg::chart::{Axis, Chart, Curve};
 use crate::math::jet::Jet;
 use crate::motion::law::{Jump, Law, LawConstants, Peak};
+use crate::report::plot::{Axis, Plot, Series};
 use std::fmt::Write as _;
 
 /// A law with its constants, for tables.
@@ -185,7 +187,7 @@ pub fn law_csv(law: &Law, count: usize) -> Result<String, csv::Error> {
 const DIAGRAM_POINTS: usize = 400;
 
 /// The law's diagrams over each other, each divided by its greatest value.
-pub fn law_chart(name: &str, law: &Law, constants: &LawConstants) -> Chart {
+pub fn law_chart(name: &str, law: &Law, constants: &LawConstants) -> Plot {
     let rows = sampled(law, DIAGRAM_POINTS);
     let acceleration = constants
         .acceleration
@@ -216,23 +218,20 @@ fn diagrams(
     rows: &[(f64, Jet)],
     shown: [(String, f64); 4],
     unit: &str,
-) -> Chart {
+) -> Plot {
     let parts: [fn(&Jet) -> f64; 4] = [|j| j.value, |j| j.first, |j| j.second, |j| j.third];
     let curves = parts
         .iter()
         .zip(shown)
         .filter(|(_, (_, size))| *size != 0.0);
-    let curves = curves.map(|(part, (label, size))| Curve {
-        label,
-        points: rows.iter().map(|(x, jet)| (*x, part(jet) / size)).collect(),
+    let curves = curves.map(|(part, (label, size))| {
+        let points = rows.iter().map(|(x, jet)| (*x, part(jet) / size));
+        Series::line(&label, points.collect())
     });
-    Chart {
+    Plot {
         title: title.to_owned(),
-        curves: curves.collect(),
-        horizontal: Axis {
-            symbol: symbol.to_owned(),
-            unit: unit.to_owned(),
-        },
-        ..Chart::default()
+        series: curves.collect(),
+        x: Axis::new(symbol, unit),
+        ..Plot::default()
     }
 }

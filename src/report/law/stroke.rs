@@ -4,8 +4,8 @@ use super::{diagrams, ratio};
 use crate::math::jet::Jet;
 use crate::motion::stroke::{Stroke, StrokeFigures};
 use crate::report::csv::{number, write};
+use crate::report::plot::Plot;
 use crate::report::quantity::significant;
-use crate::report::svg::chart::Chart;
 use std::fmt::Write as _;
 
 /// Structure and criteria of a stroke; `unit` is that of its displacement.
@@ -66,7 +66,7 @@ pub fn stroke_text(stroke: &Stroke, unit: &str) -> String {
 }
 
 /// Samples over the span with both sides of the ends of the sections.
-fn sampled(stroke: &Stroke, count: usize) -> Vec<(f64, Jet)> {
+pub(super) fn sampled(stroke: &Stroke, count: usize) -> Vec<(f64, Jet)> {
     let figures = stroke.figures();
     let count = count.max(1);
     let steps = (0..=count).map(|i| figures.span * i as f64 / count as f64);
@@ -107,7 +107,7 @@ pub fn stroke_csv(stroke: &Stroke, unit: &str, count: usize) -> Result<String, c
 }
 
 /// The stroke's diagrams over each other, each divided by its greatest value.
-pub fn stroke_chart(title: &str, stroke: &Stroke) -> Chart {
+pub fn stroke_chart(title: &str, stroke: &Stroke) -> Plot {
     let found: &StrokeFigures = stroke.figures();
     let rows = sampled(stroke, 400);
     let acceleration = found

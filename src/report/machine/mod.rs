@@ -10,6 +10,8 @@ mod station;
 
 use super::cam;
 use super::html::player::{Coordinates, Player};
+use super::html::runs::followed;
+use super::plot::Plots;
 use super::quantity::escape;
 use crate::cam::DiscCam;
 use crate::model::{Model, OUTPUT, ObjectPart};
@@ -35,26 +37,24 @@ pub struct Machine<'a> {
 }
 
 impl Machine<'_> {
-    /// The section of a page. `group` is the place of an object's samples among
-    /// the plots of the page. Empty where nothing can be drawn.
+    /// The section of a page, which follows the samples of its charts. Empty where nothing can
+    /// be drawn.
     pub(in crate::report) fn section(
         &self,
         figures: &Figures,
         record: &Record,
-        group: &dyn Fn(&str) -> Option<usize>,
+        plots: &mut Plots,
     ) -> String {
         let all = self.drivers_first();
         let plotted = all
             .iter()
-            .filter_map(|&part| Some((part, group(&part.id)?)));
-        let (drawn, groups): (Vec<&ObjectPart>, Vec<usize>) = plotted.take(MOST).unzip();
+            .filter_map(|&part| Some((part, followed(plots, record, &part.id)?)));
+        let (drawn, columns): (Vec<&ObjectPart>, Vec<Coordinates>) = plotted.take(MOST).unzip();
         let mut player = Player {
             id: "machine".to_owned(),
             seconds: self.seconds(record),
-            columns: groups
-                .iter()
-                .map(|&group| Coordinates::Plotted { group })
-                .collect(),
+            columns,
+            times: Some(plots.places(&record.times)),
             ..Player::default()
         };
         let of = |column: usize| Station::of(self, record, column, &drawn);

@@ -5,8 +5,8 @@ use super::{cams, linkages};
 use crate::model::{Coordinate, ObjectPart};
 use crate::record::{Column, Quantity, Record};
 use crate::report::html::player::{Body, Shown};
+use crate::report::plot::coordinate;
 use crate::report::quantity::{escape, scale, with_unit};
-use crate::report::svg::coordinate;
 use std::f64::consts::TAU;
 use std::fmt::Write as _;
 

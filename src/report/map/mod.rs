@@ -2,9 +2,12 @@
 
 mod csv;
 mod document;
+mod looks;
 mod page;
+pub mod picture;
 mod pointing;
 mod text;
+mod values;
 
 pub use csv::map_csv;
 pub use document::document;

@@ -1,16 +1,16 @@
 //! A map as a page that opens without a network.
 
-use super::pointing;
+use super::{picture, pointing};
 use crate::analysis::axis::Axis;
 use crate::analysis::map::{
     Cell, MOST_STEPS, MapResult, NEAR_HARMONIC, RESONANCE, STEADY, Study, THROWN_OFF, Verdict,
     summary,
 };
 use crate::analysis::spread::CHANGE;
-use crate::report::html::data::PlotData;
 use crate::report::html::{facts, header, scene, shell};
+use crate::report::plot::Plots;
 use crate::report::quantity::{escape, significant, with_unit};
-use crate::report::svg;
+use crate::report::verdict::{Sort, Verdict as Answer};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
@@ -40,9 +40,10 @@ pub fn page(report: &MapReport<'_>) -> String {
         Some(y) => format!("{} over {} and {}", study.figure, study.x.path, y.path),
         None => format!("{} over {}", study.figure, study.x.path),
     };
-    let mut body = header(&study.scene, &over, None);
+    let mut body = header(&study.scene, &over, Some(&answer(report)));
     body.push_str("<main>\n");
-    body.push_str(&pointing::section(report));
+    let mut plots = Plots::default();
+    body.push_str(&pointing::section(report, &mut plots));
     body.push_str(&counts(report));
     body.push_str(&meanings(report));
     body.push_str(&causes(report));
@@ -58,7 +59,50 @@ pub fn page(report: &MapReport<'_>) -> String {
         "<footer>\n<h2>Provenance</h2>\n{}</footer>\n",
         facts(&rows)
     );
-    shell(&study.scene, &body, &PlotData::new(&[]).json())
+    shell(&study.scene, &body, &plots.json())
+}
+
+/// Between what the figure lies, how many cells are in order, and what is doubtful.
+fn answer(report: &MapReport<'_>) -> Answer {
+    let (study, panels) = (report.study, summary(report.study, report.result));
+    let all: Vec<&Cell> = report.result.panels.iter().flatten().flatten().collect();
+    let count = |verdict: Verdict| all.iter().filter(|cell| cell.verdict == verdict).count();
+    let least = panels.iter().filter_map(|panel| panel.least.as_ref());
+    let least = least.min_by(|a, b| a.value.total_cmp(&b.value));
+    let greatest = panels.iter().filter_map(|panel| panel.greatest.as_ref());
+    let greatest = greatest.max_by(|a, b| a.value.total_cmp(&b.value));
+    let headline = match least.zip(greatest) {
+        Some((least, greatest)) => format!(
+            "{} from {} to {}.",
+            study.figure,
+            with_unit(least.value, &study.unit, 4),
+            with_unit(greatest.value, &study.unit, 4)
+        ),
+        None => format!("{} has no value anywhere.", study.figure),
+    };
+    let (good, failed) = (
+        count(Verdict::InWorkingOrder),
+        count(Verdict::NumericalFailure),
+    );
+    let undetermined: usize = panels.iter().map(|panel| panel.undetermined).sum();
+    let missing: usize = panels.iter().map(|panel| panel.missing).sum();
+    let mut text = format!("{good} of {} cells are in working order", all.len());
+    for (count, what) in [
+        (failed, "could not be computed"),
+        (undetermined, "are not known to the digits asked for"),
+        (missing, "are missing: the map was interrupted"),
+    ] {
+        if count > 0 {
+            let _ = write!(text, "; {count} {what}");
+        }
+    }
+    let sort = match (failed + undetermined, missing, good < all.len()) {
+        (1.., ..) => Sort::Numerical,
+        (_, 1.., _) => Sort::Unfinished,
+        (.., true) => Sort::Mechanism,
+        _ => Sort::Good,
+    };
+    Answer::answer(sort, headline, text + ".")
 }
 
 /// One row a panel: how often each verdict, and the extremes.
@@ -79,7 +123,7 @@ fn counts(report: &MapReport<'_>) -> String {
     for (index, panel) in panels.iter().enumerate() {
         let label = match panel.label.as_str() {
             "" => "map".to_owned(),
-            label => format!("{}  {label}", svg::map::letter(index)),
+            label => format!("{}  {label}", picture::letter(index)),
         };
         let _ = write!(rows, "<tr><th class=\"words\">{}</th>", escape(&label));
         for verdict in &occurring {
@@ -227,7 +271,7 @@ fn causes(report: &MapReport<'_>) -> String {
 fn name(report: &MapReport<'_>, panel: usize) -> String {
     match report.study.panels.panels.len() {
         1 => "map".to_owned(),
-        _ => svg::map::letter(panel),
+        _ => picture::letter(panel),
     }
 }
 

@@ -1,26 +1,29 @@
 //! The picture of a map's page that answers pointing and clicking.
 
 use super::page::MapReport;
+use super::picture;
 use crate::analysis::axis::Axis;
 use crate::analysis::map::{Cell, Verdict};
+use crate::report::html::bar;
+use crate::report::plot::Plots;
 use crate::report::quantity::with_unit;
-use crate::report::svg;
 use serde_json::{Value, json};
 
 const SCRIPT: &str = include_str!("pointing.js");
 
 /// The picture, the words about the cell that is pointed at, and the command of
 /// the one that was clicked.
-pub(super) fn section(report: &MapReport<'_>) -> String {
+pub(super) fn section(report: &MapReport<'_>, plots: &mut Plots) -> String {
     let data = data(report).to_string().replace('<', "\\u003c");
     format!(
-        "<div class=\"graph scroll map\">\n{}</div>\n\
+        "{}{}\
          <div id=\"cell\" class=\"told\" aria-live=\"polite\">Point at a cell for its value, verdict \
          and cause; click it for the command that runs it.</div>\n\
          <pre id=\"cell-command\" hidden></pre>\n\
          <script id=\"map-data\" type=\"application/json\">{data}</script>\n\
          <script>\n{SCRIPT}</script>\n",
-        svg::map::svg(report.study, report.result)
+        bar("map"),
+        picture::on_page(report.study, report.result, plots)
     )
 }
 

@@ -2,8 +2,8 @@
 
 use super::view::View;
 use super::{ArrowSet, Drawing};
+use crate::report::plot::coordinate;
 use crate::report::quantity::with_unit;
-use crate::report::svg::coordinate;
 use std::fmt::Write as _;
 
 /// Share of the mechanism's extent that the longest arrow of a set takes.

@@ -3,7 +3,7 @@
 use super::shape;
 use super::{Drawing, Placement};
 use crate::linkage::spec::{PairKind, PairSpec, PointOf};
-use crate::report::svg::coordinate;
+use crate::report::plot::coordinate;
 use std::fmt::Write as _;
 
 /// Half the height of a pair's block (m).

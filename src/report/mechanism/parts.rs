@@ -5,8 +5,8 @@ use super::shape::{self, Block};
 use super::view::View;
 use super::{Drawing, Placement};
 use crate::linkage::spec::{LinkageSpec, PairKind, PairSpec, PointOf};
+use crate::report::plot::coordinate;
 use crate::report::quantity::escape;
-use crate::report::svg::coordinate;
 use std::fmt::Write as _;
 
 /// Half the width of a bar and the radius of a pin (pixels).

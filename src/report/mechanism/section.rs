@@ -3,8 +3,8 @@
 use super::view::View;
 use super::{Drawing, arrows, parts};
 use crate::report::html::player::{Arrows, Body, Player, RowAxis, short};
+use crate::report::plot::{coordinate, document};
 use crate::report::quantity::{escape, significant};
-use crate::report::svg::{coordinate, without_variables};
 
 /// The style of the drawings: with the colours of a page, or with their own.
 pub(in crate::report) const STYLE: &str = include_str!("mechanism.css");
@@ -17,20 +17,17 @@ impl Drawing<'_> {
     /// A position that is not there shows the links in their own frames.
     pub fn svg(&self, frame: usize) -> String {
         let view = View::of(self);
-        let (w, h) = (coordinate(view.width), coordinate(view.height + 26.0));
-        format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"mechanism\" viewBox=\"0 0 {w} {h}\" \
-             width=\"{w}\" height=\"{h}\" role=\"img\" aria-label=\"{label}\">\n\
-             <style>{style}</style>\n<rect width=\"{w}\" height=\"{h}\" fill=\"#fff\"/>\n\
-             {markers}\n{parts}{layer}<text class=\"note\" x=\"14\" y=\"{foot}\">{note}</text>\n</svg>\n",
-            style = without_variables(STYLE),
-            label = escape(&self.note(frame)),
+        let note = self.note(frame);
+        let body = format!(
+            "{markers}\n{parts}{layer}<text class=\"note\" x=\"14\" y=\"{foot}\">{note}</text>\n",
             markers = arrows::markers(self),
             parts = parts::picture(self, &view, frame),
             layer = arrows::layer(self, &view, frame),
             foot = coordinate(view.height + 12.0),
-            note = escape(&self.note(frame)),
-        )
+            note = escape(&note),
+        );
+        let size = [view.width, view.height + 26.0];
+        document("mechanism", size, &note, STYLE, &body)
     }
 
     /// `crank angle 30 deg; speed, longest 0.63 m/s`.
@@ -112,13 +109,19 @@ impl Drawing<'_> {
                 closed: self.axis.closed,
             }),
             seconds: SECONDS,
+            scale: Some([1.0 / view.scale, view.origin[0], view.origin[1]]),
+            names: self
+                .spec
+                .links
+                .iter()
+                .map(|link| link.name.clone())
+                .collect(),
             bodies: links
                 .map(|link| Body::Rows {
                     table: self.table(view, link),
                 })
                 .collect(),
             sets: self.arrows.iter().map(arrows).collect(),
-            charts: Some(".plots"),
             ..Player::default()
         }
     }

@@ -3,9 +3,8 @@
 use crate::analysis::methods::sweep::Sweep;
 use crate::analysis::methods::{MethodLine, Point, Study, Verdict, all_methods};
 use crate::integrate::Method;
+use crate::report::plot::{Axis, Field, Fill, Kind, Look, Mark, Plot, Rule, Series, Shape};
 use crate::report::quantity::{significant, with_unit};
-use crate::report::svg::log_chart::{LogChart, LogPoint, Mark, Series};
-use crate::report::svg::strips::{Kind, Strips};
 
 /// Errors above this are beyond the chart.
 const CEILING: f64 = 10.0;
@@ -40,10 +39,10 @@ fn style(method: Method) -> usize {
 }
 
 /// Error against time or evaluations, one line a method.
-pub fn work_precision(study: &Study, against: Against) -> LogChart {
-    let (name, label) = match against {
-        Against::Time => ("time", "median wall-clock time, s"),
-        Against::Evaluations => ("evaluations", "evaluations of the right-hand side"),
+pub fn work_precision(study: &Study, against: Against) -> Plot {
+    let (name, label, unit) = match against {
+        Against::Time => ("time", "median wall-clock time", "s"),
+        Against::Evaluations => ("evaluations", "evaluations of the right-hand side", ""),
     };
     let refused: Vec<&str> = study
         .methods
@@ -57,24 +56,49 @@ pub fn work_precision(study: &Study, against: Against) -> LogChart {
     };
     let reference = study.reference.as_ref();
     let shaded = reference.filter(|r| r.resolution > 3e-15);
-    LogChart {
+    Plot {
         title: format!("{}: error against {name}{refused}", study.scene),
-        x_label: label.to_owned(),
-        y_label: "error of δ relative to max|δ|".to_owned(),
-        linear_x: false,
-        ceiling: Some(CEILING),
+        x: Axis {
+            log: true,
+            ..Axis::new(label, unit)
+        },
+        y: Axis {
+            log: true,
+            ceiling: Some(CEILING),
+            ..Axis::new("error of δ relative to max|δ|", "")
+        },
         series: study
             .methods
             .iter()
             .map(|line| series(line, against))
             .filter(|series| !series.points.is_empty())
             .collect(),
-        rules: vec![(
+        rules: vec![rule(
             study.accuracy,
             format!("asked for: {}", significant(study.accuracy, 2)),
         )],
-        shaded_below: shaded.map(|r| (r.resolution, "cannot be told from no error".to_owned())),
+        below: shaded.map(|r| (r.resolution, "cannot be told from no error".to_owned())),
         lane: "failed".to_owned(),
+        ..Plot::default()
+    }
+}
+
+/// A line across the frame.
+fn rule(at: f64, label: String) -> Rule {
+    Rule {
+        at,
+        label,
+        upright: false,
+    }
+}
+
+/// A series of a method, with the colour and shape that it has on every chart.
+fn marked(label: String, method: Method, points: Vec<((f64, f64), Mark)>) -> Series {
+    let (points, marks) = points.into_iter().unzip();
+    Series {
+        style: Some(style(method)),
+        marks,
+        ..Series::line(&label, points)
     }
 }
 
@@ -85,19 +109,13 @@ fn series(line: &MethodLine, against: Against) -> Series {
             // A method that evaluates no right-hand side has no place here.
             Against::Evaluations => point.evaluations.filter(|&count| count > 0)? as f64,
         };
-        Some(LogPoint {
-            x,
-            y: position(point),
-            mark: mark(point),
+        let mark = Mark {
+            shape: shape(point),
             note: note(line.method, point),
-        })
+        };
+        Some(((x, position(point).unwrap_or(f64::NAN)), mark))
     });
-    Series {
-        label: line.method.name().to_owned(),
-        style: style(line.method),
-        bare: false,
-        points: points.collect(),
-    }
+    marked(line.method.name().to_owned(), line.method, points.collect())
 }
 
 /// The error as it is drawn; a point that failed altogether has none.
@@ -113,12 +131,12 @@ fn position(point: &Point) -> Option<f64> {
     }
 }
 
-fn mark(point: &Point) -> Mark {
+fn shape(point: &Point) -> Shape {
     match point.verdict {
-        Verdict::Converged if point.is_reference => Mark::AtMost,
-        Verdict::Converged => Mark::Good,
-        Verdict::Inaccurate | Verdict::NotJudged => Mark::Open,
-        _ => Mark::Cross,
+        Verdict::Converged if point.is_reference => Shape::AtMost,
+        Verdict::Converged => Shape::Good,
+        Verdict::Inaccurate | Verdict::NotJudged => Shape::Open,
+        _ => Shape::Cross,
     }
 }
 
@@ -137,11 +155,13 @@ fn note(method: Method, point: &Point) -> String {
     )
 }
 
-/// The axis of a study over a parameter, for labels.
-fn axis_label(sweep: &Sweep) -> String {
-    match sweep.axis.unit.as_str() {
-        "" => sweep.axis.path.clone(),
-        unit => format!("{}, {unit}", sweep.axis.path),
+/// The axis of a study over a parameter.
+fn axis(sweep: &Sweep) -> Axis {
+    Axis {
+        log: sweep.axis.log,
+        // A unit of the user's own stays as it is.
+        fixed: true,
+        ..Axis::new(&sweep.axis.path, &sweep.axis.unit)
     }
 }
 
@@ -153,126 +173,166 @@ pub(super) fn methods(sweep: &Sweep) -> Vec<Method> {
 }
 
 /// Least time to the asked accuracy over the parameter; `None` without slices.
-pub fn cost(sweep: &Sweep) -> Option<LogChart> {
+pub fn cost(sweep: &Sweep) -> Option<Plot> {
     let study = &sweep.slices.first()?.study;
-    let series = methods(sweep).into_iter().map(|method| Series {
-        label: method.name().to_owned(),
-        style: style(method),
-        bare: false,
-        points: sweep
-            .slices
-            .iter()
-            .filter_map(|slice| {
-                let standing = slice.standing(method)?;
-                let reached = standing.measured_seconds.is_some();
-                (standing.verdict != Verdict::Refused).then(|| LogPoint {
-                    x: slice.x,
-                    y: standing.measured_seconds,
-                    mark: if reached { Mark::Good } else { Mark::Cross },
-                    note: format!(
-                        "{method} at {}: {}: {}",
-                        sweep.axis.written(slice.x),
-                        standing.verdict.words(),
-                        standing.cause
-                    ),
-                })
-            })
-            .collect(),
+    let series = methods(sweep).into_iter().map(|method| {
+        let point = |slice: &crate::analysis::methods::sweep::Slice| {
+            let standing = slice.standing(method)?;
+            let reached = standing.measured_seconds;
+            let mark = Mark {
+                shape: if reached.is_some() {
+                    Shape::Good
+                } else {
+                    Shape::Cross
+                },
+                note: format!(
+                    "{method} at {}: {}: {}",
+                    sweep.axis.written(slice.x),
+                    standing.verdict.words(),
+                    standing.cause
+                ),
+            };
+            let place = (slice.x, reached.unwrap_or(f64::NAN));
+            (standing.verdict != Verdict::Refused).then_some((place, mark))
+        };
+        let points = sweep.slices.iter().filter_map(point);
+        marked(method.name().to_owned(), method, points.collect())
     });
-    Some(LogChart {
+    Some(Plot {
         title: format!(
             "{}: time to an error of {} of max|δ|",
             study.scene,
             significant(study.accuracy, 2)
         ),
-        x_label: axis_label(sweep),
-        y_label: "least median wall-clock time, s".to_owned(),
-        linear_x: !sweep.axis.log,
-        ceiling: None,
+        x: axis(sweep),
+        y: Axis {
+            log: true,
+            ..Axis::new("least median wall-clock time", "s")
+        },
         series: series.filter(|series| !series.points.is_empty()).collect(),
-        rules: Vec::new(),
-        shaded_below: None,
         lane: "not reached".to_owned(),
+        ..Plot::default()
     })
 }
 
 /// Greatest stable steps over the parameter, measured and by theory; `None`
 /// when no method of fixed step is among the methods.
-pub fn stable_steps(sweep: &Sweep) -> Option<LogChart> {
+pub fn stable_steps(sweep: &Sweep) -> Option<Plot> {
     let mut series = Vec::new();
     for method in methods(sweep) {
         let standings = || {
             let slices = sweep.slices.iter();
             slices.filter_map(move |slice| Some((slice.x, slice.standing(method)?)))
         };
-        let point = |x: f64, y: f64| LogPoint {
-            x,
-            y: Some(y),
-            mark: Mark::Good,
-            note: format!("{method} at {}: {y:.3e} s", sweep.axis.written(x)),
+        let point = |x: f64, y: f64| {
+            let note = format!("{method} at {}: {y:.3e} s", sweep.axis.written(x));
+            let shape = Shape::Good;
+            ((x, y), Mark { shape, note })
         };
-        let measured: Vec<LogPoint> = standings()
+        let measured: Vec<_> = standings()
             .filter_map(|(x, s)| Some(point(x, s.stable_step?)))
             .collect();
         if measured.is_empty() {
             continue;
         }
-        let theory = standings().filter_map(|(x, s)| Some(point(x, s.stable_step_by_theory?)));
+        let theory = standings().filter_map(|(x, s)| Some((x, s.stable_step_by_theory?)));
         series.push(Series {
-            label: format!("{method}, theory"),
-            style: style(method),
-            bare: true,
-            points: theory.collect(),
+            style: Some(style(method)),
+            look: Look::Theory,
+            ..Series::line(&format!("{method}, theory"), theory.collect())
         });
-        series.push(Series {
-            label: format!("{method}, measured"),
-            style: style(method),
-            bare: false,
-            points: measured,
-        });
+        series.push(marked(format!("{method}, measured"), method, measured));
     }
-    let named = |step: f64| (step, "step of the verdicts".to_owned());
-    (!series.is_empty()).then(|| LogChart {
+    let named = |step: f64| rule(step, "step of the verdicts".to_owned());
+    (!series.is_empty()).then(|| Plot {
         title: "Greatest stable step".to_owned(),
-        x_label: axis_label(sweep),
-        y_label: "step, s".to_owned(),
-        linear_x: !sweep.axis.log,
-        ceiling: None,
+        x: axis(sweep),
+        y: Axis {
+            log: true,
+            ..Axis::new("step", "s")
+        },
         series,
         rules: sweep.fixed_step.map(named).into_iter().collect(),
-        shaded_below: None,
-        lane: String::new(),
+        ..Plot::default()
     })
 }
 
 /// Where each method fails over the parameter.
-pub fn regions(sweep: &Sweep) -> Strips {
+pub fn regions(sweep: &Sweep) -> Plot {
     let kind = |verdict: Verdict| VERDICTS.iter().position(|entry| entry.0 == verdict);
-    let row = |method: Method| {
-        let kinds = sweep.slices.iter();
-        let kinds = kinds.map(|slice| kind(slice.standing(method)?.verdict));
-        (method.name().to_owned(), kinds.collect())
-    };
+    let methods = methods(sweep);
     let accuracy = sweep.slices.first().map_or(0.0, |s| s.study.accuracy);
     let fixed = sweep.fixed_step.map_or(String::new(), |step| {
         format!(", methods of fixed step at {}", with_unit(step, "s", 3))
     });
-    Strips {
-        title: format!(
-            "What becomes of each method at tolerance {}{fixed}",
-            significant(accuracy, 2)
-        ),
-        x_label: axis_label(sweep),
-        log: sweep.axis.log,
-        x: sweep.slices.iter().map(|slice| slice.x).collect(),
-        rows: methods(sweep).into_iter().map(row).collect(),
+    let mut field = Field {
+        x: edges(sweep),
+        y: (0..=methods.len()).map(|row| row as f64).collect(),
         kinds: VERDICTS
             .iter()
             .map(|&(verdict, colour, hatched)| Kind {
                 name: verdict.words().to_owned(),
                 colour,
-                hatched,
+                hatching: if hatched { "dam-lifts" } else { "" },
             })
             .collect(),
+        apart: true,
+        named: true,
+        ..Field::default()
+    };
+    for &method in &methods {
+        for slice in &sweep.slices {
+            let standing = slice.standing(method);
+            let own = standing
+                .as_ref()
+                .and_then(|standing| kind(standing.verdict));
+            field.kind.push(own);
+            field
+                .fill
+                .push(own.map(|kind| Fill::Colour(VERDICTS[kind].1)));
+            field.notes.push(standing.map_or(String::new(), |standing| {
+                format!(
+                    "{method} at {}: {}: {}",
+                    sweep.axis.written(slice.x),
+                    standing.verdict.words(),
+                    standing.cause
+                )
+            }));
+        }
     }
+    Plot {
+        title: format!(
+            "What becomes of each method at tolerance {}{fixed}",
+            significant(accuracy, 2)
+        ),
+        x: axis(sweep),
+        y: Axis {
+            rows: methods
+                .iter()
+                .map(|method| method.name().to_owned())
+                .collect(),
+            ..Axis::default()
+        },
+        field: Some(field),
+        ..Plot::default()
+    }
+}
+
+/// Height of the chart of regions (pixels).
+pub fn height_of_regions(sweep: &Sweep) -> f64 {
+    140.0 + 27.0 * methods(sweep).len() as f64
+}
+
+/// Edges midway between the values of the parameter; the first and the last are ends.
+fn edges(sweep: &Sweep) -> Vec<f64> {
+    let xs: Vec<f64> = sweep.slices.iter().map(|slice| slice.x).collect();
+    let (Some(&first), Some(&last)) = (xs.first(), xs.last()) else {
+        return vec![0.0, 1.0];
+    };
+    let middle = |pair: &[f64]| match sweep.axis.log {
+        true => (pair[0] * pair[1]).sqrt(),
+        false => 0.5 * (pair[0] + pair[1]),
+    };
+    let inner = xs.windows(2).map(middle);
+    std::iter::once(first).chain(inner).chain([last]).collect()
 }

@@ -6,17 +6,19 @@ mod words;
 
 pub use table::{methods_csv, sweep_csv};
 
-use crate::analysis::methods::sweep::Sweep;
+use crate::analysis::methods::sweep::{Slice, Sweep};
 use crate::analysis::methods::{MethodLine, Point, Study, Verdict};
+use crate::integrate::Method;
 use crate::report::diagram::Diagram;
-use crate::report::html::data::PlotData;
-use crate::report::html::{facts, header, mechanism, scene, shell};
+use crate::report::html::{bar, facts, header, mechanism, scene, shell};
+use crate::report::plot::Plots;
 use crate::report::quantity::{escape, significant, with_unit};
+use crate::report::verdict::{Sort, Verdict as Answer};
 use charts::{Against, cost, regions, stable_steps, work_precision};
 use words::{limits, reference_facts, timing_note};
 
 /// Width of the charts on the page (pixels).
-const WIDTH: f64 = 1000.0;
+const WIDTH: f64 = 1184.0;
 /// Their height.
 const HEIGHT: f64 = 560.0;
 
@@ -44,18 +46,20 @@ pub fn page(report: &MethodsReport<'_>, study: &Study) -> String {
     body.push_str("<main>\n");
     body.push_str(&recommendation(study));
     body.push_str("<h2>Error against time</h2>\n");
-    body.push_str(&figure(
-        &work_precision(study, Against::Time).svg(WIDTH, HEIGHT),
-    ));
+    let mut plots = Plots::default();
+    let mut chart = |against, link: &str| {
+        let chart = work_precision(study, against);
+        bar(link) + &plots.figure(&chart, [WIDTH, HEIGHT], link)
+    };
+    body.push_str(&chart(Against::Time, "time"));
     body.push_str(timing_note());
     body.push_str("<h2>Error against evaluations</h2>\n");
-    let chart = work_precision(study, Against::Evaluations);
-    body.push_str(&figure(&chart.svg(WIDTH, HEIGHT)));
+    body.push_str(&chart(Against::Evaluations, "evaluations"));
     body.push_str(&format!("<h2>Reference</h2>\n{}", reference_facts(study)));
     body.push_str(&points(study));
     body.push_str(&limits(study));
     body.push_str(&ending(report, &study.hash));
-    shell(report.title, &body, &PlotData::new(&[]).json())
+    shell(report.title, &body, &plots.json())
 }
 
 /// The page of a study over a parameter.
@@ -68,32 +72,59 @@ pub fn sweep_page(report: &MethodsReport<'_>, sweep: &Sweep) -> String {
         value(sweep, axis.to),
         sweep.slices.len()
     );
-    let mut body = header(report.title, &subtitle, None);
+    let mut body = header(report.title, &subtitle, Some(&sweep_answer(sweep)));
     body.push_str("<main>\n<h2>Where methods fail</h2>\n");
-    body.push_str(&figure(&regions(sweep).svg(WIDTH)));
+    let mut plots = Plots::default();
+    let height = charts::height_of_regions(sweep);
+    body.push_str(&plots.figure(&regions(sweep), [WIDTH, height], ""));
     if let Some(chart) = cost(sweep) {
         body.push_str("<h2>Cost</h2>\n");
-        body.push_str(&figure(&chart.svg(WIDTH, HEIGHT)));
+        body.push_str(&plots.figure(&chart, [WIDTH, HEIGHT], ""));
         body.push_str(timing_note());
     }
     if let Some(chart) = stable_steps(sweep) {
         body.push_str("<h2>Stable steps</h2>\n");
-        body.push_str(&figure(&chart.svg(WIDTH, 420.0)));
+        body.push_str(&plots.figure(&chart, [WIDTH, 420.0], ""));
     }
     body.push_str(&standings(sweep));
     let hash = sweep.slices.first().map_or("", |s| s.study.hash.as_str());
     body.push_str(&ending(report, hash));
-    shell(report.title, &body, &PlotData::new(&[]).json())
+    shell(report.title, &body, &plots.json())
+}
+
+/// The methods that are accurate everywhere.
+fn sweep_answer(sweep: &Sweep) -> Answer {
+    let good = |slice: &Slice, method: Method| {
+        let standing = slice.standing(method);
+        standing.is_some_and(|standing| standing.verdict == Verdict::Converged)
+    };
+    let everywhere: Vec<&str> = charts::methods(sweep)
+        .into_iter()
+        .filter(|&method| sweep.slices.iter().all(|slice| good(slice, method)))
+        .map(Method::name)
+        .collect();
+    let count = sweep.slices.len();
+    match everywhere.is_empty() {
+        true => Answer::answer(
+            Sort::Numerical,
+            "No method is accurate at every value.".to_owned(),
+            "The table of values says where each of them fails.".to_owned(),
+        ),
+        false => Answer::answer(
+            Sort::Good,
+            format!(
+                "{} of the methods are accurate everywhere.",
+                everywhere.len()
+            ),
+            format!("At all {count} values: {}.", everywhere.join(", ")),
+        ),
+    }
 }
 
 /// A value of the axis for reading.
 fn value(sweep: &Sweep, x: f64) -> String {
     let text = format!("{} {}", significant(x, 6), sweep.axis.unit);
     text.trim_end().to_owned()
-}
-
-fn figure(svg: &str) -> String {
-    format!("<div class=\"graph scroll\">\n{svg}</div>\n")
 }
 
 /// Mechanism, scene and provenance.

@@ -1,43 +1,30 @@
 //! Diagrams of a steady motion.
 
 use super::Shown;
-use crate::report::svg::chart::{Axis, Chart, Curve};
+use crate::report::plot::{Axis, Look, Plot, Series};
 use crate::steady::Row;
 
-/// φ in degrees: plain numbers, so that no prefix is put before the unit.
-fn angle() -> Axis {
-    Axis {
-        symbol: "φ, degrees".to_owned(),
-        unit: String::new(),
-    }
+fn curve(label: &str, rows: &[Row], of: impl Fn(&Row) -> f64) -> Series {
+    let points = rows.iter().map(|row| (row.position.to_degrees(), of(row)));
+    Series::line(label, points.collect())
 }
 
-fn curve(label: &str, rows: &[Row], of: impl Fn(&Row) -> f64) -> Curve {
-    Curve {
-        label: label.to_owned(),
-        points: rows
-            .iter()
-            .map(|row| (row.position.to_degrees(), of(row)))
-            .collect(),
-    }
-}
-
-fn level(label: &str, cycle: f64, value: f64) -> Curve {
-    Curve {
-        label: label.to_owned(),
-        points: vec![(0.0, value), (cycle.to_degrees(), value)],
+fn level(label: &str, cycle: f64, value: f64) -> Series {
+    Series {
+        look: Look::Theory,
+        ..Series::line(label, vec![(0.0, value), (cycle.to_degrees(), value)])
     }
 }
 
 /// ω(φ), ε(φ), the moment, work and energy, the inertia.
-pub fn charts(shown: &Shown<'_>) -> Vec<Chart> {
+pub fn charts(shown: &Shown<'_>) -> Vec<Plot> {
     let (rows, cycle) = (shown.rows, shown.cycle);
-    let chart = |title: &str, unit: &str, curves: Vec<Curve>| Chart {
+    let chart = |title: &str, unit: &str, curves: Vec<Series>| Plot {
         title: title.to_owned(),
-        unit: unit.to_owned(),
-        curves,
-        horizontal: angle(),
-        ..Chart::default()
+        y: Axis::of(unit),
+        series: curves,
+        x: Axis::new("φ", "deg"),
+        ..Plot::default()
     };
     let f = shown.figures;
     vec![
@@ -50,13 +37,13 @@ pub fn charts(shown: &Shown<'_>) -> Vec<Chart> {
             ],
         ),
         chart(
-            "Angular acceleration ε, rad/s²",
-            "",
+            "Angular acceleration ε",
+            "rad/s²",
             vec![curve("", rows, |row| row.acceleration)],
         ),
         chart(
             "Reduced moment M",
-            "N·m",
+            "N m",
             vec![curve("", rows, |row| row.moment)],
         ),
         chart(
@@ -68,8 +55,8 @@ pub fn charts(shown: &Shown<'_>) -> Vec<Chart> {
             ],
         ),
         chart(
-            "Reduced moment of inertia J, kg·m²",
-            "",
+            "Reduced moment of inertia J",
+            "kg m²",
             vec![curve("", rows, |row| row.inertia)],
         ),
     ]
@@ -77,14 +64,14 @@ pub fn charts(shown: &Shown<'_>) -> Vec<Chart> {
 
 /// Wittenbauer's diagram: work over reduced inertia, with its two tangents, that
 /// touch where ω is greatest and least, and the origin O₂ in which they meet.
-pub fn wittenbauer(shown: &Shown<'_>) -> Chart {
+pub fn wittenbauer(shown: &Shown<'_>) -> Plot {
     let f = shown.figures;
     let origin = -f.energy_at_start;
     let inertias = shown.rows.iter().map(|row| row.inertia);
     let end = 1.06 * inertias.fold(0.0, f64::max);
-    let line = |label: &str, speed: f64| Curve {
-        label: label.to_owned(),
-        points: vec![(0.0, origin), (end, origin + 0.5 * speed * speed * end)],
+    let line = |label: &str, speed: f64| {
+        let far = origin + 0.5 * speed * speed * end;
+        Series::line(label, vec![(0.0, origin), (end, far)])
     };
     let least = shown
         .rows
@@ -92,33 +79,30 @@ pub fn wittenbauer(shown: &Shown<'_>) -> Chart {
         .map(|row| row.inertia)
         .fold(f64::INFINITY, f64::min);
     let reference = (2.0 * f.reference_energy / least).max(0.0).sqrt();
-    Chart {
+    Plot {
         title: "Energy-mass diagram (Wittenbauer): work A over reduced inertia J".to_owned(),
-        unit: "J".to_owned(),
-        curves: vec![
-            Curve {
-                label: "A(J)".to_owned(),
-                points: shown
+        y: Axis::of("J"),
+        series: vec![
+            Series::line(
+                "A(J)",
+                shown
                     .rows
                     .iter()
                     .map(|row| (row.inertia, row.work))
                     .collect(),
-            },
+            ),
             line("O₂, ω_max", f.greatest_speed.value),
             line("O₂, ω_min", f.least_speed.value),
             line("O₂, ω_av", f.mean_speed),
-            Curve {
-                label: "O₂O₁, ω₀ at the least J".to_owned(),
-                points: vec![
+            Series::line(
+                "O₂O₁, ω₀ at the least J",
+                vec![
                     (0.0, origin),
                     (least, origin + 0.5 * reference * reference * least),
                 ],
-            },
+            ),
         ],
-        horizontal: Axis {
-            symbol: "J, kg·m²".to_owned(),
-            unit: String::new(),
-        },
-        ..Chart::default()
+        x: Axis::new("J", "kg m²"),
+        ..Plot::default()
     }
 }

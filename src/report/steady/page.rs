@@ -3,11 +3,11 @@
 use super::charts::{charts, wittenbauer};
 use super::text::{Line, agreement, figures, flywheel};
 use super::{Shown, periodic};
-use crate::analysis::steady::PeriodicAnswer;
-use crate::report::html::data::PlotData;
-use crate::report::html::{facts, header, scene, shell, warnings};
+use crate::analysis::steady::{PeriodicAnswer, Stability};
+use crate::report::html::{bar, facts, header, scene, shell, warnings};
+use crate::report::plot::{Plot, Plots};
 use crate::report::quantity::significant;
-use crate::report::svg::chart::Chart;
+use crate::report::verdict::{Sort, Verdict};
 use std::fmt::Write as _;
 
 /// Everything that goes into the page of a steady motion.
@@ -28,8 +28,8 @@ pub struct SteadyReport<'a> {
 }
 
 /// Size of the pictures (pixels).
-const PICTURE: (f64, f64) = (900.0, 340.0);
-const DIAGRAM: (f64, f64) = (900.0, 520.0);
+const PICTURE: (f64, f64) = (579.0, 300.0);
+const DIAGRAM: (f64, f64) = (1184.0, 520.0);
 
 /// The page.
 pub fn page(report: &SteadyReport<'_>) -> String {
@@ -42,13 +42,14 @@ pub fn page(report: &SteadyReport<'_>) -> String {
         (None, Some(_)) => "Periodic motion behind the drive and its stability".to_owned(),
         (None, None) => "Steady motion".to_owned(),
     };
-    let mut body = header(report.title, &subtitle, None);
+    let mut body = header(report.title, &subtitle, answer(report).as_ref());
     body.push_str("<main>\n");
+    let mut plots = Plots::default();
     if let Some(shown) = &report.rigid {
-        body.push_str(&rigid(shown));
+        body.push_str(&rigid(shown, &mut plots));
     }
     if let Some(answer) = report.periodic {
-        body.push_str(&periodic::section(answer));
+        body.push_str(&periodic::section(answer, &mut plots));
     }
     if let Some(text) = report.scene {
         body.push_str(&scene(text));
@@ -64,7 +65,45 @@ pub fn page(report: &SteadyReport<'_>) -> String {
         "<footer>\n<h2>Provenance</h2>\n{}</footer>\n",
         facts(&rows)
     );
-    shell(report.title, &body, &PlotData::new(&[]).json())
+    shell(report.title, &body, &plots.json())
+}
+
+/// Mean speed and fluctuation, or whether the periodic motion is the one that comes about.
+fn answer(report: &SteadyReport<'_>) -> Option<Verdict> {
+    if let Some(shown) = &report.rigid {
+        let f = shown.figures;
+        let headline = format!(
+            "The speed fluctuates by δ = {}.",
+            significant(f.fluctuation, 4)
+        );
+        let text = format!(
+            "From {} to {} rad/s about a mean of {} rad/s.",
+            significant(f.least_speed.value, 5),
+            significant(f.greatest_speed.value, 5),
+            significant(f.mean_speed, 5)
+        );
+        let sort = if f.warnings.is_empty() {
+            Sort::Good
+        } else {
+            Sort::Mechanism
+        };
+        return Some(Verdict::answer(sort, headline, text));
+    }
+    let parts = &report.periodic?.parts;
+    let repels = parts.iter().any(|part| part.stability == Stability::Repels);
+    let (sort, headline) = match repels {
+        true => (
+            Sort::Mechanism,
+            "A periodic motion was found that repels its neighbours.",
+        ),
+        false => (
+            Sort::Good,
+            "A periodic motion was found that no small disturbance leaves.",
+        ),
+    };
+    let miss = parts.iter().map(|part| part.miss).fold(0.0, f64::max);
+    let text = format!("It comes back to {} of its size.", significant(miss, 2));
+    Some(Verdict::answer(sort, headline.to_owned(), text))
 }
 
 pub(super) fn list(lines: &[Line]) -> String {
@@ -75,14 +114,13 @@ pub(super) fn list(lines: &[Line]) -> String {
     facts(&rows)
 }
 
-pub(super) fn picture(chart: &Chart, (width, height): (f64, f64)) -> String {
-    format!(
-        "<div class=\"graph scroll\">\n{}</div>\n",
-        chart.svg(width, height)
-    )
+/// A chart of the page; those over the cycle are zoomed together.
+pub(super) fn picture(plots: &mut Plots, chart: &Plot, (width, height): (f64, f64)) -> String {
+    let link = if chart.x.name == "φ" { "cycle" } else { "" };
+    plots.figure(chart, [width, height], link)
 }
 
-fn rigid(shown: &Shown<'_>) -> String {
+fn rigid(shown: &Shown<'_>, plots: &mut Plots) -> String {
     let mut body = warnings(&shown.figures.warnings);
     let _ = write!(body, "<h2>Figures</h2>\n{}", list(&figures(shown)));
     let wheel = flywheel(shown);
@@ -94,12 +132,19 @@ fn rigid(shown: &Shown<'_>) -> String {
             list(&wheel)
         );
     }
-    body.push_str("<h2>Motion over a cycle</h2>\n");
-    for chart in charts(shown) {
-        body.push_str(&picture(&chart, PICTURE));
+    let all = charts(shown);
+    let _ = write!(
+        body,
+        "<h2>Motion over a cycle</h2>\n{}<div class=\"plots\" style=\"--rows:{}\">\n",
+        bar("cycle"),
+        all.len().div_ceil(2)
+    );
+    for chart in all {
+        body.push_str(&picture(plots, &chart, PICTURE));
     }
+    body.push_str("</div>\n");
     body.push_str("<h2>Energy-mass diagram</h2>\n");
-    body.push_str(&picture(&wittenbauer(shown), DIAGRAM));
+    body.push_str(&picture(plots, &wittenbauer(shown), DIAGRAM));
     body.push_str(
         "<p class=\"soft\">A straight line from O₂ with the slope ω²/2 meets the curve where the \
          drive has the speed ω: the tangents touch it at the greatest and the least speed. O₂ lies \

@@ -3,8 +3,8 @@
 use super::page::picture;
 use crate::analysis::steady::{LongRun, PartMotion, PeriodicAnswer, Stability};
 use crate::report::html::facts;
+use crate::report::plot::{Axis, Look, Mark, Plot, Plots, Series, Shape};
 use crate::report::quantity::{escape, significant};
-use crate::report::svg::chart::{Axis, Chart, Curve};
 use std::fmt::Write as _;
 
 /// Multipliers listed.
@@ -92,69 +92,63 @@ pub fn periodic_text(title: &str, answer: &PeriodicAnswer) -> String {
 }
 
 /// Size of the picture of the unit circle, in which it is round (pixels).
-const CIRCLE: (f64, f64) = (384.0, 436.0);
+const CIRCLE: (f64, f64) = (420.0, 460.0);
 
 /// The multipliers in the unit circle.
-fn circle(part: &PartMotion) -> Chart {
+fn circle(part: &PartMotion) -> Plot {
     let points = (0..=180).map(|i| (f64::from(i) * 2.0f64.to_radians()).sin_cos());
-    let cross = |re: f64, im: f64| {
-        let (a, gap) = (0.03, (f64::NAN, f64::NAN));
-        [
-            (re - a, im),
-            (re + a, im),
-            gap,
-            (re, im - a),
-            (re, im + a),
-            gap,
-        ]
+    let mark = |note: String| Mark {
+        shape: Shape::Cross,
+        note,
     };
-    Chart {
+    let multipliers = &part.multipliers;
+    let found = Series {
+        look: Look::Points,
+        marks: multipliers
+            .iter()
+            .map(|m| {
+                mark(format!(
+                    "{} + {}i",
+                    significant(m.re, 6),
+                    significant(m.im, 6)
+                ))
+            })
+            .collect(),
+        ..Series::line(
+            "multipliers",
+            multipliers.iter().map(|m| (m.re, m.im)).collect(),
+        )
+    };
+    Plot {
         title: format!("Floquet multipliers of {}", part.objects.join(", ")),
-        unit: String::new(),
-        curves: vec![
-            Curve {
-                label: "multipliers".to_owned(),
-                points: part
-                    .multipliers
-                    .iter()
-                    .flat_map(|m| cross(m.re, m.im))
-                    .collect(),
-            },
-            Curve {
-                label: "unit circle".to_owned(),
-                points: points.map(|(sin, cos)| (cos, sin)).collect(),
-            },
+        plane: true,
+        series: vec![
+            found,
+            Series::line("unit circle", points.map(|(sin, cos)| (cos, sin)).collect()),
         ],
-        horizontal: Axis {
-            symbol: "real part".to_owned(),
-            unit: String::new(),
-        },
-        ..Chart::default()
+        ..Plot::default()
     }
 }
 
 /// Deviations over a period.
-fn orbit(part: &PartMotion) -> Chart {
-    Chart {
+fn orbit(part: &PartMotion) -> Plot {
+    Plot {
         title: format!(
             "Deviation from the law over a period: {}",
             part.objects.join(", ")
         ),
-        unit: part.unit.clone(),
-        curves: part
+        y: Axis::of(&part.unit),
+        series: part
             .orbit
             .iter()
-            .map(|(label, points)| Curve {
-                label: label.clone(),
-                points: points.clone(),
-            })
+            .map(|(label, points)| Series::line(label, points.clone()))
             .collect(),
-        ..Chart::default()
+        ..Plot::default()
     }
 }
 
 /// The section of a page.
-pub(super) fn section(answer: &PeriodicAnswer) -> String {
+pub(super) fn section(answer: &PeriodicAnswer, plots: &mut Plots) -> String {
     let mut body = String::new();
     for part in &answer.parts {
         let _ = write!(
@@ -163,8 +157,8 @@ pub(super) fn section(answer: &PeriodicAnswer) -> String {
             escape(&part.objects.join(", ")),
             facts(&lines(part))
         );
-        body.push_str(&picture(&orbit(part), (900.0, 360.0)));
-        body.push_str(&picture(&circle(part), CIRCLE));
+        body.push_str(&picture(plots, &orbit(part), (1184.0, 360.0)));
+        body.push_str(&picture(plots, &circle(part), CIRCLE));
     }
     body
 }

@@ -1,8 +1,8 @@
 //! The object graph as a picture: left to right, drive first.
 
-use super::{coordinate, fits};
 use crate::model::{Closure, Coordinate};
 use crate::report::diagram::{Diagram, ObjectBox, Place};
+use crate::report::plot::{coordinate, fits};
 use crate::report::quantity::{escape, shortened, with_unit};
 
 const BOX_WIDTH: f64 = 156.0;

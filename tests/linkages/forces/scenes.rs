@@ -112,7 +112,7 @@ fn the_program_tells_forces_as_text_table_document_and_page() {
         assert!(text.contains(part), "{part} missing in {text}");
     }
     let page = std::fs::read_to_string(folder.path().join("out/report.html")).unwrap();
-    assert!(page.contains("class=\"moving\"") && page.contains("class=\"polar\""));
+    assert!(page.contains("class=\"moving\"") && page.contains("class=\"first\""));
     assert!(!page.contains("NaN"));
     let json = dam(
         &["forces", &scene, "--json", "--positions", "24"],

@@ -3,14 +3,14 @@
 use std::collections::BTreeMap;
 
 /// A line through points (column, row) in units of the grid.
-pub(super) type Line = Vec<(f64, f64)>;
+pub(in crate::report) type Line = Vec<(f64, f64)>;
 
 /// A side of a square: from a grid point to the right (`false`) or up (`true`).
 type Side = (usize, usize, bool);
 
 /// Lines along which values on a grid pass through `level`. `value` gives the
 /// value at a column and row; squares with a corner without one are left out.
-pub(super) fn contours(
+pub(in crate::report) fn contours(
     columns: usize,
     rows: usize,
     level: f64,

@@ -1,36 +1,10 @@
-//! Colours of values.
-//!
-//! The colours are those of viridis (Stéfan van der Walt and Nathaniel Smith,
-//! matplotlib, dedicated to the public domain under CC0), sixteen of them with
-//! straight lines between: lightness grows evenly, so that they keep their
-//! order in print and for colour-blind eyes.
+//! The range of a figure over all panels of a map, and how it is shown.
 
-use super::scale::{Scale, round_powers};
 use crate::analysis::map::{MapResult, Study};
-use crate::report::quantity::{scale, with_unit};
-use crate::report::ticks::ticks;
-
-const VIRIDIS: [[u8; 3]; 16] = [
-    [68, 1, 84],
-    [72, 26, 108],
-    [71, 47, 125],
-    [65, 68, 135],
-    [57, 86, 140],
-    [49, 104, 142],
-    [42, 120, 142],
-    [35, 136, 142],
-    [31, 152, 139],
-    [34, 168, 132],
-    [53, 183, 121],
-    [84, 197, 104],
-    [122, 209, 81],
-    [165, 219, 54],
-    [210, 226, 27],
-    [253, 231, 37],
-];
-
-/// Shades that are told apart.
-pub(super) const SHADES: usize = 96;
+use crate::report::plot::Axis;
+use crate::report::plot::palette::SHADES;
+use crate::report::plot::scale::ticks;
+use crate::report::quantity::with_unit;
 
 /// Ratio of the greatest to the least value from which on the scale of colours
 /// is logarithmic.
@@ -42,18 +16,6 @@ const BURIED: f64 = 1e3;
 
 /// Greatest such ratio that is shown.
 const MOST_WIDE: f64 = 1e9;
-
-/// The colour of a shade below [`SHADES`].
-pub(super) fn colour(shade: usize) -> String {
-    let at = shade as f64 / (SHADES - 1) as f64 * (VIRIDIS.len() - 1) as f64;
-    let low = (at as usize).min(VIRIDIS.len() - 2);
-    let part = at - low as f64;
-    let mix = |k: usize| {
-        let (a, b) = (f64::from(VIRIDIS[low][k]), f64::from(VIRIDIS[low + 1][k]));
-        (a + part * (b - a)).round() as u8
-    };
-    format!("#{:02x}{:02x}{:02x}", mix(0), mix(1), mix(2))
-}
 
 /// The range of a figure over all panels, and how it is shown.
 #[derive(Clone, Debug)]
@@ -122,45 +84,65 @@ impl Values {
     /// Round values within the range, about `count`, with their labels.
     pub(super) fn levels(&self, count: usize) -> Vec<(f64, String)> {
         let [low, high] = self.range;
-        let values = if self.log {
-            round_powers(low.log10(), high.log10(), count)
-        } else {
-            ticks(low, high, count).values
+        let values = match self.log {
+            true => round_powers(low.log10(), high.log10(), count),
+            false => ticks(low, high, count).values,
         };
         let label = |value: f64| (value, with_unit(value, &self.unit, 3));
         values.into_iter().map(label).collect()
     }
 
-    /// The scale of a curve, with a margin.
-    pub(super) fn scale(&self) -> Scale {
+    /// The axis of a curve, with a margin.
+    pub(super) fn axis(&self) -> Axis {
         let [low, high] = self.range;
-        if self.log {
-            let margin = (high / low).powf(0.05);
-            let range = [low / margin, high * margin];
-            let unit = if self.unit.is_empty() {
-                String::new()
-            } else {
-                format!(", {}", self.unit)
-            };
-            let title = match self.sizes {
-                true => format!("|{}|{unit}", self.figure),
-                false => format!("{}{unit}", self.figure),
-            };
-            return Scale::between(title, range, true, 1.0);
-        }
-        let shown = scale(low.abs().max(high.abs()), &self.unit);
-        let margin = 0.06 * (high - low);
-        let title = match shown.unit.as_str() {
-            "" => self.figure.clone(),
-            unit => format!("{}, {unit}", self.figure),
+        let margin = match self.log {
+            true => (high / low).powf(0.05),
+            false => 0.06 * (high - low),
         };
-        Scale::between(title, [low - margin, high + margin], false, shown.factor)
+        let range = match self.log {
+            true => [low / margin, high * margin],
+            false => [low - margin, high + margin],
+        };
+        Axis {
+            log: self.log,
+            range: Some(range),
+            ..Axis::new(&self.name(&self.figure), &self.unit)
+        }
     }
 
-    /// Name of the figure with its unit, for the bar of colours.
-    pub(super) fn title(&self) -> &str {
+    /// A name of the figure, between bars where its size is shown.
+    pub(super) fn name(&self, name: &str) -> String {
+        match self.sizes {
+            true => format!("|{name}|"),
+            false => name.to_owned(),
+        }
+    }
+
+    /// The figure.
+    pub(super) fn figure(&self) -> &str {
         &self.figure
     }
+}
+
+/// Round numbers between 10^low and 10^high: 1, 2 and 5 times powers of ten, or
+/// powers alone, or every so many of them.
+fn round_powers(low: f64, high: f64, count: usize) -> Vec<f64> {
+    let decades = high - low;
+    let factors: &[f64] = match decades * 3.0 {
+        all if all <= count as f64 * 1.5 => &[1.0, 2.0, 5.0],
+        _ => &[1.0],
+    };
+    let stride = if factors.len() > 1 {
+        1
+    } else {
+        (decades / count.max(1) as f64).ceil().max(1.0) as i32
+    };
+    let (first, last) = (low.floor() as i32, high.ceil() as i32);
+    let powers = (first..=last).filter(|power| power.rem_euclid(stride) == 0);
+    powers
+        .flat_map(|power| factors.iter().map(move |factor| factor * 10f64.powi(power)))
+        .filter(|value| (low - 1e-9..=high + 1e-9).contains(&value.log10()))
+        .collect()
 }
 
 /// The middle one of some sizes.

@@ -1,0 +1,189 @@
+//! The plots of runs: one group an object, one chart a quantity, one curve a run.
+
+use super::player::Coordinates;
+use crate::record::{Column, Quantity, Record};
+use crate::report::plot::{Band, Plot, Plots, Series};
+use crate::report::quantity::escape;
+
+/// One run's samples under a label.
+#[derive(Clone, Debug)]
+pub struct RunSeries<'a> {
+    /// What tells the run from the others: `masses = 2`.
+    pub label: String,
+    /// Its samples.
+    pub record: &'a Record,
+}
+
+/// Quantities in the order they are shown, with their names on the plots.
+pub const QUANTITIES: [(Quantity, &str); 6] = [
+    (Quantity::Displacement, "Displacement φ"),
+    (Quantity::Speed, "Speed φ\u{307}"),
+    (Quantity::Acceleration, "Acceleration φ\u{308}"),
+    (Quantity::Delta, "Positioning error δ"),
+    (Quantity::Reaction, "Reaction F"),
+    (Quantity::ContactForce, "Contact force N"),
+];
+
+/// Size of a chart of one run and of several (pixels).
+const ONE: [f64; 2] = [579.0, 204.0];
+const SEVERAL: [f64; 2] = [1184.0, 290.0];
+
+/// The curves of one quantity of one object over each other; `None` when no run has it.
+/// Where a pair is open is shaded for a single run, shown by strips at the foot for several.
+pub fn chart(
+    runs: &[RunSeries<'_>],
+    object: &str,
+    quantity: Quantity,
+    title: &str,
+) -> Option<Plot> {
+    let columns = columns(runs, object, quantity);
+    let unit = columns.first()?.1.unit;
+    let series = columns.iter().map(|&(run, column)| {
+        let points = runs[run].record.times.iter().copied();
+        Series {
+            style: Some(run),
+            ..Series::line(
+                &runs[run].label,
+                points.zip(column.values.iter().copied()).collect(),
+            )
+        }
+    });
+    let bands = runs.iter().enumerate().map(|(run, one)| Band {
+        label: String::new(),
+        spans: open(one.record, object),
+        series: (runs.len() > 1).then_some(run),
+    });
+    let mut bands: Vec<Band> = bands.collect();
+    if bands.iter().all(|band| band.spans.is_empty()) {
+        bands.clear();
+    }
+    Some(Plot {
+        id: format!("{object}.{quantity}"),
+        title: title.to_owned(),
+        y: crate::report::plot::Axis::of(unit),
+        series: series.collect(),
+        bands,
+        ..Plot::default()
+    })
+}
+
+fn columns<'a>(
+    runs: &'a [RunSeries<'_>],
+    object: &str,
+    quantity: Quantity,
+) -> Vec<(usize, &'a Column)> {
+    let of =
+        |(run, one): (usize, &'a RunSeries<'_>)| Some((run, one.record.column(object, quantity)?));
+    runs.iter().enumerate().filter_map(of).collect()
+}
+
+/// When the pair of an object is open.
+fn open(record: &Record, object: &str) -> Vec<[f64; 2]> {
+    let own = record.separations.iter().filter(|one| one.object == object);
+    own.map(|interval| [interval.from, interval.to]).collect()
+}
+
+/// What the player needs of an object: its displacement and its deviation from the law.
+pub(in crate::report) fn followed(
+    plots: &mut Plots,
+    record: &Record,
+    object: &str,
+) -> Option<Coordinates> {
+    let displacement = record.column(object, Quantity::Displacement)?;
+    let deviation = record.column(object, Quantity::Delta);
+    let deviation = deviation.filter(|column| column.values.iter().any(|&v| v != 0.0));
+    Some(Coordinates::Plotted {
+        values: plots.column(&displacement.values, 9),
+        deviation: deviation.map(|column| plots.column(&column.values, 9)),
+    })
+}
+
+/// The section of an object: heading, tool bar, plots. Empty when no run has samples of it;
+/// quantities that are zero throughout every run are named in words.
+pub fn section(plots: &mut Plots, runs: &[RunSeries<'_>], id: &str, kind: &str) -> String {
+    let mut silent = Vec::new();
+    let mut charts = Vec::new();
+    for (quantity, name) in shown(id, runs) {
+        let own = columns(runs, id, quantity);
+        if own.is_empty() {
+            continue;
+        }
+        let zero = |(_, column): &(usize, &Column)| column.values.iter().all(|&v| v == 0.0);
+        match own.iter().all(zero) {
+            true => silent.push(name),
+            false => charts.extend(chart(runs, id, quantity, &name)),
+        }
+    }
+    if charts.is_empty() && silent.is_empty() {
+        return String::new();
+    }
+    let shaded = charts.iter().any(|chart| !chart.bands.is_empty());
+    let single = runs.len() > 1 || charts.len() == 1;
+    let size = if single { SEVERAL } else { ONE };
+    let figures: String = charts
+        .iter()
+        .map(|chart| plots.figure(chart, size, &format!("object {id}")))
+        .collect();
+    format!(
+        "<section class=\"object\" id=\"object-{id}\">\n\
+         <h2>{id}<span class=\"kind\">{kind}</span></h2>\n\
+         <div class=\"bar\" data-zoom=\"object {id}\">{shading}</div>\n\
+         <div class=\"plots{single}\" style=\"--rows:{rows}\">\n{figures}</div>\n{silent}</section>\n",
+        id = escape(id),
+        kind = escape(kind),
+        shading = match (shaded, runs.len()) {
+            (false, _) => "",
+            (true, 1) => "<span class=\"key\"><span class=\"swatch\"></span>pair open</span>",
+            (true, _) => "<span>strips at the foot: pair open</span>",
+        },
+        single = if single { " single" } else { "" },
+        rows = charts.len().div_ceil(2).max(1),
+        silent = silent_note(&silent),
+    )
+}
+
+/// The quantities of an object with their names on the plots: the six of every object,
+/// then those of masses and links that any run has recorded.
+fn shown(id: &str, runs: &[RunSeries<'_>]) -> Vec<(Quantity, String)> {
+    let plain = order(runs.len()).into_iter();
+    let mut all: Vec<(Quantity, String)> = plain
+        .map(|(quantity, name)| (quantity, name.to_owned()))
+        .collect();
+    let columns = runs.iter().flat_map(|run| &run.record.columns);
+    for column in columns.filter(|column| column.object == id) {
+        if !all.iter().any(|(quantity, _)| *quantity == column.quantity) {
+            all.push((column.quantity, inner_name(column.quantity)));
+        }
+    }
+    all
+}
+
+/// The name of a mass's or a link's quantity on a plot.
+fn inner_name(quantity: Quantity) -> String {
+    match quantity {
+        Quantity::MassDisplacement(mass) => format!("Mass {mass}: displacement φ"),
+        Quantity::MassSpeed(mass) => format!("Mass {mass}: speed φ\u{307}"),
+        Quantity::LinkForce(link) => format!("Link {link}: force F"),
+        other => other.to_string(),
+    }
+}
+
+/// The quantities as they stand on the page: where runs are compared, what
+/// they are compared for comes first.
+fn order(runs: usize) -> Vec<(Quantity, &'static str)> {
+    let mut list = QUANTITIES.to_vec();
+    if runs > 1 {
+        list.sort_by_cached_key(|(quantity, _)| usize::from(*quantity != Quantity::Delta));
+    }
+    list
+}
+
+fn silent_note(silent: &[String]) -> String {
+    if silent.is_empty() {
+        return String::new();
+    }
+    format!(
+        "<p class=\"soft\">Zero throughout: {}.</p>\n",
+        silent.join(", ")
+    )
+}

@@ -1,0 +1,505 @@
+//! A map as a picture: heat maps with contour lines over two parameters, curves over one,
+//! verdicts marked in both; and the same on a page.
+
+use super::looks::{ground, hatching, plain};
+use super::values::Values;
+use crate::analysis::axis::Axis as Parameter;
+use crate::analysis::map::{Cell, MapResult, Study, Verdict};
+use crate::report::plot::contour::contours;
+use crate::report::plot::field::{patterns, swatch};
+use crate::report::plot::page::Plots;
+use crate::report::plot::palette::{SHADES, STYLE, shade};
+use crate::report::plot::{
+    Axis, Contour, Entry, Field, Fill, Kind, Look, Mark, Plot, Rule, Series, Shape, coordinate,
+    document, legend_rows,
+};
+use crate::report::quantity::{escape, shortened};
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+
+const LEFT: f64 = 78.0;
+const TOP: f64 = 40.0;
+const FOOT: f64 = 48.0;
+const GAP: f64 = 26.0;
+/// Height of the strip of verdicts under a curve.
+const STRIP: f64 = 20.0;
+/// Room for the bar of colours and its labels.
+const BAR: f64 = 140.0;
+const LINE: f64 = 15.0;
+/// Contour lines in a plot, about.
+const LEVELS: usize = 6;
+/// Marks of verdicts are drawn as long as there are fewer points than this.
+const MOST_MARKS: usize = 120;
+
+/// The picture of a study: all its panels, a bar of colours for all of them, and a legend of
+/// the verdicts that occur. A complete SVG document.
+pub fn svg(study: &Study<'_>, result: &MapResult) -> String {
+    let mut plots = Plots::default();
+    let sheet = Sheet::new(study, result, &mut plots);
+    document("dam-plot", sheet.size, &sheet.name, STYLE, &sheet.body)
+}
+
+/// The same on a page, whose script makes it answer.
+pub(super) fn on_page(study: &Study<'_>, result: &MapResult, plots: &mut Plots) -> String {
+    let sheet = Sheet::new(study, result, plots);
+    let [w, h] = sheet.size.map(coordinate);
+    format!(
+        "<div class=\"chart map\"><svg class=\"dam-plot\" viewBox=\"0 0 {w} {h}\" width=\"{w}\" role=\"img\" \
+         aria-label=\"{}\">\n{}</svg></div>\n",
+        escape(&sheet.name),
+        sheet.body
+    )
+}
+
+/// What a panel is called: a … z, then by its number.
+pub(in crate::report) fn letter(index: usize) -> String {
+    match u8::try_from(index) {
+        Ok(index @ ..26) => char::from(b'a' + index).to_string(),
+        _ => (index + 1).to_string(),
+    }
+}
+
+struct Sheet {
+    size: [f64; 2],
+    name: String,
+    body: String,
+}
+
+impl Sheet {
+    fn new(study: &Study<'_>, result: &MapResult, plots: &mut Plots) -> Self {
+        let panels = &study.panels;
+        let columns = panels.columns.clamp(1, 4).min(panels.panels.len());
+        let rows = panels.panels.len().div_ceil(columns);
+        let values = Values::of(study, result);
+        let titles: Vec<Vec<String>> = (panels.panels.iter())
+            .map(|panel| title(&panel.settings))
+            .collect();
+        let lines = titles.iter().map(Vec::len).max().unwrap_or(0);
+        let (plot_width, plot_height) = plot_size(columns, study.y.is_some());
+        let cell_width = LEFT + plot_width + GAP;
+        let head = LINE * lines as f64 + 10.0;
+        let strip = if study.y.is_some() { 0.0 } else { STRIP };
+        let cell_height = head + plot_height + strip + FOOT;
+        let bar = if study.y.is_some() { BAR } else { 0.0 };
+        let width = cell_width * columns as f64 + bar;
+        let body_foot = TOP + cell_height * rows as f64;
+        let mut body = patterns();
+        let name = format!("{} of {}", study.figure, study.scene);
+        let _ = writeln!(
+            body,
+            "<text class=\"heading\" x=\"16\" y=\"24\">{}</text>",
+            escape(&shortened(&name, (width / 8.4) as usize))
+        );
+        for (index, (cells, title)) in result.panels.iter().zip(&titles).enumerate() {
+            let panel = Panel {
+                study,
+                cells,
+                values: &values,
+            };
+            let plot = panel.plot(format!("panel {index}"));
+            let frame = plot.frame([
+                LEFT + cell_width * (index % columns) as f64,
+                TOP + head + cell_height * (index / columns) as f64,
+                plot_width,
+                plot_height,
+            ]);
+            let number = plots.add(&plot, &frame, "map");
+            let head = head_of(title, index, panels.panels.len(), &frame);
+            body.push_str(&plot.panel(&frame, &head, number));
+        }
+        if study.y.is_some() {
+            let place = [
+                cell_width * columns as f64 + 8.0,
+                TOP + head,
+                16.0,
+                (body_foot - TOP - head - FOOT).min(420.0),
+            ];
+            body.push_str(&bar_of_colours(&values, place));
+        }
+        let (legend, legend_height) =
+            legend_rows(entries(study, result), [16.0, width], body_foot + 14.0);
+        body.push_str(&legend);
+        Self {
+            size: [width, body_foot + legend_height + 16.0],
+            name,
+            body,
+        }
+    }
+}
+
+/// Size of one plot, by the number of plots in a row.
+fn plot_size(columns: usize, map: bool) -> (f64, f64) {
+    match (columns, map) {
+        (1, true) => (640.0, 460.0),
+        (2, true) => (420.0, 320.0),
+        (_, true) => (330.0, 260.0),
+        (1, false) => (760.0, 340.0),
+        (2, false) => (440.0, 260.0),
+        (_, false) => (330.0, 210.0),
+    }
+}
+
+/// What a panel differs in, a line a setting; how long it runs is left out.
+fn title(settings: &[String]) -> Vec<String> {
+    let shown = settings
+        .iter()
+        .filter(|setting| !setting.starts_with("run."));
+    shown
+        .map(|setting| setting.replacen('=', " = ", 1))
+        .collect()
+}
+
+/// The settings of a panel above its frame.
+fn head_of(
+    title: &[String],
+    index: usize,
+    count: usize,
+    frame: &crate::report::plot::Frame,
+) -> String {
+    let mut out = String::new();
+    for (line, text) in title.iter().enumerate() {
+        let y = frame.top - 8.0 - LINE * (title.len() - 1 - line) as f64;
+        let letter = match (line, count) {
+            (0, 2..) => format!("{}  ", letter(index)),
+            _ => String::new(),
+        };
+        let _ = writeln!(
+            out,
+            "<text class=\"panel\" x=\"{}\" y=\"{}\">{letter}{}</text>",
+            coordinate(frame.left),
+            coordinate(y),
+            escape(&shortened(text, (frame.width / 6.4) as usize))
+        );
+    }
+    out
+}
+
+/// One panel.
+struct Panel<'a> {
+    study: &'a Study<'a>,
+    cells: &'a [Option<Cell>],
+    values: &'a Values,
+}
+
+impl Panel<'_> {
+    fn cell(&self, column: usize, row: usize) -> Option<&Cell> {
+        self.cells
+            .get(row * self.study.columns() + column)?
+            .as_ref()
+    }
+
+    fn plot(&self, id: String) -> Plot {
+        let study = self.study;
+        let x = Grid::new(&study.x, &study.parameter_units[0]);
+        match &study.y {
+            Some(axis) => {
+                let y = Grid::new(axis, &study.parameter_units[1]);
+                Plot {
+                    id,
+                    title: String::new(),
+                    field: Some(self.heat(&x, &y)),
+                    x: x.axis,
+                    y: y.axis,
+                    ..Plot::default()
+                }
+            }
+            None => self.curve(id, x),
+        }
+    }
+
+    /// Cells with their verdicts.
+    fn field(&self, x: &Grid, y: &[f64]) -> Field {
+        let verdict = |verdict: &Verdict| Kind {
+            name: verdict.words().to_owned(),
+            colour: plain(*verdict),
+            hatching: hatching(*verdict),
+        };
+        Field {
+            x: x.edges.clone(),
+            y: y.to_vec(),
+            kinds: Verdict::ALL.iter().map(verdict).collect(),
+            kind: (self.cells.iter())
+                .map(|cell| cell.as_ref().map(|cell| number(cell.verdict)))
+                .collect(),
+            ..Field::default()
+        }
+    }
+
+    fn heat(&self, x: &Grid, y: &Grid) -> Field {
+        let values = self.values;
+        let fill = |cell: &Option<Cell>| {
+            let cell = cell.as_ref()?;
+            Some(match cell.value {
+                Some(value) => Fill::Shade(values.shade(value).min(SHADES - 1)),
+                None => Fill::Colour(ground(cell.verdict)),
+            })
+        };
+        let rings = self.cells.iter().enumerate();
+        let rings = rings.filter(|(_, cell)| undetermined(cell.as_ref()));
+        Field {
+            fill: self.cells.iter().map(fill).collect(),
+            lines: self.lines(x, y),
+            rings: rings.map(|(index, _)| index).collect(),
+            middles: [x.middles.clone(), y.middles.clone()],
+            borders: true,
+            ..self.field(x, &y.edges)
+        }
+    }
+
+    /// The edge of lift-off of the rigid mechanism, and the contour lines: those below zero
+    /// apart from the others, since where the sign changes the logarithm says nothing.
+    fn lines(&self, x: &Grid, y: &Grid) -> Vec<Contour> {
+        let (columns, rows) = (x.middles.len(), y.middles.len());
+        let placed = |lines: Vec<Vec<(f64, f64)>>| -> Vec<Vec<(f64, f64)>> {
+            let place = |(column, row): (f64, f64)| (x.between(column), y.between(row));
+            let line = |line: Vec<(f64, f64)>| line.into_iter().map(place).collect();
+            lines.into_iter().map(line).collect()
+        };
+        let margin = |column: usize, row: usize| self.cell(column, row)?.rigid_margin;
+        let mut all = vec![Contour {
+            label: String::new(),
+            parts: placed(contours(columns, rows, 0.0, &margin)),
+            edge: true,
+        }];
+        for (level, label) in self.values.levels(LEVELS) {
+            let mut lines = Vec::new();
+            for below in [false, true] {
+                let field = |column: usize, row: usize| {
+                    let value = self.cell(column, row)?.value?;
+                    let own = !self.values.log || (value < 0.0) == below;
+                    own.then(|| self.values.shown(value))
+                };
+                if self.values.log || !below {
+                    lines.extend(contours(columns, rows, self.values.shown(level), &field));
+                }
+            }
+            all.push(Contour {
+                label,
+                parts: placed(lines),
+                edge: false,
+            });
+        }
+        all
+    }
+
+    /// The figure over one parameter, its verdicts in a strip below.
+    fn curve(&self, id: String, x: Grid) -> Plot {
+        let few = self.cells.len() < MOST_MARKS;
+        let y = self.values.axis();
+        let floor = y.range.map_or(0.0, |range| range[0]);
+        let (mut points, mut marks) = (Vec::new(), Vec::new());
+        for (cell, &at) in self.cells.iter().zip(&x.middles) {
+            let value = cell.as_ref().and_then(|cell| cell.value);
+            // On a logarithmic axis the size is shown, and a zero stands on the floor.
+            let shown = match self.values.log {
+                true => value.map(|value| value.abs().max(floor)),
+                false => value,
+            };
+            points.push((at, shown.unwrap_or(f64::NAN)));
+            marks.push(Mark {
+                shape: match cell {
+                    Some(_) if undetermined(cell.as_ref()) => Shape::Ring,
+                    Some(cell) if few => Shape::Kind(number(cell.verdict)),
+                    _ => Shape::None,
+                },
+                note: String::new(),
+            });
+        }
+        let field = Field {
+            fill: (self.cells.iter())
+                .map(|cell| Some(Fill::Colour(plain(cell.as_ref()?.verdict))))
+                .collect(),
+            strip: true,
+            ..self.field(&x, &[0.0, 1.0])
+        };
+        let edges = self.rigid_edges(&x).into_iter().map(|at| Rule {
+            at,
+            label: String::new(),
+            upright: true,
+        });
+        Plot {
+            id,
+            rules: edges.collect(),
+            series: vec![Series {
+                marks,
+                look: Look::Line,
+                ..Series::line("", points)
+            }],
+            x: x.axis,
+            y,
+            field: Some(field),
+            ..Plot::default()
+        }
+    }
+
+    /// Where the rigid mechanism would begin to lift off.
+    fn rigid_edges(&self, x: &Grid) -> Vec<f64> {
+        let margin = |column: usize| self.cell(column, 0)?.rigid_margin;
+        let mut found = Vec::new();
+        for column in 1..self.cells.len() {
+            let Some((before, here)) = margin(column - 1).zip(margin(column)) else {
+                continue;
+            };
+            if (before >= 0.0) != (here >= 0.0) {
+                found.push(x.between((column - 1) as f64 + before / (before - here)));
+            }
+        }
+        found
+    }
+}
+
+fn undetermined(cell: Option<&Cell>) -> bool {
+    cell.is_some_and(|cell| cell.determined == Some(false))
+}
+
+/// A verdict's place among all.
+fn number(verdict: Verdict) -> usize {
+    let place = Verdict::ALL.iter().position(|one| *one == verdict);
+    place.unwrap_or(0)
+}
+
+/// A parameter with the middles and edges of its cells, as values of the axis.
+struct Grid {
+    axis: Axis,
+    middles: Vec<f64>,
+    edges: Vec<f64>,
+}
+
+impl Grid {
+    fn new(parameter: &Parameter, unit: &str) -> Self {
+        let log = parameter.log;
+        let space = |value: f64| if log { value.abs().log10() } else { value };
+        let back = |place: f64| if log { 10f64.powf(place) } else { place };
+        let places: Vec<f64> = parameter.values().into_iter().map(space).collect();
+        let last = places.len() - 1;
+        let mut edges = vec![1.5 * places[0] - 0.5 * places[1]];
+        edges.extend(places.windows(2).map(|pair| 0.5 * (pair[0] + pair[1])));
+        edges.push(1.5 * places[last] - 0.5 * places[last - 1]);
+        let edges: Vec<f64> = edges.into_iter().map(back).collect();
+        let own = !parameter.unit.is_empty();
+        let unit = if own { parameter.unit.as_str() } else { unit };
+        let axis = Axis {
+            log,
+            // Prefixes suit SI units only; a unit of the user's own stays as it is.
+            fixed: own,
+            range: edges
+                .first()
+                .copied()
+                .zip(edges.last().copied())
+                .map(|(a, b)| [a, b]),
+            ..Axis::new(&parameter.path, unit)
+        };
+        Self {
+            axis,
+            middles: places.into_iter().map(back).collect(),
+            edges,
+        }
+    }
+
+    /// The value at a place between the middles, counted in cells.
+    fn between(&self, at: f64) -> f64 {
+        let low = (at as usize).min(self.middles.len() - 2);
+        let (a, b, part) = (self.middles[low], self.middles[low + 1], at - low as f64);
+        match self.axis.log {
+            true => (a.ln() + part * (b.ln() - a.ln())).exp(),
+            false => a + part * (b - a),
+        }
+    }
+}
+
+/// The bar of colours with its values.
+fn bar_of_colours(values: &Values, [left, top, width, height]: [f64; 4]) -> String {
+    let step = height / SHADES as f64;
+    let (x, w) = (coordinate(left), coordinate(width));
+    let mut out = String::from("<g shape-rendering=\"crispEdges\">\n");
+    for index in 0..SHADES {
+        let y = top + height - step * (index + 1) as f64;
+        let _ = writeln!(
+            out,
+            "<rect x=\"{x}\" y=\"{}\" width=\"{w}\" height=\"{}\" fill=\"{}\"/>",
+            coordinate(y),
+            coordinate(step + 0.3),
+            shade(index)
+        );
+    }
+    out.push_str("</g>\n");
+    for (value, label) in values.levels((height / 34.0) as usize) {
+        let y = coordinate(top + (1.0 - values.share(value)) * height);
+        let _ = writeln!(
+            out,
+            "<path class=\"axis\" d=\"M{} {y}h4\"/><text x=\"{}\" y=\"{y}\" dy=\"4\">{}</text>",
+            coordinate(left + width),
+            coordinate(left + width + 7.0),
+            escape(&label)
+        );
+    }
+    let _ = writeln!(
+        out,
+        "<text class=\"panel\" x=\"{x}\" y=\"{}\">{}</text>",
+        coordinate(top - 9.0),
+        escape(&values.name(&last_name(values.figure())))
+    );
+    out
+}
+
+/// `delta_max` of `rocker.delta_max`: the bar has little room.
+fn last_name(figure: &str) -> String {
+    let name = figure.rsplit('.').next().unwrap_or(figure);
+    match name {
+        "delta_abs" => "|δ| max".to_owned(),
+        "delta_max" => "δ max".to_owned(),
+        "delta_min" => "δ min".to_owned(),
+        "sigma" => "σ".to_owned(),
+        other => other.replace('_', " "),
+    }
+}
+
+/// What the hatchings mean, and how often they occur.
+fn entries(study: &Study<'_>, result: &MapResult) -> Vec<Entry> {
+    let mut counts: BTreeMap<Verdict, usize> = BTreeMap::new();
+    let (mut edge, mut rings) = ([false; 2], 0);
+    for cell in result.panels.iter().flatten().flatten() {
+        rings += usize::from(undetermined(Some(cell)));
+        *counts.entry(cell.verdict).or_insert(0) += 1;
+        if let Some(margin) = cell.rigid_margin {
+            edge[usize::from(margin < 0.0)] = true;
+        }
+    }
+    let occurring = Verdict::ALL.iter();
+    let occurring = occurring.filter_map(|verdict| Some((*verdict, counts.get(verdict)?)));
+    let mut list: Vec<Entry> = occurring
+        .map(|(verdict, count)| {
+            let sample = sample(verdict, study.y.is_some());
+            Entry::new(sample, format!("{} ({count})", verdict.words()))
+        })
+        .collect();
+    if rings > 0 {
+        let ring = "<circle class=\"ring\" cx=\"13\" r=\"3.6\"/>";
+        let words = format!("not determined to {} digits ({rings})", study.digits);
+        list.push(Entry::new(ring.to_owned(), words));
+    }
+    if edge == [true; 2] {
+        let line = match study.y {
+            Some(_) => {
+                "<path class=\"edge-back\" d=\"M0 0h26\"/><path class=\"edge\" d=\"M0 0h26\"/>"
+            }
+            None => "<path class=\"rule\" d=\"M0 0h26\"/>",
+        };
+        let words = "lift-off edge of the rigid mechanism".to_owned();
+        list.push(Entry::new(line.to_owned(), words));
+    }
+    list
+}
+
+/// A sample of how a verdict looks: on a colour of values in maps.
+fn sample(verdict: Verdict, map: bool) -> String {
+    let without_value = matches!(
+        verdict,
+        Verdict::Stopped | Verdict::NumericalFailure | Verdict::Refused
+    );
+    let ground = match map && !without_value {
+        true => shade(SHADES * 6 / 10),
+        false => plain(verdict).to_owned(),
+    };
+    swatch(&ground, hatching(verdict))
+}

@@ -1,0 +1,46 @@
+//! The marks of points.
+
+use super::field::Field;
+use super::{Shape, coordinate};
+use crate::report::quantity::escape;
+
+/// The mark of a point: circle, square, triangle or diamond by series, about its place.
+pub(super) fn mark(
+    [x, y]: [f64; 2],
+    style: usize,
+    shape: Shape,
+    note: &str,
+    field: Option<&Field>,
+) -> String {
+    let body = |fill: &str| match style % 4 {
+        0 => format!("<circle class=\"{fill}\" r=\"4\"/>"),
+        1 => format!("<rect class=\"{fill}\" x=\"-3.5\" y=\"-3.5\" width=\"7\" height=\"7\"/>"),
+        2 => format!("<path class=\"{fill}\" d=\"M0 -5l4.6 8h-9.2z\"/>"),
+        _ => format!("<path class=\"{fill}\" d=\"M0 -5l5 5-5 5-5-5z\"/>"),
+    };
+    let drawn = match shape {
+        Shape::None => return String::new(),
+        Shape::Good => body(&format!("f{style}")),
+        Shape::Open => body("hollow"),
+        Shape::Cross => "<path class=\"bare\" d=\"M-4 -4l8 8m0-8l-8 8\"/>".to_owned(),
+        Shape::AtMost => {
+            let arrow = "<path class=\"bare\" d=\"M0 4v13m-4-5l4 5 4-5\"/>";
+            body(&format!("f{style}")) + arrow
+        }
+        Shape::Ring => "<circle class=\"ring\" r=\"3.2\"/>".to_owned(),
+        Shape::Kind(kind) => {
+            let kinds = field.map_or(&[][..], |field| &field.kinds);
+            let colour = kinds.get(kind).map_or("#7d8791", |kind| kind.colour);
+            format!("<circle fill=\"{colour}\" stroke=\"none\" r=\"2.6\"/>")
+        }
+    };
+    let title = match note {
+        "" => String::new(),
+        note => format!("<title>{}</title>", escape(note)),
+    };
+    format!(
+        "<g class=\"mark s{style}\" transform=\"translate({} {})\">{title}{drawn}</g>",
+        coordinate(x),
+        coordinate(y)
+    )
+}

@@ -1,0 +1,166 @@
+//! The charts of a page and their data, as compact JSON for `plot.js`.
+
+use super::frame::{Frame, plane};
+use super::{Axis, Look, Plot, Shape, coordinate};
+use crate::report::quantity::escape;
+use serde_json::{Value, json};
+use std::collections::BTreeMap;
+
+/// What makes the charts of a page interactive.
+pub(in crate::report) const SCRIPT: &str = include_str!("plot.js");
+
+/// The charts of a page: their numbers once, however many of them show the same.
+#[derive(Clone, Debug, Default)]
+pub struct Plots {
+    columns: Vec<Vec<Option<f64>>>,
+    known: BTreeMap<Vec<u64>, usize>,
+    plots: Vec<Value>,
+}
+
+/// Digits of numbers along the horizontal axis and of values: what a plot can show, in a third
+/// of the bytes.
+const PLACES: usize = 12;
+const VALUES: usize = 9;
+
+impl Plots {
+    /// Number of a column of values, added where it is new.
+    pub(in crate::report) fn column(&mut self, values: &[f64], digits: usize) -> usize {
+        let key: Vec<u64> = values.iter().map(|value| value.to_bits()).collect();
+        if let Some(&known) = self.known.get(&key) {
+            return known;
+        }
+        let shown = |&v: &f64| v.is_finite().then(|| rounded(v, digits));
+        self.columns.push(values.iter().map(shown).collect());
+        self.known.insert(key, self.columns.len() - 1);
+        self.columns.len() - 1
+    }
+
+    /// Number of a column of instants or angles.
+    pub(in crate::report) fn places(&mut self, values: &[f64]) -> usize {
+        self.column(values, PLACES)
+    }
+
+    /// A chart of the page, this large as long as nothing scales it. Charts with the same
+    /// `link` are zoomed together.
+    pub fn figure(&mut self, plot: &Plot, [width, height]: [f64; 2], link: &str) -> String {
+        let index = self.plots.len();
+        let (frame, _) = plot.layout(width, height);
+        let body = plot.whole(width, height, index);
+        self.add(plot, &frame, link);
+        let (w, h) = (coordinate(width), coordinate(height));
+        format!(
+            "<div class=\"chart\"><svg class=\"dam-plot\" data-fluid=\"\" viewBox=\"0 0 {w} {h}\" \
+             role=\"img\" aria-label=\"{}\">\n{body}</svg></div>\n",
+            escape(&plot.title)
+        )
+    }
+
+    /// A chart that stands in a frame of a sheet: its number on the page.
+    pub(in crate::report) fn add(&mut self, plot: &Plot, frame: &Frame, link: &str) -> usize {
+        let series: Vec<Value> = plot.series.iter().map(|one| self.series(one)).collect();
+        let axis = |axis: &Axis, ends: [f64; 2]| {
+            json!({ "name": axis.name, "unit": axis.unit, "log": axis.log, "ends": ends,
+                    "fixed": axis.fixed, "rows": axis.rows })
+        };
+        let free = plot.plane || plot.x.log || plot.y.log || plot.field.is_some() || folded(plot);
+        let mut value = json!({
+            "id": plot.id,
+            "title": plot.title,
+            "link": link,
+            "x": axis(&plot.x, frame.x.ends),
+            "y": axis(&plot.y, frame.y.ends),
+            "both": free,
+            "series": series,
+            "bands": plot.bands.iter().map(|band| band.spans.clone()).collect::<Vec<_>>(),
+            "rules": plot.rules.iter().map(|rule| (rule.at, rule.upright)).collect::<Vec<_>>(),
+        });
+        if plot.plane {
+            value["plane"] = json!(plot.free_direction(frame));
+        }
+        if plot.start {
+            value["start"] = json!(true);
+        }
+        if let Some((below, _)) = plot.below {
+            value["below"] = json!(below);
+        }
+        if !plot.lane.is_empty() {
+            value["lane"] = json!(plot.lane);
+        }
+        if let Some(field) = &plot.field {
+            value["field"] = json!({
+                "x": field.x, "y": field.y, "strip": field.strip, "notes": field.notes,
+            });
+        }
+        self.plots.push(value);
+        self.plots.len() - 1
+    }
+
+    fn series(&mut self, series: &super::Series) -> Value {
+        let [x, y]: [Vec<f64>; 2] = [
+            series.points.iter().map(|point| point.0).collect(),
+            series.points.iter().map(|point| point.1).collect(),
+        ];
+        let mut value = json!({
+            "label": series.label,
+            "x": self.column(&x, PLACES),
+            "y": self.column(&y, VALUES),
+        });
+        if series.look == Look::Steps {
+            value["steps"] = json!(true);
+        }
+        if series.look == Look::Points {
+            value["bare"] = json!(true);
+        }
+        if !series.marks.is_empty() {
+            // 0: not marked; 1: on the curve; 2: beside it.
+            let place = |mark: &super::Mark| match mark.shape {
+                Shape::None => 0,
+                shape => 1 + u8::from(shape.is_beside()),
+            };
+            value["marks"] = json!(series.marks.iter().map(place).collect::<Vec<_>>());
+            let notes: Vec<&str> = series.marks.iter().map(|mark| mark.note.as_str()).collect();
+            if notes.iter().any(|note| !note.is_empty()) {
+                value["notes"] = json!(notes);
+            }
+        }
+        value
+    }
+
+    /// The columns and the charts as JSON that cannot end the element it stands in.
+    pub fn json(&self) -> String {
+        let document = json!({ "columns": self.columns, "plots": self.plots });
+        document.to_string().replace('<', "\\u003c")
+    }
+}
+
+/// True where a curve runs back along the horizontal axis: values belong to points, not places.
+fn folded(plot: &Plot) -> bool {
+    let back = |series: &super::Series| {
+        let finite = series.points.iter().map(|point| point.0);
+        let places: Vec<f64> = finite.filter(|x| x.is_finite()).collect();
+        let falls = places.windows(2).any(|pair| pair[1] < pair[0]);
+        falls && places.windows(2).any(|pair| pair[1] > pair[0])
+    };
+    plot.series.iter().any(back)
+}
+
+/// A number with that many significant digits.
+fn rounded(value: f64, digits: usize) -> f64 {
+    format!("{:.*e}", digits - 1, value)
+        .parse()
+        .unwrap_or(value)
+}
+
+/// A chart of vectors about their origin.
+pub(in crate::report) fn hodograph(title: &str, unit: &str, vectors: Vec<(f64, f64)>) -> Plot {
+    let [x, y] = plane(unit);
+    Plot {
+        title: title.to_owned(),
+        x,
+        y,
+        series: vec![super::Series::line("", vectors)],
+        plane: true,
+        start: true,
+        ..Plot::default()
+    }
+}

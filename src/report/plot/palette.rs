@@ -1,0 +1,146 @@
+//! All colours of charts and pages, for light and dark ground, and the colours of values.
+//!
+//! Pages have them as CSS variables; pictures that stand alone have the colours themselves,
+//! since not every reader of SVG knows variables, and the dark ones under a media query.
+//!
+//! The colours of values are those of viridis (Stéfan van der Walt and Nathaniel Smith,
+//! matplotlib, dedicated to the public domain under CC0), sixteen of them with straight lines
+//! between: lightness grows evenly, so that they keep their order in print and for
+//! colour-blind eyes.
+
+/// A variable with its colour on light and on dark ground.
+type Colour = (&'static str, &'static str, &'static str);
+
+const GENERAL: [Colour; 20] = [
+    ("paper", "#ffffff", "#14181d"),
+    ("panel", "#f6f7f9", "#1b2027"),
+    ("box", "#ffffff", "#1f252d"),
+    ("box-drive", "#e8f0f8", "#1d2c3c"),
+    ("ink", "#17202a", "#e6eaee"),
+    ("ink-soft", "#4f5a66", "#a0abb7"),
+    ("line", "#d5dae0", "#38414b"),
+    ("grid", "#e7eaee", "#262d35"),
+    ("accent", "#b4451f", "#ef8a55"),
+    ("shade", "rgba(196,84,32,.15)", "rgba(239,138,85,.2)"),
+    ("rule", "#8f1d3f", "#f59ab5"),
+    ("link", "#1d5a9e", "#7db4ee"),
+    ("good", "#1d6b43", "#7fd3a5"),
+    ("good-back", "#e6f3ec", "#173326"),
+    ("mechanism", "#98420f", "#f5b183"),
+    ("mechanism-back", "#fcefe3", "#3a2413"),
+    ("numerical", "#8f1d3f", "#f59ab5"),
+    ("numerical-back", "#fbe8ee", "#3d1725"),
+    ("unfinished", "#4c5560", "#c3ccd5"),
+    ("unfinished-back", "#eceff2", "#262d35"),
+];
+
+/// Colours of series, that keep apart in print and for colour-blind eyes, and their dashes.
+pub(in crate::report) const SERIES: [(&str, &str, &str); 12] = [
+    ("#1d5a9e", "#74aeec", ""),
+    ("#c04f15", "#f2965c", "7 3"),
+    ("#23804d", "#6fcf98", "2 2.5"),
+    ("#8345a0", "#c99be0", "9 3 2 3"),
+    ("#8a6a10", "#d9bb5c", "4 2"),
+    ("#0b8296", "#5fc9db", "12 4"),
+    ("#b0306a", "#ee86b2", "1.5 3.5"),
+    ("#566370", "#aab4bf", "6 2 1 2"),
+    ("#3a9bdc", "#b5d9ff", "14 3 3 3"),
+    ("#7fa015", "#c3e06a", "3 6"),
+    ("#6e3b1c", "#c99a7a", "10 2 2 2 2 2"),
+    ("#e0609c", "#ffc2dc", "5 5 1 5"),
+];
+
+/// The style of charts, in the variables of a page.
+pub(in crate::report) const STYLE: &str = include_str!("plot.css");
+
+/// Which colour, dash and shape of marks a series has.
+pub(super) fn style(index: usize) -> usize {
+    index % SERIES.len()
+}
+
+fn variables(dark: bool) -> impl Iterator<Item = (String, &'static str)> {
+    let of = move |(light, deep)| if dark { deep } else { light };
+    let general = (GENERAL.iter()).map(move |(name, l, d)| ((*name).to_owned(), of((*l, *d))));
+    let series = SERIES.iter().enumerate();
+    general.chain(series.map(move |(k, (l, d, _))| (format!("series-{k}"), of((*l, *d)))))
+}
+
+/// The variables of a page, light, and dark where the reader wishes it and nothing is printed.
+pub(in crate::report) fn of_page() -> String {
+    let list = |dark| -> String {
+        let one = |(name, colour)| format!("--{name}:{colour};");
+        variables(dark).map(one).collect()
+    };
+    format!(
+        ":root{{color-scheme:light dark;{}}}\n@media screen and (prefers-color-scheme:dark){{:root{{{}}}}}\n",
+        list(false),
+        list(true)
+    )
+}
+
+/// A style with the colours of light ground in place of the variables, and those of dark
+/// ground behind a media query.
+pub(in crate::report) fn standing_alone(style: &str) -> String {
+    // Only what has a colour of the page is different on dark ground.
+    let coloured: String = style
+        .split_inclusive('}')
+        .filter(|rule| rule.contains("var("))
+        .collect();
+    let dark = match coloured.is_empty() {
+        true => String::new(),
+        false => format!(
+            "@media screen and (prefers-color-scheme:dark){{{}}}",
+            with_colours(&coloured, true)
+        ),
+    };
+    with_colours(style, false) + &dark
+}
+
+/// A style with colours in place of `var(--ink)`, or `var(--ink, #17202a)`.
+fn with_colours(style: &str, dark: bool) -> String {
+    let mut out = String::with_capacity(style.len());
+    let mut rest = style;
+    while let Some((before, after)) = rest.split_once("var(--") {
+        let (name, after) = after.split_once(')').unwrap_or((after, ""));
+        let name = name.split(',').next().unwrap_or(name).trim();
+        let found = variables(dark).find(|(known, _)| known == name);
+        out.push_str(before);
+        out.push_str(found.map_or("inherit", |(_, colour)| colour));
+        rest = after;
+    }
+    out + rest
+}
+
+const VIRIDIS: [[u8; 3]; 16] = [
+    [68, 1, 84],
+    [72, 26, 108],
+    [71, 47, 125],
+    [65, 68, 135],
+    [57, 86, 140],
+    [49, 104, 142],
+    [42, 120, 142],
+    [35, 136, 142],
+    [31, 152, 139],
+    [34, 168, 132],
+    [53, 183, 121],
+    [84, 197, 104],
+    [122, 209, 81],
+    [165, 219, 54],
+    [210, 226, 27],
+    [253, 231, 37],
+];
+
+/// Shades of values that are told apart.
+pub(in crate::report) const SHADES: usize = 96;
+
+/// The colour of a shade below [`SHADES`].
+pub(in crate::report) fn shade(shade: usize) -> String {
+    let at = shade as f64 / (SHADES - 1) as f64 * (VIRIDIS.len() - 1) as f64;
+    let low = (at as usize).min(VIRIDIS.len() - 2);
+    let part = at - low as f64;
+    let mix = |k: usize| {
+        let (a, b) = (f64::from(VIRIDIS[low][k]), f64::from(VIRIDIS[low + 1][k]));
+        (a + part * (b - a)).round() as u8
+    };
+    format!("#{:02x}{:02x}{:02x}", mix(0), mix(1), mix(2))
+}

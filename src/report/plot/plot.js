@@ -1,0 +1,747 @@
+"use strict";
+// Makes the charts of a page answer. Every chart is drawn already; here it is fitted to the
+// page's width, zoomed (drag, wheel, buttons; a double click shows everything), told of at the
+// pointer, and its series are switched in the legend. Colours and shapes are those of the
+// drawing. Cursors over one quantity go together, and with what moves on the page.
+const page = JSON.parse(document.getElementById("data").textContent);
+const numbers = (() => {
+  const PREFIXES = { "-12": "p", "-9": "n", "-6": "µ", "-3": "m", 0: "", 3: "k", 6: "M", 9: "G" };
+  const TAKE_ALL = ["N", "J", "W", "Pa", "Hz", "Nm"], TAKE_SMALL = ["s", "m", "rad"];
+  const superscript = (n) => String(n).replace(/./g, (c) => c === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[+c]);
+  const minus = (text) => text.replace(/-/g, "−");
+
+  // As `scale` of quantity.rs: small prefixes of a kilogram stand before the gram.
+  function scaleFor(magnitude, unit) {
+    if (!(magnitude > 0) || !isFinite(magnitude) || !unit || unit.startsWith("1")) return { factor: 1, unit };
+    let exponent = Math.floor((Math.log10(magnitude) + 1e-9) / 3) * 3;
+    const first = unit.split(/[ /]/)[0], gram = first === "kg", all = TAKE_ALL.includes(first);
+    const some = all || gram || TAKE_SMALL.includes(first);
+    if ((!all && exponent === 3) || (!some && exponent === -3)) exponent = 0;
+    const factor = 10 ** exponent;
+    if (exponent === 0) return { factor, unit };
+    const prefix = all || (some && exponent < 0) ? PREFIXES[gram ? exponent + 3 : exponent] : undefined;
+    if (prefix === undefined) return { factor, unit: `10${superscript(exponent)} ${unit}` };
+    return { factor, unit: prefix + (gram ? unit.slice(1) : unit) };
+  }
+
+  // As `significant` of quantity.rs.
+  function significant(value, digits) {
+    if (value === null || !isFinite(value)) return "–";
+    if (value === 0) return "0";
+    const [mantissa, power] = value.toExponential(digits - 1).split("e");
+    if (+power >= -4 && +power < Math.max(digits, 6)) return minus(String(+value.toPrecision(digits)));
+    const lead = minus(String(+mantissa));
+    return `${lead === "1" ? "" : lead === "−1" ? "−" : `${lead}·`}10${superscript(+power)}`;
+  }
+
+  function withUnit(value, unit, digits) {
+    const scale = scaleFor(Math.abs(value), unit);
+    return `${significant(value / scale.factor, digits)}${scale.unit.startsWith("10") ? "·" : " "}${scale.unit}`.trim();
+  }
+  return { superscript, minus, scaleFor, significant, withUnit };
+})();
+
+// Words beside the pointer; none hides them.
+const pointed = (() => {
+  const tip = Object.assign(document.createElement("div"), { className: "tip", hidden: true });
+  document.body.appendChild(tip);
+  return (event, lines) => {
+    tip.hidden = !lines || !lines.length;
+    if (tip.hidden) return;
+    tip.replaceChildren(...lines.map((line) => Object.assign(document.createElement("div"), { textContent: line })));
+    const room = document.documentElement.clientWidth, box = tip.getBoundingClientRect();
+    tip.style.left = `${Math.max(4, Math.min(event.clientX + 14, room - box.width - 8)) + scrollX}px`;
+    tip.style.top = `${event.clientY + 16 + scrollY}px`;
+  };
+})();
+
+(() => {
+  const { superscript, minus, scaleFor, significant, withUnit } = numbers;
+  const SVG = "http://www.w3.org/2000/svg";
+  const PITCH_X = 78, PITCH_Y = 32, RIGHT = 20, LANE = 26, WIDE = 2.5;
+  const moving = document.querySelector("figure.moving") !== null;
+  let printing = false;
+  // The place that all cursors and the machine stand at; null: none is shown.
+  let instant = null;
+
+  function add(parent, name, attributes, text) {
+    const node = document.createElementNS(SVG, name);
+    for (const key in attributes) node.setAttribute(key, attributes[key]);
+    if (text !== undefined) node.textContent = text;
+    parent.appendChild(node);
+    return node;
+  }
+  const fixed = (value) => +value.toFixed(2);
+  const widthOf = (text) => 6.8 * text.length;
+
+  // ---- ticks ---------------------------------------------------------------
+  function ticks(low, high, count) {
+    const raw = (high - low) / count, power = 10 ** Math.floor(Math.log10(raw));
+    const step = ([1, 2, 5].find((f) => raw <= f * power * (1 + 1e-9)) || 10) * power;
+    const first = Math.ceil(low / step - 1e-9), last = Math.floor(high / step + 1e-9);
+    const decimals = Math.min(17, Math.max(0, Math.ceil(-Math.log10(step) - 1e-9)));
+    const list = [];
+    for (let i = first; i <= last && list.length < 60; i++) {
+      const text = (i * step).toFixed(decimals);
+      list.push([i * step, minus(/[1-9]/.test(text) ? text : text.replace("-", ""))]);
+    }
+    return list;
+  }
+
+  // How the values of an axis between two ends are shown.
+  function shown(axis, ends) {
+    const size = Math.max(...ends.map((end) => Math.abs(axis.log ? 10 ** end : end)));
+    if (axis.fixed || (axis.log && Math.abs(ends[1] - ends[0]) > WIDE)) return { factor: 1, unit: axis.unit };
+    return scaleFor(0.94 * size, axis.unit);
+  }
+
+  // [place on the axis, label, class] of every tick; places are logarithms of a log axis.
+  function marksOf(axis, ends, pixels, pitch) {
+    if (axis.rows.length) return axis.rows.map((name, row) => [row + 0.5, name, "gridline"]);
+    const { factor } = shown(axis, ends), count = Math.max(2, pixels / pitch);
+    const low = Math.min(...ends), high = Math.max(...ends);
+    if (!axis.log) return ticks(low / factor, high / factor, count).map(([v, label]) => [v * factor, label, v === 0 ? "zero" : "gridline"]);
+    const decades = high - low;
+    if (decades < 0.7) return ticks(10 ** low / factor, 10 ** high / factor, count).map(([v, label]) => [Math.log10(v * factor), label, "gridline"]);
+    const every = Math.max(1, Math.ceil(decades / count)), some = 3 * decades <= 1.6 * count, list = [];
+    for (let decade = Math.floor(low); decade <= Math.ceil(high); decade++) for (let lead = 1; lead <= 9; lead++) {
+      const place = decade + Math.log10(lead);
+      if (place < low - 1e-9 || place > high + 1e-9 || (lead > 1 && decades > 7)) continue;
+      const named = lead === 1 ? decade % every === 0 : (lead === 2 || lead === 5) && some;
+      const power = decade === 0 ? "1" : decade === 1 ? "10" : `10${superscript(decade)}`;
+      const wide = lead === 1 ? power : decade === 0 ? String(lead) : `${lead}·${power}`;
+      const label = decades <= WIDE ? significant(lead * 10 ** decade / factor, 3) : wide;
+      list.push([place, named ? label : "", lead > 1 ? "minor" : "gridline"]);
+    }
+    return list;
+  }
+
+  // ---- series --------------------------------------------------------------
+  const column = (index) => page.columns[index];
+  const rising = new Map();
+  // Whether places follow one another along the axis, so that they can be searched.
+  function isRising(index) {
+    if (!rising.has(index)) rising.set(index, column(index).every((x, i, all) => x !== null && (i === 0 || x >= all[i - 1])));
+    return rising.get(index);
+  }
+
+  // First index with values[index] >= v.
+  function lowerBound(values, v) {
+    let low = 0, high = values.length;
+    while (low < high) { const middle = (low + high) >> 1; if (values[middle] < v) low = middle + 1; else high = middle; }
+    return low;
+  }
+
+  // Visible points of a series: indices from one before to one after the range.
+  function span(series, ends) {
+    const xs = column(series.x);
+    if (!isRising(series.x)) return [0, xs.length - 1];
+    return [Math.max(0, lowerBound(xs, ends[0]) - 1), Math.min(xs.length - 1, lowerBound(xs, ends[1]))];
+  }
+
+  function nearest(series, x) {
+    const xs = column(series.x);
+    if (!isRising(series.x)) {
+      let best = 0;
+      xs.forEach((at, i) => { if (at !== null && (xs[best] === null || Math.abs(at - x) < Math.abs(xs[best] - x))) best = i; });
+      return best;
+    }
+    const i = lowerBound(xs, x);
+    if (i <= 0) return 0;
+    if (i >= xs.length) return xs.length - 1;
+    return x - xs[i - 1] <= xs[i] - x ? i - 1 : i;
+  }
+
+  // ---- charts --------------------------------------------------------------
+  class Chart {
+    constructor(group) {
+      this.group = group;
+      this.svg = group.ownerSVGElement;
+      this.data = page.plots[+group.dataset.plot];
+      const [left, top, width, height] = group.dataset.frame.split(" ").map(Number);
+      // The frame as it was drawn, and as it is.
+      this.drawn = { left, top, width, height };
+      this.frame = { left, top, width, height };
+      this.whole = { x: this.data.x.ends, y: this.data.y.ends };
+      this.range = { x: this.whole.x, y: this.whole.y };
+      this.fluid = this.svg.dataset.fluid !== undefined;
+      const box = this.svg.viewBox.baseVal;
+      this.size = [box.width, box.height];
+      this.below = this.size[1] - top - height;
+      this.hidden = new Set();
+      this.axis = `${this.data.x.name} ${this.data.x.unit}`;
+      const one = (selector) => group.querySelector(selector);
+      this.grid = one(".grid");
+      this.curves = [...group.querySelectorAll(".inside > [data-series]")];
+      this.sets = [...group.querySelectorAll(".points > [data-series]")];
+      this.pad = one(".pad");
+      this.clip = one("clipPath rect");
+      this.border = group.querySelector(":scope > .axis");
+      // What is moved as it was drawn: cells, contour lines, borders, what stands upon them.
+      this.paths = [...group.querySelectorAll(".field path, .inside > .below, .inside > [data-band], .inside > .rule")]
+        .filter((node) => !node.closest("pattern"))
+        .map((node) => ({ node, d: node.getAttribute("d") }));
+      this.spots = [...group.querySelectorAll(".labels > *")].map((node) => {
+        const [x, y] = node.getAttribute("transform").match(/-?[\d.]+/g).map(Number);
+        return { node, x, y };
+      });
+      this.over = add(group, "g", { class: "over", "pointer-events": "none" });
+      this.cursor = add(this.over, "line", { class: "pointer", visibility: "hidden" });
+      this.dots = this.data.series.map((series, index) => {
+        const style = this.curves[index] ? [...this.curves[index].classList].find((name) => /^s\d+$/.test(name)) : "s0";
+        return add(this.over, "circle", { r: 3.2, class: `dot f${style.slice(1)}`, visibility: "hidden" });
+      });
+      this.reading = add(this.over, "text", { class: "reading", "text-anchor": "end", y: 18 });
+      this.cell = add(this.over, "rect", { class: "pointed", visibility: "hidden" });
+      this.kept = add(this.over, "rect", { class: "pointed kept", visibility: "hidden" });
+      this.selection = add(this.over, "rect", { class: "selection", visibility: "hidden" });
+      this.entries = [...group.querySelectorAll(".legend .entry")];
+      this.entries.filter((entry) => entry.dataset.series !== undefined).forEach((entry) => this.switches(entry));
+      this.listen();
+    }
+
+    // -- places
+    space(axis, value) { return value === null ? undefined : this.data[axis].log ? (value > 0 ? Math.log10(value) : undefined) : value; }
+    back(axis, place) { return this.data[axis].log ? 10 ** place : place; }
+    px(value) { return this.at("x", this.space("x", value)); }
+    py(value) { return this.at("y", this.space("y", value)); }
+    at(axis, place) {
+      const { left, top, width, height } = this.frame, [from, to] = this.range[axis], share = (place - from) / (to - from);
+      return axis === "x" ? left + share * width : top + (1 - share) * height;
+    }
+    // A drawn place, zoomed.
+    moved(axis, pixel) {
+      const { left, top, width, height } = this.drawn, [from, to] = this.whole[axis];
+      const share = axis === "x" ? (pixel - left) / width : 1 - (pixel - top) / height;
+      return fixed(this.at(axis, from + share * (to - from)));
+    }
+
+    // -- drawing
+    fit() {
+      if (this.fluid) {
+        const total = Math.max(280, printing ? Math.min(700, this.size[0]) : this.svg.parentNode.clientWidth);
+        let x = this.drawn.left, row = 0;
+        for (const entry of this.entries) {
+          const room = +entry.dataset.room;
+          if (x > this.drawn.left && x + room - 12 > total - RIGHT) { x = this.drawn.left; row++; }
+          entry.setAttribute("transform", `translate(${x} ${36 + 18 * row})`);
+          x += room;
+        }
+        const lane = this.group.querySelector(".lane") ? LANE : 0;
+        this.frame.top = 28 + (this.entries.length ? 18 * (row + 1) : 0) + lane;
+        this.frame.width = Math.max(60, total - this.drawn.left - RIGHT);
+        this.frame.height = this.drawn.height;
+        const height = this.frame.top + this.frame.height + this.below;
+        this.svg.setAttribute("viewBox", `0 0 ${fixed(total)} ${fixed(height)}`);
+        if (this.data.plane) {
+          const whole = !this.zoomed();
+          if (whole) this.range = { x: this.data.x.ends, y: this.data.y.ends };
+          this.evened();
+          if (whole) this.whole = { ...this.range };
+        }
+      }
+      const { left, top, width, height } = this.frame;
+      if (this.border) this.border.setAttribute("d", `M${left} ${top}h${width}v${height}h${-width}z`);
+      for (const node of [this.pad, this.clip]) {
+        node.setAttribute("x", this.frame.left); node.setAttribute("y", this.frame.top);
+        node.setAttribute("width", this.frame.width);
+        node.setAttribute("height", this.frame.height + (node === this.pad && this.data.field && this.data.field.strip ? 20 : 0));
+      }
+    }
+
+    // One scale on both axes of a plane, about the middle of what is shown.
+    evened() {
+      const { width, height } = this.frame, [a, b] = ["x", "y"].map((axis) => this.range[axis][1] - this.range[axis][0]);
+      const unit = Math.max(a / width, b / height);
+      for (const [axis, pixels] of [["x", width], ["y", height]]) {
+        const middle = (this.range[axis][0] + this.range[axis][1]) / 2;
+        this.range[axis] = [middle - unit * pixels / 2, middle + unit * pixels / 2];
+      }
+    }
+
+    // Where values follow from places the vertical axis goes with what is visible.
+    level() {
+      if (this.data.both || !this.zoomed() && !this.hidden.size) { if (!this.data.both) this.range.y = this.whole.y; return; }
+      let low = Infinity, high = -Infinity;
+      this.data.series.forEach((series, index) => {
+        if (this.hidden.has(index)) return;
+        const [from, to] = span(series, this.range.x), ys = column(series.y);
+        for (let i = from; i <= to; i++) { const v = ys[i]; if (v === null) continue; if (v < low) low = v; if (v > high) high = v; }
+      });
+      for (const [at, upright] of this.data.rules) if (!upright && !this.zoomed()) { low = Math.min(low, at); high = Math.max(high, at); }
+      if (low > high) { this.range.y = this.whole.y; return; }
+      const size = Math.max(Math.abs(low), Math.abs(high));
+      // What moves by less than rounding is drawn as the constant that it is.
+      const pad = high - low <= 1e-9 * size || size === 0 ? (size > 0 ? size * 0.1 : 1) : 0.07 * (high - low);
+      const strips = this.group.querySelectorAll("[data-band]:not(.open)").length;
+      const room = strips ? (high - low + 2 * pad) * (6 * strips + 2) / this.frame.height : 0;
+      this.range.y = [low - pad - room, high + pad];
+    }
+
+    zoomed() { return ["x", "y"].some((axis) => (axis === "x" || this.data.both) && this.range[axis].some((end, i) => end !== this.whole[axis][i])); }
+
+    draw() {
+      this.fit();
+      this.level();
+      this.drawGrid();
+      for (const { node, d } of this.paths) {
+        if (node.dataset.band !== undefined || node.matches(".below, .rule")) continue;
+        let from = "x";
+        node.setAttribute("d", d.replace(/([MLHV])(-?[\d.]+)(?: (-?[\d.]+))?/g, (_, command, a, b) => {
+          from = command === "V" ? "y" : "x";
+          return b === undefined ? `${command}${this.moved(from, +a)}` : `${command}${this.moved("x", +a)} ${this.moved("y", +b)}`;
+        }));
+        if (this.data.field && this.data.field.strip) node.setAttribute("d", d.replace(/([MH])(-?[\d.]+)/g, (_, command, a) => `${command}${Math.min(Math.max(this.moved("x", +a), this.frame.left), this.frame.left + this.frame.width)}`));
+      }
+      for (const { node, x, y } of this.spots) {
+        const [px, py] = [this.moved("x", x), this.moved("y", y)];
+        node.setAttribute("transform", `translate(${px} ${py})`);
+        node.setAttribute("visibility", this.inside(px, py) ? "inherit" : "hidden");
+      }
+      this.drawGround();
+      this.data.series.forEach((series, index) => this.drawSeries(series, index));
+      if (this.chosen) this.placeCell(this.kept, this.chosen);
+      this.cell.setAttribute("visibility", "hidden");
+      if (instant !== null && instant.axis === this.axis) this.pointAt(instant.value); else this.quiet();
+    }
+
+    inside(x, y) {
+      const { left, top, width, height } = this.frame;
+      return x >= left - 0.6 && x <= left + width + 0.6 && y >= top - 0.6 && y <= top + height + 0.6;
+    }
+
+    drawGrid() {
+      if (this.data.plane) { this.drawPolar(); return; }
+      const { left, top, width, height } = this.frame, grid = this.grid, { x: xs, y: ys, field } = this.data;
+      const solid = field && !field.strip, strip = field && field.strip ? 20 : 0, lane = this.group.querySelector(".lane");
+      const name = grid.querySelector(".lane + text");
+      grid.replaceChildren();
+      if (lane) {
+        lane.setAttribute("x", left); lane.setAttribute("y", top - LANE); lane.setAttribute("width", width);
+        name.setAttribute("y", top - LANE / 2 + 4);
+        grid.append(lane, name);
+      }
+      for (const [place, label, kind] of marksOf(ys, this.range.y, height, PITCH_Y)) {
+        const y = fixed(this.at("y", place));
+        if (!this.inside(left, y)) continue;
+        if (!solid) add(grid, "path", { class: kind, d: `M${left} ${y}h${width}` });
+        if (label) add(grid, "text", { x: left - 7, y, dy: 4, "text-anchor": "end" }, label);
+      }
+      let end = -Infinity;
+      for (const [place, label, kind] of marksOf(xs, this.range.x, width, PITCH_X).map((mark) => [this.at("x", mark[0]), mark[1], mark[2]]).sort((a, b) => a[0] - b[0])) {
+        const x = fixed(place);
+        if (!this.inside(x, top)) continue;
+        add(grid, "path", solid ? { class: "axis", d: `M${x} ${top + height}v4` } : { class: kind, d: `M${x} ${top}v${height}` });
+        const half = widthOf(label) / 2;
+        if (!label || x - half < end + 8) continue;
+        end = x + half;
+        add(grid, "text", { x: Math.min(x, left + width + 18 - half), y: top + height + strip + 17, "text-anchor": "middle" }, label);
+      }
+      if (!solid) add(grid, "path", { class: "axis", d: `M${left} ${top}v${height}h${width}` });
+      const titled = (axis) => [axis.name, shown(axis, this.range[axis === xs ? "x" : "y"]).unit].filter(Boolean).join(", ");
+      add(grid, "text", { class: "x-name", x: left + width / 2, y: top + height + strip + 35, "text-anchor": "middle" }, titled(xs));
+      if (ys.name) {
+        const at = Math.max(Math.min(14, left - 40), left - 62);
+        add(grid, "text", { transform: `translate(${at} ${top + height / 2}) rotate(-90)`, "text-anchor": "middle" }, titled(ys));
+      } else {
+        const unit = this.group.querySelector(".title .unit"), text = shown(ys, this.range.y).unit;
+        if (unit) unit.textContent = text ? `, ${text}` : "";
+      }
+    }
+
+    // Rings and directions about the origin.
+    drawPolar() {
+      const { left, top, width, height } = this.frame, grid = this.grid, cx = this.at("x", 0), cy = this.at("y", 0);
+      const pixels = width / (this.range.x[1] - this.range.x[0]), { factor, unit } = shown(this.data.x, this.range.x);
+      const far = Math.max(...[left, left + width].flatMap((x) => [top, top + height].map((y) => Math.hypot(x - cx, y - cy)))) / pixels;
+      const whole = !this.zoomed(), reach = whole ? 0.5 * Math.min(width, height) / pixels - 20 / pixels : far;
+      const angle = this.data.plane * Math.PI / 180, visible = (x, y) => this.inside(x, y);
+      const clip = this.clip.parentNode.id;
+      grid.replaceChildren();
+      const step = whole ? reach : Math.min(width, height) / pixels / 2;
+      const first = ticks(0, step / factor, 4), gap = first.length > 1 ? first[1][0] - first[0][0] : step / factor;
+      const least = this.inside(cx, cy) ? 0 : Math.max(0, Math.hypot(Math.max(left - cx, 0, cx - left - width), Math.max(top - cy, 0, cy - top - height)) / pixels / factor);
+      const decimals = first.length > 1 ? (first[1][1].split(".")[1] || "").length : 0;
+      for (let ring = Math.max(1, Math.floor(least / gap)), count = 0; ring * gap * factor <= reach * (1 + 1e-6) && count < 40; ring++, count++) {
+        const r = ring * gap * factor * pixels;
+        add(grid, "circle", { class: "gridline", cx, cy, r, fill: "none", "clip-path": `url(#${clip})` });
+        const x = cx + r * Math.cos(angle), y = cy - r * Math.sin(angle);
+        if (visible(x, y)) add(grid, "text", { x, y, dy: 4, "text-anchor": "middle" }, (ring * gap).toFixed(decimals));
+      }
+      for (let spoke = 0; spoke < 12; spoke++) {
+        const [cos, sin] = [Math.cos(spoke * Math.PI / 6), Math.sin(spoke * Math.PI / 6)], r = reach * pixels;
+        add(grid, "path", { class: spoke % 3 ? "gridline" : "zero", d: `M${cx} ${cy}L${cx + r * cos} ${cy - r * sin}`, "clip-path": `url(#${clip})` });
+        if (whole && spoke % 3 === 0) add(grid, "text", { x: cx + (r + 13) * cos, y: cy - (r + 11) * sin, dy: 4, "text-anchor": "middle" }, `${30 * spoke}°`);
+      }
+      const title = this.group.querySelector(".title .unit");
+      if (title) title.textContent = unit ? `, ${unit}` : "";
+    }
+
+    // Shaded parts and lines across the frame.
+    drawGround() {
+      const { left, top, width, height } = this.frame, clamp = (x) => Math.min(Math.max(x, left), left + width);
+      const bands = this.paths.filter(({ node }) => node.dataset.band !== undefined), strips = bands.filter(({ node }) => !node.classList.contains("open")).length;
+      let strip = 0;
+      bands.forEach(({ node }, index) => {
+        const full = node.classList.contains("open");
+        if (!full) strip++;
+        const y = full ? top : top + height - 6 * (strips + 1 - strip), high = full ? height : 5;
+        let d = "", from = null, to = null;
+        const flush = () => { if (from !== null) d += `M${fixed(from)} ${y}h${fixed(Math.max(0.6, to - from))}v${high}H${fixed(from)}z`; };
+        for (const [a, b] of this.data.bands[index]) {
+          if (this.px(b) < left || this.px(a) > left + width) continue;
+          const l = clamp(this.px(a)), r = clamp(this.px(b));
+          if (from !== null && l - to < 0.4) { to = Math.max(to, r); continue; }
+          flush(); from = l; to = r;
+        }
+        flush();
+        node.setAttribute("d", d);
+      });
+      const rules = this.paths.filter(({ node }) => node.matches(".rule"));
+      rules.forEach(({ node }, index) => {
+        const [at, upright] = this.data.rules[index];
+        node.setAttribute("d", upright ? `M${fixed(this.px(at))} ${top}v${height}` : `M${left} ${fixed(this.py(at))}h${width}`);
+      });
+      const below = this.paths.find(({ node }) => node.matches(".below"));
+      if (below) {
+        const y = Math.min(Math.max(this.py(this.data.below), top), top + height);
+        below.node.setAttribute("d", `M${left} ${y}h${width}V${top + height}h${-width}z`);
+      }
+    }
+
+    // Where samples are denser than pixels, each pixel column keeps its first, least, greatest
+    // and last value, so that no peak is lost.
+    drawSeries(series, index) {
+      const off = this.hidden.has(index), curve = this.curves[index], set = this.sets[index];
+      const xs = column(series.x), ys = column(series.y), { top, left, width } = this.frame;
+      const lane = this.data.lane !== undefined && this.group.querySelector(".lane") !== null;
+      const spot = (i) => {
+        const x = this.px(xs[i]), y = this.py(ys[i]);
+        if (lane && series.marks && !(y >= top)) return [x, top - LANE / 2, true];
+        return [x, y, false];
+      };
+      if (curve) {
+        const parts = [];
+        let pen = false;
+        const point = (i) => {
+          const [x, y, beside] = spot(i);
+          if (!isFinite(x) || !isFinite(y) || beside || (series.marks && series.marks[i] === 2)) { pen = false; return; }
+          parts.push(pen && series.steps ? `H${fixed(x)}V${fixed(y)}` : `${pen ? "L" : "M"}${fixed(x)} ${fixed(y)}`);
+          pen = true;
+        };
+        const [from, to] = span(series, this.data.x.log ? this.range.x.map((end) => 10 ** end) : this.range.x);
+        if (!off && !series.bare) {
+          if (to - from < 3 * width) for (let i = from; i <= to; i++) point(i);
+          else for (let i = from; i <= to;) {
+            const place = Math.floor(this.px(xs[i]));
+            let end = i, low = i, high = i;
+            while (end + 1 <= to && Math.floor(this.px(xs[end + 1])) === place) {
+              end++;
+              if (ys[end] < ys[low]) low = end;
+              if (ys[end] > ys[high]) high = end;
+            }
+            [...new Set([i, Math.min(low, high), Math.max(low, high), end])].forEach(point);
+            i = end + 1;
+          }
+        }
+        curve.setAttribute("d", parts.join(""));
+      }
+      if (!set) return;
+      const marks = [...set.children];
+      const places = series.marks ? series.marks.map((mark, i) => mark ? i : -1).filter((i) => i >= 0) : [];
+      if (this.data.start && marks.length > places.length) places.push(0);
+      marks.forEach((mark, k) => {
+        const [x, y, beside] = spot(places[k]);
+        const visible = !off && isFinite(x) && isFinite(y) && (beside ? x >= left - 0.6 && x <= left + width + 0.6 : this.inside(x, y));
+        mark.setAttribute("visibility", visible ? "inherit" : "hidden");
+        if (visible) mark.setAttribute("transform", `translate(${fixed(x)} ${fixed(y)})`);
+      });
+    }
+
+    // -- the legend switches series
+    switches(entry) {
+      const index = +entry.dataset.series;
+      entry.classList.add("switch");
+      entry.setAttribute("role", "button");
+      entry.setAttribute("tabindex", "0");
+      entry.setAttribute("aria-pressed", "true");
+      const flip = () => {
+        if (this.hidden.has(index)) this.hidden.delete(index); else this.hidden.add(index);
+        entry.classList.toggle("off", this.hidden.has(index));
+        entry.setAttribute("aria-pressed", String(!this.hidden.has(index)));
+        this.draw();
+      };
+      entry.addEventListener("click", flip);
+      entry.addEventListener("keydown", (event) => { if (event.key === "Enter" || event.key === " ") { event.preventDefault(); flip(); } });
+    }
+
+    // -- reading
+    // The cursor at a place of the axis: values of all series there.
+    pointAt(value) {
+      const { left, top, width, height } = this.frame, x = this.px(value);
+      this.quiet();
+      if (this.data.plane || this.data.field || !(x >= left - 1 && x <= left + width + 1)) return null;
+      const values = [];
+      let at = null;
+      this.data.series.forEach((series, index) => {
+        if (this.hidden.has(index) || !column(series.x).length || (this.data.both && !isRising(series.x))) return;
+        const i = nearest(series, value), v = column(series.y)[i], place = column(series.x)[i];
+        if (v === null || place === null) return;
+        if (at === null) at = place;
+        const [px, py] = [this.px(place), this.py(v)];
+        if (this.inside(px, py)) { this.dots[index].setAttribute("cx", px); this.dots[index].setAttribute("cy", py); this.dots[index].setAttribute("visibility", "visible"); }
+        values.push([index, series.label, withUnit(v, this.data.y.unit, 6)]);
+      });
+      if (at === null) return null;
+      const line = { x1: Math.min(Math.max(this.px(at), left), left + width), y1: top, y2: top + height, visibility: "visible" };
+      line.x2 = line.x1;
+      for (const key in line) this.cursor.setAttribute(key, line[key]);
+      const place = `${this.data.x.name} = ${withUnit(at, this.data.x.unit, 6)}`;
+      // What there is room for beside the title; everything is told at the pointer.
+      const heading = this.group.querySelector(".title");
+      const room = left + width - (heading ? left + widthOf(heading.textContent) * 1.12 : left);
+      const texts = [place, ...values.map((one) => one[2])];
+      while (texts.length && widthOf(texts.join("   ")) > room) texts.shift();
+      this.reading.setAttribute("x", left + width);
+      this.reading.textContent = values.length <= 3 ? texts.join("   ") : widthOf(place) < room ? place : "";
+      return [place, ...values.map(([, label, text]) => label ? `${label}: ${text}` : text)];
+    }
+
+    quiet() {
+      this.cursor.setAttribute("visibility", "hidden");
+      this.dots.forEach((dot) => dot.setAttribute("visibility", "hidden"));
+      this.reading.textContent = "";
+    }
+
+    // The point nearest to the pointer, of charts whose values belong to points.
+    pointNear(x, y) {
+      let best = null, least = 40;
+      this.data.series.forEach((series, index) => {
+        if (this.hidden.has(index)) return;
+        const xs = column(series.x), ys = column(series.y), { top } = this.frame;
+        const lane = this.group.querySelector(".lane") !== null && series.marks;
+        for (let i = 0; i < xs.length; i++) {
+          const px = this.px(xs[i]);
+          let py = this.py(ys[i]);
+          if (lane && !(py >= top)) py = top - LANE / 2;
+          const off = Math.hypot(px - x, py - y);
+          if (off < least) { least = off; best = { series, index, i, px, py }; }
+        }
+      });
+      this.quiet();
+      if (!best) return null;
+      const { series, index, i, px, py } = best, [a, b] = [column(series.x)[i], column(series.y)[i]];
+      this.dots[index].setAttribute("cx", px); this.dots[index].setAttribute("cy", py);
+      this.dots[index].setAttribute("visibility", "visible");
+      const named = (axis, value, other) => value === null ? "" : `${axis.name || other} = ${withUnit(value, axis.unit, 6)}`;
+      const lines = [series.label];
+      if (this.data.plane) {
+        lines.push(`size ${withUnit(Math.hypot(a, b), this.data.x.unit, 6)}, direction ${significant(Math.atan2(b, a) * 180 / Math.PI, 5)}°`);
+        lines.push(`x = ${withUnit(a, this.data.x.unit, 6)}, y = ${withUnit(b, this.data.y.unit, 6)}`);
+      } else lines.push(named(this.data.x, a, "x"), named(this.data.y, b, this.data.title.split(":")[0]));
+      if (series.notes) lines.push(series.notes[i]);
+      return lines.filter(Boolean);
+    }
+
+    // The cell at a place of the picture.
+    cellAt(x, y) {
+      const field = this.data.field;
+      if (!field) return null;
+      const found = (axis, edges, place) => {
+        for (let i = 0; i + 1 < edges.length; i++) {
+          const [a, b] = [edges[i], edges[i + 1]].map((edge) => this.space(axis, edge));
+          if ((place - a) * (place - b) <= 0) return i;
+        }
+        return -1;
+      };
+      const place = this.placeAt(x, y), column = found("x", field.x, place.x), row = field.strip ? 0 : found("y", field.y, place.y);
+      if (column < 0 || row < 0) return null;
+      return { column, row, index: row * (field.x.length - 1) + column };
+    }
+
+    placeCell(rect, { column, row }) {
+      const { field } = this.data, { left, top, width, height } = this.frame;
+      const xs = [field.x[column], field.x[column + 1]].map((edge) => Math.min(Math.max(this.px(edge), left), left + width)).sort((a, b) => a - b);
+      const ys = field.strip ? [top, top + height + 17] : [field.y[row], field.y[row + 1]].map((edge) => Math.min(Math.max(this.py(edge), top), top + height)).sort((a, b) => a - b);
+      for (const [name, value] of [["x", xs[0]], ["y", ys[0]], ["width", xs[1] - xs[0]], ["height", ys[1] - ys[0]]]) rect.setAttribute(name, value);
+      rect.setAttribute("visibility", xs[1] - xs[0] > 0 && ys[1] - ys[0] > 0 ? "visible" : "hidden");
+    }
+
+    // -- pointer
+    pixel(event) {
+      const matrix = this.svg.getScreenCTM();
+      const point = new DOMPoint(event.clientX, event.clientY).matrixTransform(matrix.inverse());
+      return [point.x, point.y];
+    }
+
+    // Places on both axes (logarithms of log axes) of a place of the picture.
+    placeAt(x, y) {
+      const { left, top, width, height } = this.frame, share = (value) => Math.min(1, Math.max(0, value));
+      const [a, b] = [share((x - left) / width), share(1 - (y - top) / height)];
+      const along = (axis, part) => this.range[axis][0] + part * (this.range[axis][1] - this.range[axis][0]);
+      return { x: along("x", a), y: along("y", b) };
+    }
+
+    hover(event) {
+      const [x, y] = this.pixel(event);
+      const cell = this.cellAt(x, y);
+      if (this.data.field) {
+        if (!cell) return;
+        this.placeCell(this.cell, cell);
+        this.say("cell", cell);
+        const note = this.data.field.notes[cell.index];
+        pointed(event, note ? [note] : null);
+        return;
+      }
+      if (this.data.both) { pointed(event, this.pointNear(x, y)); return; }
+      const value = this.back("x", this.placeAt(x, y).x);
+      tell(this.axis, value);
+      pointed(event, this.pointAt(value));
+    }
+
+    say(kind, detail) { document.dispatchEvent(new CustomEvent(kind, { detail: { ...detail, plot: this.data.id } })); }
+
+    listen() {
+      const node = this.pad;
+      let start = null;
+      node.addEventListener("pointerdown", (event) => {
+        if (event.button !== 0 || event.pointerType === "touch") return;
+        this.dragged = false;
+        start = { pixel: this.pixel(event), place: this.placeAt(...this.pixel(event)), x: event.clientX, y: event.clientY };
+        try { node.setPointerCapture(event.pointerId); } catch { /* a pointer made by a script */ }
+      });
+      node.addEventListener("pointermove", (event) => {
+        if (!start) { this.hover(event); return; }
+        const [x, y] = this.pixel(event), { left, top, width, height } = this.frame, clamp = (v, a, b) => Math.min(Math.max(v, a), b);
+        const xs = [start.pixel[0], clamp(x, left, left + width)].sort((a, b) => a - b);
+        const ys = this.data.both ? [start.pixel[1], clamp(y, top, top + height)].sort((a, b) => a - b) : [top, top + height];
+        for (const [name, value] of [["x", xs[0]], ["width", xs[1] - xs[0]], ["y", ys[0]], ["height", ys[1] - ys[0]]]) this.selection.setAttribute(name, value);
+        this.selection.setAttribute("visibility", "visible");
+      });
+      node.addEventListener("pointerup", (event) => {
+        if (!start) return;
+        const end = this.placeAt(...this.pixel(event)), { place, x, y } = start;
+        start = null;
+        this.selection.setAttribute("visibility", "hidden");
+        this.active = true;
+        if (Math.abs(event.clientX - x) < 5 && (!this.data.both || Math.abs(event.clientY - y) < 5)) return;
+        this.dragged = true;
+        const box = (axis) => [Math.min(place[axis], end[axis]), Math.max(place[axis], end[axis])];
+        const turned = (axis, [a, b]) => this.whole[axis][0] > this.whole[axis][1] ? [b, a] : [a, b];
+        zoom(this, { x: turned("x", box("x")), y: this.data.both && this.free("y") ? turned("y", box("y")) : null });
+      });
+      node.addEventListener("click", (event) => {
+        // The click that ends a drag chooses nothing.
+        if (this.dragged) { this.dragged = false; return; }
+        const cell = this.cellAt(...this.pixel(event));
+        if (!cell) return;
+        for (const other of charts) { other.chosen = null; other.kept.setAttribute("visibility", "hidden"); }
+        this.chosen = cell;
+        this.placeCell(this.kept, cell);
+        this.say("chosen", cell);
+      });
+      node.addEventListener("pointercancel", () => { start = null; this.selection.setAttribute("visibility", "hidden"); });
+      node.addEventListener("pointerleave", () => {
+        if (start) return;
+        pointed(null, null);
+        this.cell.setAttribute("visibility", "hidden");
+        if (this.data.field) this.say("left", {});
+        else if (this.data.both) this.quiet();
+        else if (!moving) tell(this.axis, null);
+      });
+      node.addEventListener("dblclick", (event) => { event.preventDefault(); zoom(this, null); });
+      // A wheel over a page full of charts means scrolling until a chart has been clicked.
+      node.addEventListener("wheel", (event) => {
+        if (!(this.active || event.ctrlKey || event.metaKey)) return;
+        event.preventDefault();
+        magnify(this, this.placeAt(...this.pixel(event)), Math.exp(Math.sign(event.deltaY) * 0.25));
+      }, { passive: false });
+    }
+
+    // Whether an axis is zoomed at all: rows are not.
+    free(axis) { return !this.data[axis].rows.length && !(axis === "y" && this.data.field && this.data.field.strip); }
+  }
+
+  const charts = [...document.querySelectorAll("svg.dam-plot g.plot")].map((group) => new Chart(group));
+  const linked = (chart) => chart.data.link ? charts.filter((other) => other.data.link === chart.data.link) : [chart];
+  const barsOf = (link) => [...document.querySelectorAll(".bar[data-zoom]")].filter((bar) => bar.dataset.zoom === link);
+
+  // ---- zooming -------------------------------------------------------------
+  // The part of an axis that lies within the whole, and is not shorter than rounding bears.
+  function within([from, to], [first, last]) {
+    const turned = first > last, [low, high] = turned ? [last, first] : [first, last];
+    let [a, b] = from < to ? [from, to] : [to, from];
+    const least = Math.max((high - low) * 1e-9, 1e-12 * Math.max(Math.abs(low), Math.abs(high)));
+    if (b - a < least) { const middle = (a + b) / 2; a = middle - least / 2; b = middle + least / 2; }
+    if (b - a >= high - low) [a, b] = [low, high];
+    if (a < low) { b += low - a; a = low; }
+    if (b > high) { a -= b - high; b = high; }
+    return turned ? [b, a] : [a, b];
+  }
+
+  // Zooms a chart and those that go with it; null: everything.
+  function zoom(chart, ranges) {
+    for (const other of linked(chart)) {
+      for (const axis of ["x", "y"]) {
+        if (axis === "y" && !other.data.both) continue;
+        const wanted = ranges && ranges[axis];
+        if (!ranges) other.range[axis] = other.whole[axis];
+        else if (wanted) other.range[axis] = within(wanted, other.whole[axis]);
+      }
+      if (other.data.plane && ranges) other.evened();
+      other.draw();
+    }
+    for (const bar of barsOf(chart.data.link)) bar.querySelectorAll(".reset").forEach((reset) => { reset.disabled = !chart.zoomed(); });
+  }
+
+  function magnify(chart, centre, factor) {
+    const part = (axis) => chart.range[axis].map((end) => centre[axis] + (end - centre[axis]) * factor);
+    zoom(chart, { x: part("x"), y: chart.data.both && chart.free("y") ? part("y") : null });
+  }
+
+  // ---- cursors -------------------------------------------------------------
+  // All cursors over one quantity go together, and what moves with them.
+  function tell(axis, value) {
+    document.dispatchEvent(new CustomEvent("instant", { detail: { axis, value, by: "plots" } }));
+  }
+  document.addEventListener("instant", (event) => {
+    const { axis, value } = event.detail;
+    instant = value === null ? null : { axis, value };
+    for (const chart of charts) {
+      if (chart.axis !== axis || chart.data.both) continue;
+      if (value === null) chart.quiet(); else chart.pointAt(value);
+    }
+  });
+
+  // ---- setting up ----------------------------------------------------------
+  for (const bar of document.querySelectorAll(".bar[data-zoom]")) {
+    const chart = charts.find((one) => one.data.link === bar.dataset.zoom);
+    if (!chart) { bar.remove(); continue; }
+    const button = (text, label, act) => {
+      const node = Object.assign(document.createElement("button"), { type: "button", textContent: text, title: label });
+      node.setAttribute("aria-label", label);
+      node.addEventListener("click", act);
+      bar.appendChild(node);
+      return node;
+    };
+    const middle = () => ({ x: (chart.range.x[0] + chart.range.x[1]) / 2, y: (chart.range.y[0] + chart.range.y[1]) / 2 });
+    const shift = (part) => { const d = (chart.range.x[1] - chart.range.x[0]) * part; zoom(chart, { x: chart.range.x.map((end) => end + d), y: null }); };
+    button("+", "zoom in", () => magnify(chart, middle(), 0.5));
+    button("−", "zoom out", () => magnify(chart, middle(), 2));
+    button("‹", "to the left", () => shift(-0.5));
+    button("›", "to the right", () => shift(0.5));
+    const reset = button("everything", "show everything", () => zoom(chart, null));
+    reset.className = "reset";
+    reset.disabled = true;
+    const hint = document.createElement("span");
+    hint.className = "hint";
+    hint.textContent = "Drag to zoom, double click for everything; wheel with Ctrl, or after a click.";
+    bar.appendChild(hint);
+  }
+  const drawAll = () => charts.forEach((chart) => chart.draw());
+  drawAll();
+  let pending = 0;
+  window.addEventListener("resize", () => { clearTimeout(pending); pending = setTimeout(drawAll, 120); });
+  window.addEventListener("beforeprint", () => { printing = true; drawAll(); });
+  window.addEventListener("afterprint", () => { printing = false; drawAll(); });
+})();

@@ -1,0 +1,319 @@
+//! How values lie along an axis, and where its ticks stand.
+
+use super::{Axis, width_of};
+use crate::report::quantity::{scale, significant, superscript};
+
+/// An axis with its ends, ready to be drawn.
+#[derive(Clone, Debug, PartialEq)]
+pub(in crate::report) struct Scale {
+    /// True: logarithmic.
+    pub(super) log: bool,
+    /// The ends, as logarithms of a logarithmic axis.
+    pub(super) ends: [f64; 2],
+    /// Shown number = value / factor.
+    pub(super) factor: f64,
+    /// Unit of the shown numbers.
+    pub(super) unit: String,
+    rows: Vec<String>,
+}
+
+/// A line of the grid.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Tick {
+    /// Where, 0 … 1 along the axis.
+    pub(super) share: f64,
+    /// What stands at it; empty: nothing.
+    pub(super) label: String,
+    /// True between powers of ten.
+    pub(super) minor: bool,
+    /// True at zero.
+    pub(super) zero: bool,
+}
+
+/// From this many decades on a logarithmic axis shows powers of ten alone.
+const WIDE: f64 = 2.5;
+
+impl Scale {
+    /// The scale of an axis between two values.
+    pub(in crate::report) fn new(axis: &Axis, [from, to]: [f64; 2]) -> Self {
+        let ends = match axis.log {
+            true => [from.log10(), to.log10()],
+            false => [from, to],
+        };
+        let ends = match ends.iter().all(|end| end.is_finite()) && ends[0] != ends[1] {
+            true => ends,
+            false => [0.0, 1.0],
+        };
+        let greatest = from.abs().max(to.abs());
+        let wide = axis.log && (ends[1] - ends[0]).abs() > WIDE;
+        let plain = wide || axis.fixed;
+        let shown = scale(if plain { 1.0 } else { 0.94 * greatest }, &axis.unit);
+        Self {
+            log: axis.log,
+            ends,
+            factor: if plain { 1.0 } else { shown.factor },
+            unit: if plain { axis.unit.clone() } else { shown.unit },
+            rows: axis.rows.clone(),
+        }
+    }
+
+    /// Where a value lies, 0 … 1 within the axis; not a number where it has no place.
+    pub(in crate::report) fn share(&self, value: f64) -> f64 {
+        let value = match self.log {
+            true if value > 0.0 => value.log10(),
+            true => f64::NAN,
+            false => value,
+        };
+        (value - self.ends[0]) / (self.ends[1] - self.ends[0])
+    }
+
+    /// The value at a share of the axis.
+    #[cfg(test)]
+    fn at(&self, share: f64) -> f64 {
+        let value = self.ends[0] + share * (self.ends[1] - self.ends[0]);
+        if self.log { 10f64.powf(value) } else { value }
+    }
+
+    /// Ticks on an axis of that many pixels, about one every `pitch`.
+    pub(super) fn ticks(&self, pixels: f64, pitch: f64) -> Vec<Tick> {
+        if !self.rows.is_empty() {
+            let rows = self.rows.iter().enumerate();
+            return rows
+                .map(|(row, name)| Tick {
+                    share: self.share(row as f64 + 0.5),
+                    label: name.clone(),
+                    minor: false,
+                    zero: false,
+                })
+                .collect();
+        }
+        let count = (pixels / pitch).max(2.0) as usize;
+        let (low, high) = (
+            self.ends[0].min(self.ends[1]),
+            self.ends[0].max(self.ends[1]),
+        );
+        if self.log {
+            return self.powers(low, high, count);
+        }
+        let found = ticks(low / self.factor, high / self.factor, count);
+        let tick = |&value: &f64| Tick {
+            share: self.share(value * self.factor),
+            label: found.label(value),
+            minor: false,
+            zero: value == 0.0,
+        };
+        found.values.iter().map(tick).collect()
+    }
+
+    /// Ticks between 10^low and 10^high.
+    fn powers(&self, low: f64, high: f64, count: usize) -> Vec<Tick> {
+        let decades = high - low;
+        if decades < 0.7 {
+            let found = ticks(
+                10f64.powf(low) / self.factor,
+                10f64.powf(high) / self.factor,
+                count,
+            );
+            let tick = |&value: &f64| Tick {
+                share: self.share(value * self.factor),
+                label: found.label(value),
+                minor: false,
+                zero: false,
+            };
+            return found.values.iter().map(tick).collect();
+        }
+        let every = (decades / count.max(1) as f64).ceil().max(1.0) as i32;
+        let some = 3.0 * decades <= 1.6 * count as f64;
+        let mut list = Vec::new();
+        for decade in low.floor() as i32..=high.ceil() as i32 {
+            for lead in 1..=9 {
+                let value = f64::from(lead) * 10f64.powi(decade);
+                let place = value.log10();
+                let named = match lead {
+                    1 => decade.rem_euclid(every) == 0,
+                    2 | 5 => some,
+                    _ => false,
+                };
+                if place < low - 1e-9 || place > high + 1e-9 || (lead > 1 && decades > 7.0) {
+                    continue;
+                }
+                list.push(Tick {
+                    share: self.share(value),
+                    label: if named {
+                        self.label(value, lead, decade)
+                    } else {
+                        String::new()
+                    },
+                    minor: lead > 1,
+                    zero: false,
+                });
+            }
+        }
+        list
+    }
+
+    /// `10⁻⁴`, or `0.02` where the axis spans few decades.
+    fn label(&self, value: f64, lead: i32, decade: i32) -> String {
+        if (self.ends[1] - self.ends[0]).abs() <= WIDE {
+            return significant(value / self.factor, 3);
+        }
+        let power = match decade {
+            0 => "1".to_owned(),
+            1 => "10".to_owned(),
+            _ => format!("10{}", superscript(decade)),
+        };
+        match (lead, decade) {
+            (1, _) => power,
+            (_, 0) => lead.to_string(),
+            _ => format!("{lead}·{power}"),
+        }
+    }
+
+    /// `t, ms`; the name alone of a plain number.
+    pub(super) fn title(&self, name: &str) -> String {
+        match (name, self.unit.as_str()) {
+            (name, "") => name.to_owned(),
+            ("", unit) => unit.to_owned(),
+            (name, unit) => format!("{name}, {unit}"),
+        }
+    }
+}
+
+/// Empties the labels that would touch one shown before them, on an axis of that many pixels.
+pub(super) fn thinned(mut list: Vec<Tick>, pixels: f64, gap: f64) -> Vec<Tick> {
+    list.sort_by(|a, b| a.share.total_cmp(&b.share));
+    let mut end = f64::NEG_INFINITY;
+    for tick in &mut list {
+        let (at, half) = (tick.share * pixels, 0.5 * width_of(&tick.label));
+        if at - half < end + gap {
+            tick.label.clear();
+        } else if !tick.label.is_empty() {
+            end = at + half;
+        }
+    }
+    list
+}
+
+/// Round tick values that lie within an axis.
+#[derive(Clone, Debug, PartialEq)]
+pub(in crate::report) struct Ticks {
+    /// Ascending values.
+    pub(in crate::report) values: Vec<f64>,
+    /// Digits after the point that tell neighbouring ticks apart.
+    decimals: usize,
+}
+
+/// Ticks at multiples of 1, 2 or 5 times a power of ten between `low` and
+/// `high`, about `count` of them. Empty for an axis without extent.
+pub(in crate::report) fn ticks(low: f64, high: f64, count: usize) -> Ticks {
+    let span = high - low;
+    let none = Ticks {
+        values: Vec::new(),
+        decimals: 0,
+    };
+    if !(span.is_finite() && span > 0.0) {
+        return none;
+    }
+    let step = round_step(span / count.max(1) as f64);
+    let (first, last) = ((low / step - 1e-9).ceil(), (high / step + 1e-9).floor());
+    // Far from zero a tiny span is below the resolution of the numbers.
+    if step <= 0.0 || last - first > 1000.0 {
+        return none;
+    }
+    let values = (0..=(last - first).max(0.0) as usize)
+        .map(|index| (first + index as f64) * step)
+        .collect();
+    let decimals = (-(step.log10() + 1e-9).floor()).clamp(0.0, 17.0) as usize;
+    Ticks { values, decimals }
+}
+
+/// 1, 2 or 5 times a power of ten, at least `raw`.
+fn round_step(raw: f64) -> f64 {
+    let power = 10f64.powf(raw.log10().floor());
+    let lead = raw / power;
+    let factor = [1.0, 2.0, 5.0]
+        .into_iter()
+        .find(|f| lead <= f * (1.0 + 1e-9));
+    factor.unwrap_or(10.0) * power
+}
+
+impl Ticks {
+    /// A tick's label, with a real minus sign and no negative zero.
+    pub(in crate::report) fn label(&self, value: f64) -> String {
+        let text = format!("{:.*}", self.decimals, value);
+        match text.strip_prefix('-') {
+            Some(rest) if rest.chars().any(|c| c.is_ascii_digit() && c != '0') => {
+                format!("−{rest}")
+            }
+            Some(rest) => rest.to_owned(),
+            None => text,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Scale, thinned, ticks};
+    use crate::report::plot::Axis;
+
+    #[test]
+    fn ticks_are_round_and_inside() {
+        let axis = ticks(-0.34, 7.6, 6);
+        let labels: Vec<_> = axis.values.iter().map(|&v| axis.label(v)).collect();
+        assert_eq!(labels, ["0", "2", "4", "6"]);
+        let axis = ticks(0.0, 0.5, 5);
+        assert_eq!(axis.values.len(), 6);
+        assert_eq!(axis.label(axis.values[1]), "0.1");
+        assert_eq!(ticks(-1.0, 1.0, 4).label(-0.5), "−0.5");
+        assert_eq!(ticks(-1e-3, 1e-3, 4).label(-0.0), "0.0000");
+    }
+
+    #[test]
+    fn an_axis_without_extent_has_no_ticks() {
+        assert!(ticks(1.0, 1.0, 5).values.is_empty());
+        assert!(ticks(0.0, f64::NAN, 5).values.is_empty());
+        assert!(ticks(1.0, 0.0, 5).values.is_empty());
+    }
+
+    #[test]
+    fn a_decade_takes_the_same_room_everywhere() {
+        let axis = Axis {
+            log: true,
+            ..Axis::new("error", "")
+        };
+        let scale = Scale::new(&axis, [1e-9, 1e3]);
+        let shares = [1e-6, 1e-3, 1.0].map(|value| scale.share(value));
+        approx::assert_abs_diff_eq!(
+            shares[1] - shares[0],
+            shares[2] - shares[1],
+            epsilon = 1e-12
+        );
+        approx::assert_relative_eq!(scale.at(scale.share(3e-5)), 3e-5, max_relative = 1e-9);
+        assert!(scale.share(0.0).is_nan() && scale.share(-1.0).is_nan());
+        let named = scale.ticks(300.0, 48.0);
+        assert!(named.iter().any(|tick| tick.label == "10⁻⁶"));
+    }
+
+    #[test]
+    fn labels_of_ticks_never_touch() {
+        for log in [false, true] {
+            for (from, to) in [(1e-3, 1.0), (0.9, 1.1), (1e-9, 1e4), (123456.7, 123457.9)] {
+                for pixels in [60.0, 150.0, 400.0, 1200.0] {
+                    let axis = Axis {
+                        log,
+                        ..Axis::new("x", "m")
+                    };
+                    let scale = Scale::new(&axis, [from, to]);
+                    let list = thinned(scale.ticks(pixels, 20.0), pixels, 6.0);
+                    let shown: Vec<_> = list.iter().filter(|t| !t.label.is_empty()).collect();
+                    for pair in shown.windows(2) {
+                        let room = (pair[1].share - pair[0].share) * pixels;
+                        let need = 0.5
+                            * (super::width_of(&pair[0].label) + super::width_of(&pair[1].label));
+                        assert!(room >= need, "{from} … {to} on {pixels}: {pair:?}");
+                    }
+                }
+            }
+        }
+    }
+}
