@@ -3,7 +3,7 @@
 use super::interrupt::{self, Keeping};
 use crate::diagnostics::printable;
 use crate::integrate::{Modes, Sink, SwitchEvent};
-use crate::polynomial::Step;
+use crate::math::polynomial::Step;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::IsTerminal;
 use std::time::{Duration, Instant};

@@ -1,5 +1,6 @@
 //! The object graph as it is drawn: boxes, edges, and where they stand.
 
+use super::order::drivers_first;
 use crate::model::{
     Closure, Coordinate, LinkageBody, Model, NodeMotion, ObjectPart, Pair, PartInput,
 };
@@ -151,27 +152,6 @@ fn inputs(object: &ObjectPart, place: impl Fn(usize) -> Option<usize>) -> Vec<Bo
         Some(BoxInput { driver, name })
     };
     object.inputs.iter().filter_map(input).collect()
-}
-
-/// Indices of the objects, each after its drivers; among equals by their order.
-pub fn drivers_first(model: &Model) -> Vec<usize> {
-    let mut order: Vec<usize> = Vec::with_capacity(model.objects.len());
-    let roots = (0..model.objects.len()).filter(|&o| model.objects[o].is_drive());
-    order.extend(roots);
-    let mut next = 0;
-    while next < order.len() {
-        let driver = order[next];
-        let placed = |input: &PartInput| order.contains(&input.driver);
-        let driven = |&o: &usize| {
-            let object = &model.objects[o];
-            let waits = object.is_driven_by(driver) && !order.contains(&o);
-            waits && object.inputs.iter().all(placed)
-        };
-        let followers: Vec<usize> = (0..model.objects.len()).filter(driven).collect();
-        order.extend(followers);
-        next += 1;
-    }
-    order
 }
 
 /// The driving pair of an object; `None` for a drive or a bilateral rigid object.

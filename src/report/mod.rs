@@ -32,6 +32,7 @@ pub mod map;
 pub mod math;
 pub mod mechanism;
 pub mod methods;
+mod order;
 pub mod plot;
 pub mod quantity;
 pub mod show;

@@ -1,7 +1,7 @@
 //! Arguments of `dam law …`.
 
-use crate::cli::args::scene::SceneArgs;
 use crate::cli::args::scene::OutArgs;
+use crate::cli::args::scene::SceneArgs;
 use clap::{Args, Subcommand, ValueEnum};
 
 /// Commands on laws of motion.

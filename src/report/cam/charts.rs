@@ -1,6 +1,6 @@
 //! Diagrams of a cam over its turn.
 
-use super::page::sampled;
+use super::sampled::sampled;
 use crate::analysis::cam::{CamFigures, CamForce};
 use crate::cam::{CamState, DiscCam};
 use crate::report::plot::{Axis, Look, Mark, Plot, Series};

@@ -5,9 +5,11 @@ mod dxf;
 mod page;
 mod picture;
 mod remarks;
+mod sampled;
 mod tables;
 mod text;
 mod view;
+mod words;
 
 pub use dxf::dxf;
 pub use page::{CamReport, page};

@@ -2,7 +2,7 @@
 
 use super::picture::{Follower, bodies, drawing, drawn, style};
 use super::remarks::remarks;
-use super::tables::rows;
+use super::sampled::PLACES;
 use super::text::{describe, facts as cam_facts};
 use super::view::{View, view};
 use super::{NamedCurve, charts};
@@ -15,8 +15,6 @@ use crate::report::quantity::escape;
 use crate::report::verdict::{Sort, Verdict};
 use std::fmt::Write as _;
 
-/// Places of the cam that the page's player knows.
-const PLACES: usize = 720;
 /// How long a turn is played at normal speed (s).
 const SECONDS: f64 = 6.0;
 
@@ -71,7 +69,7 @@ pub fn page(report: &CamReport<'_>) -> String {
             "Curves",
             format!(
                 "{points} points, the curves within {} of their chords",
-                super::text::length(report.tolerance)
+                super::words::length(report.tolerance)
             ),
         ),
     ];
@@ -239,9 +237,4 @@ fn player(report: &CamReport<'_>, view: &View) -> Player {
         bodies: bodies(cam, view, 0, &follower).into(),
         ..Player::default()
     }
-}
-
-/// Angles of the diagrams (rad), with the piece of each.
-pub(super) fn sampled(cam: &DiscCam) -> Vec<(usize, f64)> {
-    rows(cam, PLACES)
 }

@@ -2,6 +2,7 @@
 //! player of a page turns and moves.
 
 use super::NamedCurve;
+use super::view::short;
 use super::view::{Mover, View, mover, parts, rim_radius, view};
 use crate::cam::{Contact, DiscCam, Guide, Surface};
 use crate::report::html::player::{Body, Shown};
@@ -290,8 +291,4 @@ fn follower(cam: &DiscCam, view: &View) -> String {
 /// The style of the drawing, for pages.
 pub(in crate::report) fn style() -> &'static str {
     STYLE
-}
-
-pub(super) fn short(value: f64) -> String {
-    crate::report::plot::coordinate(value)
 }

@@ -1,6 +1,6 @@
 //! What a designer must know of a cam, in sentences.
 
-use super::text::{angle_at, degrees, length};
+use super::words::{angle_at, degrees, length};
 use crate::analysis::cam::CamFigures;
 use crate::cam::Finding;
 use crate::report::quantity::with_unit;

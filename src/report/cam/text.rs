@@ -1,6 +1,8 @@
 //! A cam on the terminal.
 
 use super::remarks::remarks;
+use super::words::{DIGITS, clean};
+use super::words::{angle_at, degrees, length};
 use crate::analysis::cam::{Answer, CamFigures, FaceFigures, ForceFigures, Radii, SpringAnswer};
 use crate::analysis::law::LiftOff;
 use crate::cam::closing::LetsGo;
@@ -9,9 +11,6 @@ use crate::cam::{At, CamGeometry, Contact, DiscCam, Guide, Surface};
 use crate::report::quantity::{significant, with_unit};
 use std::f64::consts::TAU;
 use std::fmt::Write as _;
-
-/// Significant digits.
-const DIGITS: usize = 7;
 
 /// All that was found, in lines.
 pub fn cam_text(id: &str, cam: &DiscCam, found: &CamFigures) -> String {
@@ -69,29 +68,12 @@ pub(super) fn describe(geometry: &CamGeometry) -> String {
     format!("{surface} turning {sense}, {follower}, {contact}")
 }
 
-pub(super) fn length(value: f64) -> String {
-    with_unit(value, "m", DIGITS)
-}
-
-pub(super) fn degrees(angle: f64) -> String {
-    format!("{} deg", significant(clean(angle.to_degrees()), DIGITS))
-}
-
-/// What is rounding of zero reads as zero.
-fn clean(value: f64) -> f64 {
-    if value.abs() < 1e-12 { 0.0 } else { value }
-}
-
 fn at(at: At, unit: &str) -> String {
     format!(
         "{} at {}",
         with_unit(clean(at.value), unit, DIGITS),
         degrees(at.phi)
     )
-}
-
-pub(super) fn angle_at(at: At) -> String {
-    format!("{} at {}", degrees(at.value), degrees(at.phi))
 }
 
 /// Names and values, geometry first.

@@ -1,7 +1,7 @@
 //! Where things stand on the drawing of a cam, and how they move.
 
 use super::NamedCurve;
-use super::picture::short;
+
 use crate::cam::{Contact, DiscCam, Guide, Surface};
 use std::f64::consts::PI;
 
@@ -190,4 +190,8 @@ pub(in crate::report) fn view(cam: &DiscCam, curves: &[NamedCurve]) -> View {
         origin: [MARGIN - scale * low[0], MARGIN + scale * high[1]],
         size: spans.map(|span| scale * span + 2.0 * MARGIN),
     }
+}
+
+pub(super) fn short(value: f64) -> String {
+    crate::report::plot::coordinate(value)
 }

@@ -1,7 +1,7 @@
 //! Cams of the machine with their followers, to scale.
 
 use super::Machine;
-use super::station::{Picture, Way};
+use super::way::{Picture, Way};
 use crate::cam::{DiscCam, Guide};
 use crate::model::{NodeMotion, ObjectPart};
 use crate::report::cam::{Follower, bodies, drawing, drawn, view};

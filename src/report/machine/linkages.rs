@@ -1,6 +1,6 @@
 //! Linkages of the machine: to scale, over their input coordinate.
 
-use super::station::{Picture, Way};
+use super::way::{Picture, Way};
 use crate::linkage::Linkage;
 use crate::model::{Model, NodeMotion, ObjectPart};
 use crate::report::html::player::{Body, Shown};

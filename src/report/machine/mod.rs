@@ -7,6 +7,7 @@ mod cams;
 mod linkages;
 mod magnify;
 mod station;
+mod way;
 
 use super::cam;
 use super::html::player::{Coordinates, Player};

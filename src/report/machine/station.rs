@@ -1,6 +1,7 @@
 //! One object of the machine: its picture, its moving parts, its readings.
 
 use super::Machine;
+use super::way::{Picture, Way};
 use super::{cams, linkages};
 use crate::model::{Coordinate, ObjectPart};
 use crate::record::{Column, Quantity, Record};
@@ -35,19 +36,6 @@ pub(super) struct Station {
     pub(super) pixels: f64,
     column: usize,
     coordinate: Coordinate,
-}
-
-/// A picture with its parts.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Picture {
-    /// What stands within its `<svg>`.
-    pub(super) drawn: String,
-    /// Width and height (pixels).
-    pub(super) size: [f64; 2],
-    /// Its parts.
-    pub(super) bodies: Vec<Body>,
-    /// How far a unit of the displacement goes (pixels).
-    pub(super) pixels: f64,
 }
 
 impl Station {
@@ -134,15 +122,6 @@ impl Station {
             1.0 / small.factor
         )
     }
-}
-
-/// Where an object was over a run.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Way {
-    /// Displacement at the first sample.
-    pub(super) start: f64,
-    /// Least and greatest displacement.
-    pub(super) range: [f64; 2],
 }
 
 impl Way {

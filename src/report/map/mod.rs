@@ -6,10 +6,12 @@ mod looks;
 mod page;
 pub mod picture;
 mod pointing;
+mod report;
 mod text;
 mod values;
 
 pub use csv::map_csv;
 pub use document::document;
-pub use page::{MapReport, page};
+pub use page::page;
+pub use report::MapReport;
 pub use text::text;

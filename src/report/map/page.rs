@@ -1,10 +1,10 @@
 //! A map as a page that opens without a network.
 
+use super::report::MapReport;
 use super::{picture, pointing};
 use crate::analysis::axis::Axis;
 use crate::analysis::map::{
-    Cell, MOST_STEPS, MapResult, NEAR_HARMONIC, RESONANCE, STEADY, Study, THROWN_OFF, Verdict,
-    summary,
+    Cell, MOST_STEPS, NEAR_HARMONIC, RESONANCE, STEADY, Study, THROWN_OFF, Verdict, summary,
 };
 use crate::analysis::spread::CHANGE;
 use crate::report::html::{facts, header, scene, shell};
@@ -16,22 +16,6 @@ use std::fmt::Write as _;
 
 /// Causes listed of each verdict and panel.
 const MOST_CAUSES: usize = 12;
-
-/// Everything that goes into the page of a map.
-#[derive(Clone, Copy, Debug)]
-pub struct MapReport<'a> {
-    /// What was asked.
-    pub study: &'a Study<'a>,
-    /// What came out.
-    pub result: &'a MapResult,
-    /// The command that runs the scene with the settings of all cells, word by
-    /// word: `dam`, `run`, `scene.json`, `--set`, `rocker.masses=2`.
-    pub command: &'a [String],
-    /// The scene's text, shown as it is.
-    pub scene: &'a str,
-    /// Version of `dam`.
-    pub version: &'a str,
-}
 
 /// The page.
 pub fn page(report: &MapReport<'_>) -> String {

@@ -1,7 +1,7 @@
 //! The picture of a map's page that answers pointing and clicking.
 
-use super::page::MapReport;
 use super::picture;
+use super::report::MapReport;
 use crate::analysis::axis::Axis;
 use crate::analysis::map::{Cell, Verdict};
 use crate::report::html::bar;

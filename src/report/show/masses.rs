@@ -6,7 +6,8 @@ use crate::linkage::spec::{LinkageSpec, PairKind, PairSpec};
 use crate::model::{
     Closure, Coordinate, DampingLaw, LinkBase, Model, NodeMotion, OUTPUT, ObjectPart, Pair,
 };
-use crate::report::diagram::{drivers_first, pair};
+use crate::report::diagram::pair;
+use crate::report::order::drivers_first;
 use crate::report::quantity::{significant, with_unit};
 use std::f64::consts::TAU;
 

@@ -3,6 +3,7 @@
 mod charts;
 mod page;
 mod periodic;
+mod picture;
 mod text;
 
 pub use charts::{charts, wittenbauer};

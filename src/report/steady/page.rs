@@ -1,11 +1,12 @@
 //! The page of a steady motion.
 
 use super::charts::{charts, wittenbauer};
+use super::picture::picture;
 use super::text::{Line, agreement, figures, flywheel};
 use super::{Shown, periodic};
 use crate::analysis::steady::{PeriodicAnswer, Stability};
 use crate::report::html::{bar, facts, header, scene, shell, warnings};
-use crate::report::plot::{Plot, Plots};
+use crate::report::plot::Plots;
 use crate::report::quantity::significant;
 use crate::report::verdict::{Sort, Verdict};
 use std::fmt::Write as _;
@@ -112,12 +113,6 @@ pub(super) fn list(lines: &[Line]) -> String {
         .map(|(name, text)| (name.as_str(), text.clone()))
         .collect();
     facts(&rows)
-}
-
-/// A chart of the page; those over the cycle are zoomed together.
-pub(super) fn picture(plots: &mut Plots, chart: &Plot, (width, height): (f64, f64)) -> String {
-    let link = if chart.x.name == "φ" { "cycle" } else { "" };
-    plots.figure(chart, [width, height], link)
 }
 
 fn rigid(shown: &Shown<'_>, plots: &mut Plots) -> String {

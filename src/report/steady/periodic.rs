@@ -1,6 +1,6 @@
 //! The periodic motion of elastic objects as text, table and pictures.
 
-use super::page::picture;
+use super::picture::picture;
 use crate::analysis::steady::{LongRun, PartMotion, PeriodicAnswer, Stability};
 use crate::report::html::facts;
 use crate::report::plot::{Axis, Look, Mark, Plot, Plots, Series, Shape};

@@ -19,8 +19,8 @@ pub use loads::summary as load_summary;
 pub use text::text;
 
 use crate::model::{LinkageBody, Model, NodeIndex, NodeMotion, OUTPUT};
-use crate::report::diagram::drivers_first;
 use crate::report::math::{Expr, Index, Symbol, symbol};
+use crate::report::order::drivers_first;
 
 /// Chains with more masses than this are abbreviated.
 const LONGEST_WRITTEN_OUT: usize = 4;

@@ -1,0 +1,25 @@
+//! What moves on the picture of a machine, and how.
+
+use crate::report::html::player::Body;
+
+/// A picture with its parts.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Picture {
+    /// What stands within its `<svg>`.
+    pub(super) drawn: String,
+    /// Width and height (pixels).
+    pub(super) size: [f64; 2],
+    /// Its parts.
+    pub(super) bodies: Vec<Body>,
+    /// How far a unit of the displacement goes (pixels).
+    pub(super) pixels: f64,
+}
+
+/// Where an object was over a run.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Way {
+    /// Displacement at the first sample.
+    pub(super) start: f64,
+    /// Least and greatest displacement.
+    pub(super) range: [f64; 2],
+}
