@@ -49,10 +49,16 @@ pub struct Model {
 impl Model {
     /// The pair in link 1 of an elastic object.
     pub fn elastic_pair(&self, object: &ObjectPart) -> Option<Pair> {
-        match self.links[*object.links.first()?].base {
+        match self.links[self.pair_link(object)?].base {
             LinkBase::Law { pair } => Some(pair),
             LinkBase::Mass(_) => None,
         }
+    }
+
+    /// The link that holds the pair of an object: its contact element, or link 1.
+    pub fn pair_link(&self, object: &ObjectPart) -> Option<usize> {
+        let contact = object.contact.map(|contact| contact.link);
+        contact.or(object.links.first().copied())
     }
 
     /// The pair between an object, elastic or rigid, and its driver.
@@ -212,6 +218,77 @@ pub enum DampingLaw {
         /// κ (seconds per unit of p); `None`: b₁/(c₁·p*), p* the static penetration.
         kappa: Option<f64>,
     },
+    /// N = K·q^{3/2}·max(0, 1 + χ·ṗ), K the link's stiffness (N/m^{3/2}, N·m/rad^{3/2}):
+    /// contact in a point, by Hertz. Of a contact element alone.
+    Hertz {
+        /// χ ≥ 0 (seconds per unit of p).
+        dissipation: f64,
+        /// Compliance ≥ 0 of the undamped link behind the contact, in series with it:
+        /// p = q + compliance·N. With dissipation it is 0.
+        compliance: f64,
+    },
+}
+
+/// A contact between an object and what its law asks for: an element of its own, whose
+/// data do not depend on the number of masses. It stands in the link that holds the pair:
+///
+/// * before a rigid body that link is the contact alone;
+/// * before an undamped link 1, with a law without loss, it is contact and link 1 in series;
+/// * else it ends at a massless point, from which link 1 leads on to mass 1. The forces on
+///   that point are in balance, which determines its speed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ContactElement {
+    /// Its law.
+    pub law: ContactLaw,
+    /// k_c (N/m or N·m/rad), or K of a contact in a point.
+    pub stiffness: f64,
+    /// The link that holds the pair.
+    pub link: usize,
+    /// The massless point between contact and link 1.
+    pub point: Option<NodeIndex>,
+}
+
+/// Law of a contact element over indentation p and its rate, N ≥ 0 where the pair can open.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ContactLaw {
+    /// N = k_c·p.
+    Elastic,
+    /// N = k_c·p + b_c·ṗ.
+    KelvinVoigt {
+        /// b_c ≥ 0 (N·s/m or N·m·s/rad).
+        damping: f64,
+    },
+    /// N = k_c·p·(1 + χ·ṗ).
+    HuntCrossley {
+        /// χ ≥ 0 (s/m or s/rad).
+        dissipation: f64,
+    },
+    /// N = K·p^{3/2}·(1 + χ·ṗ).
+    Hertz {
+        /// χ ≥ 0 (s/m or s/rad).
+        dissipation: f64,
+    },
+}
+
+impl ContactLaw {
+    /// True when it takes no energy.
+    pub fn is_lossless(self) -> bool {
+        match self {
+            Self::Elastic => true,
+            Self::KelvinVoigt { damping: loss }
+            | Self::HuntCrossley { dissipation: loss }
+            | Self::Hertz { dissipation: loss } => loss == 0.0,
+        }
+    }
+
+    /// True when the force is linear in p and ṗ.
+    pub fn is_linear(self) -> bool {
+        match self {
+            Self::Elastic | Self::KelvinVoigt { .. } => true,
+            Self::HuntCrossley { dissipation } => dissipation == 0.0,
+            Self::Hertz { .. } => false,
+        }
+    }
 }
 
 /// A load on a node. Positive forces act towards positive displacement.
@@ -363,8 +440,11 @@ pub struct ObjectPart {
     pub combination: Option<NodeIndex>,
     /// What drives it, in the order of its inputs; nothing drives a drive.
     pub inputs: Vec<PartInput>,
-    /// Its links, link 1 first; empty for a drive or a rigid object.
+    /// Its links, link 1 first; empty for a drive or a rigid object. A contact element
+    /// that ends at a massless point is not among them.
     pub links: Vec<usize>,
+    /// The contact element of its pair.
+    pub contact: Option<ContactElement>,
     /// The pair of a rigid object (an elastic object's is in its link 1).
     pub rigid_pair: Option<Pair>,
 }

@@ -20,6 +20,8 @@ pub(crate) enum Signal {
     Reaction,
     /// N of the pair; negative where a rigid force-closed pair would have to pull.
     ContactForce,
+    /// Indentation of a contact element that ends at a massless point.
+    Indentation,
     /// Clearance of an open pair from the nearest flank, negative behind it.
     Clearance,
 }

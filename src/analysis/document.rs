@@ -205,6 +205,7 @@ pub(super) fn blank(model: &Model) -> Figures {
         .map(|part| ObjectFigures {
             pair: can_open(model, part).then(|| PairFigures {
                 margin: part.rigid_pair.map(|_| 0.0),
+                max_indentation: part.contact.map(|_| 0.0),
                 ..PairFigures::default()
             }),
             joints: rubs(model, part).then(JointFigures::default),
@@ -225,10 +226,8 @@ fn rubs(model: &Model, part: &ObjectPart) -> bool {
 
 /// True when the object's pair can open, or, of a rigid object, would open if it could.
 pub(super) fn can_open(model: &Model, part: &ObjectPart) -> bool {
-    let elastic = part.links.first().is_some_and(|&link| {
-        matches!(&model.links[link].base,
-            LinkBase::Law { pair } if pair.closure != Closure::Bilateral)
-    });
+    let elastic = model.elastic_pair(part);
+    let elastic = elastic.is_some_and(|pair| pair.closure != Closure::Bilateral);
     let rigid = part
         .rigid_pair
         .is_some_and(|pair| pair.closure == Closure::Force);
@@ -237,10 +236,15 @@ pub(super) fn can_open(model: &Model, part: &ObjectPart) -> bool {
 
 /// True when nothing takes energy out of the object's links and contact.
 fn is_undamped(model: &Model, part: &ObjectPart) -> bool {
-    part.links.iter().all(|&link| {
+    let contact = part.contact.map(|contact| contact.link);
+    part.links.iter().copied().chain(contact).all(|link| {
         let link = &model.links[link];
         let lossy_contact = matches!(&link.base,
-            LinkBase::Law { pair } if matches!(pair.law, DampingLaw::HuntCrossley { .. }));
+        LinkBase::Law { pair } if match pair.law {
+            DampingLaw::KelvinVoigt => false,
+            DampingLaw::HuntCrossley { .. } => true,
+            DampingLaw::Hertz { dissipation, .. } => dissipation > 0.0,
+        });
         link.damping == 0.0 && !lossy_contact
     })
 }

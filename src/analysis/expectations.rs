@@ -243,6 +243,7 @@ mod tests {
                 inputs: PartInput::only(None),
                 combination: None,
                 links: Vec::new(),
+                contact: None,
                 rigid_pair: None,
             }],
             ..Model::default()

@@ -12,6 +12,7 @@ pub mod expectations;
 pub mod forces;
 pub mod kinematics;
 pub mod law;
+pub mod limit;
 pub mod list;
 pub mod map;
 mod method;

@@ -12,6 +12,49 @@ builder! {
         opens;
         /// Law of the contact force: `"kelvin_voigt"` (default), `"hunt_crossley"`.
         law;
+        /// Contact element in front of link 1, with a law of its own.
+        contact;
+    }
+}
+
+builder! {
+    /// A contact element between an object and its driver, independent of the number of
+    /// masses.
+    Contact {
+        /// Stiffness k (N/m or N·m/rad), or K of Hertz (N/m^(3/2) or N·m/rad^(3/2)).
+        stiffness;
+        /// `"elastic"` (default), `"kelvin_voigt"`, `"hunt_crossley"`, `"hertz"`.
+        law;
+        /// Damping of Kelvin–Voigt (N·s/m or N·m·s/rad).
+        damping;
+        /// χ of Hunt–Crossley and Hertz, seconds per unit of indentation.
+        dissipation;
+    }
+}
+
+impl Contact {
+    /// N = k·p.
+    pub fn elastic(stiffness: impl Into<Node>) -> Self {
+        Self(only("stiffness", stiffness))
+    }
+
+    /// N = k·p + b·ṗ.
+    pub fn kelvin_voigt(stiffness: impl Into<Node>, damping: impl Into<Node>) -> Self {
+        Self::elastic(stiffness)
+            .law("kelvin_voigt")
+            .damping(damping)
+    }
+
+    /// N = k·p·(1 + χ·ṗ).
+    pub fn hunt_crossley(stiffness: impl Into<Node>, dissipation: impl Into<Node>) -> Self {
+        Self::elastic(stiffness)
+            .law("hunt_crossley")
+            .dissipation(dissipation)
+    }
+
+    /// N = K·p^(3/2), contact in a point.
+    pub fn hertz(stiffness: impl Into<Node>) -> Self {
+        Self::elastic(stiffness).law("hertz")
     }
 }
 

@@ -86,6 +86,12 @@ fn every_property_of_every_kind_can_be_built() {
         &["revolute", "sliding"],
     );
     same(&schema, &["rocker", "pair"], Pair::PROPERTIES, &["closure"]);
+    same(
+        &schema,
+        &["rocker", "pair", "contact"],
+        Contact::PROPERTIES,
+        &[],
+    );
 }
 
 #[test]

@@ -143,8 +143,11 @@ impl ModelBuilder {
             _ => return,
         };
         let driver = law.driver;
-        let nodes = match spec.body {
-            BodySpec::Rigid { inertia } => vec![self.rigid(at, law, inertia, pair)],
+        let nodes = match (&spec.body, &spec.pair.contact) {
+            (_, Some(contact)) => {
+                self.touching(at, &law, &spec.body, &parameters, (pair, *contact))
+            }
+            (BodySpec::Rigid { inertia }, None) => vec![self.rigid(at, law, *inertia, pair)],
             _ => self.masses(at, &law, &parameters, pair),
         };
         for load in &spec.loads {
@@ -178,9 +181,10 @@ impl ModelBuilder {
             gap,
             opens,
             law,
+            contact,
         } = spec.pair;
         self.faults.not_negative(&at.path("pair.gap"), gap);
-        if gap > 0.0 && matches!(spec.body, BodySpec::Rigid { .. }) {
+        if gap > 0.0 && matches!(spec.body, BodySpec::Rigid { .. }) && contact.is_none() {
             let message = "a rigid object cannot have a gap: nothing would hold it in between";
             let hint = "give it at least one mass, or no gap";
             self.fault(at, "pair.gap", message, hint);
@@ -196,6 +200,9 @@ impl ModelBuilder {
         if let DampingLaw::HuntCrossley { kappa: Some(kappa) } = law {
             let path = at.path("pair.law.hunt_crossley.kappa");
             self.faults.not_negative(&path, kappa);
+        }
+        if let Some(contact) = contact {
+            self.check_contact(at, spec, &contact);
         }
         Pair {
             closure,

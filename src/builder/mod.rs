@@ -13,6 +13,7 @@
 //! are the single steps.
 
 mod chain;
+mod contact;
 mod drive;
 mod linkage;
 mod load;

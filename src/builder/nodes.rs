@@ -113,13 +113,24 @@ impl ModelBuilder {
         parameters: &ChainParameters,
         pair: Pair,
     ) -> Vec<NodeIndex> {
+        self.masses_on(at, law, parameters, LinkBase::Law { pair })
+    }
+
+    /// A chain of masses behind a law, link 1 on `first`.
+    pub(super) fn masses_on(
+        &mut self,
+        at: &Place,
+        law: &Law,
+        parameters: &ChainParameters,
+        first: LinkBase,
+    ) -> Vec<NodeIndex> {
         let start = self.following(law);
         let mut nodes: Vec<NodeIndex> = Vec::with_capacity(parameters.inertias.len());
         for (index, &inertia) in parameters.inertias.iter().enumerate() {
             let motion = NodeMotion::Mass { law: law.clone() };
             let mass = self.add_node(at.object, Node { inertia, motion }, start);
             let base = match nodes.last() {
-                None => LinkBase::Law { pair },
+                None => first.clone(),
                 Some(&node) => LinkBase::Mass(node),
             };
             self.model.links.push(Link {
@@ -147,6 +158,17 @@ impl ModelBuilder {
     pub fn force(&mut self, at: &Place, node: NodeIndex, name: &str, law: LoadLaw) {
         let name = at.path(&format!("loads.{name}"));
         self.model.loads.push(Load { node, name, law });
+    }
+
+    /// A node of an object that is none of its masses.
+    pub(super) fn add_point(&mut self, at: &Place, law: &Law, node: Node) -> NodeIndex {
+        let start = self.following(law);
+        self.model.nodes.push(node);
+        self.known.push(Known {
+            part: at.object,
+            start,
+        });
+        self.model.nodes.len() - 1
     }
 
     /// A node that follows a law exactly, of an object or of an output.

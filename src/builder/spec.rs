@@ -6,7 +6,7 @@
 
 use crate::linkage::spec::LinkageSpec;
 use crate::load::CustomLoad;
-use crate::model::{Closure, Coordinate, DampingLaw};
+use crate::model::{Closure, ContactLaw, Coordinate, DampingLaw};
 pub use crate::motion::DriveMotionSpec;
 use crate::position::PositionSpec;
 
@@ -93,6 +93,14 @@ pub struct ChainSpec {
     pub loads: Vec<LoadSpec>,
 }
 
+impl ChainSpec {
+    /// Number of masses that move by themselves: a rigid body on a contact element is one.
+    pub fn masses(&self) -> usize {
+        let on_contact = usize::from(self.pair.contact.is_some());
+        self.body.masses().max(on_contact)
+    }
+}
+
 /// Inertia, stiffness and damping of a chain.
 #[derive(Clone, Debug, PartialEq)]
 pub enum BodySpec {
@@ -156,8 +164,19 @@ pub struct PairSpec {
     pub gap: f64,
     /// +1: a force-closed pair lifts off towards x > 0; −1: turned round.
     pub opens: f64,
-    /// Law of the contact.
+    /// Law of the contact of link 1, where there is no contact element.
     pub law: DampingLaw,
+    /// The contact element.
+    pub contact: Option<ContactSpec>,
+}
+
+/// A contact element: stiffness and law.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ContactSpec {
+    /// k_c > 0 (N/m or N·m/rad), or K (N/m^{3/2} or N·m/rad^{3/2}) by the law of Hertz.
+    pub stiffness: f64,
+    /// Its law.
+    pub law: ContactLaw,
 }
 
 /// A named load.

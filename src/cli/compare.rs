@@ -9,6 +9,7 @@ use super::run::run_with_progress;
 use super::status::Status;
 use super::{interrupt, tables};
 use crate::analysis::compare::{Comparison, compare};
+use crate::analysis::limit::without_limit;
 use crate::analysis::list::ValueList;
 use crate::integrate::Stop;
 use crate::record::Quantity;
@@ -62,11 +63,25 @@ pub(crate) fn command(args: &CompareArgs) -> Result<Status, Failure> {
                 ));
             }
         }
+        for warning in no_limit(&over.path, &ready, &comparison) {
+            console::talk(&format!("warning: {warning}"));
+        }
         if let Some(folder) = &folder {
             folder.tell_report();
         }
     }
     Ok(status(&comparison))
+}
+
+/// What is to be said of the contact force where numbers of masses are compared.
+fn no_limit(path: &str, ready: &[Ready], comparison: &Comparison) -> Vec<String> {
+    let object = path.strip_suffix(".masses");
+    let (Some(id), Some(last), Some(run)) = (object, ready.last(), comparison.runs.last()) else {
+        return Vec::new();
+    };
+    let asked = format!("{id}.pair.max_contact_force");
+    let figures = Some(&run.result.figures);
+    without_limit(last.scene(), last.system.model(), [asked.as_str()], figures)
 }
 
 fn status(comparison: &Comparison) -> Status {

@@ -9,6 +9,7 @@ use super::journal::Journal;
 use super::output::{self, OutputFolder, ResultFile};
 use super::status::Status;
 use crate::analysis::axis::Axis;
+use crate::analysis::limit::without_limit;
 use crate::analysis::map::{Cell, Listener, MapResult, Panels, Question, Study, StudyFault, map};
 use crate::diagnostics::printable;
 use crate::report::map::picture;
@@ -68,6 +69,13 @@ pub(crate) fn command(args: &MapArgs) -> Result<Status, Failure> {
     output::deliver(whole, "map", &study.hash, files, show)?;
     drop(keeping);
     if !args.scene.quiet {
+        // (A scene that is only whole with the values of the map says nothing.)
+        if let Ok(ready) = input.prepare(&[]) {
+            let (scene, model) = (ready.scene(), ready.system.model());
+            for warning in without_limit(scene, model, [study.figure.as_str()], None) {
+                console::talk(&format!("warning: {warning}"));
+            }
+        }
         talk(&study, &result, folder.as_ref(), seconds, kept);
     }
     Ok(status(&result))

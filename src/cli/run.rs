@@ -10,6 +10,7 @@ use super::status::Status;
 use super::{interrupt, tables, terminal};
 use crate::analysis::cam::disc_cams;
 use crate::analysis::expectations::{Verdict, check, of_run};
+use crate::analysis::limit::without_limit;
 use crate::analysis::run::{RunResult, run};
 use crate::analysis::spread::{Spread, spread};
 use crate::analysis::{Control, RunSettings, plausible};
@@ -19,6 +20,7 @@ use crate::report::csv::record_csv;
 use crate::report::diagram::Diagram;
 use crate::report::html::{RunReport, page};
 use crate::report::machine::Machine;
+use crate::scene::Expected;
 use serde::Serialize;
 use serde_json::Value;
 use std::time::Instant;
@@ -65,7 +67,8 @@ pub(crate) fn command(args: &RunArgs) -> Result<Status, Failure> {
         // The record goes into files only.
         settings.samples = 0;
     }
-    let result = run_with_progress(&ready, &settings, control, quiet)?;
+    let mut result = run_with_progress(&ready, &settings, control, quiet)?;
+    warn_of_no_limit(&ready, &mut result.figures);
     let seconds = begun.elapsed().as_secs_f64();
     let spread = if args.spread {
         let found = spread(&ready.system, &ready.settings, &result, control)
@@ -103,6 +106,17 @@ pub(crate) fn command(args: &RunArgs) -> Result<Status, Failure> {
         }
     }
     Ok(status(&result, &verdicts))
+}
+
+/// Warns of figures that the scene expects and that have no limit with the number of masses.
+fn warn_of_no_limit(ready: &Ready, figures: &mut Figures) {
+    let scene = ready.scene();
+    let asked = scene.expect.iter().filter_map(|one| match &one.what {
+        Expected::Figure { figure, .. } => Some(figure.as_str()),
+        Expected::Stops { .. } => None,
+    });
+    let told = without_limit(scene, ready.system.model(), asked, Some(figures));
+    figures.warnings.extend(told);
 }
 
 /// What is doubtful in the scene's text, if anything, as JSON.

@@ -118,6 +118,9 @@ fn pair_rows(
         number(pair.max_contact_force),
         force,
     );
+    if let Some(indentation) = pair.max_indentation {
+        row("greatest indentation", number(indentation), length);
+    }
     if let Some(margin) = pair.margin {
         row("least contact force needed", number(margin), force);
     }

@@ -73,6 +73,7 @@ fn parts(graph: &MechanismGraph<'_>) -> Vec<ObjectPart> {
         inputs: Vec::new(),
         combination: None,
         links: Vec::new(),
+        contact: None,
         rigid_pair: None,
     };
     let mut parts = Vec::new();

@@ -257,16 +257,17 @@ fn read_pair(
             gap,
             opens: 1.0,
             law: DampingLaw::KelvinVoigt,
+            contact: None,
         };
     }
-    if masses == Some(0) && pair.closure == Closure::Form {
+    if masses == Some(0) && pair.closure == Closure::Form && pair.contact.is_none() {
         let fault = fields.refuse(
             gap_name,
             "contradiction",
             "a rigid object cannot have a pair with a gap",
         );
         fault.hints.push(
-            "give the object at least one mass, or closure `bilateral` or `force`".to_owned(),
+            "give the object at least one mass, or its pair a `contact`, or closure `bilateral` or `force`".to_owned(),
         );
         return None;
     }

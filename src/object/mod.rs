@@ -11,6 +11,7 @@ mod cam;
 mod cam_follower;
 mod cam_geometry;
 pub mod chain;
+mod contact;
 mod context;
 mod crank;
 mod differential;
@@ -70,7 +71,7 @@ pub trait Object: fmt::Debug + Send + Sync {
     /// rotor, 0 for what follows rigidly and for a prescribed drive. Default: those of
     /// its chain.
     fn masses(&self) -> usize {
-        self.chain().map_or(0, |chain| chain.body.masses())
+        self.chain().map_or(0, |chain| chain.masses())
     }
 
     /// The chain of masses, or rigid object, that it is; `None`: something else.

@@ -1,8 +1,9 @@
 //! The driving pair.
 
+use super::contact;
 use super::measures::Measures;
-use super::spec::PairSpec;
-use crate::model::{Closure, DampingLaw};
+use super::spec::{ContactSpec, PairSpec};
+use crate::model::{Closure, ContactLaw, DampingLaw};
 use crate::read::{Bounds, Fields, Slot};
 use serde_json::json;
 
@@ -42,11 +43,22 @@ pub(super) fn read(slot: Slot<'_>, own: Measures, default: Closure) -> Option<Pa
         let law = fields.or("law", "Law of the contact force.", json!("kelvin_voigt"), |slot| {
             law(slot, own)
         });
+        let contact = fields.maybe(
+            "contact",
+            "Contact between driver and object: an element of its own, in front of link 1.",
+            |slot| contact::read(slot, own),
+        );
+        let clash = fields.clash("law", "contact", "a contact element has a law of its own");
+        let (closure, law, contact) = (closure?, law?, contact?);
+        if clash {
+            return None;
+        }
         let pair = PairSpec {
-            closure: closure?,
+            closure,
             gap: gap?,
             opens: opens?,
-            law: law?,
+            law,
+            contact,
         };
         check(fields, &pair)
     })
@@ -97,6 +109,17 @@ fn check(fields: &mut Fields<'_>, pair: &PairSpec) -> Option<PairSpec> {
     }
     if pair.law != DampingLaw::KelvinVoigt && pair.closure == Closure::Bilateral {
         refuse("law", "\"force\" or \"form\"");
+    }
+    let nonlinear = |contact: &ContactSpec| {
+        let law = contact.law;
+        !matches!(law, ContactLaw::Elastic | ContactLaw::KelvinVoigt { .. })
+    };
+    if pair.contact.as_ref().is_some_and(nonlinear) && pair.closure == Closure::Bilateral {
+        sound = false;
+        let message = "a bilateral pair takes the contact laws `elastic` and `kelvin_voigt` alone";
+        let fault = fields.refuse("contact", "contradiction", message);
+        let hint = "set `closure` to \"force\" or \"form\", or give another law";
+        fault.hints.push(hint.to_owned());
     }
     sound.then(|| pair.clone())
 }

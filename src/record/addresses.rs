@@ -64,8 +64,13 @@ impl Figures {
         };
         let displacement = units.displacement;
         match name {
-            "delta_abs" | "delta_max" | "delta_min" | "sigma" | "final.displacement"
-            | "pair.max_lift" => displacement.to_owned(),
+            "delta_abs"
+            | "delta_max"
+            | "delta_min"
+            | "sigma"
+            | "final.displacement"
+            | "pair.max_lift"
+            | "pair.max_indentation" => displacement.to_owned(),
             "peak_speed" | "final.speed" | "pair.max_approach_speed" => {
                 format!("{displacement}/s")
             }

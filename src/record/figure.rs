@@ -38,6 +38,8 @@ pub enum Figure {
     MaxApproachSpeed,
     /// Greatest contact force.
     MaxContactForce,
+    /// Greatest indentation of the contact element.
+    MaxIndentation,
     /// Least contact force that the motion of a rigid object needs.
     Margin,
     /// 1: no separation within the window of steady figures; 0: there is one.
@@ -52,7 +54,7 @@ pub enum Figure {
 
 impl Figure {
     /// All figures.
-    pub const ALL: [Self; 21] = [
+    pub const ALL: [Self; 22] = [
         Self::DeltaAbs,
         Self::DeltaMax,
         Self::DeltaMin,
@@ -69,6 +71,7 @@ impl Figure {
         Self::MaxLift,
         Self::MaxApproachSpeed,
         Self::MaxContactForce,
+        Self::MaxIndentation,
         Self::Margin,
         Self::InWorkingOrder,
         Self::Standstills,
@@ -95,6 +98,7 @@ impl Figure {
             Self::MaxLift => "pair.max_lift",
             Self::MaxApproachSpeed => "pair.max_approach_speed",
             Self::MaxContactForce => "pair.max_contact_force",
+            Self::MaxIndentation => "pair.max_indentation",
             Self::Margin => "pair.margin",
             Self::InWorkingOrder => "pair.in_working_order",
             Self::Standstills => "standstills",
@@ -143,6 +147,7 @@ impl PairFigures {
             Figure::MaxLift => Some(self.max_lift),
             Figure::MaxApproachSpeed => Some(self.max_approach_speed),
             Figure::MaxContactForce => Some(self.max_contact_force),
+            Figure::MaxIndentation => self.max_indentation,
             Figure::Margin => self.margin,
             Figure::InWorkingOrder => self
                 .in_working_order
@@ -182,6 +187,7 @@ mod tests {
                 max_lift: 13.0,
                 max_approach_speed: 14.0,
                 max_contact_force: 15.0,
+                max_indentation: Some(21.0),
                 margin: Some(16.0),
                 switch_times: Vec::new(),
                 in_working_order: Some(false),

@@ -110,6 +110,9 @@ pub struct PairFigures {
     pub max_approach_speed: f64,
     /// Greatest contact force.
     pub max_contact_force: f64,
+    /// Greatest indentation of the contact element; absent without one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub max_indentation: Option<f64>,
     /// Rigid force-closed pair: least contact force the motion needs (negative:
     /// it would lift off); null for elastic objects.
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -296,6 +296,7 @@ impl<'s> Log<'s> {
             let mut pair = tracker.finish(id, time, &mut self.separations);
             pair.max_lift = tallies[object].lift();
             pair.max_contact_force = tallies[object].contact_force();
+            pair.max_indentation = tallies[object].indentation();
             pair.in_working_order = self.window().map(|[from, to]| {
                 !self
                     .separations

@@ -63,6 +63,7 @@ pub(super) fn at_places(
         Signal::Reaction => field(|state| state.reaction),
         Signal::ContactForce => field(|state| state.contact_force),
         Signal::Clearance => field(|state| state.lift),
+        Signal::Indentation => field(|state| state.indentation),
     }
 }
 

@@ -260,6 +260,7 @@ mod tests {
         deformation: 0.0,
         deformation_speed: 0.0,
         lift: 0.0,
+        indentation: 0.0,
     }; 2];
 
     fn seen(states: &[ObjectState]) -> Seen<'_> {

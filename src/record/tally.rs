@@ -2,7 +2,7 @@
 //! which extremes and integrals of which signals the figures are.
 
 use super::{FinalState, ObjectFigures, greatest_magnitude};
-use crate::model::Closure;
+use crate::model::{Closure, ContactLaw, Pair};
 use crate::segment::{Asked, Peak, Segment, Signal};
 use crate::system::{ObjectState, System};
 
@@ -24,6 +24,7 @@ pub(super) fn read(signal: Signal, state: &ObjectState) -> f64 {
         Signal::Reaction => state.reaction,
         Signal::ContactForce => state.contact_force,
         Signal::Clearance => state.lift,
+        Signal::Indentation => state.indentation,
     }
 }
 
@@ -35,6 +36,39 @@ struct Deviation {
     least: Peak,
     /// ∫|δ| dt.
     area: f64,
+}
+
+/// Where the greatest indentation of a contact element is found.
+#[derive(Clone, Copy, Debug)]
+enum Indentation {
+    /// At a massless point, whose motion is followed.
+    Followed(Peak),
+    /// Of a contact without loss: the one under the greatest force N = k·p^power.
+    OfForce { stiffness: f64, power: f64 },
+    /// Of the contact of a rigid body: the body's own deviation, as far as it presses.
+    OfDeviation { pair: Pair },
+}
+
+impl Indentation {
+    fn of(system: &System, object: usize) -> Option<Self> {
+        system.pair_component(object)?;
+        let model = system.model();
+        let part = &model.objects[object];
+        let contact = part.contact?;
+        Some(match contact.law {
+            _ if contact.point.is_some() => Self::Followed(Peak::NONE),
+            law if !law.is_lossless() => Self::OfDeviation {
+                pair: model.elastic_pair(part)?,
+            },
+            law => Self::OfForce {
+                stiffness: contact.stiffness,
+                power: match law {
+                    ContactLaw::Hertz { .. } => 1.5,
+                    _ => 1.0,
+                },
+            },
+        })
+    }
 }
 
 /// Figures of one object on the way.
@@ -49,6 +83,8 @@ pub(crate) struct Tally {
     opens: f64,
     /// Greatest clearance of a pair that can open.
     lift: Option<Peak>,
+    /// Greatest indentation of a contact element.
+    indentation: Option<Indentation>,
     last: ObjectState,
 }
 
@@ -71,6 +107,7 @@ impl Tally {
             slack: lifts_off.then(|| [Peak::NONE, Peak::within(window.unwrap_or(never))]),
             opens: part.rigid_pair.map_or(1.0, |pair| pair.opens),
             lift: system.pair_component(object).map(|_| Peak::NONE),
+            indentation: Indentation::of(system, object),
             last: ObjectState::default(),
         }
     }
@@ -86,6 +123,9 @@ impl Tally {
         }
         for peak in self.slack.iter_mut().flatten() {
             peak.see(time, -state.contact_force);
+        }
+        if let Some(Indentation::Followed(peak)) = &mut self.indentation {
+            peak.see(time, state.indentation);
         }
         self.last = *state;
     }
@@ -116,6 +156,9 @@ impl Tally {
         self.take_contact(number, segment);
         if let Some(lift) = &mut self.lift {
             segment.raise(asked(Signal::Clearance, 1.0), lift);
+        }
+        if let Some(Indentation::Followed(peak)) = &mut self.indentation {
+            segment.raise(asked(Signal::Indentation, 1.0), peak);
         }
     }
 
@@ -190,9 +233,36 @@ impl Tally {
         self.peaks[3].magnitude()
     }
 
+    /// Greatest indentation of the contact element.
+    pub(crate) fn indentation(&self) -> Option<f64> {
+        Some(match self.indentation? {
+            Indentation::Followed(peak) => peak.magnitude(),
+            Indentation::OfForce { stiffness, power } => {
+                (self.contact_force() / stiffness).powf(1.0 / power)
+            }
+            Indentation::OfDeviation { pair } => {
+                let deviation = self.deviation?;
+                let [most, least] = [deviation.greatest.value, deviation.least.value];
+                let depth = match pair.closure {
+                    Closure::Force if pair.opens >= 0.0 => least,
+                    Closure::Force => most,
+                    Closure::Form | Closure::Bilateral => most.max(least) - 0.5 * pair.gap,
+                };
+                depth.max(0.0)
+            }
+        })
+    }
+
     /// Greatest clearance of the pair.
     pub(crate) fn lift(&self) -> f64 {
         self.lift.map_or(0.0, |lift| lift.magnitude())
+    }
+
+    fn followed(&self) -> Option<Peak> {
+        match self.indentation? {
+            Indentation::Followed(peak) => Some(peak),
+            _ => None,
+        }
     }
 
     /// When the figures' extremes are met (s).
@@ -204,6 +274,7 @@ impl Tally {
             .chain(self.peaks)
             .chain(slack)
             .chain(self.lift)
+            .chain(self.followed())
             .filter(|peak| peak.value > f64::NEG_INFINITY)
             .map(|peak| peak.time)
             .filter(|time| time.is_finite())

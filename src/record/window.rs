@@ -118,6 +118,7 @@ mod tests {
                 inputs: PartInput::only(None),
                 combination: None,
                 links: Vec::new(),
+                contact: None,
                 rigid_pair: None,
             });
         }

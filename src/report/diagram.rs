@@ -156,7 +156,7 @@ fn inputs(object: &ObjectPart, place: impl Fn(usize) -> Option<usize>) -> Vec<Bo
 
 /// The driving pair of an object; `None` for a drive or a bilateral rigid object.
 pub fn pair<'a>(model: &'a Model, object: &'a ObjectPart) -> Option<&'a Pair> {
-    match object.links.first().map(|&link| &model.links[link].base) {
+    match model.pair_link(object).map(|link| &model.links[link].base) {
         Some(crate::model::LinkBase::Law { pair }) => Some(pair),
         _ => object.rigid_pair.as_ref(),
     }

@@ -43,6 +43,7 @@ const OBJECT_FIGURES: &[Figure] = &[
     ("pair.max_lift", Measures::displacement),
     ("pair.max_approach_speed", Measures::speed),
     ("pair.max_contact_force", Measures::force),
+    ("pair.max_indentation", Measures::displacement),
     ("pair.margin", Measures::force),
     ("pair.in_working_order", |_| q::NUMBER.into()),
     ("friction_loss", |_| q::MOMENT.into()),

@@ -36,7 +36,8 @@ impl Frozen {
                     let chain = &self.chains[*index];
                     let base = self.law_acceleration(chain.law, work);
                     let reaction = work.reaction[*index];
-                    self.accelerate_chain(chain, state, [base, reaction], work, out);
+                    let mode = work.pair_modes[*index];
+                    self.accelerate_chain(chain, state, ([base, reaction], mode), work, out);
                 }
                 Step::Constrained(index) => {
                     let node = self.constraints[*index].node;
@@ -82,36 +83,40 @@ impl Frozen {
     }
 
     /// u¨ of a chain's masses, from the acceleration `base` that its law asks
-    /// for and F of link 1.
+    /// for and F of the link that holds the pair, in the mode of that.
     #[inline(always)]
     fn accelerate_chain<N: Quantity>(
         &self,
         chain: &Chain,
         state: &[N],
-        [base, reaction]: [N; 2],
+        ([base, reaction], mode): ([N; 2], i64),
         work: &mut Work<N>,
         out: &mut [N],
     ) {
         let (u, v) = self.deviations(chain, state);
+        let skip = chain.points();
         let links = LinkForces {
-            u,
-            v,
-            stiffness: &self.stiffness[chain.coordinates()],
-            damping: &self.damping[chain.coordinates()],
+            u: &u[skip..],
+            v: &v[skip..],
+            stiffness: &self.stiffness[chain.coordinates()][skip..],
+            damping: &self.damping[chain.coordinates()][skip..],
             reaction,
         };
         let out = &mut out[chain.coordinates()];
-        let inverse = &self.inverse_inertia[chain.coordinates()];
-        let other = &work.force[chain.nodes()];
+        let inverse = &self.inverse_inertia[chain.coordinates()][skip..];
+        let other = &work.force[chain.nodes()][skip..];
         if chain.carries {
-            let mass = &work.mass[chain.nodes()];
-            links.each(out, |m, out, force| {
+            let mass = &work.mass[chain.nodes()][skip..];
+            links.each(&mut out[skip..], |m, out, force| {
                 *out = (other[m] + force) / mass[m] - base
             });
         } else {
-            links.each(out, |m, out, force| {
+            links.each(&mut out[skip..], |m, out, force| {
                 *out = (other[m] + force).scale(inverse[m]) - base;
             });
+        }
+        if chain.point {
+            out[0] = self.point_acceleration(chain, mode, (u, v), out[1]);
         }
         let acceleration = &mut work.acceleration[chain.nodes()];
         for (acceleration, &deviation) in acceleration.iter_mut().zip(out.iter()) {

@@ -247,7 +247,10 @@ impl Frozen {
             } else {
                 N::from(self.flank(chain, modes))
             };
-            miss[m] = u[m] - below - carried.scale(1.0 / stiffness[m]);
+            miss[m] = match chain.contact.hertz().filter(|_| m == 0) {
+                None => u[m] - below - carried.scale(1.0 / stiffness[m]),
+                Some(hertz) => u[m] - below - carried.lift(|force| hertz.deflection(force))[0],
+            };
         }
         work.reaction[index] = carried;
         let reaction = carried * work.laws[chain.law].first;

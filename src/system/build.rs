@@ -160,6 +160,8 @@ impl<'a> Builder<'a> {
             first_node: self.frozen.inertia.len(),
             first_coordinate: self.frozen.coordinates,
             masses: links.len(),
+            point: self.is_point(first.mass),
+            indented: self.indented(links[0]),
             contact,
             component,
             watched: false,
@@ -173,6 +175,19 @@ impl<'a> Builder<'a> {
         }
     }
 
+    /// True of a massless point between a contact element and link 1.
+    fn is_point(&self, node: usize) -> bool {
+        let mut contacts = self.model.objects.iter().flat_map(|part| part.contact);
+        contacts.any(|contact| contact.point == Some(node))
+    }
+
+    /// The stiffness of the contact element that a link holds.
+    fn indented(&self, link: usize) -> Option<f64> {
+        let mut contacts = self.model.objects.iter().flat_map(|part| part.contact);
+        let own = contacts.find(|contact| contact.link == link)?;
+        Some(own.stiffness)
+    }
+
     fn add_node(&mut self, node: usize, free: bool) -> usize {
         let index = self.frozen.inertia.len();
         let inertia = self.model.nodes[node].inertia;
@@ -183,7 +198,9 @@ impl<'a> Builder<'a> {
         let coordinate = free.then_some(self.frozen.coordinates);
         self.frozen.coordinate.push(coordinate);
         if free {
-            self.frozen.inverse_inertia.push(1.0 / inertia);
+            // (Nothing divides by the inertia of a massless point.)
+            let inverse = if inertia > 0.0 { 1.0 / inertia } else { 0.0 };
+            self.frozen.inverse_inertia.push(inverse);
             self.frozen.coordinates += 1;
         }
         index

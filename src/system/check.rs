@@ -20,7 +20,8 @@ pub(super) fn faults(model: &Model) -> Vec<Fault> {
 /// Id of the object that a node belongs to; `node k` when to none.
 pub(super) fn object_of(model: &Model, node: usize) -> String {
     let holds = |part: &&crate::model::ObjectPart| {
-        part.nodes.contains(&node) || part.combination == Some(node)
+        let point = part.contact.and_then(|contact| contact.point);
+        part.nodes.contains(&node) || part.combination == Some(node) || point == Some(node)
     };
     match model.objects.iter().find(holds) {
         Some(part) => part.id.clone(),
@@ -103,7 +104,17 @@ fn check_indices(model: &Model, faults: &mut Vec<Fault>) {
     for part in &model.objects {
         let driver = (part.inputs.iter()).any(|input| input.driver >= model.objects.len());
         let node = part.nodes.iter().any(|&node| node >= nodes);
-        let link = part.links.iter().any(|&link| link >= model.links.len());
+        let contact = part.contact;
+        let node = node
+            || contact
+                .and_then(|own| own.point)
+                .is_some_and(|point| point >= nodes);
+        let mut links = part
+            .links
+            .iter()
+            .copied()
+            .chain(contact.map(|own| own.link));
+        let link = links.any(|link| link >= model.links.len());
         if driver || node || link || part.nodes.is_empty() {
             refuse(
                 part.id.clone(),
@@ -122,6 +133,11 @@ fn check_nodes(model: &Model, faults: &mut Vec<Fault>) {
         let rotor = matches!(node.motion, NodeMotion::Rotor { .. });
         // A rotor may leave all inertia to what follows it rigidly.
         let carried = rotor && node.inertia == 0.0 && carries_inertia(model, index);
+        // The point between a contact element and link 1 is massless.
+        let point = node.inertia == 0.0
+            && (model.objects.iter().flat_map(|part| part.contact))
+                .any(|contact| contact.point == Some(index) && has_next(model, index));
+        let carried = carried || point;
         let enough = if free && !carried {
             node.inertia > 0.0
         } else {
@@ -161,6 +177,12 @@ fn check_nodes(model: &Model, faults: &mut Vec<Fault>) {
             ));
         }
     }
+}
+
+/// True when a link leads on from a mass.
+fn has_next(model: &Model, node: usize) -> bool {
+    let on = |link: &crate::model::Link| matches!(link.base, LinkBase::Mass(base) if base == node);
+    model.links.iter().any(on)
 }
 
 /// True when something with inertia follows a node rigidly at a constant ratio:

@@ -57,11 +57,20 @@ impl Frozen {
     /// Power lost in a chain's pair and links.
     pub(super) fn dissipated(&self, chain: &Chain, y: &[f64], modes: &Modes) -> f64 {
         let (u, v) = self.deviations(chain, y);
-        let inner = v
+        let first = chain.points();
+        let inner = v[first..]
             .windows(2)
-            .zip(&self.damping[chain.coordinates()][1..])
+            .zip(&self.damping[chain.coordinates()][first + 1..])
             .map(|(pair, damping)| damping * (pair[1] - pair[0]).powi(2));
         let mode = self.pair_mode(chain, &modes.0);
-        chain.contact.dissipated(mode, u[0], v[0]) + inner.sum::<f64>()
+        let rate = self.pair_rate(chain, mode, u, v);
+        let contact = chain.contact.dissipated(mode, u[0], rate);
+        match chain.point {
+            true => {
+                let (_, damping) = self.link_behind(chain);
+                contact + damping * (v[1] - rate).powi(2) + inner.sum::<f64>()
+            }
+            false => contact + inner.sum::<f64>(),
+        }
     }
 }

@@ -32,14 +32,14 @@ const FREE: f64 = 1e-7;
 
 impl System {
     /// Natural frequencies and shapes at the position at t = 0, lowest first;
-    /// one for each coordinate. With [`Regime::Open`] an open chain adds a free
+    /// one for each coordinate with inertia. With [`Regime::Open`] an open chain adds a free
     /// motion.
     pub fn modes_of_vibration(&self, regime: Regime) -> Vec<VibrationMode> {
-        let n = self.frozen.coordinates;
+        let linearised = self.linearised(regime);
+        let n = linearised.mass.len();
         if n == 0 {
             return Vec::new();
         }
-        let linearised = self.linearised(regime);
         let Some((scaled, unit)) = linearised.scaled() else {
             return Vec::new();
         };

@@ -128,8 +128,12 @@ pub(super) struct Chain {
     pub(super) first_node: usize,
     /// Coordinate of mass 1; the others follow.
     pub(super) first_coordinate: usize,
-    /// Number of masses.
+    /// Number of its coordinates: its masses, and the massless point before them.
     pub(super) masses: usize,
+    /// True when it begins with a massless point between a contact element and link 1.
+    pub(super) point: bool,
+    /// Stiffness of the contact element of its pair, alone or in series with link 1.
+    pub(super) indented: Option<f64>,
     /// The pair of link 1.
     pub(super) contact: Contact,
     /// Component of the modes of a pair that can open.
@@ -142,6 +146,29 @@ pub(super) struct Chain {
 }
 
 impl Chain {
+    /// Number of massless points before its masses: 0 or 1.
+    #[inline(always)]
+    pub(super) fn points(&self) -> usize {
+        usize::from(self.point)
+    }
+
+    /// Indentation of its contact element at a deformation x of the pair under a force
+    /// N ≥ 0; 0 while it is clear of its flanks, and where there is no such element.
+    pub(super) fn indentation(&self, x: f64, force: f64) -> f64 {
+        let Some(stiffness) = self.indented else {
+            return 0.0;
+        };
+        let flanks = self.contact.sides().iter();
+        let depth = flanks.map(|&side| self.contact.penetration(side, x, 0.0).0);
+        let depth = depth.fold(0.0, f64::max);
+        match self.contact.hertz() {
+            Some(hertz) => hertz.indentation(depth),
+            // In series with link 1 only its own share.
+            None if self.contact.stiffness() < stiffness => force / stiffness,
+            None => depth,
+        }
+    }
+
     /// Its coordinates.
     pub(super) fn coordinates(&self) -> std::ops::Range<usize> {
         self.first_coordinate..self.first_coordinate + self.masses

@@ -10,7 +10,13 @@ use nalgebra::{DMatrix, DVector};
 impl Frozen {
     /// Mass and stiffness at the position at t = 0, on the law.
     pub(super) fn linearised(&self, regime: Regime, modes: &[i64]) -> Linearised {
-        let n = self.coordinates;
+        // A massless point has no motion of its own: contact and link 1 are in series.
+        let points = || self.chains.iter().filter(|chain| chain.point);
+        let place = |coordinate: usize| {
+            let before = points().filter(|chain| chain.first_coordinate < coordinate);
+            coordinate - before.count()
+        };
+        let n = self.coordinates - points().count();
         let mut work = Work::new(self);
         self.motion(0.0, &self.law_state(), modes, Extent::Full, &mut work);
         self.reduce_rigid(Extent::Full, &mut work);
@@ -29,8 +35,9 @@ impl Frozen {
             match step {
                 Step::Prescribed(_) => {}
                 Step::Rotor(rotor) => {
-                    moves[rotor.node] = vec![(rotor.coordinate, 1.0)];
-                    mass[rotor.coordinate] = work.mass[rotor.node];
+                    let coordinate = place(rotor.coordinate);
+                    moves[rotor.node] = vec![(coordinate, 1.0)];
+                    mass[coordinate] = work.mass[rotor.node];
                 }
                 Step::Rigid(index) => {
                     let rigid = self.rigids[*index];
@@ -40,17 +47,28 @@ impl Frozen {
                 Step::Chain(index) => {
                     let chain = &self.chains[*index];
                     let slope = work.laws[chain.law].first;
-                    for (node, coordinate) in chain.nodes().zip(chain.coordinates()) {
-                        moves[node] = vec![(coordinate, 1.0)];
-                        mass[coordinate] = work.mass[node];
+                    let own = chain.points();
+                    let first = chain.first_coordinate;
+                    // (Drivers, and so their coordinates, come first.)
+                    let reduced = place(first);
+                    for (m, node) in chain.nodes().skip(own).enumerate() {
+                        moves[node] = vec![(reduced + m, 1.0)];
+                        mass[reduced + m] = work.mass[node];
                     }
                     let base = through(&moves[self.laws[chain.law].driver], slope);
-                    let first = chain.first_coordinate;
                     if regime == Regime::Engaged || !chain.contact.can_open() {
-                        add_link(&mut stiffness, self.stiffness[first], first, &base);
+                        let series = match chain.point {
+                            true => {
+                                1.0 / (1.0 / self.stiffness[first]
+                                    + 1.0 / self.stiffness[first + 1])
+                            }
+                            false => self.stiffness[first],
+                        };
+                        add_link(&mut stiffness, series, reduced, &base);
                     }
-                    for c in chain.coordinates().skip(1) {
-                        add_link(&mut stiffness, self.stiffness[c], c, &[(c - 1, 1.0)]);
+                    for (m, c) in chain.coordinates().skip(own + 1).enumerate() {
+                        let end = reduced + m + 1;
+                        add_link(&mut stiffness, self.stiffness[c], end, &[(end - 1, 1.0)]);
                     }
                 }
                 Step::Constrained(index) => {

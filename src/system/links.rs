@@ -34,14 +34,19 @@ impl Frozen {
         };
         let (u, v) = self.deviations(chain, state);
         let mode = self.pair_mode(chain, modes);
+        let skip = chain.points();
         let links = LinkForces {
-            u,
-            v,
-            stiffness: &branch.stiffness,
-            damping: &branch.damping,
-            reaction: chain.contact.force(mode, u[0], v[0]),
+            u: &u[skip..],
+            v: &v[skip..],
+            stiffness: &branch.stiffness[skip..],
+            damping: &branch.damping[skip..],
+            reaction: self.reaction(chain, mode, u, v),
         };
-        accelerate_alone(&links, branch, base, &mut out[chain.coordinates()]);
+        let out = &mut out[chain.coordinates()];
+        accelerate_alone(&links, branch, base, &mut out[skip..]);
+        if chain.point {
+            out[0] = self.point_acceleration(chain, mode, (u, v), out[1]);
+        }
     }
 }
 
@@ -54,8 +59,9 @@ fn accelerate_alone<N: Quantity>(
     base: N,
     out: &mut [N],
 ) {
-    let constant = &branch.constant_force[..out.len()];
-    let inverse = &branch.inverse_inertia[..out.len()];
+    let skip = branch.chain.points();
+    let constant = &branch.constant_force[skip..][..out.len()];
+    let inverse = &branch.inverse_inertia[skip..][..out.len()];
     links.each(out, |m, out, force| {
         *out = (N::from(constant[m]) + force).scale(inverse[m]) - base;
     });

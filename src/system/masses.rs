@@ -18,7 +18,8 @@ pub struct MassState {
 impl System {
     /// Number of masses of an object; 0 of a drive or a rigid one.
     pub fn masses(&self, object: usize) -> usize {
-        self.chain(object).map_or(0, |chain| chain.masses)
+        self.chain(object)
+            .map_or(0, |chain| chain.masses - chain.points())
     }
 
     /// What all masses of all elastic objects are doing, in the order of the objects, in
@@ -44,9 +45,11 @@ impl System {
                 &self.frozen.stiffness[links.clone()],
                 &self.frozen.damping[links],
             );
-            for (mass, (node, out)) in chain.nodes().zip(&mut out).enumerate() {
-                let force = match mass {
-                    0 => chain.contact.force(mode, u[0], v[0]),
+            let first = chain.points();
+            for (mass, (node, out)) in (first..).zip(chain.nodes().skip(first).zip(&mut out)) {
+                let force = match mass - first {
+                    // A massless point hands the force of the contact on.
+                    0 => self.frozen.reaction(chain, mode, u, v),
                     _ => {
                         stiffness[mass] * (u[mass] - u[mass - 1])
                             + damping[mass] * (v[mass] - v[mass - 1])

@@ -21,6 +21,7 @@ mod frequencies;
 mod friction;
 mod frozen;
 mod growth;
+mod hertz;
 mod kappa;
 mod linearised;
 mod linkages;
@@ -34,6 +35,7 @@ mod pairs;
 mod passes;
 mod pattern;
 mod placing;
+mod points;
 mod reduce;
 mod scales;
 mod separate;
@@ -135,6 +137,8 @@ pub struct ObjectState {
     /// Clearance of an open pair: distance to the nearest flank, 0 when engaged
     /// or penetrating.
     pub lift: f64,
+    /// Indentation p ≥ 0 of the contact element of a pair that can open; 0 without one.
+    pub indentation: f64,
 }
 
 /// Powers at an instant (W).
@@ -186,6 +190,7 @@ impl System {
             scales: OnceLock::new(),
             sampled: OnceLock::new(),
         };
+        system.find_tangents();
         system.find_kappas()?;
         Ok(system)
     }
@@ -267,6 +272,14 @@ impl System {
                 }
             }
         }
-        format!("coordinate {coordinate}: {what}")
+        let chains = self.frozen.chains.iter().enumerate();
+        let mut points = chains.filter(|(_, chain)| chain.point);
+        match points.find(|(_, chain)| chain.first_coordinate == coordinate) {
+            Some((chain, _)) => {
+                let id = &self.model.objects[self.part_of_chain(chain)].id;
+                format!("{id}, point of contact: {what}")
+            }
+            None => format!("coordinate {coordinate}: {what}"),
+        }
     }
 }

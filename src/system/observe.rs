@@ -184,15 +184,16 @@ impl System {
         out.delta = u[chain.masses - 1];
         out.delta_speed = v[chain.masses - 1];
         out.deformation = u[0];
-        out.deformation_speed = v[0];
+        let mode = self.frozen.pair_mode(chain, &modes.0);
+        out.deformation_speed = self.frozen.pair_rate(chain, mode, u, v);
         out.reaction = reaction;
         if chain.contact.can_open() {
-            let mode = self.frozen.pair_mode(chain, &modes.0);
             // At a switch located to rounding the force may be a rounding below 0.
             out.contact_force = (mode as f64 * reaction).max(0.0);
             if mode == super::pairs::OPEN {
                 out.lift = chain.contact.clearance(u[0]);
             }
+            out.indentation = chain.indentation(u[0], out.contact_force);
         }
     }
 

@@ -54,6 +54,8 @@ impl Frozen {
     /// takes to tell what every pair does.
     fn develop(&self, state: &[f64], noise: &[f64], modes: &[i64]) -> Vec<Series> {
         let n = self.coordinates;
+        let mut state = state.to_vec();
+        self.settle_points(&mut state, modes);
         let mut motion: Vec<Series> = vec![Series::constant(0.0, 0.0); 2 * n];
         for index in 0..n {
             motion[index].set(0, state[index], noise[index]);

@@ -43,6 +43,8 @@ impl System {
             Some("inertia on an object with several inputs, which couples coordinates,")
         } else if frozen.loads.iter().any(custom) {
             Some("a load from outside the library")
+        } else if (frozen.chains.iter()).any(|chain| chain.contact.hertz().is_some()) {
+            Some("a contact by Hertz, whose force has no series where it begins,")
         } else {
             None
         }

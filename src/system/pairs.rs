@@ -5,9 +5,11 @@
 //! the force of the link is F = s·N(p, ṗ). A pair is engaged on a flank while
 //! both p > 0 and the flank presses, N > 0.
 
+use super::hertz::Hertz;
 use crate::fault::Fault;
 use crate::integrate::{Guard, Watch};
 use crate::math::number::Number;
+use crate::math::quantity::Quantity;
 use crate::model::{Closure, DampingLaw, Pair};
 
 /// Mode of an open pair.
@@ -26,8 +28,10 @@ pub(super) struct Contact {
     stiffness: f64,
     /// b of link 1 (Kelvin–Voigt).
     damping: f64,
-    /// κ of Hunt–Crossley; `None`: Kelvin–Voigt.
+    /// κ of Hunt–Crossley and of Hertz; `None`: Kelvin–Voigt.
     pub(super) kappa: Option<f64>,
+    /// The elastic force where it is no c·p.
+    hertz: Option<Hertz>,
 }
 
 impl Contact {
@@ -56,6 +60,14 @@ impl Contact {
         let kappa = match pair.law {
             DampingLaw::KelvinVoigt => None,
             DampingLaw::HuntCrossley { kappa } => Some(kappa.unwrap_or(0.0)),
+            DampingLaw::Hertz { dissipation, .. } => Some(dissipation),
+        };
+        let hertz = match pair.law {
+            DampingLaw::Hertz { compliance, .. } => Some(Hertz {
+                stiffness,
+                compliance,
+            }),
+            _ => None,
         };
         if kappa.is_some_and(|kappa| !(kappa >= 0.0 && kappa.is_finite())) {
             return Err(Fault::new(
@@ -75,6 +87,7 @@ impl Contact {
             stiffness,
             damping,
             kappa,
+            hertz,
         })
     }
 
@@ -100,10 +113,37 @@ impl Contact {
         (x.scale(side) - N::from(self.half_gap), v.scale(side))
     }
 
+    /// The elastic part of N at a penetration, and its derivative.
+    #[inline(always)]
+    pub(super) fn elastic<N: Quantity>(&self, p: N) -> [N; 2] {
+        match self.hertz {
+            None => [p.scale(self.stiffness), N::from(self.stiffness)],
+            Some(hertz) => {
+                let [force, slope, _] = p.lift(|p| hertz.jet(p));
+                [force, slope]
+            }
+        }
+    }
+
+    /// The elastic force where it is no c·p.
+    pub(super) fn hertz(&self) -> Option<Hertz> {
+        self.hertz
+    }
+
+    /// c of the link, or K by Hertz.
+    pub(super) fn stiffness(&self) -> f64 {
+        self.stiffness
+    }
+
+    /// b of the contact, and κ in force on a flank.
+    pub(super) fn losses(&self) -> (f64, Option<f64>) {
+        (self.damping, self.kappa)
+    }
+
     /// F of link 1: smooth in x and v while the mode does not change, also
     /// beyond the place where it should have changed.
     #[inline(always)]
-    pub(super) fn force<N: Number>(&self, mode: i64, x: N, v: N) -> N {
+    pub(super) fn force<N: Quantity>(&self, mode: i64, x: N, v: N) -> N {
         if self.closure == Closure::Bilateral {
             return x.scale(self.stiffness) + v.scale(self.damping);
         }
@@ -111,9 +151,10 @@ impl Contact {
             return N::from(0.0);
         }
         let (p, rate) = self.penetration(mode, x, v);
-        let pressed = match self.kappa {
-            None => p.scale(self.stiffness) + rate.scale(self.damping),
-            Some(kappa) => p.scale(self.stiffness) * (N::from(1.0) + rate.scale(kappa)),
+        let pressed = match (self.kappa, self.hertz) {
+            (None, _) => p.scale(self.stiffness) + rate.scale(self.damping),
+            (Some(kappa), None) => p.scale(self.stiffness) * (N::from(1.0) + rate.scale(kappa)),
+            (Some(kappa), Some(_)) => self.elastic(p)[0] * (N::from(1.0) + rate.scale(kappa)),
         };
         pressed.scale(mode as f64)
     }
@@ -197,7 +238,7 @@ impl Contact {
 
     /// Elastic energy stored: c·p²/2 of the flank that is penetrated, engaged
     /// or open; c·x²/2 of a bilateral pair.
-    pub(super) fn stored<N: Number>(&self, x: N) -> N {
+    pub(super) fn stored<N: Quantity>(&self, x: N) -> N {
         let depth = if self.closure == Closure::Bilateral {
             x
         } else {
@@ -207,7 +248,10 @@ impl Contact {
                 .find(|depth| depth.value() > 0.0)
                 .unwrap_or(N::from(0.0))
         };
-        (depth * depth).scale(0.5 * self.stiffness)
+        match self.hertz {
+            None => (depth * depth).scale(0.5 * self.stiffness),
+            Some(hertz) => depth.lift(|p| hertz.energy(p))[0],
+        }
     }
 
     /// Power lost: F·v less the rate of the stored energy, in a form that does
@@ -222,11 +266,14 @@ impl Contact {
         let (p, rate) = self.penetration(mode, x, v);
         let damped = match self.kappa {
             None => self.damping * rate * rate,
-            Some(kappa) => self.stiffness * p * kappa * rate * rate,
+            Some(kappa) => match self.hertz {
+                None => self.stiffness * p * kappa * rate * rate,
+                Some(_) => self.elastic(p)[0] * kappa * rate * rate,
+            },
         };
         // Zero unless a method has gone beyond the switch: the smooth law then
         // works against an energy that is stored no more.
-        damped + self.stiffness * p * rate - self.stored_rate(x, v)
+        damped + self.elastic(p)[0] * rate - self.stored_rate(x, v)
     }
 
     /// Clearance to the nearest flank, 0 when touching one.
@@ -244,7 +291,7 @@ impl Contact {
             .iter()
             .map(|&side| {
                 let (p, rate) = self.penetration(side, x, v);
-                self.stiffness * p.max(0.0) * rate
+                self.elastic(p.max(0.0))[0] * rate
             })
             .sum()
     }

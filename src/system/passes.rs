@@ -46,6 +46,8 @@ pub(super) struct Work<N> {
     pub(super) laws: Vec<LawValues<N>>,
     /// F of link 1 (one for each chain).
     pub(super) reaction: Vec<N>,
+    /// The modes of the chains' pairs that these reactions belong to.
+    pub(super) pair_modes: Vec<i64>,
     /// The constraints with several drivers.
     pub(super) constraints: Vec<ConstraintValues<N>>,
     /// Room for the inertia forces on them.
@@ -79,6 +81,7 @@ impl<N: Quantity> Work<N> {
             mass: vec![zero; nodes],
             laws: vec![law; frozen.laws.len()],
             reaction: vec![zero; frozen.chains.len()],
+            pair_modes: vec![0; frozen.chains.len()],
             constraints: (frozen.constraints.iter())
                 .map(ConstraintValues::new)
                 .collect(),
@@ -267,8 +270,9 @@ impl Frozen {
             let chain = &self.chains[index];
             let (u, v) = self.deviations(chain, state);
             let mode = self.pair_mode(chain, modes);
-            let reaction = chain.contact.force(mode, u[0], v[0]);
+            let reaction = self.reaction(chain, mode, u, v);
             work.reaction[index] = reaction;
+            work.pair_modes[index] = mode;
             let first = work.laws[chain.law].first;
             work.force[self.laws[chain.law].driver] += reaction * first;
         }

@@ -218,5 +218,11 @@ impl Frozen {
             rows[coordinate] = &own | &base;
             of.acceleration[node] = own;
         }
+        if chain.point {
+            // The balance of its forces, differentiated: what moves mass 1, and itself.
+            let first = coordinates.start;
+            rows[first] = &rows[first + 1] | &Set::from([first, first + 1]);
+            of.acceleration[chain.first_node] = &rows[first] | &base;
+        }
     }
 }

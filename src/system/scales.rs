@@ -23,7 +23,7 @@ const TURNS: f64 = 8.0;
 const EDGE: f64 = 0.05;
 
 /// δ* of an object that nothing loads (rad or m).
-const FLOOR: f64 = 1e-6;
+pub(super) const FLOOR: f64 = 1e-6;
 
 /// Scale of a rotor's angle (rad).
 const ROTOR_ANGLE: f64 = 1.0;

@@ -21,6 +21,7 @@ impl System {
         // A rotor at rest on an edge leaves it by its acceleration, which the
         // pairs have a say in.
         self.frozen.locate_tracks(y, modes);
+        self.frozen.settle_points(&mut state.y, &state.modes.0);
         self.settle_directions(&mut state.y, &mut state.modes.0);
         self.frozen.settle_sides(0.0, &state.y, &mut state.modes.0);
         Ok(state)
@@ -35,6 +36,7 @@ impl System {
     pub fn initial_place(&self) -> Result<InitialState, Vec<Fault>> {
         let mut state = self.place()?;
         self.frozen.locate_tracks(&state.y, &mut state.modes.0);
+        self.frozen.settle_points(&mut state.y, &state.modes.0);
         Ok(state)
     }
 
@@ -142,6 +144,7 @@ impl System {
                 break;
             }
         }
+        frozen.rest_points(&mut state);
         Ok(state)
     }
 

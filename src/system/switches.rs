@@ -132,6 +132,7 @@ impl System {
             modes.0[watch.component] = watch.target;
         } else {
             self.pass_flank(y, watch, modes);
+            frozen.settle_points(y, &modes.0);
         }
         frozen.settle_sides(time, y, &mut modes.0);
         Ok(())

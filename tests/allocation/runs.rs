@@ -25,6 +25,7 @@ fn part(id: &str, nodes: Vec<usize>, driver: Option<usize>, links: Vec<usize>) -
         inputs: PartInput::only(driver),
         links,
         combination: None,
+        contact: None,
         rigid_pair: None,
     }
 }

@@ -2,6 +2,7 @@
 
 mod auto;
 mod bad_input;
+mod contact;
 mod dead_positions;
 mod examples;
 mod figures;

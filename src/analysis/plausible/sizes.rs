@@ -35,6 +35,13 @@ pub(super) fn out_of_proportion(model: &Model, ways: &[Option<Way>]) -> Vec<Stri
     found
 }
 
+/// The links of an object without the one that its contact element is, or is part of:
+/// that may be of any stiffness.
+fn own_links(part: &ObjectPart) -> impl Iterator<Item = &usize> {
+    let contact = part.contact.map(|contact| contact.link);
+    (part.links.iter()).filter(move |&&link| Some(link) != contact)
+}
+
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Size {
     Stiffness,
@@ -47,7 +54,7 @@ impl Size {
         let size = match self {
             Self::Stiffness => {
                 let compliance = |&link: &usize| 1.0 / model.links[link].stiffness;
-                1.0 / part.links.iter().map(compliance).sum::<f64>()
+                1.0 / own_links(part).map(compliance).sum::<f64>()
             }
             Self::Inertia => {
                 let inertia = |&node: &usize| model.nodes[node].inertia;
@@ -153,7 +160,7 @@ fn within(model: &Model, part: &ObjectPart) -> Vec<String> {
         let Link { stiffness, .. } = model.links[link];
         stiffness
     };
-    let stiffnesses: Vec<f64> = part.links.iter().map(stiffness).collect();
+    let stiffnesses: Vec<f64> = own_links(part).map(stiffness).collect();
     let inertia = |&node: &usize| model.nodes[node].inertia;
     let inertias: Vec<f64> = match part.links.is_empty() {
         true => Vec::new(),

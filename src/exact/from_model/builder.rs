@@ -254,7 +254,13 @@ impl<'m> Builder<'m> {
     /// Adds the masses of a chain behind `base`, or behind the law itself.
     fn masses(&mut self, object: usize, tree: usize, base: Option<Moved>) {
         let part = &self.model.objects[object];
-        let hunt_crossley = "its contact force is not linear (Hunt–Crossley)";
+        if part.contact.is_some_and(|contact| contact.point.is_some()) {
+            let reason = "the point between its contact and its damped link 1 is massless: a \
+                          state of first order, where exact propagation knows masses only";
+            self.trees[tree].objects.push(object);
+            self.refuse(object, reason);
+            return;
+        }
         let first = self.trees[tree].problem.masses.len();
         let coordinate = self.system.first_coordinate(object).unwrap_or(0);
         for (m, (&node, &link)) in part.nodes.iter().zip(&part.links).enumerate() {
@@ -274,9 +280,13 @@ impl<'m> Builder<'m> {
                     (mass.parent, mass.lever) = (Some(base.mass), base.ratio);
                 }
             }
-            let mut linear = true;
+            let (mut linear, mut nonlinear) = (true, "");
             if let LinkBase::Law { pair } = &link.base {
                 (mass.pair, linear) = tree_pair(pair);
+                nonlinear = match pair.law {
+                    DampingLaw::Hertz { .. } => "its contact force is not linear (Hertz)",
+                    _ => "its contact force is not linear (Hunt–Crossley)",
+                };
             }
             problem.masses.push(mass);
             problem.displacement.push(0.0);
@@ -293,7 +303,7 @@ impl<'m> Builder<'m> {
             });
             if !linear {
                 self.spoiled[tree] = true;
-                self.refuse(object, hunt_crossley);
+                self.refuse(object, nonlinear);
             }
         }
         let added = &mut self.trees[tree];

@@ -129,7 +129,9 @@ fn cut_out(model: &Model, kept: &[usize]) -> Option<(Model, Vec<usize>)> {
     let owned = |node: &usize| {
         kept.iter().any(|&object| {
             let part = &model.objects[object];
-            part.nodes.contains(node) || part.combination == Some(*node)
+            let point = part.contact.and_then(|contact| contact.point);
+            let own = part.nodes.contains(node) || part.combination == Some(*node);
+            own || point == Some(*node)
         })
     };
     let nodes: Vec<usize> = (0..model.nodes.len()).filter(owned).collect();
@@ -283,6 +285,12 @@ impl Numbers {
         for link in &mut copy.links {
             *link = self.links[*link]?;
         }
+        if let Some(contact) = &mut copy.contact {
+            contact.link = self.links[contact.link]?;
+            if let Some(point) = &mut contact.point {
+                *point = self.nodes[*point]?;
+            }
+        }
         for input in &mut copy.inputs {
             input.driver = kept.iter().position(|&own| own == input.driver)?;
         }
@@ -313,7 +321,9 @@ impl Places<'_> {
     fn coordinates(&self, kept: &[usize]) -> Vec<usize> {
         let mut places = vec![0; self.own.coordinates()];
         for (new, &old) in kept.iter().enumerate() {
-            let count = self.own.model().objects[new].nodes.len();
+            let part = &self.own.model().objects[new];
+            let point = part.contact.and_then(|contact| contact.point);
+            let count = part.nodes.len() + usize::from(point.is_some());
             let ends = self
                 .own
                 .last_coordinate(new)

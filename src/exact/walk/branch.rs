@@ -103,7 +103,8 @@ impl Segment for Branch<'_> {
             Signal::Reaction => (times.peak_reaction, figures.peak_reaction),
             Signal::ContactForce if opens => (times.peak_reaction, figures.peak_reaction),
             Signal::Clearance => (times.max_lift, figures.max_lift),
-            Signal::ContactForce => return,
+            // (No tree has a massless point.)
+            Signal::ContactForce | Signal::Indentation => return,
         };
         peak.see(time, value);
     }

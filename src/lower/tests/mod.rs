@@ -134,6 +134,7 @@ fn chain(coordinate: Coordinate, position: PositionSpec, body: BodySpec) -> Chai
             gap: 0.0,
             opens: 1.0,
             law: DampingLaw::KelvinVoigt,
+            contact: None,
         },
         loads: Vec::new(),
     }

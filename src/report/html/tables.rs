@@ -166,6 +166,14 @@ fn pair_row(id: &str, pair: &PairFigures, units: Units) -> String {
         (None, None) => "<td>not judged</td>".into(),
     };
     let speed = format!("{}/s", units.displacement);
+    let force = match pair.max_indentation {
+        None => cell(pair.max_contact_force, units.force),
+        Some(depth) => format!(
+            "<td>{}<span class=\"sub\">indentation {}</span></td>",
+            with_unit(pair.max_contact_force, units.force, 5),
+            with_unit(depth, units.displacement, 5)
+        ),
+    };
     format!(
         "<tr>{}{order}<td>{}</td><td>{}</td>{}{}{}{}{}</tr>\n",
         name(id),
@@ -175,7 +183,7 @@ fn pair_row(id: &str, pair: &PairFigures, units: Units) -> String {
         cell(pair.longest_separation, "s"),
         cell(pair.max_lift, units.displacement),
         cell(pair.max_approach_speed, &speed),
-        cell(pair.max_contact_force, units.force),
+        force,
     )
 }
 

@@ -1,7 +1,7 @@
 //! The dynamic model as aligned tables: masses, links, loads, natural frequencies.
 
 use super::table::Table;
-use super::{equations, load_word, units};
+use super::{contact, equations, load_word, units};
 use crate::linkage::spec::{LinkageSpec, PairKind, PairSpec};
 use crate::model::{
     Closure, Coordinate, DampingLaw, LinkBase, Model, NodeMotion, OUTPUT, ObjectPart, Pair,
@@ -163,7 +163,8 @@ fn links(model: &Model) -> Table {
         for (place, &link) in object.links.iter().enumerate() {
             let link = &model.links[link];
             let between = match link.base {
-                LinkBase::Law { .. } => "law U and mass 1".to_owned(),
+                LinkBase::Law { .. } => contact::first_link(object).to_owned(),
+                LinkBase::Mass(_) if place == 0 => "contact and mass 1".to_owned(),
                 LinkBase::Mass(_) => format!("mass {place} and mass {}", place + 1),
             };
             table.push(vec![
@@ -212,6 +213,7 @@ fn pairs(model: &Model) -> Table {
             Closure::Form => ("form", with_unit(pair.gap, unit, 6), "in the gap"),
         };
         let law = match (pair.law, object.links.is_empty()) {
+            _ if object.contact.is_some() => contact::summary(object),
             (_, true) => "rigid".to_owned(),
             (DampingLaw::KelvinVoigt, _) => "Kelvin–Voigt".to_owned(),
             (DampingLaw::HuntCrossley { kappa: Some(kappa) }, _) => {
@@ -220,6 +222,7 @@ fn pairs(model: &Model) -> Table {
             (DampingLaw::HuntCrossley { kappa: None }, _) => {
                 "Hunt–Crossley, κ from b and the static load".to_owned()
             }
+            (DampingLaw::Hertz { .. }, _) => "Hertz".to_owned(),
         };
         table.push(vec![
             object.id.clone(),

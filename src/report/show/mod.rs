@@ -1,6 +1,7 @@
 //! The three models of a scene as text: the object graph, the dynamic model
 //! (masses, links, frequencies) and the equations of motion.
 
+mod contact;
 pub mod equations;
 pub mod graph;
 pub mod masses;

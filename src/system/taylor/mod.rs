@@ -14,6 +14,7 @@
 mod begin;
 mod law;
 mod loads;
+mod points;
 #[cfg(test)]
 mod tests;
 
@@ -46,6 +47,8 @@ pub(super) struct Taylor {
     mass: Vec<Series>,
     /// F of each chain's link 1.
     reaction: Vec<Series>,
+    /// Mode of each chain's pair.
+    modes: Vec<i64>,
     /// Of each law that a rigid object follows: U″φ̇², φ̇² of its driver, U′·M and
     /// F − M·U″φ̇².
     bias: Vec<Series>,
@@ -74,6 +77,7 @@ impl Taylor {
             force: series(nodes),
             mass: series(nodes),
             reaction: series(frozen.chains.len()),
+            modes: vec![OPEN; frozen.chains.len()],
             bias: series(laws),
             square: series(laws),
             slope: series(laws),
@@ -117,7 +121,13 @@ impl Frozen {
         // Inertia on a node with several drivers couples coordinates.
         let linear = |one: &Constrained| one.constraint.is_linear();
         let sums = self.heavy.is_empty() && self.constraints.iter().all(linear);
-        sums && self.linkages.is_empty() && self.loads.iter().all(|load| known(&load.law))
+        // The force of a contact by Hertz has no series where it begins.
+        let smooth = self
+            .chains
+            .iter()
+            .all(|chain| chain.contact.hertz().is_none());
+        let known = self.loads.iter().all(|load| known(&load.law));
+        sums && smooth && self.linkages.is_empty() && known
     }
 
     /// Series to the power `degree` over the time `length`: coefficients of all
@@ -189,6 +199,9 @@ impl Frozen {
             taylor.force[load.node][order] += force;
         }
         for (index, chain) in self.chains.iter().enumerate() {
+            if order == 0 {
+                taylor.modes[index] = self.pair_mode(chain, start.modes);
+            }
             let reaction = self.reaction_of(chain, start.modes, order, taylor);
             taylor.reaction[index][order] = reaction;
             let first = &taylor.laws[chain.law].first;
@@ -324,7 +337,8 @@ impl Frozen {
         let rate = (order + 2) as f64 / taylor.length;
         let mut below = taylor.reaction[index][order];
         let last = chain.coordinates().end - 1;
-        for (node, m) in chain.nodes().zip(chain.coordinates()) {
+        let masses = chain.nodes().zip(chain.coordinates()).skip(chain.points());
+        for (node, m) in masses {
             let above = if m < last {
                 let (u, v) = (&taylor.u, &taylor.v);
                 self.stiffness[m + 1] * (u[m + 1][order] - u[m][order])
@@ -339,6 +353,14 @@ impl Frozen {
             taylor.place(node, order + 2, place);
             taylor.u[m][order + 2] = place - base;
             taylor.v[m][order + 1] = rate * (place - base);
+        }
+        if chain.point {
+            let place = twice * self.point_of(index, order, taylor);
+            let first = chain.first_coordinate;
+            taylor.u[first][order + 2] = place;
+            taylor.v[first][order + 1] = rate * place;
+            taylor.place(chain.first_node, order + 2, place + base);
+            taylor.acceleration[chain.first_node][order] = (place + base) / twice;
         }
     }
 }

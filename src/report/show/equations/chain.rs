@@ -1,7 +1,7 @@
 //! Equations of a chain of masses behind its driving pair.
 
 use super::{
-    Entry, LONGEST_WRITTEN_OUT, Section, inertia_side, inputs, loads, of_mass, of_object,
+    Entry, LONGEST_WRITTEN_OUT, Section, contact, inertia_side, inputs, loads, of_mass, of_object,
     output_name, reflected,
 };
 use crate::model::{Closure, DampingLaw, LinkBase, Model, NodeMotion, ObjectPart, Pair};
@@ -32,7 +32,7 @@ pub(super) fn section(model: &Model, object: usize) -> Section {
         ..Section::default()
     };
     match asked {
-        Some(asked) => sum_lines(asked, &mut section),
+        Some(asked) => sum_lines(part, asked, &mut section),
         None => law_lines(model, part, driver, &mut section),
     }
     pair_line(model, part, &mut section);
@@ -56,13 +56,14 @@ pub(super) fn section(model: &Model, object: usize) -> Section {
 
 /// x, ẋ and U.
 fn law_lines(model: &Model, part: &ObjectPart, driver: usize, section: &mut Section) {
-    let (x, phi) = (symbol("x", Index::None), of_mass("φ", 1));
+    let own = part.contact.as_ref();
+    let (x, phi) = (symbol("x", Index::None), contact::far_end(own));
     let (law, input) = (symbol("U", Index::None), of_object("φ", model, driver));
     let asked = Expr::At(law.clone(), Box::new(input.clone().expr()));
     section.line(
         x.clone(),
         phi.clone().expr().minus(asked),
-        "deformation of link 1",
+        contact::deformation(own),
     );
     let speed = law.clone().prime().expr().times(input.rate());
     section.line(x.rate(), phi.rate().expr().minus(speed), "");
@@ -78,20 +79,27 @@ fn law_lines(model: &Model, part: &ObjectPart, driver: usize, section: &mut Sect
 }
 
 /// x and ẋ behind several inputs.
-fn sum_lines(asked: inputs::Asked, section: &mut Section) {
-    let (x, phi) = (symbol("x", Index::None), of_mass("φ", 1));
+fn sum_lines(part: &ObjectPart, asked: inputs::Asked, section: &mut Section) {
+    let own = part.contact.as_ref();
+    let (x, phi) = (symbol("x", Index::None), contact::far_end(own));
     let place = phi.clone().expr().minus(asked.place);
-    section.line(x.clone(), place, "deformation of link 1");
+    section.line(x.clone(), place, contact::deformation(own));
     section.line(x.rate(), phi.rate().expr().minus(asked.rate), "");
 }
 
 /// F of link 1 by the pair's closure and law.
 fn pair_line(model: &Model, part: &ObjectPart, section: &mut Section) {
-    let LinkBase::Law { pair } = &model.links[part.links[0]].base else {
+    let Some(pair) = &model.elastic_pair(part) else {
         return;
     };
     let x = symbol("x", Index::None);
-    let pull = |deformation: Expr| contact(pair, deformation, &x);
+    let own = part
+        .contact
+        .map(|own| (own, contact::shape(model, &own, pair)));
+    let pull = |deformation: Expr| match &own {
+        Some((own, shape)) => contact::pull(own, shape, deformation, &x),
+        None => contact_force(pair, deformation, &x),
+    };
     let zero = || (Expr::Number(0.0), Expr::Words("else".into()));
     let pressing = |beyond: Expr, side: Relation| {
         let force = symbol("F", Index::None).expr();
@@ -100,11 +108,7 @@ fn pair_line(model: &Model, part: &ObjectPart, section: &mut Section) {
     let force = match pair.closure {
         Closure::Bilateral => pull(x.clone().expr()),
         Closure::Force => {
-            let side = if pair.opens >= 0.0 {
-                Relation::Less
-            } else {
-                Relation::Greater
-            };
+            let side = contact::pressing_side(pair);
             let beyond = x.clone().expr().compare(side, Expr::Number(0.0));
             Expr::Cases(vec![
                 (pull(x.clone().expr()), pressing(beyond, side)),
@@ -127,6 +131,13 @@ fn pair_line(model: &Model, part: &ObjectPart, section: &mut Section) {
             ])
         }
     };
+    if let Some((own, shape)) = &own {
+        section.line(symbol("F", Index::None), force, "pull of the contact");
+        if let contact::Shape::Point = shape {
+            contact::balance(own, section);
+        }
+        return;
+    }
     section.line(symbol("F", Index::None), force, "pull of link 1");
     if matches!(pair.law, DampingLaw::HuntCrossley { kappa: None }) {
         let static_penetration = symbol("p", Index::Word("static".into()));
@@ -137,7 +148,7 @@ fn pair_line(model: &Model, part: &ObjectPart, section: &mut Section) {
 }
 
 /// Contact force as a pull at the deformation: c·x + b·ẋ, or Hunt–Crossley.
-fn contact(pair: &Pair, deformation: Expr, x: &Symbol) -> Expr {
+fn contact_force(pair: &Pair, deformation: Expr, x: &Symbol) -> Expr {
     let stiffness = of_mass("c", 1).expr();
     let rate = x.clone().rate();
     match pair.law {
@@ -236,18 +247,21 @@ fn legend(model: &Model, part: &ObjectPart, section: &mut Section) {
     let unit = units(part.coordinate);
     let inertias = part.nodes.iter().map(|&node| model.nodes[node].inertia);
     let link = |link: &usize| &model.links[*link];
-    let stiffnesses = part.links.iter().map(|l| link(l).stiffness);
+    let mut stiffnesses: Vec<f64> = part.links.iter().map(|l| link(l).stiffness).collect();
     let dampings = part.links.iter().map(|l| link(l).damping);
     list(section, "J", inertias.collect(), unit.inertia, "inertia");
-    list(
-        section,
-        "c",
-        stiffnesses.collect(),
-        unit.stiffness,
-        "stiffness",
-    );
+    if let Some((own, pair)) = part.contact.zip(model.elastic_pair(part)) {
+        match contact::shape(model, &own, &pair) {
+            contact::Shape::Alone => return contact::legend(part, &pair, section),
+            contact::Shape::Series(first) => stiffnesses[0] = first,
+            contact::Shape::Point => {}
+        }
+    }
+    list(section, "c", stiffnesses, unit.stiffness, "stiffness");
     list(section, "b", dampings.collect(), unit.damping, "damping");
-    if let LinkBase::Law { pair } = &link(&part.links[0]).base {
+    if let Some(pair) = model.elastic_pair(part).filter(|_| part.contact.is_some()) {
+        contact::legend(part, &pair, section);
+    } else if let LinkBase::Law { pair } = &link(&part.links[0]).base {
         if pair.closure == Closure::Form {
             section.entry(symbol("η", Index::None), pair.gap, unit.displacement, "gap");
         }

@@ -6,6 +6,7 @@
 //! `shaft`. Long chains are abbreviated: first, generic and last mass.
 
 mod chain;
+mod contact;
 mod inputs;
 mod latex;
 mod linkage;

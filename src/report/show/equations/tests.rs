@@ -108,6 +108,7 @@ fn rigid_chain() -> Model {
             inputs: PartInput::only(index.checked_sub(1)),
             combination: None,
             links: vec![],
+            contact: None,
             rigid_pair: None,
         });
     }

@@ -1,0 +1,148 @@
+//! Equations of a contact element in front of an object.
+
+use super::{Section, of_mass};
+use crate::model::{Closure, ContactElement, ContactLaw, DampingLaw, Model, ObjectPart, Pair};
+use crate::report::math::{Expr, Index, Relation, Symbol, symbol};
+use crate::report::show::units;
+
+/// How a contact stands in front of mass 1.
+pub(super) enum Shape {
+    /// Between law and a massless point, from which link 1 leads on.
+    Point,
+    /// The body's only link.
+    Alone,
+    /// In series with link 1, whose stiffness is given.
+    Series(f64),
+}
+
+/// How the contact of an object stands in front of mass 1.
+pub(super) fn shape(model: &Model, contact: &ContactElement, pair: &Pair) -> Shape {
+    let link = &model.links[contact.link];
+    match pair.law {
+        _ if contact.point.is_some() => Shape::Point,
+        DampingLaw::Hertz { compliance, .. } if compliance > 0.0 => Shape::Series(1.0 / compliance),
+        DampingLaw::KelvinVoigt if link.stiffness < contact.stiffness => {
+            Shape::Series(1.0 / (1.0 / link.stiffness - 1.0 / contact.stiffness))
+        }
+        _ => Shape::Alone,
+    }
+}
+
+/// Displacement at the far end of the contact.
+pub(super) fn far_end(contact: Option<&ContactElement>) -> Symbol {
+    match contact.and_then(|contact| contact.point) {
+        Some(_) => symbol("φ", Index::Word("contact".into())),
+        None => of_mass("φ", 1),
+    }
+}
+
+/// What x is.
+pub(super) fn deformation(contact: Option<&ContactElement>) -> &'static str {
+    match contact {
+        Some(_) => "deformation of the contact",
+        None => "deformation of link 1",
+    }
+}
+
+fn stiffness() -> Expr {
+    symbol("k", Index::None).expr()
+}
+
+/// The pull of the contact at a depth d, of the sign of x.
+pub(super) fn pull(contact: &ContactElement, shape: &Shape, depth: Expr, x: &Symbol) -> Expr {
+    let depth = match shape {
+        // Only its own share of the deformation.
+        Shape::Series(_) => {
+            let link = symbol("F", Index::None).expr().over(of_mass("c", 1).expr());
+            Expr::sum(vec![depth, link.negative()])
+        }
+        _ => depth,
+    };
+    let growth = || {
+        let size = Expr::Absolute(Box::new(x.clone().expr()));
+        let change = symbol("d", Index::None).expr().times(size);
+        let rate = change.over(symbol("dt", Index::None));
+        let chi = symbol("χ", Index::None).expr();
+        let factor = Expr::Number(1.0).plus(chi.times(rate));
+        Expr::Greater(Box::new(Expr::Number(0.0)), Box::new(factor))
+    };
+    match contact.law {
+        ContactLaw::Elastic => stiffness().times(depth),
+        ContactLaw::KelvinVoigt { .. } => Expr::sum(vec![
+            stiffness().times(depth),
+            damping().expr().times(x.clone().rate()),
+        ]),
+        ContactLaw::HuntCrossley { .. } => stiffness().times(depth).times(growth()),
+        ContactLaw::Hertz { dissipation } => {
+            let root = Expr::Root(Box::new(Expr::Absolute(Box::new(depth.clone()))));
+            let force = stiffness().times(depth).times(root);
+            match dissipation {
+                0.0 => force,
+                _ => force.times(growth()),
+            }
+        }
+    }
+}
+
+fn damping() -> Symbol {
+    symbol("b", Index::Word("contact".into()))
+}
+
+/// The balance of the massless point.
+pub(super) fn balance(contact: &ContactElement, section: &mut Section) {
+    let point = far_end(Some(contact));
+    let mass = of_mass("φ", 1);
+    let stretch = mass.clone().expr().minus(point.clone());
+    let rate = mass.rate().expr().minus(point.rate());
+    let link = Expr::Sum(vec![
+        of_mass("c", 1).expr().times(stretch),
+        of_mass("b", 1).expr().times(rate),
+    ]);
+    let remark = "the point between contact and link 1 is massless";
+    section.line(symbol("F", Index::None), link, remark);
+}
+
+/// The contact's numbers.
+pub(super) fn legend(part: &ObjectPart, pair: &Pair, section: &mut Section) {
+    let Some(contact) = part.contact else {
+        return;
+    };
+    let unit = units(part.coordinate);
+    let sliding = unit.displacement == "m";
+    let of_point = if sliding {
+        "N/m^(3/2)"
+    } else {
+        "N m/rad^(3/2)"
+    };
+    let of_rate = if sliding { "s/m" } else { "s/rad" };
+    let k = symbol("k", Index::None);
+    let meaning = "stiffness of the contact";
+    match contact.law {
+        ContactLaw::Hertz { .. } => section.entry(k, contact.stiffness, of_point, meaning),
+        _ => section.entry(k, contact.stiffness, unit.stiffness, meaning),
+    }
+    match contact.law {
+        ContactLaw::KelvinVoigt { damping: b } => {
+            section.entry(damping(), b, unit.damping, "damping of the contact");
+        }
+        ContactLaw::HuntCrossley { dissipation } | ContactLaw::Hertz { dissipation }
+            if dissipation > 0.0 =>
+        {
+            let chi = symbol("χ", Index::None);
+            section.entry(chi, dissipation, of_rate, "dissipation of the contact");
+        }
+        _ => {}
+    }
+    if pair.closure == Closure::Form {
+        section.entry(symbol("η", Index::None), pair.gap, unit.displacement, "gap");
+    }
+}
+
+/// The sign that x has where the only flank of a force closure presses.
+pub(super) fn pressing_side(pair: &Pair) -> Relation {
+    if pair.opens >= 0.0 {
+        Relation::Less
+    } else {
+        Relation::Greater
+    }
+}

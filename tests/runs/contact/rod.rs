@@ -1,0 +1,118 @@
+//! A rod of mass 1 and stiffness 1 against a wall through a spring, at speed 1: the exact
+//! solution by d'Alembert's waves, and how the chain of masses comes to it.
+
+use super::{INTEGRATED, Wall, pair};
+use dam::integrate::Method;
+
+/// Indentation u(t) of the spring while the contact lasts, waves of two crossings and more.
+struct Waves(f64);
+
+impl Waves {
+    fn indentation(&self, t: f64) -> f64 {
+        let k = self.0;
+        let first = |t: f64| (1.0 - (-k * t).exp()) / k;
+        let second = |s: f64| -1.0 / k + (2.0 * s + first(2.0) + 1.0 / k) * (-k * s).exp();
+        if t <= 2.0 {
+            first(t)
+        } else if t <= 4.0 {
+            second(t - 2.0)
+        } else {
+            let (s, at) = (t - 4.0, second(2.0));
+            let slope = 2.0 - 2.0 * k * first(2.0) - 2.0;
+            1.0 / k + (slope * s - 2.0 * k * s * s + at - 1.0 / k) * (-k * s).exp()
+        }
+    }
+
+    /// The first return to zero, by bisection after the maximum.
+    fn end(&self) -> f64 {
+        let (mut low, mut high) = (2.0, 2.0);
+        while self.indentation(high) > 0.0 {
+            low = high;
+            high += 1e-3;
+        }
+        for _ in 0..80 {
+            let middle = 0.5 * (low + high);
+            if self.indentation(middle) > 0.0 {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        low
+    }
+
+    fn force(&self) -> f64 {
+        let steps = (0..=600_000).map(|step| f64::from(step) * 1e-5);
+        let end = self.end();
+        let inside = steps.take_while(|t| *t <= end);
+        self.0 * inside.map(|t| self.indentation(t)).fold(0.0, f64::max)
+    }
+}
+
+/// Greatest force and contact time, for k.
+const TABLE: [[f64; 3]; 4] = [
+    [0.5, 0.6639719079, 4.8033622288],
+    [1.0, 0.8691420690, 3.6366615131],
+    [10.0, 0.9999999979, 2.1678346989],
+    [100.0, 1.0000000000, 2.0167834699],
+];
+
+#[test]
+fn the_closed_form_is_that_of_the_table() {
+    for [k, force, time] in TABLE {
+        let waves = Waves(k);
+        approx::assert_abs_diff_eq!(waves.force(), force, epsilon = 1e-9);
+        approx::assert_abs_diff_eq!(waves.end(), time, epsilon = 1e-9);
+    }
+}
+
+fn contact(k: f64) -> String {
+    format!(r#"{{ "stiffness": {k:?} }}"#)
+}
+
+/// Errors of the greatest force and the contact time of a rod of n masses (%).
+fn errors(masses: usize, k: f64, capacity: f64, method: Method) -> [f64; 2] {
+    let wall = Wall::rod(masses, capacity, &contact(k), 6.0);
+    let result = wall.run(method);
+    let waves = Waves(k);
+    let (own, exact) = (pair(&result), [waves.force(), waves.end()]);
+    let depth = own.max_indentation.unwrap();
+    approx::assert_relative_eq!(depth * k, own.max_contact_force, max_relative = 1e-7);
+    [
+        100.0 * (own.max_contact_force / exact[0] - 1.0),
+        100.0 * (own.switch_times[0] / exact[1] - 1.0),
+    ]
+}
+
+#[test]
+fn a_chain_comes_to_the_waves() {
+    // Measured on independent programs: n, k, errors of force and time (%).
+    for (masses, k, force, time) in [
+        (16, 1.0, -1.3, 1.3),
+        (16, 10.0, 0.01, 3.6),
+        (16, 100.0, 3.4, 5.0),
+        (64, 1.0, -0.22, 0.33),
+        (64, 10.0, 0.0, 0.57),
+        (64, 100.0, 0.19, 1.6),
+    ] {
+        let found = errors(masses, k, 0.0, Method::Exact);
+        approx::assert_abs_diff_eq!(found[0], force, epsilon = 0.06);
+        approx::assert_abs_diff_eq!(found[1], time, epsilon = 0.06);
+    }
+}
+
+#[test]
+fn all_methods_agree_and_damping_vanishes_in_the_limit() {
+    let exact = errors(4, 10.0, 0.0, Method::Exact);
+    for method in INTEGRATED.into_iter().chain([Method::Taylor]) {
+        let own = errors(4, 10.0, 0.0, method);
+        approx::assert_abs_diff_eq!(own[0], exact[0], epsilon = 1e-4);
+        approx::assert_abs_diff_eq!(own[1], exact[1], epsilon = 1e-4);
+    }
+    // With a massless point behind the contact, hardly damped, and so stiff.
+    for method in [Method::Rodas5p, Method::Radau] {
+        let own = errors(4, 10.0, 1e-3, method);
+        approx::assert_abs_diff_eq!(own[0], exact[0], epsilon = 0.1);
+        approx::assert_abs_diff_eq!(own[1], exact[1], epsilon = 0.1);
+    }
+}
