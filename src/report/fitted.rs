@@ -58,7 +58,7 @@ fn indent(characters: &[char], width: usize) -> usize {
         characters[at] != ' ' && characters[at - 1] == ' ' && characters[at - 2] == ' '
     });
     let own = leading(characters);
-    let column = starts.filter(|&at| at > own).last();
+    let column = starts.rev().find(|&at| at > own);
     column.unwrap_or(own + 4).min(width / 2)
 }
 

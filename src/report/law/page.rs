@@ -85,16 +85,19 @@ impl LawPage<'_> {
     }
 }
 
+/// Primes behind the symbol, and what they stand for.
+type Part = (&'static str, fn(&Jet) -> f64);
+
 /// Value and derivatives, each in a chart of its own.
 fn parts(rows: &[(f64, Jet)], symbol: &str, x: &Axis, unit: &str, per: &str) -> Vec<Plot> {
-    let list: [(&str, fn(&Jet) -> f64); 4] = [
+    let list: [Part; 4] = [
         ("", |jet| jet.value),
         ("′", |jet| jet.first),
         ("″", |jet| jet.second),
         ("‴", |jet| jet.third),
     ];
     let power = ["", "", "²", "³"];
-    let chart = |(order, (prime, part)): (usize, &(&str, fn(&Jet) -> f64))| Plot {
+    let chart = |(order, (prime, part)): (usize, &Part)| Plot {
         title: format!("{symbol}{prime}"),
         x: x.clone(),
         y: Axis::of(&match (order, unit, per) {

@@ -44,9 +44,8 @@ impl Frame {
     pub(super) fn spot(&self, (x, y): (f64, f64)) -> Option<[f64; 2]> {
         let (x, share) = (self.x(x), self.y.share(y));
         let lane = (self.lane && is_beyond(share)).then_some(self.top - 0.5 * LANE);
-        let inside = share
-            .is_finite()
-            .then(|| self.top + (1.0 - share) * self.height);
+        let inside = self.top + (1.0 - share) * self.height;
+        let inside = share.is_finite().then_some(inside);
         let y = lane.or(inside)?;
         x.is_finite().then_some([x, y])
     }
