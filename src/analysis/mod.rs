@@ -2,6 +2,7 @@
 
 pub mod axis;
 pub mod cam;
+pub mod clock;
 pub mod compare;
 pub mod cycle;
 mod document;

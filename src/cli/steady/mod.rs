@@ -9,17 +9,17 @@ use super::failure::{Failure, Status};
 use super::input::{Input, Ready};
 use super::output::{self, OutputFolder, ResultFile};
 use super::run::doubts;
-use args::{Form, MeanChoice, QuestionArgs, SteadyArgs};
 use crate::analysis::expectations::Verdict;
 use crate::analysis::steady::{Answer, ROWS, check, steady_motion};
 use crate::object::law::read_argument;
 use crate::read::Bounds;
 use crate::report::steady::{
-    Shown, SteadyReport, page, periodic_text, rigid_text, rows_csv, wittenbauer,
+    Shown, SteadyReport, drive_csv, page, periodic_text, rigid_text, rows_csv, wittenbauer,
 };
 use crate::scene::SteadySpec;
 use crate::steady::{MOST_TURNS, Mean};
 use crate::units::{Quantity, quantities as q};
+use args::{Form, MeanChoice, QuestionArgs, SteadyArgs};
 use serde::Serialize;
 use serde_json::{Value, json};
 
@@ -240,6 +240,9 @@ fn files(answered: &Answered<'_>, csv: &str) -> Result<Vec<ResultFile>, Failure>
 /// Deviations over a period; parts have periods of their own, so that each row
 /// is one value.
 fn orbit_csv(answer: &crate::analysis::steady::PeriodicAnswer) -> Result<String, Failure> {
+    if let Some(drive) = &answer.drive {
+        return Ok(drive_csv(answer, drive).map_err(|error| error.to_string())?);
+    }
     let mut writer = csv::Writer::from_writer(Vec::new());
     let failed = |error: csv::Error| error.to_string();
     writer

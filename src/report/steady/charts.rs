@@ -5,7 +5,7 @@ use crate::report::svg::chart::{Axis, Chart, Curve};
 use crate::steady::Row;
 
 /// φ in degrees: plain numbers, so that no prefix is put before the unit.
-fn angle() -> Axis {
+pub(super) fn angle() -> Axis {
     Axis {
         symbol: "φ, degrees".to_owned(),
         unit: String::new(),

@@ -39,6 +39,16 @@ pub fn page(report: &SteadyReport<'_>) -> String {
             significant(shown.figures.mean_speed, 6),
             significant(shown.figures.fluctuation, 5)
         ),
+        (
+            None,
+            Some(PeriodicAnswer {
+                drive: Some(drive), ..
+            }),
+        ) => format!(
+            "Steady motion on its motor, mean speed {} rad/s, δ = {}",
+            significant(drive.means.time, 6),
+            significant(drive.fluctuation, 5)
+        ),
         (None, Some(_)) => "Periodic motion behind the drive and its stability".to_owned(),
         (None, None) => "Steady motion".to_owned(),
     };
