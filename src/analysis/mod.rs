@@ -3,6 +3,7 @@
 pub mod axis;
 pub mod cam;
 mod choice;
+pub mod clock;
 pub mod compare;
 pub mod cycle;
 mod demand;

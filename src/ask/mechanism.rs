@@ -4,8 +4,8 @@ use super::RunOptions;
 use crate::Error;
 use crate::analysis::expectations::unknown_figures;
 use crate::analysis::run::{RunResult, run};
-use crate::analysis::steady::{Answer, steady_motion};
-use crate::analysis::{Control, RunSettings, plausible, studied};
+use crate::analysis::steady::{Answer, steady_motion_within};
+use crate::analysis::{Control, RunSettings, clock, plausible, studied};
 use crate::fault::Fault;
 use crate::lower::lower;
 use crate::model::Model;
@@ -39,6 +39,10 @@ impl Mechanism {
             return Err(diagnose(faults).into());
         }
         let settings = RunSettings::of(&reading.scene).map_err(|fault| diagnose(vec![fault]))?;
+        let unresolved = clock::unresolved(&model, &settings);
+        if !unresolved.is_empty() {
+            return Err(diagnose(unresolved).into());
+        }
         let unlikely = plausible::warnings(&model, settings.duration);
         model.warnings.extend(unlikely);
         let system = System::new(model).map_err(diagnose)?;
@@ -88,8 +92,16 @@ impl Mechanism {
     /// # Errors
     /// Every fault of the question, or why there is no steady motion.
     pub fn steady(&self) -> Result<Answer, Error> {
+        self.steady_within(&Control::default())
+    }
+
+    /// The same, ended from outside: by a flag, or after a time.
+    ///
+    /// # Errors
+    /// As [`Self::steady`]; ended before there was an answer.
+    pub fn steady_within(&self, control: &Control<'_>) -> Result<Answer, Error> {
         let spec = self.scene().steady.clone().unwrap_or_default();
-        let found = steady_motion(&self.system, &self.settings, &spec);
+        let found = steady_motion_within(&self.system, &self.settings, &spec, control);
         found.map_err(|faults| self.diagnose(&faults))
     }
 

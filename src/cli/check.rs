@@ -7,9 +7,10 @@ use super::input::Input;
 use super::status::Status;
 use crate::analysis::kinematics::reaches;
 use crate::cli::args::scene::SceneArgs;
+use crate::diagnostics::Diagnostics;
 use crate::object::Registry;
 use crate::scene::{schema, schema_of, schema_text};
-use serde_json::json;
+use serde_json::{Value, json};
 
 /// Checks a scene as far as is possible without running it.
 pub(crate) fn command(args: &CheckArgs) -> Result<Status, Failure> {
@@ -27,7 +28,8 @@ pub(crate) fn command(args: &CheckArgs) -> Result<Status, Failure> {
             "scene": scene.name,
             "hash": scene.hash,
             "errors": [],
-            "warnings": warnings.json(),
+            "warnings": all_warnings(warnings, &said),
+            "diagnostics": warnings.json(),
             "remarks": said,
             "reaches": reaches,
         }))?;
@@ -52,6 +54,22 @@ pub(crate) fn command(args: &CheckArgs) -> Result<Status, Failure> {
         console::data(&format!("{reach}\n"))?;
     }
     Ok(Status::Answered)
+}
+
+/// Everything that the terminal warns of: what is doubtful in the text, with its places,
+/// and what the model says of itself, as `dam run` has it in its `warnings`.
+fn all_warnings(doubts: &Diagnostics, said: &[&String]) -> Vec<Value> {
+    let mut all = match doubts.json() {
+        Value::Array(list) => list,
+        _ => Vec::new(),
+    };
+    all.extend(said.iter().map(|text| {
+        json!({
+            "severity": "warning", "code": "model", "path": "", "message": text, "label": "",
+            "hints": [], "file": null, "line": null, "column": null,
+        })
+    }));
+    all
 }
 
 /// Prints the JSON Schema of scenes, or that of one scene.

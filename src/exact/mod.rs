@@ -134,6 +134,7 @@ mod workspace;
 
 pub use asked::Asked;
 pub use cursor::Cursor;
+pub(crate) use from_model::{Course, Rhythm};
 pub use from_model::{KeptLaws, Part, Parts, Rest};
 pub(crate) use hermite::{End, Piece};
 pub use law::{LAW_DEGREE, Law, PolynomialSpan, Sine, SpanSource};

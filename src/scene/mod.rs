@@ -111,7 +111,7 @@ pub struct SteadySpec {
     pub mean_speed: Option<f64>,
     /// What is meant by it; default: the mean over time.
     pub mean: Mean,
-    /// Angle after which the machine repeats (rad); default: one turn.
+    /// Angle after which the machine repeats, or a part of it (rad); default: one turn.
     pub cycle: f64,
     /// True: a constant moment balances the cycle.
     pub balance: bool,

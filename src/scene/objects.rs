@@ -5,7 +5,7 @@ use super::{Catalogue, SceneObject};
 use crate::diagnostics::{Diagnostic, Related};
 use crate::graph::MechanismGraph;
 use crate::object::{Context, Inputs, Kind, KnownObject, Object, OwnObject, Registry};
-use crate::read::{Fields, Node, Slot, is_name};
+use crate::read::{Fields, Node, Slot, Value, is_name};
 use serde_json::{Value as Json, json};
 use std::collections::BTreeMap;
 
@@ -143,7 +143,7 @@ pub(super) fn object(mut slot: Slot<'_>, id: &str, known: &mut Known) -> Option<
                 let hint = "remove `input`, or choose another `kind`";
                 (!fields.forbid("input", message, hint)).then_some(())
             }
-            Inputs::One => context.input(fields),
+            Inputs::One => only_input(fields, &mut context, kind.name),
             Inputs::Several => Some(()),
         };
         let object = (kind.read)(fields, &context);
@@ -157,6 +157,34 @@ pub(super) fn object(mut slot: Slot<'_>, id: &str, known: &mut Known) -> Option<
         entry.masses = Some(object.object.masses());
     }
     sound.then_some(object)
+}
+
+/// Reads `input` of an object with one driver; several are told as such.
+fn only_input(fields: &mut Fields<'_>, context: &mut Context<'_>, kind: &str) -> Option<()> {
+    let message = format!("a {kind} takes one input");
+    let hint = "name the one output that drives it: \"input\": \"shaft\"; a `differential` sums \
+                several motions to one that can drive it";
+    let beside = fields.forbid("inputs", &message, hint);
+    let given = fields.member("input").map(|member| &member.value);
+    let count = match given.map(|node| &node.value) {
+        Some(Value::List(list)) => Some(list.len()),
+        Some(Value::Object(members)) => Some(members.len()),
+        _ => None,
+    };
+    if let Some(count) = count {
+        fields.maybe("input", "", |mut slot| -> Option<()> {
+            let message = format!("{message}, found {count} in `input`");
+            let fault = slot.refuse("wrong-type", message);
+            fault.hints.push(hint.to_owned());
+            None
+        });
+        return None;
+    }
+    if beside && given.is_none() {
+        return None;
+    }
+    let connected = context.input(fields);
+    connected.filter(|()| !beside)
 }
 
 fn check_id(slot: &mut Slot<'_>, id: &str) -> bool {

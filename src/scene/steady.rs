@@ -34,7 +34,7 @@ pub(super) fn read(slot: Slot<'_>, known: &Known) -> Option<SteadySpec> {
         );
         let cycle = fields.or(
             "cycle",
-            "Angle of the drive after which the machine repeats",
+            "Angle of the drive after which the machine repeats, or a part of it: ratios may ask for more turns",
             json!(std::f64::consts::TAU),
             |slot| slot.quantity(q::ANGLE, Bounds::up_to(MOST_TURNS * std::f64::consts::TAU)),
         );

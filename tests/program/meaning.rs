@@ -231,7 +231,13 @@ fn warnings(scene: &Value, settings: &[&str]) -> Vec<String> {
     };
     let found = list(&run["warnings"]);
     arguments[0] = "check";
-    let check = list(&json_of(&arguments)["remarks"]);
+    let document = json_of(&arguments);
+    let check = list(&document["remarks"]);
+    // Under the name that `run` has for them they are there too, beside what is doubtful
+    // in the text.
+    let named = document["warnings"].as_array().unwrap().iter();
+    let named: Vec<&str> = (named.map(|one| one["message"].as_str().unwrap())).collect();
+    assert!(check.iter().all(|text| named.contains(&text.as_str())));
     let meant = |text: &&String| text.contains("never") || text.contains("unit");
     let of = |all: &[String]| all.iter().filter(meant).cloned().collect::<Vec<_>>();
     assert_eq!(of(&found), of(&check));

@@ -197,6 +197,74 @@ def press_motor(steps):
     }
 
 
+def press_elastic(steps):
+    """The same press with a frame that yields, 100 MN/m and 30 kN s/m: in absolute coordinates, over the angle."""
+    radius, rod, mass, inertia = 0.08, 0.4, 220.0, 1.5
+    stall, idle, stiffness, damping = 800.0, 160 / 3, 100e6, 30e3
+
+    def rates(phi, state, force):
+        place, speed, turning, _, _ = state
+        sin, cos = math.sin(phi), math.cos(phi)
+        root = math.sqrt(rod**2 - (radius * sin) ** 2)
+        law, first = radius * cos + root, -radius * sin - radius**2 * sin * cos / root
+        link = stiffness * (place - law) + damping * (speed - first * turning)
+        moment = stall * (1 - turning / idle) + link * first
+        return (speed / turning, (force - link) / mass / turning, moment / inertia / turning, 1 / turning, turning)
+
+    def run(start, count):
+        state, seen = tuple(start) + (0.0, 0.0), []
+        for low, high, force in ((0.0, CONTACT, 0.0), (CONTACT, TAU, -90e3)):
+            n = math.ceil(count * (high - low) / TAU)
+            h = (high - low) / n
+            for i in range(n):
+                phi = low + i * h
+                seen.append(state[2])
+                k1 = rates(phi, state, force)
+                k2 = rates(phi + h / 2, tuple(s + h / 2 * k for s, k in zip(state, k1)), force)
+                k3 = rates(phi + h / 2, tuple(s + h / 2 * k for s, k in zip(state, k2)), force)
+                k4 = rates(phi + h, tuple(s + h * k for s, k in zip(state, k3)), force)
+                state = tuple(s + h / 6 * (a + 2 * b + 2 * c + d) for s, a, b, c, d in zip(state, k1, k2, k3, k4))
+        return state, seen
+
+    def fixed(count):
+        # All but the slowest mode dies away within a turn: Aitken's extrapolation of the turns.
+        state = [radius + rod, 0.0, 25.0]
+        for _ in range(4):
+            one = run(state, count)[0][:3]
+            two = run(one, count)[0][:3]
+            three = run(two, count)[0][:3]
+            ratio = (three[2] - two[2]) / (two[2] - one[2]) if two[2] != one[2] else 0.0
+            state = [c + (c - b) * ratio / (1 - ratio) for b, c in zip(two, three)]
+        shift = 1e-3
+        slope = (run([state[0], state[1], state[2] + shift], count)[0], run([state[0], state[1], state[2] - shift], count)[0])
+        vector = [(a - b) / (2 * shift) for a, b in zip(slope[0][:3], slope[1][:3])]
+        for _ in range(2):
+            scaled = [v / vector[2] * shift for v in vector]
+            ends = [run([x + sign * d for x, d in zip(state, scaled)], count)[0][:3] for sign in (1, -1)]
+            vector = [(a - b) / (2 * shift) for a, b in zip(*ends)]
+        end, seen = run(state, count)
+        return state[2], end, vector[2], extreme(seen, 1), extreme(seen, -1)
+
+    def extreme(seen, sense):
+        i = max(range(1, len(seen) - 1), key=lambda i: sense * seen[i])
+        a, b, c = seen[i - 1 : i + 2]
+        return b - (c - a) ** 2 / (8 * (a - 2 * b + c))
+
+    rich = lambda a, b: b + (b - a) / 15
+    (w1, e1, m1, g1, l1), (w2, e2, m2, g2, l2) = fixed(steps), fixed(2 * steps)
+    period, greatest, least = rich(e1[3], e2[3]), rich(g1, g2), rich(l1, l2)
+    return {
+        "steady.period": period,
+        "steady.mean_time": TAU / period,
+        "steady.mean_angle": rich(e1[4], e2[4]) / TAU,
+        "steady.speed_at_start": rich(w1, w2),
+        "steady.greatest_speed": greatest,
+        "steady.least_speed": least,
+        "steady.fluctuation": (greatest - least) * period / TAU,
+        "steady.multiplier": rich(m1, m2),
+    }
+
+
 # Gas force on the piston over the crank angle (N), every 20 degrees: straight in between.
 GAS = [21600, 19800, 13600, 8250, 5140, 3480, 2480, 1860, 1240, 500, 540, 640, 830, 1190, 1880, 3390, 7100, 14600, 21600]
 
@@ -229,6 +297,7 @@ if __name__ == "__main__":
     cases = [
         twice("press_flywheel", press_flywheel, 60, 120),
         twice("press_motor", press_motor, 4000, 8000),
+        twice("press_elastic", press_elastic, 4000, 8000),
         twice("engine", engine, 60, 120),
     ]
     path = os.path.join(os.path.dirname(__file__), "steady.json")

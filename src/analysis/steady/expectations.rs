@@ -38,7 +38,15 @@ fn of_rigid(answer: &RigidAnswer, name: &str) -> Option<f64> {
 
 fn of_periodic(answer: &PeriodicAnswer, name: &str) -> Option<f64> {
     let parts = answer.parts.iter();
+    let drive = answer.drive.as_ref();
     match name {
+        "mean_time" => drive.map(|drive| drive.means.time),
+        "mean_angle" => drive.map(|drive| drive.means.angle),
+        "mean_midrange" => drive.map(|drive| drive.means.midrange),
+        "least_speed" => drive.map(|drive| drive.least_speed.value),
+        "greatest_speed" => drive.map(|drive| drive.greatest_speed.value),
+        "speed_at_start" => drive.map(|drive| drive.speed_at_start),
+        "fluctuation" => drive.map(|drive| drive.fluctuation),
         "period" => parts.map(|part| part.period).reduce(f64::max),
         "periods" => parts.map(|part| part.periods as f64).reduce(f64::max),
         "multiplier" => parts

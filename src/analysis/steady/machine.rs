@@ -89,7 +89,7 @@ fn backwards(model: &Model, drive: usize) -> Option<Fault> {
 }
 
 /// The nodes that move with a node.
-fn behind(model: &Model, node: usize) -> Vec<bool> {
+pub(super) fn behind(model: &Model, node: usize) -> Vec<bool> {
     let mut moved = vec![false; model.nodes.len()];
     moved[node] = true;
     // Drivers stand before what they drive.
@@ -127,32 +127,55 @@ pub fn constant_speed(model: &Model, drive: usize) -> Option<f64> {
     }
 }
 
-/// Faults of objects and loads that have no place in the method.
-fn obstacles(model: &Model, moved: &[bool]) -> Vec<Fault> {
-    let mut faults = Vec::new();
-    for part in &model.objects {
-        let node = part.nodes[0];
-        if part.combination.is_some_and(|node| moved[node]) {
+/// Objects with several inputs that move with a drive.
+pub(super) fn several_inputs(model: &Model, moved: &[bool]) -> Vec<Fault> {
+    let parts = model.objects.iter();
+    let combined = parts.filter(|part| part.combination.is_some_and(|node| moved[node]));
+    combined
+        .map(|part| {
             let id = &part.id;
             let message =
                 format!("`{id}` has several inputs: its steady motion is not asked of one drive");
-            let hint = "follow it with `dam run`";
-            faults.push(Fault::new(format!("{id}.inputs"), message, hint));
-        } else if moved[node] && matches!(model.nodes[node].motion, NodeMotion::Mass { .. }) {
-            let message = format!("`{}` is elastic, and its drive is not prescribed", part.id);
-            let hint = "\"masses\": 0 for the energy-mass method; or a drive with a `motion`";
+            Fault::new(format!("{id}.inputs"), message, "follow it with `dam run`")
+        })
+        .collect()
+}
+
+/// Loads over time on what moves with a drive.
+pub(super) fn over_time(model: &Model, moved: &[bool]) -> Vec<Fault> {
+    let timed = |load: &&Load| match load.law {
+        LoadLaw::Pieces { track, .. } => model.tracks[track].source == TrackSource::Time,
+        _ => false,
+    };
+    let loads = model.loads.iter().filter(|load| moved[load.node]);
+    loads
+        .filter(timed)
+        .map(|load| {
+            let message = "a load over time repeats with no cycle of the machine";
+            let hint = "a table over the driver's position: `position_table` or `window`";
+            Fault::new(&load.name, message, hint)
+        })
+        .collect()
+}
+
+/// Faults of objects and loads that have no place in the method.
+fn obstacles(model: &Model, moved: &[bool]) -> Vec<Fault> {
+    let mut faults = several_inputs(model, moved);
+    for part in &model.objects {
+        let node = part.nodes[0];
+        let combined = part.combination.is_some_and(|node| moved[node]);
+        let elastic = matches!(model.nodes[node].motion, NodeMotion::Mass { .. });
+        if !combined && moved[node] && elastic {
+            let message = format!(
+                "`{}` is elastic: a machine is reduced to its drive where all objects behind it \
+                 are rigid",
+                part.id
+            );
+            let hint = "\"masses\": 0 for the energy-mass method";
             faults.push(Fault::new(format!("{}.masses", part.id), message, hint));
         }
     }
-    for load in model.loads.iter().filter(|load| moved[load.node]) {
-        if let LoadLaw::Pieces { track, .. } = load.law
-            && model.tracks[track].source == TrackSource::Time
-        {
-            let message = "a load over time repeats with no cycle of the machine";
-            let hint = "a table over the driver's position: `position_table` or `window`";
-            faults.push(Fault::new(&load.name, message, hint));
-        }
-    }
+    faults.extend(over_time(model, moved));
     faults
 }
 

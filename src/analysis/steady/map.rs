@@ -3,11 +3,32 @@
 use super::sink::{Grid, Last};
 use crate::budget::Budget;
 use crate::exact::{Cursor, ExactRun, ExactTree, Halt, PairState, Part, Request, TreeProblem};
-use crate::integrate::{Dynamics, Limits, Method, Settings, Sink, Stop, integrate};
+use crate::integrate::{Dynamics, Limits, Method, Modes, Settings, Sink, Stop, integrate};
 use crate::system::System;
 use nalgebra::DMatrix;
 
-/// Carries a state over a time that starts at t = 0.
+/// A motion as a list of states.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Orbit {
+    /// When (s).
+    pub(super) times: Vec<f64>,
+    /// One list of displacements a coordinate.
+    pub(super) columns: Vec<Vec<f64>>,
+}
+
+impl Orbit {
+    /// One in equal steps.
+    fn even(time: f64, count: usize, columns: Vec<Vec<f64>>) -> Self {
+        let step = |i: usize| time * i as f64 / count as f64;
+        Self {
+            times: (1..=count).map(step).collect(),
+            columns,
+        }
+    }
+}
+
+/// Carries a state over a time that starts at t = 0, or over an angle of the drive
+/// that takes its place.
 pub(super) trait Map {
     /// The state after `time` (s).
     ///
@@ -21,12 +42,19 @@ pub(super) trait Map {
     /// As [`Map::apply`].
     fn monodromy(&self, state: &[f64], time: f64) -> Result<DMatrix<f64>, String>;
 
-    /// Displacements at `count` equal steps over a time from t = 0 on, t = 0
-    /// left out: one list a coordinate.
+    /// Displacements at `count` equal steps from t = 0 on, t = 0 left out.
     ///
     /// # Errors
     /// As [`Map::apply`].
-    fn orbit(&self, state: &[f64], time: f64, count: usize) -> Result<Vec<Vec<f64>>, String>;
+    fn orbit(&self, state: &[f64], time: f64, count: usize) -> Result<Orbit, String>;
+
+    /// How long it takes (s).
+    ///
+    /// # Errors
+    /// As [`Map::apply`].
+    fn duration(&self, _state: &[f64], time: f64) -> Result<f64, String> {
+        Ok(time)
+    }
 
     /// Sizes of the state's entries, for differences and misses.
     fn scales(&self) -> &[f64];
@@ -39,19 +67,25 @@ pub(super) trait Map {
 #[derive(Debug)]
 pub(super) struct TreeMap<'a> {
     part: &'a Part,
+    budget: Budget<'a>,
     scales: Vec<f64>,
 }
 
 impl<'a> TreeMap<'a> {
     /// The map of a tree; sizes are those met in a period from a state.
-    pub(super) fn new(part: &'a Part, state: &[f64], period: f64) -> Result<Self, String> {
+    pub(super) fn new(
+        part: &'a Part,
+        state: &[f64],
+        period: f64,
+        budget: Budget<'a>,
+    ) -> Result<Self, String> {
         let n = part.problem().masses.len();
         let tree = part.tree_at(&state[..n], &state[n..]);
         let request = Request {
             all_masses: true,
             ..request(period, 256)
         };
-        let run = whole(&tree, &request)?;
+        let run = whole(&tree, &request, &budget)?;
         let mut scales: Vec<f64> = state.iter().map(|entry| entry.abs()).collect();
         for row in run.samples.chunks_exact(2 * n) {
             for (scale, value) in scales.iter_mut().zip(row) {
@@ -61,7 +95,11 @@ impl<'a> TreeMap<'a> {
         scales
             .iter_mut()
             .for_each(|scale| *scale = scale.max(1e-12));
-        Ok(Self { part, scales })
+        Ok(Self {
+            part,
+            budget,
+            scales,
+        })
     }
 
     fn masses(&self) -> usize {
@@ -73,7 +111,7 @@ impl Map for TreeMap<'_> {
     fn apply(&self, state: &[f64], time: f64) -> Result<Vec<f64>, String> {
         let n = self.masses();
         let tree = self.part.tree_at(&state[..n], &state[n..]);
-        let run = whole(&tree, &request(time, 0))?;
+        let run = whole(&tree, &request(time, 0), &self.budget)?;
         Ok(run.displacement.into_iter().chain(run.speed).collect())
     }
 
@@ -81,7 +119,9 @@ impl Map for TreeMap<'_> {
         let n = self.masses();
         let tree = self.part.tree_at(&state[..n], &state[n..]);
         let problem = tree.problem();
-        let mut cursor = Cursor::new(&tree, time).map_err(|refusal| refusal.reason)?;
+        let goes_on = || !self.budget.is_spent();
+        let mut cursor = Cursor::of(&tree, &Request::new(time, 0), &goes_on)
+            .map_err(|refusal| refusal.reason)?;
         let mut product = DMatrix::identity(2 * n, 2 * n);
         while cursor.advance().map_err(|refusal| refusal.reason)? {
             if cursor.counts().0 > MOST_STEPS {
@@ -95,20 +135,23 @@ impl Map for TreeMap<'_> {
                 impact(problem, switch.mass, &mut product);
             }
         }
+        if let Some(spent) = self.budget.spent() {
+            return Err(spent.to_string());
+        }
         match product.iter().all(|entry| entry.is_finite()) {
             true => Ok(product),
             false => Err("the derivative of the motion is no finite number".to_owned()),
         }
     }
 
-    fn orbit(&self, state: &[f64], time: f64, count: usize) -> Result<Vec<Vec<f64>>, String> {
+    fn orbit(&self, state: &[f64], time: f64, count: usize) -> Result<Orbit, String> {
         let n = self.masses();
         let tree = self.part.tree_at(&state[..n], &state[n..]);
         let request = Request {
             all_masses: true,
             ..request(time, count)
         };
-        let run = whole(&tree, &request)?;
+        let run = whole(&tree, &request, &self.budget)?;
         let column = |mass: usize| {
             run.samples
                 .iter()
@@ -117,7 +160,7 @@ impl Map for TreeMap<'_> {
                 .copied()
                 .collect()
         };
-        Ok((0..n).map(column).collect())
+        Ok(Orbit::even(time, count, (0..n).map(column).collect()))
     }
 
     fn scales(&self) -> &[f64] {
@@ -141,8 +184,13 @@ fn request(end: f64, samples: usize) -> Request {
 }
 
 /// A run to its end.
-fn whole(tree: &ExactTree, request: &Request) -> Result<ExactRun, String> {
-    let run = tree.run(request).map_err(|refusal| refusal.reason)?;
+fn whole(tree: &ExactTree, request: &Request, budget: &Budget<'_>) -> Result<ExactRun, String> {
+    let run = tree
+        .run_while(request, &|| !budget.is_spent())
+        .map_err(|refusal| refusal.reason)?;
+    if let Some(spent) = budget.spent() {
+        return Err(spent.to_string());
+    }
     match run.halt {
         None => Ok(run),
         Some(Halt::Switches) => Err(format!("too many switches before t = {} s", run.time)),
@@ -212,6 +260,7 @@ fn impact(problem: &TreeProblem, i: usize, product: &mut DMatrix<f64>) {
 pub(super) struct SystemMap<'a> {
     system: &'a System,
     method: Method,
+    budget: Budget<'a>,
 }
 
 /// Tolerance of the integration.
@@ -219,26 +268,84 @@ const TOLERANCE: f64 = 1e-12;
 /// Steps of the differences, relative to the scales.
 const DIFFERENCE: f64 = 1e-5;
 
-impl<'a> SystemMap<'a> {
-    pub(super) fn new(system: &'a System, method: Method) -> Self {
-        Self { system, method }
-    }
-
-    fn differences(&self, state: &[f64], time: f64, step: f64) -> Result<DMatrix<f64>, String> {
-        let n = state.len();
+/// The derivative of a map: central differences with two steps, extrapolated.
+pub(super) fn differences(map: &dyn Map, state: &[f64], over: f64) -> Result<DMatrix<f64>, String> {
+    let n = state.len();
+    let central = |step: f64| -> Result<DMatrix<f64>, String> {
         let mut matrix = DMatrix::zeros(n, n);
         for column in 0..n {
-            let h = step * self.scales()[column];
+            let h = step * map.scales()[column];
             let mut shifted = state.to_vec();
             shifted[column] = state[column] + h;
-            let above = self.apply(&shifted, time)?;
+            let above = map.apply(&shifted, over)?;
             shifted[column] = state[column] - h;
-            let below = self.apply(&shifted, time)?;
+            let below = map.apply(&shifted, over)?;
             for row in 0..n {
                 matrix[(row, column)] = (above[row] - below[row]) / (2.0 * h);
             }
         }
         Ok(matrix)
+    };
+    let (coarse, fine) = (central(2.0 * DIFFERENCE)?, central(DIFFERENCE)?);
+    Ok((fine * 4.0 - coarse) / 3.0)
+}
+
+/// Integrates a system from a state over a time into a sink, as finely as it goes.
+///
+/// # Errors
+/// Why it does not get to the end.
+pub(super) fn follow(
+    system: &System,
+    method: Method,
+    budget: Budget<'_>,
+    state: &[f64],
+    modes: &Modes,
+    time: f64,
+    sink: &mut dyn Sink,
+) -> Result<(), String> {
+    let settings = Settings {
+        method,
+        tolerance: TOLERANCE,
+        step: None,
+    };
+    let limits = Limits {
+        switches: 1_000_000,
+        steps: 10_000_000,
+        budget,
+    };
+    let outcome = integrate(system, 0.0, time, state, modes, &settings, &limits, sink);
+    let at = outcome.time;
+    match outcome.stop {
+        Stop::Complete => Ok(()),
+        Stop::Physical(stop) => Err(stop.message),
+        Stop::Interrupted | Stop::WallClock { .. } => {
+            let spent = budget.spent().map(|spent| spent.to_string());
+            Err(spent.unwrap_or_else(|| "interrupted".to_owned()))
+        }
+        stop => Err(format!("it stopped at t = {at} s: {stop:?}")),
+    }
+}
+
+impl<'a> SystemMap<'a> {
+    pub(super) fn new(system: &'a System, method: Method, budget: Budget<'a>) -> Self {
+        Self {
+            system,
+            method,
+            budget,
+        }
+    }
+
+    fn follow(&self, state: &[f64], time: f64, sink: &mut dyn Sink) -> Result<(), String> {
+        let modes = self.system.modes_at_start(state);
+        follow(
+            self.system,
+            self.method,
+            self.budget,
+            state,
+            &modes,
+            time,
+            sink,
+        )
     }
 }
 
@@ -249,17 +356,14 @@ impl Map for SystemMap<'_> {
         Ok(last.y)
     }
 
-    fn orbit(&self, state: &[f64], time: f64, count: usize) -> Result<Vec<Vec<f64>>, String> {
+    fn orbit(&self, state: &[f64], time: f64, count: usize) -> Result<Orbit, String> {
         let mut grid = Grid::new(time / count as f64, state.len() / 2);
         self.follow(state, time, &mut grid)?;
-        Ok(grid.columns)
+        Ok(Orbit::even(time, count, grid.columns))
     }
 
-    /// Central differences with two steps, extrapolated.
     fn monodromy(&self, state: &[f64], time: f64) -> Result<DMatrix<f64>, String> {
-        let coarse = self.differences(state, time, 2.0 * DIFFERENCE)?;
-        let fine = self.differences(state, time, DIFFERENCE)?;
-        Ok((fine * 4.0 - coarse) / 3.0)
+        differences(self, state, time)
     }
 
     fn scales(&self) -> &[f64] {
@@ -271,39 +375,10 @@ impl Map for SystemMap<'_> {
     }
 }
 
-impl SystemMap<'_> {
-    fn follow(&self, state: &[f64], time: f64, sink: &mut dyn Sink) -> Result<(), String> {
-        let modes = self.system.modes_at_start(state);
-        let settings = Settings {
-            method: self.method,
-            tolerance: TOLERANCE,
-            step: None,
-        };
-        let limits = Limits {
-            switches: 1_000_000,
-            steps: 10_000_000,
-            budget: Budget::FREE,
-        };
-        let outcome = integrate(
-            self.system,
-            0.0,
-            time,
-            state,
-            &modes,
-            &settings,
-            &limits,
-            sink,
-        );
-        match outcome.stop {
-            Stop::Complete => Ok(()),
-            stop => Err(format!("it stopped at t = {} s: {stop:?}", outcome.time)),
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::{Map, SystemMap, TreeMap};
+    use crate::budget::Budget;
     use crate::exact::Parts;
     use crate::integrate::Method;
     use crate::lower::lower;
@@ -327,8 +402,8 @@ mod tests {
         let parts = Parts::of(&system);
         let start = system.initial_state().unwrap().y;
         let turn = 60.0 / 1900.0;
-        let tree = TreeMap::new(&parts.trees[0], &start, turn).unwrap();
-        let general = SystemMap::new(&system, Method::Dop853);
+        let tree = TreeMap::new(&parts.trees[0], &start, turn, Budget::FREE).unwrap();
+        let general = SystemMap::new(&system, Method::Dop853, Budget::FREE);
         // One tree: its q are the system's u.
         let (one, other) = (tree.apply(&start, turn), general.apply(&start, turn));
         let (one, other) = (one.unwrap(), other.unwrap());
@@ -346,7 +421,7 @@ mod tests {
             approx::assert_abs_diff_eq!(*a, *b, epsilon = 1e-5);
         }
         let orbits = [&tree as &dyn Map, &general].map(|map| map.orbit(&start, turn, 50).unwrap());
-        for (a, b) in orbits[0].iter().zip(&orbits[1]) {
+        for (a, b) in orbits[0].columns.iter().zip(&orbits[1].columns) {
             assert_eq!((a.len(), b.len()), (50, 50));
             approx::assert_abs_diff_eq!(a[17], b[17], epsilon = 1e-8);
         }

@@ -2,15 +2,19 @@
 //!
 //! Rigid objects behind a motor or a prescribed drive: the energy-mass method
 //! where forces depend on the position alone, the cycle map where a moment
-//! depends on the speed. Elastic objects behind a prescribed drive: the periodic
-//! motion, by shooting.
+//! depends on the speed. Elastic objects: the periodic motion, by shooting, over time
+//! behind prescribed drives, over the drive's angle behind a motor.
 
 mod answer;
 pub mod csv;
+mod cycle;
 mod expectations;
 mod machine;
 mod map;
+mod motor;
 mod periodic;
+mod phase;
+mod portrait;
 mod rigid;
 mod shooting;
 mod simulate;
@@ -21,10 +25,11 @@ pub use answer::Simulation;
 pub use answer::{Agreement, RigidAnswer};
 pub use expectations::{check, figure};
 pub use machine::{Machine, constant_speed, drive_of, is_elastic};
+pub use motor::{DriveFigures, DriveRow, StartOf};
 pub use periodic::{LongRun, Multiplier, Orbit, PartMotion, PeriodicAnswer, Stability};
 pub use rigid::{ROWS, by_energy};
 
-use crate::analysis::RunSettings;
+use crate::analysis::{Control, RunSettings};
 use crate::fault::Fault;
 use crate::model::{Model, Node, NodeMotion};
 use crate::scene::SteadySpec;
@@ -51,6 +56,35 @@ pub fn steady_motion(
     settings: &RunSettings,
     spec: &SteadySpec,
 ) -> Result<Answer, Vec<Fault>> {
+    steady_motion_within(system, settings, spec, &Control::default())
+}
+
+/// The same, ended from outside: by a flag, or after a time.
+///
+/// # Errors
+/// As [`steady_motion`]; ended before there was an answer.
+pub fn steady_motion_within(
+    system: &System,
+    settings: &RunSettings,
+    spec: &SteadySpec,
+    control: &Control<'_>,
+) -> Result<Answer, Vec<Fault>> {
+    found(system, settings, spec, control).map_err(|faults| match control.spent() {
+        // What it came to by then is no word on the machine.
+        Some(spent) => {
+            let message = format!("ended before a steady motion was found: {spent}");
+            vec![Fault::new("steady", message, "")]
+        }
+        None => faults,
+    })
+}
+
+fn found(
+    system: &System,
+    settings: &RunSettings,
+    spec: &SteadySpec,
+    control: &Control<'_>,
+) -> Result<Answer, Vec<Fault>> {
     let model = system.model();
     let rubs = rubbing(model);
     if !rubs.is_empty() {
@@ -61,16 +95,20 @@ pub fn steady_motion(
     let is_mass = |node: &Node| matches!(node.motion, NodeMotion::Mass { .. });
     let elastic = model.nodes.iter().any(is_mass) && !model.nodes.iter().any(is_free);
     if spec.drive.is_none() && elastic {
-        let answer = periodic::answer(system, settings, spec)?;
+        let answer = periodic::answer(system, settings, spec, control)?;
         return Ok(Answer::Periodic(Box::new(answer)));
     }
     let drive = drive_of(model, spec.drive.as_deref())?;
     let speed = constant_speed(model, drive);
     if is_elastic(model, drive) && system.last_coordinate(drive).is_none() {
-        let answer = periodic::answer(system, settings, spec)?;
+        let answer = periodic::answer(system, settings, spec, control)?;
         return Ok(Answer::Periodic(Box::new(answer)));
     }
-    let answer = rigid::answer(model, drive, spec, speed)?;
+    if let (true, Some(rotor)) = (is_elastic(model, drive), system.last_coordinate(drive)) {
+        let answer = motor::answer(system, drive, rotor, settings, spec, control)?;
+        return Ok(Answer::Periodic(Box::new(answer)));
+    }
+    let answer = rigid::answer(model, drive, spec, speed, control)?;
     Ok(Answer::Rigid(Box::new(answer)))
 }
 

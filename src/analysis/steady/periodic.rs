@@ -1,9 +1,11 @@
 //! The periodic motion of an elastic scene behind prescribed drives: shooting.
 
+use super::cycle::Rhythms;
 use super::map::{Map, SystemMap, TreeMap};
+use super::motor::DriveFigures;
 use super::shooting::{Fixed, distance, shoot};
-use crate::analysis::RunSettings;
 use crate::analysis::method::choose_general;
+use crate::analysis::{Control, RunSettings};
 use crate::exact::Parts;
 use crate::fault::Fault;
 use crate::integrate::Dynamics;
@@ -14,12 +16,18 @@ use crate::scene::SteadySpec;
 use crate::system::System;
 use nalgebra::DMatrix;
 use serde::Serialize;
+use std::f64::consts::TAU;
 
 /// The periodic motion of an elastic scene.
 #[derive(Clone, Debug, Serialize)]
 pub struct PeriodicAnswer {
-    /// A turn of the drive (s).
+    /// The angle of the drive after which the machine repeats, by its ratios (rad).
+    pub cycle: f64,
+    /// How long that takes (s).
     pub turn: f64,
+    /// How the drive turns, where a motor drives.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub drive: Option<DriveFigures>,
     /// The parts that move independently of each other.
     pub parts: Vec<PartMotion>,
     /// State y = [u, u̇] of the whole system at t = 0 of the periodic motion.
@@ -33,7 +41,7 @@ pub struct PeriodicAnswer {
 pub struct PartMotion {
     /// Its objects.
     pub objects: Vec<String>,
-    /// Turns of the drive in a period.
+    /// Cycles of the drive in a period.
     pub periods: usize,
     /// The period (s).
     pub period: f64,
@@ -172,17 +180,15 @@ fn long_run(map: &dyn Map, start: &[f64], fixed: &Fixed, turn: f64, periods: usi
 }
 
 /// Points of an orbit.
-const ORBIT: usize = 720;
+pub(super) const ORBIT: usize = 720;
 
 /// Deviations over the period.
 fn orbit(map: &dyn Map, state: &[f64], period: f64, about: &About) -> Result<Vec<Orbit>, String> {
-    let columns = map.orbit(state, period, ORBIT)?;
-    let named = about.names.iter().zip(columns).enumerate();
+    let found = map.orbit(state, period, ORBIT)?;
+    let named = about.names.iter().zip(found.columns).enumerate();
     Ok(named
         .map(|(index, (name, values))| {
-            let rest = (1..)
-                .map(|i| period * f64::from(i) / ORBIT as f64)
-                .zip(values);
+            let rest = found.times.iter().copied().zip(values);
             let points = std::iter::once((0.0, state[index])).chain(rest);
             (name.clone(), points.collect())
         })
@@ -190,15 +196,55 @@ fn orbit(map: &dyn Map, state: &[f64], period: f64, about: &About) -> Result<Vec
 }
 
 /// What a part is called.
-struct About {
+pub(super) struct About {
     objects: Vec<String>,
     /// Of its coordinates.
     names: Vec<String>,
     unit: String,
 }
 
-/// The periodic motion of a part, of as few turns as possible.
-fn part(
+impl About {
+    /// Of some of a system's objects and coordinates.
+    pub(super) fn new(system: &System, objects: &[usize], coordinates: &[usize]) -> Self {
+        let part = |&object: &usize| &system.model().objects[object];
+        let any = |coordinate: Coordinate| {
+            let mut parts = objects.iter().map(part);
+            parts.any(|part| part.coordinate == coordinate)
+        };
+        let unit = match (any(Coordinate::Turning), any(Coordinate::Sliding)) {
+            (true, true) => "",
+            (false, true) => "m",
+            _ => "rad",
+        };
+        let name = |&index: &usize| system.state_name(index).replace(": displacement", "");
+        Self {
+            objects: objects
+                .iter()
+                .map(|object| part(object).id.clone())
+                .collect(),
+            names: coordinates.iter().map(name).collect(),
+            unit: unit.to_owned(),
+        }
+    }
+
+    /// Of everything elastic, without the coordinate of a drive.
+    pub(super) fn of_all(system: &System, drive: Option<usize>) -> Self {
+        let elastic = |&object: &usize| system.first_coordinate(object).is_some();
+        let objects: Vec<usize> = (0..system.model().objects.len()).filter(elastic).collect();
+        let others = (0..system.coordinates()).filter(|&one| Some(one) != drive);
+        Self::new(system, &objects, &others.collect::<Vec<_>>())
+    }
+}
+
+/// No periodic motion was found.
+pub(super) fn none(why: &str) -> Vec<Fault> {
+    let message = format!("no periodic motion was found: {why}");
+    let hint = "allow more turns of the drive in a period with `periods`";
+    vec![Fault::new("steady", message, hint)]
+}
+
+/// The periodic motion of a part, of as few cycles as possible.
+pub(super) fn part(
     map: &dyn Map,
     start: &[f64],
     turn: f64,
@@ -218,7 +264,7 @@ fn part(
                     unit: about.unit.clone(),
                     orbit: orbit(map, &fixed.state, period, about)?,
                     periods,
-                    period,
+                    period: map.duration(&fixed.state, period)?,
                     miss: fixed.miss,
                     multipliers,
                     stability,
@@ -237,7 +283,7 @@ fn part(
     unstable.ok_or_else(|| reasons.join("; "))
 }
 
-/// The periodic motion of an elastic scene.
+/// The periodic motion of an elastic scene behind prescribed drives.
 ///
 /// # Errors
 /// The drives do not repeat, there is no start, or no periodic motion was found.
@@ -245,78 +291,56 @@ pub(super) fn answer(
     system: &System,
     settings: &RunSettings,
     spec: &SteadySpec,
+    control: &Control<'_>,
 ) -> Result<PeriodicAnswer, Vec<Fault>> {
-    let refuse = |message: String, hint: &str| vec![Fault::new("steady", message, hint)];
-    let turn = drive_cycle(system.model()).map_err(|why| {
+    let none = |why: String| none(&why);
+    let once = drive_cycle(system.model()).map_err(|why| {
         let message = format!("the motion of the drives does not repeat: {why}");
-        refuse(message, "a drive with a constant `speed`")
-    })? * spec.cycle
-        / std::f64::consts::TAU;
+        vec![Fault::new(
+            "steady",
+            message,
+            "a drive with a constant `speed`",
+        )]
+    })?;
+    let rhythms = Rhythms::of_all(system.model(), TAU / once);
+    // Where no common angle is known the one asked for is taken at its word.
+    let cycle = rhythms.cycle(spec.cycle).unwrap_or(spec.cycle);
+    let turn = once * cycle / TAU;
     let initial = system.initial_state()?;
     let parts = Parts::of(system);
-    let none = |why: String| {
-        let message = format!("no periodic motion was found: {why}");
-        refuse(
-            message,
-            "allow more turns of the drive in a period with `periods`",
-        )
-    };
     let mut state = initial.y.clone();
     let mut motions = Vec::new();
-    let about = |objects: &[usize], names: Vec<String>| {
-        let part = |&object: &usize| &system.model().objects[object];
-        let slides = objects
-            .iter()
-            .map(part)
-            .any(|p| p.coordinate == Coordinate::Sliding);
-        let turns = objects
-            .iter()
-            .map(part)
-            .any(|p| p.coordinate == Coordinate::Turning);
-        let unit = match (turns, slides) {
-            (true, true) => "",
-            (false, true) => "m",
-            _ => "rad",
-        };
-        About {
-            objects: objects
-                .iter()
-                .map(|object| part(object).id.clone())
-                .collect(),
-            names,
-            unit: unit.to_owned(),
-        }
-    };
-    let name = |index: usize| system.state_name(index).replace(": displacement", "");
     if parts.is_whole() {
         for tree in &parts.trees {
             let (q, v) = tree.own_state(&initial.y);
             let (masses, start) = (q.len(), [q, v].concat());
-            let map = TreeMap::new(tree, &start, turn).map_err(none)?;
-            let about = about(&tree.objects, tree.coordinates().map(name).collect());
+            let map = TreeMap::new(tree, &start, turn, *control).map_err(none)?;
+            let coordinates: Vec<usize> = tree.coordinates().collect();
+            let about = About::new(system, &tree.objects, &coordinates);
             let (motion, found) = part(&map, &start, turn, spec.periods, &about).map_err(none)?;
             motions.push(motion);
             tree.put_state(&found[..masses], &found[masses..], &mut state);
         }
     } else {
         let choice = choose_general(system, settings, "");
-        let map = SystemMap::new(system, choice.method);
-        let elastic = (0..system.model().objects.len()).collect::<Vec<_>>();
-        let elastic = elastic
-            .into_iter()
-            .filter(|&o| system.first_coordinate(o).is_some());
-        let elastic: Vec<usize> = elastic.collect();
-        let about = about(&elastic, (0..system.coordinates()).map(name).collect());
+        let map = SystemMap::new(system, choice.method, *control);
+        let about = About::of_all(system, None);
         let (motion, found) = part(&map, &initial.y, turn, spec.periods, &about).map_err(none)?;
         motions.push(motion);
         state = found;
     }
     Ok(PeriodicAnswer {
+        cycle,
         turn,
+        drive: None,
         parts: motions,
-        state_names: (0..state.len())
-            .map(|index| system.state_name(index))
-            .collect(),
+        state_names: state_names(system),
         state,
     })
+}
+
+/// What is in a state.
+pub(super) fn state_names(system: &System) -> Vec<String> {
+    let entries = 0..2 * system.coordinates();
+    entries.map(|index| system.state_name(index)).collect()
 }

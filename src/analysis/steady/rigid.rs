@@ -1,9 +1,14 @@
 //! The steady motion of a machine with rigid objects.
 
 use super::answer::Forces;
-use super::answer::{Agreement, RigidAnswer};
+use super::answer::Agreement;
+use super::answer::RigidAnswer;
 use super::machine::Machine;
 use super::simulate::simulate;
+use super::cycle::Rhythms;
+use super::machine::behind;
+use super::answer::Simulation;
+use crate::analysis::Control;
 use crate::fault::Fault;
 use crate::model::Model;
 use crate::scene::SteadySpec;
@@ -33,11 +38,16 @@ pub(super) fn answer(
     drive: usize,
     spec: &SteadySpec,
     speed_of_drive: Option<f64>,
+    control: &Control<'_>,
 ) -> Result<RigidAnswer, Vec<Fault>> {
-    let machine = Machine::new(model, drive, spec.cycle)?;
+    let node = model.objects[drive].nodes[0];
+    let rhythms = Rhythms::behind(model, node, &behind(model, node));
+    // Where no common angle is known the one asked for is taken at its word, and checked.
+    let cycle = rhythms.cycle(spec.cycle).unwrap_or(spec.cycle);
+    let machine = Machine::new(model, drive, cycle)?;
     let refuse = |refusal: Refusal| refusal.faults("steady");
     let mut answer = if machine.depends_on_speed() {
-        by_cycle_map(&machine, spec)?
+        by_cycle_map(&machine, spec, control)?
     } else {
         let Some(mean_speed) = spec.mean_speed.or(speed_of_drive) else {
             let message = "all forces depend on the position alone: every mean speed has its \
@@ -50,7 +60,7 @@ pub(super) fn answer(
     };
     let added = answer.flywheel.as_ref().map_or(0.0, |wheel| wheel.inertia);
     let moment = answer.figures.balance.unwrap_or(0.0);
-    match simulate(model, drive, &answer, [moment, added]) {
+    match simulate(model, drive, &answer, [moment, added], control) {
         Ok(simulation) => answer.agreement.simulation = Some(simulation),
         Err(why) => answer.agreement.simulation_missing = Some(why),
     }
@@ -88,7 +98,11 @@ pub fn by_energy(
 }
 
 /// The cycle map, and the energy-mass method on the moments it found.
-fn by_cycle_map(machine: &Machine, spec: &SteadySpec) -> Result<RigidAnswer, Vec<Fault>> {
+fn by_cycle_map(
+    machine: &Machine,
+    spec: &SteadySpec,
+    control: &Control<'_>,
+) -> Result<RigidAnswer, Vec<Fault>> {
     let mut faults = Vec::new();
     let mut contradict = |given: bool, name: &str, hint: &str| {
         if given {
@@ -106,7 +120,7 @@ fn by_cycle_map(machine: &Machine, spec: &SteadySpec) -> Result<RigidAnswer, Vec
     if !faults.is_empty() {
         return Err(faults);
     }
-    with_flywheel(machine, spec).map_err(|refusal| refusal.faults("steady"))
+    with_flywheel(machine, spec, control).map_err(|refusal| refusal.faults("steady"))
 }
 
 /// The regime of a machine with inertia added, and its motion.
@@ -135,11 +149,21 @@ fn regime_with(machine: &Machine, added: f64) -> Result<(Regime, SteadyMotion, f
 }
 
 /// The regime, with the flywheel where one is asked for.
-fn with_flywheel(machine: &Machine, spec: &SteadySpec) -> Result<RigidAnswer, Refusal> {
+fn with_flywheel(
+    machine: &Machine,
+    spec: &SteadySpec,
+    control: &Control<'_>,
+) -> Result<RigidAnswer, Refusal> {
     let flywheel = match spec.fluctuation {
         None => None,
         Some(wanted) => {
-            let with = |inertia: f64| match regime_with(machine, inertia) {
+            let go_on = || match control.spent() {
+                Some(spent) => Err(Refusal::NoCycle {
+                    why: spent.to_string(),
+                }),
+                None => Ok(()),
+            };
+            let with = |inertia: f64| match go_on().and_then(|()| regime_with(machine, inertia)) {
                 Ok((_, motion, _)) => Ok(Some(motion)),
                 Err(Refusal::Stalls { .. }) => Ok(None),
                 Err(refusal) => Err(refusal),

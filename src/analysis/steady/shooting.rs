@@ -100,7 +100,10 @@ fn newton(
         if next.iter().any(|entry| !entry.is_finite()) {
             return Ok(None);
         }
-        let next_end = map.apply(&next, time)?;
+        // A motion that gets nowhere is a step astray.
+        let Ok(next_end) = map.apply(&next, time) else {
+            break;
+        };
         *iterations += 1;
         let next_miss = distance(&next, &next_end, map.scales());
         // No longer better: rounding, or astray.

@@ -4,7 +4,7 @@ use super::answer::RigidAnswer;
 use super::answer::Simulation;
 use super::machine::freed;
 use super::sink::Last;
-use crate::budget::Budget;
+use crate::analysis::Control;
 use crate::integrate::{Dynamics, Limits, Method, Settings, Stop, integrate};
 use crate::model::Model;
 use crate::system::System;
@@ -27,6 +27,7 @@ pub(super) fn simulate(
     drive: usize,
     answer: &RigidAnswer,
     added: [f64; 2],
+    control: &Control<'_>,
 ) -> Result<Simulation, String> {
     let drives = model.objects.iter().filter(|part| part.is_drive());
     if drives.count() > 1 {
@@ -60,7 +61,7 @@ pub(super) fn simulate(
     let limits = Limits {
         switches: 1_000_000,
         steps: 1_000_000,
-        budget: Budget::FREE,
+        budget: *control,
     };
     // Not at the end of a cycle, where tables like to have their points.
     let end = (f64::from(cycles) - 0.382) * answer.figures.period;
@@ -74,6 +75,9 @@ pub(super) fn simulate(
         &limits,
         &mut last,
     );
+    if let (true, Some(spent)) = (outcome.stop.is_from_outside(), control.spent()) {
+        return Err(spent.to_string());
+    }
     if outcome.stop != Stop::Complete {
         return Err(format!("it stopped at t = {} s", outcome.time));
     }

@@ -13,7 +13,7 @@ pub(super) struct Last {
 }
 
 /// Steps shorter than this share of the time change no speed.
-const LEFT_OVER: f64 = 1e-11;
+pub(super) const LEFT_OVER: f64 = 1e-11;
 
 impl Sink for Last {
     fn start(&mut self, _: f64, y: &[f64], _: &Modes) {

@@ -66,7 +66,15 @@ pub(crate) fn command(args: &CamArgs) -> Result<Status, Failure> {
                     force.elastic = Some(speed);
                 }
             }
-            None => status = interrupt::status(),
+            None => {
+                status = interrupt::status();
+                if let (Some(spent), false) = (interrupt::budget().spent(), args.scene.quiet) {
+                    console::talk(&format!(
+                        "warning: the search for the lift-off of the elastic follower was ended \
+                         before it had found it ({spent}): it is left out"
+                    ));
+                }
+            }
         }
     }
     let curves = curves(&cam, asked.tolerance, asked.cutter);

@@ -73,7 +73,7 @@ pub(crate) struct QuestionArgs {
     /// What is meant by it
     #[arg(long, value_enum)]
     pub(crate) mean: Option<MeanChoice>,
-    /// Angle after which the machine repeats: "720 deg"; default: a turn
+    /// Angle after which the machine repeats: "720 deg"; default: as many turns as its ratios ask for
     #[arg(long, value_name = "ANGLE", allow_hyphen_values = true)]
     pub(crate) cycle: Option<String>,
     /// Add the constant moment that makes the work of a cycle zero

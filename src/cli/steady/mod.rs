@@ -15,7 +15,7 @@ use crate::analysis::steady::{Answer, ROWS, check, steady_motion};
 use crate::object::law::read_argument;
 use crate::read::Bounds;
 use crate::report::steady::{
-    Shown, SteadyReport, page, periodic_text, rigid_text, rows_csv, wittenbauer,
+    Shown, SteadyReport, drive_csv, page, periodic_text, rigid_text, rows_csv, wittenbauer,
 };
 use crate::scene::SteadySpec;
 use crate::steady::{MOST_TURNS, Mean};
@@ -241,6 +241,9 @@ fn files(answered: &Answered<'_>, csv: &str) -> Result<Vec<ResultFile>, Failure>
 /// Deviations over a period; parts have periods of their own, so that each row
 /// is one value.
 fn orbit_csv(answer: &crate::analysis::steady::PeriodicAnswer) -> Result<String, Failure> {
+    if let Some(drive) = &answer.drive {
+        return Ok(drive_csv(answer, drive).map_err(|error| error.to_string())?);
+    }
     let mut writer = csv::Writer::from_writer(Vec::new());
     let failed = |error: csv::Error| error.to_string();
     writer

@@ -18,7 +18,7 @@ mod rest;
 #[cfg(test)]
 mod tests;
 
-pub(crate) use course::{Course, within};
+pub(crate) use course::{Course, Rhythm, within};
 pub(crate) use fit::{Target, fit};
 pub use rest::Rest;
 

@@ -11,7 +11,7 @@ use super::position;
 use super::spec::DrivenLinkage;
 use super::{INPUT, Inputs, Kind, Measures, ModelBuilder, Object, Place, Port, Ports};
 use crate::linkage::spec::LinkageSpec;
-use crate::read::{Bounds, Fields, Slot};
+use crate::read::{Bounds, Fields, Slot, Value};
 use names::Names;
 use serde_json::json;
 
@@ -77,6 +77,23 @@ impl Object for Linkage {
     }
 }
 
+/// Reads the name of the pair that is driven: one, not several.
+fn driven_pair(mut slot: Slot<'_>, names: &Names) -> Option<usize> {
+    let given = slot.node().map(|node| &node.value);
+    let Some(Value::List(list)) = given else {
+        return names.pair(slot);
+    };
+    let message = format!(
+        "a linkage takes one input: it is driven at one pair, found {} in `driver`",
+        list.len()
+    );
+    let fault = slot.refuse("wrong-type", message);
+    let hint = "name one pair, \"driver\": \"O\"; a `differential` sums several motions to the one \
+                that drives it";
+    fault.hints.push(hint.to_owned());
+    None
+}
+
 fn read(fields: &mut Fields<'_>, driver: Measures) -> Option<DrivenLinkage> {
     let doc = "Named numbers, to which the others refer: \"rod\", \"-rod\", \"rod/2\", \"rod*0.4\". Those of a catalogue object are replaced one by one.";
     fields.dimensions(doc);
@@ -84,7 +101,7 @@ fn read(fields: &mut Fields<'_>, driver: Measures) -> Option<DrivenLinkage> {
     let parts = links::read(fields, &mut names);
     let pairs = pairs::read(fields, &names);
     let doc = "The pair that is driven: its coordinate is the input of the linkage.";
-    let driven = fields.need("driver", doc, |slot| names.pair(slot));
+    let driven = fields.need("driver", doc, |slot| driven_pair(slot, &names));
     let kind = driven
         .zip(pairs.as_ref())
         .and_then(|(at, pairs)| pairs.get(at).map(|pair| pairs::coordinate(&pair.kind)));

@@ -8,7 +8,7 @@ mod text;
 
 pub use charts::{charts, wittenbauer};
 pub use page::{SteadyReport, page};
-pub use periodic::periodic_text;
+pub use periodic::{drive_csv, periodic_text};
 pub use text::{rigid_text, rows_csv};
 
 use crate::analysis::steady::Agreement;

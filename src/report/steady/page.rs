@@ -1,5 +1,6 @@
 //! The page of a steady motion.
 
+use super::picture::list;
 use super::charts::{charts, wittenbauer};
 use super::picture::picture;
 use super::text::{Line, agreement, figures, flywheel};
@@ -39,6 +40,16 @@ pub fn page(report: &SteadyReport<'_>) -> String {
             "Steady motion, mean speed {} rad/s, δ = {}",
             significant(shown.figures.mean_speed, 6),
             significant(shown.figures.fluctuation, 5)
+        ),
+        (
+            None,
+            Some(PeriodicAnswer {
+                drive: Some(drive), ..
+            }),
+        ) => format!(
+            "Steady motion on its motor, mean speed {} rad/s, δ = {}",
+            significant(drive.means.time, 6),
+            significant(drive.fluctuation, 5)
         ),
         (None, Some(_)) => "Periodic motion behind the drive and its stability".to_owned(),
         (None, None) => "Steady motion".to_owned(),
@@ -105,14 +116,6 @@ fn answer(report: &SteadyReport<'_>) -> Option<Verdict> {
     let miss = parts.iter().map(|part| part.miss).fold(0.0, f64::max);
     let text = format!("It comes back to {} of its size.", significant(miss, 2));
     Some(Verdict::answer(sort, headline.to_owned(), text))
-}
-
-pub(super) fn list(lines: &[Line]) -> String {
-    let rows: Vec<(&str, String)> = lines
-        .iter()
-        .map(|(name, text)| (name.as_str(), text.clone()))
-        .collect();
-    facts(&rows)
 }
 
 fn rigid(shown: &Shown<'_>, plots: &mut Plots) -> String {

@@ -1,10 +1,22 @@
 //! The periodic motion of elastic objects as text, table and pictures.
 
 use super::picture::picture;
-use crate::analysis::steady::{LongRun, PartMotion, PeriodicAnswer, Stability};
+use crate::analysis::steady::LongRun;
+use crate::analysis::steady::PartMotion;
+use crate::analysis::steady::PeriodicAnswer;
+use crate::analysis::steady::Stability;
+use super::picture::list;
+use super::text::Line;
+use super::text::at;
+use super::text::value;
+use crate::analysis::steady::DriveFigures;
+use crate::analysis::steady::DriveRow;
+use crate::report::csv::number;
+use crate::report::csv::write;
 use crate::report::html::facts;
 use crate::report::plot::{Axis, Look, Mark, Plot, Plots, Series, Shape};
 use crate::report::quantity::{escape, significant};
+use crate::steady::Extreme;
 use std::fmt::Write as _;
 
 /// Multipliers listed.
@@ -24,10 +36,10 @@ fn long_run(run: &LongRun) -> String {
     }
 }
 
-fn lines(part: &PartMotion) -> Vec<(&'static str, String)> {
-    let turns = match part.periods {
-        1 => "one turn of the drive".to_owned(),
-        count => format!("{count} turns of the drive"),
+fn lines(part: &PartMotion, cycle: f64) -> Vec<(&'static str, String)> {
+    let turns = match part.periods as f64 * cycle / std::f64::consts::TAU {
+        1.0 => "one turn of the drive".to_owned(),
+        count => format!("{} turns of the drive", significant(count, 7)),
     };
     let stability = match part.stability {
         Stability::Attracts => "attracts: every small disturbance dies away",
@@ -69,16 +81,100 @@ fn lines(part: &PartMotion) -> Vec<(&'static str, String)> {
     ]
 }
 
+/// How the drive turns.
+fn drive_lines(drive: &DriveFigures) -> Vec<Line> {
+    let turns = significant(drive.means.time * 60.0 / std::f64::consts::TAU, 8);
+    let mean = significant(drive.means.time, 10);
+    let speed = |name: &str, of: f64| value(name, of, "rad/s");
+    let extreme = |name: &str, of: Extreme| at(name, [of.value, of.at], "rad/s");
+    vec![
+        (
+            "mean speed".to_owned(),
+            format!("{mean} rad/s = {turns} rpm (a result: motor and load decide)"),
+        ),
+        speed("mean over the angle", drive.means.angle),
+        speed("midway between extremes", drive.means.midrange),
+        extreme("least speed", drive.least_speed),
+        extreme("greatest speed", drive.greatest_speed),
+        speed("speed at φ = 0", drive.speed_at_start),
+        value("fluctuation δ", drive.fluctuation, ""),
+    ]
+}
+
+/// ω and ε over the angle.
+fn drive_charts(drive: &DriveFigures) -> [Plot; 2] {
+    let curve = |of: &dyn Fn(&DriveRow) -> f64| {
+        let points = (drive.rows.iter()).map(|row| (row.position.to_degrees(), of(row)));
+        Series::line("", points.collect())
+    };
+    let chart = |title: String, unit: &str, curve: Series| Plot {
+        title,
+        y: Axis::of(unit),
+        series: vec![curve],
+        x: Axis::new("φ", "deg"),
+        ..Plot::default()
+    };
+    [
+        chart(
+            format!("Angular speed ω of {}", drive.id),
+            "rad/s",
+            curve(&|row| row.speed),
+        ),
+        chart(
+            format!("Angular acceleration ε of {}", drive.id),
+            "rad/s²",
+            curve(&|row| row.acceleration),
+        ),
+    ]
+}
+
+/// The motion of a machine on its motor over the drive's angle: what the drive does, and
+/// the deviations.
+///
+/// # Errors
+/// Never in practice: writing into memory.
+pub fn drive_csv(answer: &PeriodicAnswer, drive: &DriveFigures) -> Result<String, csv::Error> {
+    let header = ["phi [rad]", "t [s]", "omega [rad/s]", "epsilon [rad/s^2]"];
+    let parts = answer.parts.iter();
+    let deviations = parts.flat_map(|part| {
+        let unit = match part.unit.as_str() {
+            "" => String::new(),
+            unit => format!(" [{unit}]"),
+        };
+        let names = part.orbit.iter();
+        names.map(move |(name, _)| format!("{name}: deviation{unit}"))
+    });
+    let rows = drive.rows.iter().map(|row| {
+        let own = [row.position, row.time, row.speed, row.acceleration];
+        let all = own.iter().chain(&row.deviations);
+        all.map(|&one| number(one)).collect::<Vec<_>>()
+    });
+    write(
+        header.map(str::to_owned).into_iter().chain(deviations),
+        rows,
+    )
+}
+
 /// All that is known of the motion.
 pub fn periodic_text(title: &str, answer: &PeriodicAnswer) -> String {
     let mut text = format!("{title}\n");
+    if let Some(drive) = &answer.drive {
+        let _ = writeln!(text, "\nSteady motion of {}", drive.id);
+        for (name, value) in drive_lines(drive) {
+            let _ = writeln!(text, "  {name:<23}  {value}");
+        }
+    }
     for part in &answer.parts {
         let _ = writeln!(text, "\nPeriodic motion of {}", part.objects.join(", "));
-        for (name, value) in lines(part) {
+        for (name, value) in lines(part, answer.cycle) {
             let _ = writeln!(text, "  {name:<20}  {value}");
         }
     }
-    let _ = writeln!(text, "\nState at t = 0");
+    let start = match answer.drive {
+        Some(_) => "φ = 0",
+        None => "t = 0",
+    };
+    let _ = writeln!(text, "\nState at {start}");
     let width = answer
         .state_names
         .iter()
@@ -150,12 +246,18 @@ fn orbit(part: &PartMotion) -> Plot {
 /// The section of a page.
 pub(super) fn section(answer: &PeriodicAnswer, plots: &mut Plots) -> String {
     let mut body = String::new();
+    if let Some(drive) = &answer.drive {
+        let _ = write!(body, "<h2>Figures</h2>\n{}", list(&drive_lines(drive)));
+        for chart in drive_charts(drive) {
+            body.push_str(&picture(plots, &chart, (1184.0, 340.0)));
+        }
+    }
     for part in &answer.parts {
         let _ = write!(
             body,
             "<h2>{}</h2>\n{}",
             escape(&part.objects.join(", ")),
-            facts(&lines(part))
+            facts(&lines(part, answer.cycle))
         );
         body.push_str(&picture(plots, &orbit(part), (1184.0, 360.0)));
         body.push_str(&picture(plots, &circle(part), CIRCLE));

@@ -8,12 +8,12 @@ use std::fmt::Write as _;
 /// A name, its value and unit.
 pub(super) type Line = (String, String);
 
-fn value(name: &str, value: f64, unit: &str) -> Line {
+pub(super) fn value(name: &str, value: f64, unit: &str) -> Line {
     let text = format!("{} {unit}", significant(value, 10));
     (name.to_owned(), text.trim_end().to_owned())
 }
 
-fn at(name: &str, [amount, place]: [f64; 2], unit: &str) -> Line {
+pub(super) fn at(name: &str, [amount, place]: [f64; 2], unit: &str) -> Line {
     let degrees = significant(place.to_degrees(), 7);
     let text = format!("{} {unit} at φ = {degrees}°", significant(amount, 10));
     (name.to_owned(), text)

@@ -119,7 +119,7 @@ fn output_within(args: &[&str]) -> String {
 
 #[test]
 fn what_once_had_no_end_ends_with_a_reason() {
-    let cases: [(&[&str], i32, &str); 4] = [
+    let cases: [(&[&str], i32, &str); 5] = [
         (
             &[
                 "cam",
@@ -146,8 +146,18 @@ fn what_once_had_no_end_ends_with_a_reason() {
                 "--set",
                 "run.duration=1e308",
             ],
-            1,
-            "dead position",
+            2,
+            "in 1e+308 s `shaft` turns more than 10¹² times",
+        ),
+        (
+            &[
+                "run",
+                "scenarios/limits/short_rod.json",
+                "--set",
+                "run.step=1e-20",
+            ],
+            2,
+            "below what a clock of 16 digits resolves after 1 s",
         ),
         (
             &[
@@ -168,6 +178,22 @@ fn what_once_had_no_end_ends_with_a_reason() {
         assert_eq!(found.status.code(), Some(status), "{args:?}: {said}");
         assert!(said.contains(reason), "{args:?}: {said}");
     }
+}
+
+#[test]
+fn a_search_for_the_lift_off_that_was_ended_says_so() {
+    let args = [
+        "cam",
+        "scenarios/cams/indexing_dwells.json",
+        "--lift-off",
+        "--time-limit",
+        "0.25",
+    ];
+    let found = output(&args);
+    let said = text(&found.stderr);
+    assert_eq!(found.status.code(), Some(1), "{said}");
+    // Before there is anything to keep, and after.
+    assert!(said.contains("the time limit of 0.25 s"), "{said}");
 }
 
 #[test]

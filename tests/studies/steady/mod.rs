@@ -5,6 +5,7 @@
 
 mod machines;
 
+mod elastic_motor;
 mod flywheel;
 mod motor;
 mod reference;

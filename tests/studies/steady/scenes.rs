@@ -10,12 +10,12 @@ use dam::steady::{Mean, Refusal};
 use dam::system::System;
 
 /// A scene's system, settings and question.
-fn scene(name: &str, set: &[&str]) -> (System, RunSettings, SteadySpec) {
+pub(super) fn scene(name: &str, set: &[&str]) -> (System, RunSettings, SteadySpec) {
     let path = format!("{}/scenarios/{name}.json", env!("CARGO_MANIFEST_DIR"));
     of_text(&std::fs::read_to_string(path).unwrap(), set)
 }
 
-fn of_text(text: &str, set: &[&str]) -> (System, RunSettings, SteadySpec) {
+pub(super) fn of_text(text: &str, set: &[&str]) -> (System, RunSettings, SteadySpec) {
     let document = Document::parse("scene", text.as_bytes()).unwrap();
     let set: Vec<String> = set.iter().map(|set| (*set).to_owned()).collect();
     let reading = document.scene(&BuiltIn, &Overrides::new(set)).unwrap();
@@ -41,7 +41,7 @@ fn periodic(name: &str, set: &[&str]) -> (System, PeriodicAnswer) {
     }
 }
 
-fn faults(text: &str, change: impl Fn(&mut SteadySpec)) -> Vec<Fault> {
+pub(super) fn faults(text: &str, change: impl Fn(&mut SteadySpec)) -> Vec<Fault> {
     let (system, settings, mut spec) = of_text(text, &[]);
     change(&mut spec);
     steady_motion(&system, &settings, &spec).unwrap_err()
@@ -132,6 +132,36 @@ fn multipliers_agree_with_differences_of_the_cycle_map() {
                 multiplier.modulus
             );
         }
+    }
+}
+
+#[test]
+fn an_unstable_motion_started_on_itself_stays_within_its_multiplier() {
+    let (system, answer) = periodic(
+        "valve_train/lift_off",
+        &["camshaft.motion.speed=\"2200 rpm\""],
+    );
+    let part = &answer.parts[0];
+    assert_eq!(part.stability, Stability::Repels);
+    assert!(!part.long_run.settles, "{:?}", part.long_run);
+    let grows = part.multipliers[0].modulus;
+    assert!(grows > 2.0, "{grows}");
+    let mut state = answer.state.clone();
+    for turn in 1..=10 {
+        state = exact_end(&system, &state, answer.turn);
+        let off = apart(&state, &answer.state);
+        assert!(off < 1e-10 * grows.powi(turn), "turn {turn}: {off:e}");
+    }
+    // Beside it, it leaves by just that factor.
+    let mut beside = answer.state.clone();
+    beside[0] += 1e-6 * beside[0].abs();
+    let mut off = Vec::new();
+    for _ in 0..7 {
+        beside = exact_end(&system, &beside, answer.turn);
+        off.push(apart(&beside, &answer.state));
+    }
+    for pair in off[3..].windows(2) {
+        approx::assert_relative_eq!(pair[1] / pair[0], grows, max_relative = 0.02);
     }
 }
 
