@@ -2,7 +2,7 @@
 
 use super::sink::LEFT_OVER;
 use crate::integrate::{Dynamics, Modes, Sink, SwitchEvent};
-use crate::math::optimise::{Peak, brent};
+use crate::math::optimise::{Peak, brent, golden};
 use crate::math::polynomial::Step;
 use crate::math::quadrature::rule;
 use crate::math::roots::bracketed;
@@ -49,6 +49,10 @@ pub(super) struct Portrait<'a> {
 const LOOKS: usize = 8;
 /// Places of Gauss's rule in a step: ω² is known as well as ω.
 const PLACES: usize = 12;
+/// Part of a look that tells which way a speed changes at the end of a step.
+const NUDGE: f64 = 1e-3;
+/// Steps of golden section: a speed is as flat as its rounding beyond.
+const SECTIONS: u32 = 40;
 /// An extreme is found to this part of a look.
 const LOCATED: f64 = 1e-9;
 
@@ -110,6 +114,14 @@ impl<'a> Portrait<'a> {
             if best > 0 && best < LOOKS {
                 let ends = [at(best - 1), at(best + 1)];
                 peak = brent(peak, ends, LOCATED, &mut |s| sense * speed(s));
+            } else {
+                // An extreme may lie just within the end.
+                let beside = at(if best == 0 { 1 } else { LOOKS - 1 });
+                let inwards = peak.at + NUDGE * (beside - peak.at);
+                if sense * speed(inwards) > peak.value {
+                    let ends = [peak.at.min(beside), peak.at.max(beside)];
+                    peak = golden(&mut |s| sense * speed(s), ends, SECTIONS);
+                }
             }
             let found = Extreme {
                 value: sense * peak.value,

@@ -147,7 +147,7 @@ fn what_once_had_no_end_ends_with_a_reason() {
                 "run.duration=1e308",
             ],
             2,
-            "in 1e+308 s `shaft` turns more than 10¹² times",
+            "in 1e308 s `shaft` turns more than 10¹² times",
         ),
         (
             &[
