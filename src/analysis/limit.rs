@@ -80,7 +80,7 @@ mod tests {
 
     fn told(overrides: &[&str]) -> usize {
         let document = Document::parse("two_masses.json", SCENE).unwrap();
-        let overrides = overrides.iter().map(|text| (*text).to_owned()).collect();
+        let overrides: Vec<String> = overrides.iter().map(|text| (*text).to_owned()).collect();
         let reading = document
             .scene(&BuiltIn, &Overrides::new(overrides))
             .unwrap();
