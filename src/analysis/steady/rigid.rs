@@ -1,13 +1,12 @@
 //! The steady motion of a machine with rigid objects.
 
-use super::answer::Forces;
 use super::answer::Agreement;
+use super::answer::Forces;
 use super::answer::RigidAnswer;
-use super::machine::Machine;
-use super::simulate::simulate;
 use super::cycle::Rhythms;
+use super::machine::Machine;
 use super::machine::behind;
-use super::answer::Simulation;
+use super::simulate::simulate;
 use crate::analysis::Control;
 use crate::fault::Fault;
 use crate::model::Model;

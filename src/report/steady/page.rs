@@ -1,9 +1,9 @@
 //! The page of a steady motion.
 
-use super::picture::list;
 use super::charts::{charts, wittenbauer};
+use super::picture::list;
 use super::picture::picture;
-use super::text::{Line, agreement, figures, flywheel};
+use super::text::{agreement, figures, flywheel};
 use super::{Shown, periodic};
 use crate::analysis::steady::{PeriodicAnswer, Stability};
 use crate::report::html::{bar, facts, header, scene, shell, warnings};

@@ -1,16 +1,16 @@
 //! The periodic motion of elastic objects as text, table and pictures.
 
-use super::picture::picture;
-use crate::analysis::steady::LongRun;
-use crate::analysis::steady::PartMotion;
-use crate::analysis::steady::PeriodicAnswer;
-use crate::analysis::steady::Stability;
 use super::picture::list;
+use super::picture::picture;
 use super::text::Line;
 use super::text::at;
 use super::text::value;
 use crate::analysis::steady::DriveFigures;
 use crate::analysis::steady::DriveRow;
+use crate::analysis::steady::LongRun;
+use crate::analysis::steady::PartMotion;
+use crate::analysis::steady::PeriodicAnswer;
+use crate::analysis::steady::Stability;
 use crate::report::csv::number;
 use crate::report::csv::write;
 use crate::report::html::facts;

@@ -1,7 +1,7 @@
 //! Pictures of a page about steady motion.
 
-use crate::report::html::facts;
 use super::text::Line;
+use crate::report::html::facts;
 use crate::report::plot::{Plot, Plots};
 
 /// A chart of the page; those over the cycle are zoomed together.
