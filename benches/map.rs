@@ -2,10 +2,10 @@
 //! cells, as `dam map` works it out: every cell read, lowered, run and judged.
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use dam::analysis::Control;
-use dam::analysis::axis::Axis;
-use dam::analysis::map::{Panels, Question, Silent, Study, map};
 use dam::scene::{BuiltIn, Document};
+use dam::studies::Control;
+use dam::studies::axis::Axis;
+use dam::studies::map::{Panels, Question, Silent, Study, map};
 use std::collections::BTreeMap;
 use std::hint::black_box;
 use std::time::Duration;

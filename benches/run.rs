@@ -6,13 +6,13 @@
 //! scenes beside the integration alone. The ratios are those of one process.
 
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
-use dam::analysis::run::run;
-use dam::analysis::{Control, RunSettings};
 use dam::exact::{Parts, Request};
 use dam::integrate::{Limits, Modes, Settings, Sink, SwitchEvent, integrate};
 use dam::lower::lower;
 use dam::polynomial::Step;
 use dam::scene::{BuiltIn, Document, Overrides};
+use dam::studies::run::run;
+use dam::studies::{Control, RunSettings};
 use dam::system::System;
 use std::hint::black_box;
 use std::path::Path;

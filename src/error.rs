@@ -1,7 +1,7 @@
 //! The one error of the library.
 
-use crate::diagnostics::{Diagnostic, Diagnostics, Sources};
 use crate::fault::Fault;
+use crate::frontend::diagnostics::{Diagnostic, Diagnostics, Sources};
 use std::fmt;
 use std::io;
 use std::path::Path;
@@ -43,10 +43,13 @@ impl Error {
 
     /// A name that is not known, with what may have been meant.
     pub(crate) fn unknown(what: &str, name: &str, known: &[&str]) -> Self {
-        let guess = crate::read::did_you_mean(name, known.iter().copied());
+        let guess = crate::frontend::read::did_you_mean(name, known.iter().copied());
         let all = || {
             let some = known.iter().copied().take(20);
-            format!("there are {}", crate::read::quoted_list(some, "and"))
+            format!(
+                "there are {}",
+                crate::frontend::read::quoted_list(some, "and")
+            )
         };
         let message = format!("there is no {what} `{name}`");
         let fault = Diagnostic::error("unknown-name", message);

@@ -136,45 +136,27 @@
 //! | [`energy`] | the energy balance of a run |
 //! | [`fault`], [`budget`] | faults of a model by the address of the property; what may end a computation |
 
-pub mod analysis;
 pub mod ask;
-pub mod breaks;
 pub mod budget;
-pub mod build;
-pub mod builder;
-pub mod cam;
 pub mod cli;
-pub mod constraint;
-pub mod diagnostics;
-pub mod energy;
+mod dynamics;
 mod error;
 pub mod exact;
-pub mod expression;
 pub mod fault;
-pub mod graph;
-pub mod integrate;
-pub mod linkage;
-pub mod load;
-pub mod lower;
+mod frontend;
+mod kinematics;
 mod math;
-pub mod model;
-pub mod motion;
-pub mod object;
-pub mod position;
 pub mod prelude;
-pub mod read;
-pub mod record;
 pub mod report;
-pub mod scene;
-pub(crate) mod segment;
-pub mod steady;
-pub mod system;
-mod trajectory;
+pub mod studies;
 pub mod units;
 
 pub use ask::{Mechanism, Scene};
+pub use dynamics::{builder, energy, integrate, load, model, record, steady, system};
 pub use error::Error;
-pub use math::{jet, number, polynomial};
+pub use frontend::{build, diagnostics, graph, lower, object, read, scene};
+pub use kinematics::{breaks, cam, constraint, linkage, motion, position};
+pub use math::{expression, jet, number, polynomial};
 
 /// The code that the README shows runs.
 #[cfg(doctest)]

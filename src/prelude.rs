@@ -1,18 +1,18 @@
 //! What most programs need: `use dam::prelude::*;`
 
-pub use crate::analysis::axis::Axis;
-pub use crate::analysis::kinematics::{
-    Over, Quantity as LinkageQuantity, Question as LinkageQuestion,
-};
-pub use crate::analysis::map::Verdict;
-pub use crate::analysis::run::RunResult;
-pub use crate::analysis::steady::Answer as SteadyAnswer;
 pub use crate::ask::{Map, MapQuestion, Mechanism, RunOptions, Scene};
-pub use crate::build::{
+pub use crate::dynamics::integrate::Method;
+pub use crate::dynamics::record::{Figure, Quantity};
+pub use crate::error::Error;
+pub use crate::frontend::build::{
     AnyObject, Assembly, CamFollower, Crank, Differential, DiscCam, Drive, Force, Geometry, Joint,
     Law, Link, Linkage, LinkageForce, Load, Output, OwnObject, Pair, Position, Rocker, Shaft,
     Slider, Station, Torque,
 };
-pub use crate::error::Error;
-pub use crate::integrate::Method;
-pub use crate::record::{Figure, Quantity};
+pub use crate::studies::axis::Axis;
+pub use crate::studies::kinematics::{
+    Over, Quantity as LinkageQuantity, Question as LinkageQuestion,
+};
+pub use crate::studies::map::Verdict;
+pub use crate::studies::run::RunResult;
+pub use crate::studies::steady::Answer as SteadyAnswer;

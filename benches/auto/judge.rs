@@ -1,10 +1,10 @@
 //! One scenario: every method's verdict, and the times of the likely ones.
 
 use super::Case;
-use dam::analysis::methods::{MethodLine, Plan, Point, Study, Verdict, study};
-use dam::analysis::run::{RunResult, run};
-use dam::analysis::{Control, RunSettings};
 use dam::integrate::Method;
+use dam::studies::methods::{MethodLine, Plan, Point, Study, Verdict, study};
+use dam::studies::run::{RunResult, run};
+use dam::studies::{Control, RunSettings};
 use std::fmt;
 use std::time::{Duration, Instant};
 
@@ -129,8 +129,8 @@ fn prepare(case: &Case, own: bool) -> Result<Found, String> {
 /// All that take a tolerance, and exact propagation; those of diffsol, which are
 /// slow at fine tolerances, only when wanted.
 fn methods(own: bool) -> Vec<Method> {
-    let all = dam::analysis::methods::all_methods().into_iter();
-    let fixed = |method| dam::analysis::methods::is_fixed_step(method);
+    let all = dam::studies::methods::all_methods().into_iter();
+    let fixed = |method| dam::studies::methods::is_fixed_step(method);
     let foreign = |method| matches!(method, Method::Bdf | Method::TrBdf2 | Method::Esdirk34);
     all.filter(|&method| !(fixed(method) || own && foreign(method)))
         .collect()

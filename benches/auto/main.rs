@@ -26,9 +26,9 @@
 
 mod judge;
 
-use dam::analysis::RunSettings;
 use dam::lower::lower;
 use dam::scene::{BuiltIn, Document, Overrides};
+use dam::studies::RunSettings;
 use dam::system::System;
 use judge::{Line, Worst};
 use std::path::{Path, PathBuf};

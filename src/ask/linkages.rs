@@ -2,14 +2,14 @@
 
 use super::Mechanism;
 use crate::Error;
-use crate::analysis::forces::{
+use crate::fault::Fault;
+use crate::kinematics::linkage::kinetostatics::{Convention, Kinetostatics, Options};
+use crate::studies::forces::{
     ForceSettings, ForceStudy, LinkagePositions, course_of, only_loaded_output, study,
 };
-use crate::analysis::kinematics::{
+use crate::studies::kinematics::{
     Asked, Column, Kinematics, Quantity, Question, kinematics, linkage_of, whole_travel,
 };
-use crate::fault::Fault;
-use crate::linkage::kinetostatics::{Convention, Kinetostatics, Options};
 
 impl Mechanism {
     /// How a linkage moves: positions, transfer functions, speeds, accelerations.

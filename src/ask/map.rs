@@ -2,10 +2,10 @@
 
 use super::Scene;
 use crate::Error;
-use crate::analysis::Control;
-use crate::analysis::axis::Axis;
-use crate::analysis::map::{Cell, Listener, Panels, Question, Silent, Study, StudyFault, map};
-use crate::record::Figure;
+use crate::dynamics::record::Figure;
+use crate::studies::Control;
+use crate::studies::axis::Axis;
+use crate::studies::map::{Cell, Listener, Panels, Question, Silent, Study, StudyFault, map};
 use nalgebra::DMatrix;
 use std::collections::BTreeMap;
 use std::ops::Index;

@@ -2,15 +2,15 @@
 
 use super::RunOptions;
 use crate::Error;
-use crate::analysis::expectations::unknown_figures;
-use crate::analysis::run::{RunResult, run};
-use crate::analysis::steady::{Answer, steady_motion_within};
-use crate::analysis::{Control, RunSettings, clock, plausible, studied};
+use crate::dynamics::model::Model;
+use crate::dynamics::system::System;
 use crate::fault::Fault;
-use crate::lower::lower;
-use crate::model::Model;
-use crate::scene::{Reading, TypedScene};
-use crate::system::System;
+use crate::frontend::lower::lower;
+use crate::frontend::scene::{Reading, TypedScene};
+use crate::studies::expectations::unknown_figures;
+use crate::studies::run::{RunResult, run};
+use crate::studies::steady::{Answer, steady_motion_within};
+use crate::studies::{Control, RunSettings, clock, plausible, studied};
 
 /// A scene that was checked, lowered and frozen: it is asked without being read again.
 #[derive(Debug)]

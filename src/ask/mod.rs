@@ -7,11 +7,11 @@
 //! | method | question | answer |
 //! | --- | --- | --- |
 //! | [`run`](Scene::run) | how does it move | [`RunResult`] |
-//! | [`compare`](Scene::compare) | what does a parameter change | [`Comparison`](crate::analysis::compare::Comparison) |
+//! | [`compare`](Scene::compare) | what does a parameter change | [`Comparison`](crate::studies::compare::Comparison) |
 //! | [`map`](Scene::map) | in which range does it work | [`Map`] |
-//! | [`kinematics`](Scene::kinematics) | how does a linkage move | [`Kinematics`](crate::analysis::kinematics::Kinematics) |
-//! | [`forces`](Scene::forces) | which forces do its pairs carry | [`ForceStudy`](crate::analysis::forces::ForceStudy) |
-//! | [`steady`](Scene::steady) | how evenly does the machine turn | [`Answer`](crate::analysis::steady::Answer) |
+//! | [`kinematics`](Scene::kinematics) | how does a linkage move | [`Kinematics`](crate::studies::kinematics::Kinematics) |
+//! | [`forces`](Scene::forces) | which forces do its pairs carry | [`ForceStudy`](crate::studies::forces::ForceStudy) |
+//! | [`steady`](Scene::steady) | how evenly does the machine turn | [`Answer`](crate::studies::steady::Answer) |
 //!
 //! All fail with the one [`Error`](crate::Error).
 
@@ -27,4 +27,4 @@ pub use run::RunOptions;
 pub use scene::Scene;
 
 #[doc(no_inline)]
-pub use crate::analysis::run::RunResult;
+pub use crate::studies::run::RunResult;

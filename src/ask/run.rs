@@ -3,11 +3,11 @@
 
 use super::Scene;
 use crate::Error;
-use crate::analysis::Control;
-use crate::analysis::run::RunResult;
-use crate::diagnostics::Diagnostic;
-use crate::integrate::Method;
-use crate::record::{Figure, ObjectFigures, Quantity};
+use crate::dynamics::integrate::Method;
+use crate::dynamics::record::{Figure, ObjectFigures, Quantity};
+use crate::frontend::diagnostics::Diagnostic;
+use crate::studies::Control;
+use crate::studies::run::RunResult;
 
 /// What a run does otherwise than its scene says; by default nothing.
 ///

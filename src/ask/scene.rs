@@ -2,17 +2,17 @@
 
 use super::Mechanism;
 use crate::Error;
-use crate::analysis::compare::{Comparison, compare};
-use crate::analysis::forces::ForceStudy;
-use crate::analysis::kinematics::{Kinematics, Question};
-use crate::analysis::run::RunResult;
-use crate::analysis::steady::Answer;
-use crate::diagnostics::{Diagnostic, Diagnostics};
-use crate::object::{Kind, Registry};
-use crate::read::Node;
-use crate::scene::{
+use crate::frontend::diagnostics::{Diagnostic, Diagnostics};
+use crate::frontend::object::{Kind, Registry};
+use crate::frontend::read::Node;
+use crate::frontend::scene::{
     BuiltIn, Catalogue, Document, Folder, Layered, Overrides, Reading, read_bounded,
 };
+use crate::studies::compare::{Comparison, compare};
+use crate::studies::forces::ForceStudy;
+use crate::studies::kinematics::{Kinematics, Question};
+use crate::studies::run::RunResult;
+use crate::studies::steady::Answer;
 use std::fmt;
 use std::path::Path;
 use std::str::FromStr;
@@ -99,7 +99,7 @@ impl Scene {
         self
     }
 
-    /// Adds an object, of a builder of [`dam::build`](crate::build).
+    /// Adds an object, of a builder of [`dam::build`](crate::frontend::build).
     #[must_use]
     pub fn add(mut self, id: &str, object: impl Into<Node>) -> Self {
         let (object, mut given_before) = (object.into(), false);

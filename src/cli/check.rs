@@ -5,11 +5,11 @@ use super::console;
 use super::failure::Failure;
 use super::input::Input;
 use super::status::Status;
-use crate::analysis::kinematics::reaches;
 use crate::cli::args::scene::SceneArgs;
-use crate::diagnostics::Diagnostics;
-use crate::object::Registry;
-use crate::scene::{schema, schema_of, schema_text};
+use crate::frontend::diagnostics::Diagnostics;
+use crate::frontend::object::Registry;
+use crate::frontend::scene::{schema, schema_of, schema_text};
+use crate::studies::kinematics::reaches;
 use serde_json::{Value, json};
 
 /// Checks a scene as far as is possible without running it.

@@ -8,14 +8,14 @@ use super::output::{self, OutputFolder, ResultFile};
 use super::run::run_with_progress;
 use super::status::Status;
 use super::{interrupt, tables};
-use crate::analysis::compare::{Comparison, compare};
-use crate::analysis::limit::without_limit;
-use crate::analysis::list::ValueList;
-use crate::integrate::Stop;
-use crate::record::Quantity;
+use crate::dynamics::integrate::Stop;
+use crate::dynamics::record::Quantity;
 use crate::report::compare::{CompareReport, ComparedRun, chart, page};
 use crate::report::csv::{record_csv, table_csv};
 use crate::report::diagram::Diagram;
+use crate::studies::compare::{Comparison, compare};
+use crate::studies::limit::without_limit;
+use crate::studies::list::ValueList;
 
 /// Most values of one comparison.
 const MOST: usize = 50;

@@ -2,7 +2,7 @@
 
 use super::failure::Failure;
 use super::interrupt;
-use crate::diagnostics::{Diagnostics, is_harmful, printable};
+use crate::frontend::diagnostics::{Diagnostics, is_harmful, printable};
 use crate::report::fitted::fitted;
 use std::io::{ErrorKind, IsTerminal, Write};
 

@@ -1,7 +1,7 @@
 //! What a scene expects of its linkages, told beside what was found.
 
 use super::console;
-use crate::analysis::expectations::Verdict;
+use crate::studies::expectations::Verdict;
 use serde_json::{Value, json};
 
 /// Adds the verdicts to a document, where there are any.

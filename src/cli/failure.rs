@@ -1,7 +1,7 @@
 //! How a command ends.
 
 use super::status::Status;
-use crate::diagnostics::Diagnostics;
+use crate::frontend::diagnostics::Diagnostics;
 use serde_json::{Value, json};
 
 /// Why a command did not come to its end.

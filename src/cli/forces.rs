@@ -8,21 +8,21 @@ use super::input::{Input, Ready};
 use super::kinematics::{asked_over, quantity};
 use super::output::{self, OutputFolder, ResultFile};
 use super::status::Status;
-use crate::analysis::expectations::Verdict;
-use crate::analysis::forces::{
-    Course, ForceSettings, ForceStudy, LinkagePositions, compare_massless, course_of,
-    course_of_record, only_loaded_output, study,
-};
-use crate::analysis::kinematics::{Asked, Question, even_motion, linkage_of, whole_travel};
-use crate::analysis::studied::{POSITIONS, check_forces};
+use crate::dynamics::model::{Coordinate, LinkageBody, Model, ObjectPart};
 use crate::fault::Fault;
-use crate::linkage::Linkage;
-use crate::linkage::kinetostatics::{Convention, ForceFailure, Kinetostatics, Options};
-use crate::model::{Coordinate, LinkageBody, Model, ObjectPart};
-use crate::object::Measures;
+use crate::frontend::object::Measures;
+use crate::kinematics::linkage::Linkage;
+use crate::kinematics::linkage::kinetostatics::{Convention, ForceFailure, Kinetostatics, Options};
 use crate::report::forces::{
     ForcesReport, document, drawing, forces_csv, massless_chart, page, text,
 };
+use crate::studies::expectations::Verdict;
+use crate::studies::forces::{
+    Course, ForceSettings, ForceStudy, LinkagePositions, compare_massless, course_of,
+    course_of_record, only_loaded_output, study,
+};
+use crate::studies::kinematics::{Asked, Question, even_motion, linkage_of, whole_travel};
+use crate::studies::studied::{POSITIONS, check_forces};
 use serde_json::Value;
 use std::path::Path;
 

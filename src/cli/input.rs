@@ -2,8 +2,8 @@
 
 use super::failure::Failure;
 use crate::cli::args::scene::SceneArgs;
-use crate::diagnostics::Diagnostics;
-use crate::scene::{
+use crate::frontend::diagnostics::Diagnostics;
+use crate::frontend::scene::{
     BuiltIn, Catalogue, Document, Folder, Layered, Overrides, Reading, read_bounded,
 };
 use std::fs;

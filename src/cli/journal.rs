@@ -1,6 +1,6 @@
 //! The journal of a map in its output folder: rows are on disk as they finish.
 
-use crate::analysis::map::{Cell, Study, journal};
+use crate::studies::map::{Cell, Study, journal};
 use std::collections::BTreeMap;
 use std::fs::{File, OpenOptions};
 use std::io::{ErrorKind, Read, Seek, SeekFrom, Write};

@@ -1,8 +1,8 @@
 //! A progress bar for runs longer than a second, on a terminal only.
 
 use super::interrupt::{self, Keeping};
-use crate::diagnostics::printable;
-use crate::integrate::{Modes, Sink, SwitchEvent};
+use crate::dynamics::integrate::{Modes, Sink, SwitchEvent};
+use crate::frontend::diagnostics::printable;
 use crate::math::polynomial::Step;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::IsTerminal;

@@ -5,15 +5,15 @@ use super::console;
 use super::failure::Failure;
 use super::input::Input;
 use super::status::Status;
-use crate::analysis::exact::{Mixed, mixed};
+use crate::dynamics::model::{Coordinate, LinkageBody, Model};
+use crate::dynamics::system::{Regime, System};
 use crate::exact::{Parts, Refusal};
-use crate::model::{Coordinate, LinkageBody, Model};
 use crate::report::diagram::Diagram;
 use crate::report::show::equations::{equations, latex, text};
 use crate::report::show::graph;
 use crate::report::show::masses::{self, Frequencies};
 use crate::report::svg::graph::svg;
-use crate::system::{Regime, System};
+use crate::studies::exact::{Mixed, mixed};
 use serde_json::json;
 
 /// Runs the command.

@@ -1,8 +1,8 @@
 //! Comparisons and spreads on the terminal.
 
 use super::terminal::number;
-use crate::analysis::compare::{Comparison, Table, TableRow};
-use crate::analysis::spread::Spread;
+use crate::studies::compare::{Comparison, Table, TableRow};
+use crate::studies::spread::Spread;
 use serde_json::{Value, json};
 use std::fmt::Write as _;
 

@@ -1,6 +1,6 @@
 //! Figures on the terminal.
 
-use crate::record::{Figures, ObjectFigures, PairFigures, Units};
+use crate::dynamics::record::{Figures, ObjectFigures, PairFigures, Units};
 use crate::units::shown;
 use std::fmt::Write as _;
 

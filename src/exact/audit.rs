@@ -19,7 +19,7 @@ use super::law::LAW_DEGREE;
 use super::phase::{Exponentials, Phase};
 use super::problem::{Flank, PairState, TimeLoad, TreeMass, TreeProblem};
 use super::regime::Regime;
-use crate::energy::EnergyAudit;
+use crate::dynamics::energy::EnergyAudit;
 use moving::Room;
 
 /// The state at one instant, the law included.

@@ -8,7 +8,7 @@ use super::run::Passed;
 use super::track::{Ahead, TreeFigures};
 use super::workspace::{self, Workspace};
 use super::{ExactTree, observe};
-use crate::energy::EnergyAudit;
+use crate::dynamics::energy::EnergyAudit;
 
 /// A run of a tree, standing at the end of its present phase.
 ///

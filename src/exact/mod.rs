@@ -31,7 +31,7 @@
 //! there. Extremes in [`TreeFigures`] are found with bounds of Hermite's cubic
 //! between the ends of the steps.
 //!
-//! With [`Request::audit`] the energy balance is closed ([`crate::energy::EnergyAudit`]): work of
+//! With [`Request::audit`] the energy balance is closed ([`crate::dynamics::energy::EnergyAudit`]): work of
 //! the law and of the loads, dissipation and change of energy are integrals of
 //! products of modes, harmonics and polynomials, in closed form over each phase.
 //!

@@ -3,7 +3,7 @@
 use super::asked::Asked;
 use super::problem::PairState;
 use super::track::TreeFigures;
-use crate::energy::EnergyAudit;
+use crate::dynamics::energy::EnergyAudit;
 
 /// What is asked of a run.
 #[derive(Clone, Debug, PartialEq)]

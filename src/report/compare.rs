@@ -1,7 +1,7 @@
 //! Several runs of one scene over each other: figures side by side, curves in
 //! one frame.
 
-use crate::record::{Figures, ObjectFigures, Quantity, Record};
+use crate::dynamics::record::{Figures, ObjectFigures, Quantity, Record};
 use crate::report::diagram::Diagram;
 use crate::report::html::runs::{self, QUANTITIES, RunSeries};
 use crate::report::html::{facts, header, mechanism, scene, shell, tables, warnings};
@@ -333,7 +333,7 @@ fn series<'a>(runs: &'a [ComparedRun<'_>]) -> Vec<RunSeries<'a>> {
 #[cfg(test)]
 mod tests {
     use super::{CompareReport, ComparedRun, chart, error_text, page};
-    use crate::record::Quantity;
+    use crate::dynamics::record::Quantity;
     use crate::report::diagram::Diagram;
     use crate::report::fixture;
 

@@ -1,7 +1,7 @@
 //! Tables as CSV: the samples of a record, the figures of a comparison.
 
-use crate::analysis::compare::Table;
-use crate::record::Record;
+use crate::dynamics::record::Record;
+use crate::studies::compare::Table;
 
 /// The record as CSV (RFC 4180, UTF-8): a header `time [s],rocker.displacement [rad],…`
 /// and a row a sample. Every number is the shortest that reads back as the same
@@ -84,15 +84,15 @@ pub(in crate::report) fn number(value: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::{number, record_csv, table_csv};
-    use crate::analysis::compare::{Table, TableRow};
-    use crate::record::{Column, Record};
+    use crate::dynamics::record::{Column, Record};
+    use crate::studies::compare::{Table, TableRow};
 
     fn record(values: Vec<f64>) -> Record {
         Record {
             times: vec![0.0, 0.1 + 0.2],
             columns: vec![Column {
                 object: "rocker".to_owned(),
-                quantity: crate::record::Quantity::Displacement,
+                quantity: crate::dynamics::record::Quantity::Displacement,
                 unit: "rad",
                 values,
             }],

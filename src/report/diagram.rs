@@ -1,7 +1,7 @@
 //! The object graph as it is drawn: boxes, edges, and where they stand.
 
 use super::order::drivers_first;
-use crate::model::{
+use crate::dynamics::model::{
     Closure, Coordinate, LinkageBody, Model, NodeMotion, ObjectPart, Pair, PartInput,
 };
 use crate::report::show::{equations, motion, position};
@@ -157,7 +157,7 @@ fn inputs(object: &ObjectPart, place: impl Fn(usize) -> Option<usize>) -> Vec<Bo
 /// The driving pair of an object; `None` for a drive or a bilateral rigid object.
 pub fn pair<'a>(model: &'a Model, object: &'a ObjectPart) -> Option<&'a Pair> {
     match model.pair_link(object).map(|link| &model.links[link].base) {
-        Some(crate::model::LinkBase::Law { pair }) => Some(pair),
+        Some(crate::dynamics::model::LinkBase::Law { pair }) => Some(pair),
         _ => object.rigid_pair.as_ref(),
     }
 }

@@ -1,6 +1,6 @@
 //! The order in which objects are shown.
 
-use crate::model::{Model, PartInput};
+use crate::dynamics::model::{Model, PartInput};
 
 /// Indices of the objects, each after its drivers; among equals by their order.
 pub(super) fn drivers_first(model: &Model) -> Vec<usize> {

@@ -1,7 +1,7 @@
 //! The one-line verdict of a run: what became of the mechanism, and whether
 //! the numbers can be trusted. The two are never mixed up.
 
-use crate::record::{EnergyAudit, Figures, ObjectFigures, PairFigures};
+use crate::dynamics::record::{EnergyAudit, Figures, ObjectFigures, PairFigures};
 use crate::report::quantity::{significant, with_unit};
 
 /// What kind of news a verdict is.

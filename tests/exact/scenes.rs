@@ -1,14 +1,14 @@
 //! Exact propagation of scenes against integration at a tight tolerance, and
 //! what it refuses.
 
-use dam::analysis::run::{RunResult, run};
-use dam::analysis::{Control, RunSettings, Warning};
 use dam::exact::{Parts, Request};
 use dam::fault::Fault;
 use dam::integrate::Method;
 use dam::lower::lower;
 use dam::record::Quantity;
 use dam::scene::{BuiltIn, Document, Overrides};
+use dam::studies::run::{RunResult, run};
+use dam::studies::{Control, RunSettings, Warning};
 use dam::system::System;
 use serde_json::{Value, json};
 
@@ -523,7 +523,7 @@ fn what_does_not_qualify_is_refused_with_its_reason() {
             method: None,
             ..settings
         };
-        let chosen = dam::analysis::run::run(&system, &free, &Control::default(), &mut []);
+        let chosen = dam::studies::run::run(&system, &free, &Control::default(), &mut []);
         assert_ne!(chosen.expect("it runs").method, Method::Exact);
     }
 }

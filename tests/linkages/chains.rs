@@ -1,14 +1,14 @@
 //! Linkages near singular positions: chains of many loops that all pass through one line, friction
 //! that locks, ends of the reach; and what is said of them.
 
-use dam::analysis::run::run;
-use dam::analysis::{Control, RunSettings};
 use dam::linkage::spec::{
     AssemblyChoice, AssemblySpec, LinkSpec, LinkageSpec, PairKind, PairSpec, PointOf,
 };
 use dam::linkage::{Linkage, Reach, Rounding};
 use dam::lower::lower;
 use dam::scene::{BuiltIn, Document, Overrides};
+use dam::studies::run::run;
+use dam::studies::{Control, RunSettings};
 use dam::system::System;
 use serde_json::{Map, Value, json};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};

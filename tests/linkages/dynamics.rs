@@ -2,13 +2,13 @@
 //! differences, against the conservation of energy.
 
 use crate::multipliers::Mechanism;
-use dam::analysis::run::run;
-use dam::analysis::{Control, RunSettings};
 use dam::integrate::Dynamics;
 use dam::linkage::Linkage;
 use dam::linkage::spec::OutputKind;
 use dam::lower::lower;
 use dam::scene::{BuiltIn, Document, Overrides, TypedScene};
+use dam::studies::run::run;
+use dam::studies::{Control, RunSettings};
 use dam::system::System;
 
 /// A motor of 0.02 kg m² with a torque of 4 N m that starts at 3 rad/s.

@@ -1,10 +1,10 @@
 //! `dam kinematics`: a slider-crank and a slotted link against their closed
 //! forms, and the program's answers.
 
-use dam::analysis::kinematics::{Asked, Kinematics, Over, Question, kinematics};
 use dam::lower::lower;
 use dam::model::Model;
 use dam::scene::{BuiltIn, Document, Overrides};
+use dam::studies::kinematics::{Asked, Kinematics, Over, Question, kinematics};
 use std::f64::consts::{PI, TAU};
 use std::process::{Command, Output};
 

@@ -1,12 +1,12 @@
 //! Linkages in scenes: the published cases at the start, rows before a dead
 //! position, named dimensions, inputs, exact propagation behind them.
 
-use dam::analysis::run::{RunResult, run};
-use dam::analysis::{Control, RunSettings};
 use dam::integrate::Dynamics;
 use dam::lower::lower;
 use dam::record::Quantity;
 use dam::scene::{BuiltIn, Document, Overrides, TypedScene};
+use dam::studies::run::{RunResult, run};
+use dam::studies::{Control, RunSettings};
 use dam::system::{ObjectState, System};
 use std::path::Path;
 

@@ -1,12 +1,12 @@
 //! Every scene under `scenarios/` keeps what it expects of itself.
 
-use dam::analysis::expectations::check;
-use dam::analysis::run::run;
-use dam::analysis::steady;
-use dam::analysis::studied::{check_all, unknown_figures};
-use dam::analysis::{Control, RunSettings};
 use dam::lower::lower;
 use dam::scene::{BuiltIn, Document, Overrides};
+use dam::studies::expectations::check;
+use dam::studies::run::run;
+use dam::studies::steady;
+use dam::studies::studied::{check_all, unknown_figures};
+use dam::studies::{Control, RunSettings};
 use dam::system::System;
 use std::path::{Path, PathBuf};
 

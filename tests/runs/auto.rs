@@ -2,12 +2,12 @@
 //! more work than the best method that does so when given that tolerance, on scenes of
 //! every kind. Work is counted, not timed.
 
-use dam::analysis::methods::{Plan, Point, Study, Verdict, study};
-use dam::analysis::run::{RunResult, run};
-use dam::analysis::{Control, RunSettings};
 use dam::integrate::Method;
 use dam::lower::lower;
 use dam::scene::{BuiltIn, Document, Overrides};
+use dam::studies::methods::{Plan, Point, Study, Verdict, study};
+use dam::studies::run::{RunResult, run};
+use dam::studies::{Control, RunSettings};
 use dam::system::System;
 use std::path::PathBuf;
 use std::time::Duration;

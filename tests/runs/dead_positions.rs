@@ -1,10 +1,10 @@
 //! Dead positions: whatever drives a linkage into one, and whatever the method,
 //! the run says so, at the right time, and keeps what was right before.
 
-use dam::analysis::run::{RunResult, run};
-use dam::analysis::{Control, RunSettings};
 use dam::integrate::Method;
 use dam::scene::{BuiltIn, Document, Overrides};
+use dam::studies::run::{RunResult, run};
+use dam::studies::{Control, RunSettings};
 use dam::system::System;
 use std::process::Command;
 

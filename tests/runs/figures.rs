@@ -1,9 +1,6 @@
 //! Figures of runs against closed forms.
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
-use dam::analysis::run::{RunResult, run};
-use dam::analysis::spread::spread;
-use dam::analysis::{Control, RunSettings, Warning};
 use dam::integrate::Method;
 use dam::model::{
     Closure, Coordinate, DampingLaw, ExplicitStart, Law, Link, LinkBase, Load, LoadLaw, Model,
@@ -12,6 +9,9 @@ use dam::model::{
 use dam::motion::DriveMotion;
 use dam::position::Position;
 use dam::record::Quantity;
+use dam::studies::run::{RunResult, run};
+use dam::studies::spread::spread;
+use dam::studies::{Control, RunSettings, Warning};
 use dam::system::System;
 use std::f64::consts::TAU;
 

@@ -4,10 +4,10 @@
 //! T = ½(J_m + J_c)φ̇² + ½ m ẋ², x = r cos φ + √(l² − (r sin φ − e)²), so with
 //! J(φ) = J_m + J_c + m x′²:  J φ̈ + ½ J′ φ̇² = T(φ̇) + (P − b ẋ) x′.
 
-use dam::analysis::run::run;
-use dam::analysis::{Control, RunSettings};
 use dam::lower::lower;
 use dam::scene::{BuiltIn, Document, Overrides};
+use dam::studies::run::run;
+use dam::studies::{Control, RunSettings};
 use dam::system::System;
 
 const CRANK: f64 = 0.08;

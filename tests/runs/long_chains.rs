@@ -1,10 +1,10 @@
 //! A step of the own stiff methods costs in proportion to the number of masses.
 
-use dam::analysis::run::run;
-use dam::analysis::{Control, RunSettings};
 use dam::integrate::Method;
 use dam::lower::lower;
 use dam::scene::{BuiltIn, Document, Overrides};
+use dam::studies::run::run;
+use dam::studies::{Control, RunSettings};
 use dam::system::System;
 
 /// Evaluations of the whole system in a step of the press with its crankshaft

@@ -1,13 +1,13 @@
 //! Speed against accuracy: limits of stability, verdicts, recommendation,
 //! documents, and the command itself.
 
-use dam::analysis::methods::sweep::{Sweep, sweep};
-use dam::analysis::methods::{MethodLine, Plan, Point, Study, Verdict, study};
-use dam::analysis::{Control, RunSettings};
 use dam::integrate::Method;
 use dam::lower::lower;
 use dam::model::LoadLaw;
 use dam::scene::{BuiltIn, Document, Overrides};
+use dam::studies::methods::sweep::{Sweep, sweep};
+use dam::studies::methods::{MethodLine, Plan, Point, Study, Verdict, study};
+use dam::studies::{Control, RunSettings};
 use dam::system::System;
 use serde_json::Value;
 use std::path::PathBuf;
@@ -418,7 +418,7 @@ fn what_is_not_determined_is_not_judged() {
 }
 
 fn swept(axis: &str, plan: &Plan) -> Sweep {
-    let axis = dam::analysis::axis::Axis::parse(axis).unwrap();
+    let axis = dam::studies::axis::Axis::parse(axis).unwrap();
     let prepare = |x| Ok::<_, String>(system(WHEEL, &["wheel.damping=0", &axis.setting(x)]));
     let fail = |_, faults: Vec<dam::fault::Fault>| format!("{faults:?}");
     sweep(
@@ -466,7 +466,7 @@ fn a_fixed_step_fails_where_the_scene_gets_too_stiff() {
 
 #[test]
 fn a_value_that_is_no_scene_ends_a_sweep_before_it_begins() {
-    let axis = dam::analysis::axis::Axis::parse("wheel.stiffness=8000:-8000:3").unwrap();
+    let axis = dam::studies::axis::Axis::parse("wheel.stiffness=8000:-8000:3").unwrap();
     let mut asked = Vec::new();
     let mut points = 0;
     let found = sweep(

@@ -4,11 +4,11 @@
 //! not: reading, lowering and running never panic, a run ends with a word, and
 //! a complete run that is trusted has finite figures and balanced energies.
 
-use dam::analysis::run::{RunResult, run};
-use dam::analysis::{Control, RunSettings};
 use dam::integrate::Method;
 use dam::lower::lower;
 use dam::scene::{BuiltIn, Document, Overrides};
+use dam::studies::run::{RunResult, run};
+use dam::studies::{Control, RunSettings};
 use dam::system::System;
 use proptest::prelude::*;
 use serde_json::{Value, json};

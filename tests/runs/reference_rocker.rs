@@ -1,7 +1,5 @@
 //! The rocker against event-exact reference figures (tests/reference/README.md).
 
-use dam::analysis::run::{RunResult, run};
-use dam::analysis::{Control, RunSettings};
 use dam::integrate::Method;
 use dam::model::{
     Closure, Coordinate, DampingLaw, Link, LinkBase, Load, LoadLaw, Model, Node, NodeMotion,
@@ -10,6 +8,8 @@ use dam::model::{
 use dam::motion::DriveMotion;
 use dam::position::Position;
 use dam::record::{ObjectFigures, Quantity};
+use dam::studies::run::{RunResult, run};
+use dam::studies::{Control, RunSettings};
 use dam::system::System;
 use serde::Deserialize;
 use std::collections::BTreeMap;

@@ -1,12 +1,12 @@
 //! Runs that end just after a switch: the last step is then so short that the
 //! rounding of a great angle would swallow its speed.
 
-use dam::analysis::run::{RunResult, run};
-use dam::analysis::{Control, RunSettings};
 use dam::integrate::Method;
 use dam::lower::lower;
 use dam::record::Quantity;
 use dam::scene::{BuiltIn, Document, Overrides};
+use dam::studies::run::{RunResult, run};
+use dam::studies::{Control, RunSettings};
 use dam::system::System;
 use serde_json::json;
 

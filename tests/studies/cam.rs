@@ -1,13 +1,13 @@
 //! Cams of scenes: against independent figures, as files and on the command line.
 
-use dam::analysis::cam::{CamForce, Question, Reserve, Steady, disc_cam, figures, steady_contact};
-use dam::analysis::{Control, RunSettings};
 use dam::cam::DiscCam;
 use dam::cam::closing::LetsGo;
 use dam::cam::sizing::PressureLimits;
 use dam::lower::lower;
 use dam::report::cam::{curves, cycle_csv, dxf, polygon_csv};
 use dam::scene::{BuiltIn, Document, Overrides, Reading};
+use dam::studies::cam::{CamForce, Question, Reserve, Steady, disc_cam, figures, steady_contact};
+use dam::studies::{Control, RunSettings};
 use dam::system::System;
 use serde_json::Value;
 use std::path::PathBuf;

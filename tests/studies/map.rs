@@ -1,9 +1,9 @@
 //! Maps: verdicts, their causes, and values.
 
-use dam::analysis::Control;
-use dam::analysis::axis::Axis;
-use dam::analysis::map::{Cell, Family, Panels, Question, Silent, Study, StudyFault, Verdict, map};
 use dam::scene::{BuiltIn, Document};
+use dam::studies::Control;
+use dam::studies::axis::Axis;
+use dam::studies::map::{Cell, Family, Panels, Question, Silent, Study, StudyFault, Verdict, map};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 

@@ -1,13 +1,11 @@
 //! Maps do not depend on the number of threads, nor on interruptions.
 
-use dam::analysis::Control;
-use dam::analysis::axis::Axis;
-use dam::analysis::map::{
-    Cell, Listener, MapResult, Panels, Question, Silent, Study, journal, map,
-};
 use dam::report::map::picture;
 use dam::report::map::{MapReport, document, map_csv, page, text};
 use dam::scene::{BuiltIn, Document};
+use dam::studies::Control;
+use dam::studies::axis::Axis;
+use dam::studies::map::{Cell, Listener, MapResult, Panels, Question, Silent, Study, journal, map};
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Mutex;

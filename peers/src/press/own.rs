@@ -2,10 +2,10 @@
 
 use super::scene::Press;
 use crate::solution::Solution;
-use dam::analysis::run::run;
-use dam::analysis::{Control, RunSettings};
 use dam::integrate::{Limits, Method, Modes, Settings, Sink, Stop, SwitchEvent, integrate};
 use dam::polynomial::Step;
+use dam::studies::run::run;
+use dam::studies::{Control, RunSettings};
 
 /// Collects δ at equal intervals and counts the switches.
 struct Listener {

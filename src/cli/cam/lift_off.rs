@@ -1,14 +1,14 @@
 //! The speed at which an elastic follower leaves its cam, by runs.
 
-use crate::analysis::cam::{CamForce, Steady, steady_contact};
-use crate::analysis::law::{LiftOff, lift_off};
 use crate::cli::args::CamArgs;
 use crate::cli::console;
 use crate::cli::failure::Failure;
 use crate::cli::input::{Input, Ready};
 use crate::cli::interrupt;
-use crate::model::{Closure, Model, NodeMotion};
-use crate::motion::DriveMotion;
+use crate::dynamics::model::{Closure, Model, NodeMotion};
+use crate::kinematics::motion::DriveMotion;
+use crate::studies::cam::{CamForce, Steady, steady_contact};
+use crate::studies::law::{LiftOff, lift_off};
 
 /// Why a search ended early.
 enum Ended {

@@ -11,11 +11,11 @@ use super::interrupt;
 use super::law::told;
 use super::output::{self, OutputFolder, ResultFile};
 use super::status::Status;
-use crate::analysis::cam::{CamFigures, CamForce, disc_cam, figures, objects_with_cam};
-use crate::cam::DiscCam;
+use crate::kinematics::cam::DiscCam;
 use crate::report::cam::{
     CamReport, NamedCurve, cam_text, curves, cycle_csv, dxf, page, picture, polygon_csv,
 };
+use crate::studies::cam::{CamFigures, CamForce, disc_cam, figures, objects_with_cam};
 use serde_json::{Value, json};
 
 const FILES: [&str; 6] = [

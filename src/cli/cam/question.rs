@@ -1,12 +1,12 @@
 //! What the arguments of `dam cam` ask.
 
-use crate::analysis::cam::{Question, Reserve};
-use crate::cam::sizing::PressureLimits;
-use crate::cam::{DiscCam, Guide};
 use crate::cli::args::CamArgs;
 use crate::cli::failure::Failure;
-use crate::object::law::read_argument;
-use crate::read::{Bounds, Wanted};
+use crate::frontend::object::law::read_argument;
+use crate::frontend::read::{Bounds, Wanted};
+use crate::kinematics::cam::sizing::PressureLimits;
+use crate::kinematics::cam::{DiscCam, Guide};
+use crate::studies::cam::{Question, Reserve};
 use crate::units::{parse, quantities as q};
 use std::f64::consts::FRAC_PI_2;
 
@@ -74,7 +74,7 @@ fn reserve(text: &str) -> Result<Reserve, Failure> {
     } else {
         forces
     };
-    let read = |slot: crate::read::Slot<'_>| slot.quantity(wanted, Bounds::NOT_NEGATIVE);
+    let read = |slot: crate::frontend::read::Slot<'_>| slot.quantity(wanted, Bounds::NOT_NEGATIVE);
     let value = read_argument("--reserve", text, read)?;
     Ok(match share {
         true => Reserve::Share(value),

@@ -8,19 +8,19 @@ use super::failure::Failure;
 use super::input::{Input, Ready};
 use super::output::{self, OutputFolder, ResultFile};
 use super::status::Status;
-use crate::analysis::expectations::Verdict;
-use crate::analysis::kinematics::{
-    Asked, Kinematics, Over, Question, Subject, kinematics, whole_travel,
-};
-use crate::analysis::studied::{POSITIONS, check_kinematics};
-use crate::linkage::Linkage;
-use crate::model::Coordinate;
-use crate::object::Measures;
-use crate::object::law::read_argument;
-use crate::read::{Bounds, Wanted};
+use crate::dynamics::model::Coordinate;
+use crate::frontend::object::Measures;
+use crate::frontend::object::law::read_argument;
+use crate::frontend::read::{Bounds, Wanted};
+use crate::kinematics::linkage::Linkage;
 use crate::report::kinematics::{
     KinematicsReport, document, drawing, kinematics_csv, page, picture, text,
 };
+use crate::studies::expectations::Verdict;
+use crate::studies::kinematics::{
+    Asked, Kinematics, Over, Question, Subject, kinematics, whole_travel,
+};
+use crate::studies::studied::{POSITIONS, check_kinematics};
 use crate::units::quantities as q;
 use crate::units::with_common_unit;
 

@@ -3,18 +3,18 @@
 use super::args::{CompareArgs, RankBy};
 use super::files::{self, Results};
 use super::told;
-use crate::analysis::RunSettings;
-use crate::analysis::law::{ComparedLaw, Figure, LawResponse, lift_off, response};
 use crate::cli::console;
 use crate::cli::failure::Failure;
 use crate::cli::input::{Input, Ready};
 use crate::cli::interrupt;
 use crate::cli::run::run_with_progress;
 use crate::cli::status::Status;
-use crate::model::{Model, NodeMotion};
-use crate::motion::{DriveMotion, Law, LawName};
-use crate::object::law::stroke_law;
+use crate::dynamics::model::{Model, NodeMotion};
+use crate::frontend::object::law::stroke_law;
+use crate::kinematics::motion::{DriveMotion, Law, LawName};
 use crate::report::law::{LawPage, comparison_chart, comparison_csv, comparison_text};
+use crate::studies::RunSettings;
+use crate::studies::law::{ComparedLaw, Figure, LawResponse, lift_off, response};
 use serde_json::json;
 use std::f64::consts::TAU;
 

@@ -4,13 +4,13 @@ use super::PICTURE;
 use super::args::{CycleArgs, Form};
 use super::files;
 use super::files::Results;
-use crate::analysis::cycle::cycle;
 use crate::cli::console;
 use crate::cli::failure::Failure;
 use crate::cli::input::Input;
-use crate::model::{Coordinate, NodeMotion};
+use crate::dynamics::model::{Coordinate, NodeMotion};
 use crate::report::law::{LawPage, cycle_chart, cycle_csv, cycle_parts, cycle_text, shocks_said};
 use crate::report::quantity::significant;
+use crate::studies::cycle::cycle;
 use serde_json::json;
 
 pub(super) fn command(args: &CycleArgs) -> Result<(), Failure> {

@@ -1,6 +1,6 @@
 //! A progress bar over the points of a study, on a terminal only.
 
-use crate::analysis::methods::Now;
+use crate::studies::methods::Now;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::io::IsTerminal;
 

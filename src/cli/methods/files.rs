@@ -1,7 +1,5 @@
 //! Result files of studies of methods.
 
-use crate::analysis::methods::Study;
-use crate::analysis::methods::sweep::Sweep;
 use crate::cli::failure::Failure;
 use crate::cli::input::Ready;
 use crate::cli::output::ResultFile;
@@ -10,6 +8,8 @@ use crate::report::methods::charts::{
     Against, cost, height_of_regions, regions, stable_steps, work_precision,
 };
 use crate::report::methods::{MethodsReport, methods_csv, page, sweep_csv, sweep_page};
+use crate::studies::methods::Study;
+use crate::studies::methods::sweep::Sweep;
 
 /// Files of a study.
 pub(super) const OF_STUDY: [&str; 5] = [

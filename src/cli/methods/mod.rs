@@ -11,11 +11,11 @@ use super::input::{Input, Ready};
 use super::interrupt;
 use super::output::{self, OutputFolder};
 use super::status::Status;
-use crate::analysis::Control;
-use crate::analysis::axis::Axis;
-use crate::analysis::methods::sweep::{Sweep, sweep};
-use crate::analysis::methods::{Plan, Study, all_methods, study};
-use crate::integrate::Method;
+use crate::dynamics::integrate::Method;
+use crate::studies::Control;
+use crate::studies::axis::Axis;
+use crate::studies::methods::sweep::{Sweep, sweep};
+use crate::studies::methods::{Plan, Study, all_methods, study};
 use bar::PointBar;
 use std::time::Duration;
 

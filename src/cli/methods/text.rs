@@ -1,8 +1,8 @@
 //! Studies of methods on the terminal.
 
-use crate::analysis::methods::sweep::{Standing, Sweep};
-use crate::analysis::methods::{MethodLine, Point, Study, Verdict};
-use crate::integrate::Method;
+use crate::dynamics::integrate::Method;
+use crate::studies::methods::sweep::{Standing, Sweep};
+use crate::studies::methods::{MethodLine, Point, Study, Verdict};
 use std::fmt::Write as _;
 
 /// A study as text.

@@ -2,13 +2,13 @@
 
 use super::args::SteadyArgs;
 use super::{Answered, asked, folder, machine_document, tell};
-use crate::analysis::steady::{ROWS, by_energy, csv};
 use crate::cli::failure::Failure;
 use crate::cli::status::Status;
+use crate::dynamics::steady::flywheel::{Flywheel, size_of_table};
+use crate::dynamics::steady::{Formula, Given, Profile, Question, Refusal, TableFigures};
+use crate::frontend::scene::SteadySpec;
 use crate::report::steady::Shown;
-use crate::scene::SteadySpec;
-use crate::steady::flywheel::{Flywheel, size_of_table};
-use crate::steady::{Formula, Given, Profile, Question, Refusal, TableFigures};
+use crate::studies::steady::{ROWS, by_energy, csv};
 use serde::Serialize;
 use std::io::Read;
 use std::path::Path;
@@ -44,7 +44,7 @@ fn refused(refusal: &Refusal) -> Failure {
     };
     Failure::Other(match refusal {
         Refusal::Input { faults } => {
-            let one = |f: &crate::steady::Field| {
+            let one = |f: &crate::dynamics::steady::Field| {
                 let name = f.field.replace('_', "-");
                 line(&format!("--{name}: {}", f.message), &f.hint)
             };

@@ -10,15 +10,15 @@ use super::input::{Input, Ready};
 use super::output::{self, OutputFolder, ResultFile};
 use super::run::doubts;
 use super::status::Status;
-use crate::analysis::expectations::Verdict;
-use crate::analysis::steady::{Answer, ROWS, check, steady_motion};
-use crate::object::law::read_argument;
-use crate::read::Bounds;
+use crate::dynamics::steady::{MOST_TURNS, Mean};
+use crate::frontend::object::law::read_argument;
+use crate::frontend::read::Bounds;
+use crate::frontend::scene::SteadySpec;
 use crate::report::steady::{
     Shown, SteadyReport, drive_csv, page, periodic_text, rigid_text, rows_csv, wittenbauer,
 };
-use crate::scene::SteadySpec;
-use crate::steady::{MOST_TURNS, Mean};
+use crate::studies::expectations::Verdict;
+use crate::studies::steady::{Answer, ROWS, check, steady_motion};
 use crate::units::{Quantity, quantities as q};
 use args::{Form, MeanChoice, QuestionArgs, SteadyArgs};
 use serde::Serialize;
@@ -37,7 +37,7 @@ struct Answered<'a> {
     scene: Option<&'a str>,
     document: Value,
     rigid: Option<Shown<'a>>,
-    periodic: Option<&'a crate::analysis::steady::PeriodicAnswer>,
+    periodic: Option<&'a crate::studies::steady::PeriodicAnswer>,
 }
 
 /// Runs the command.
@@ -240,7 +240,7 @@ fn files(answered: &Answered<'_>, csv: &str) -> Result<Vec<ResultFile>, Failure>
 
 /// Deviations over a period; parts have periods of their own, so that each row
 /// is one value.
-fn orbit_csv(answer: &crate::analysis::steady::PeriodicAnswer) -> Result<String, Failure> {
+fn orbit_csv(answer: &crate::studies::steady::PeriodicAnswer) -> Result<String, Failure> {
     if let Some(drive) = &answer.drive {
         return Ok(drive_csv(answer, drive).map_err(|error| error.to_string())?);
     }

@@ -4,13 +4,13 @@ mod loads;
 
 use super::course::{Course, straight};
 use super::{Holder, KeptLaws, MassPlace, Part, Parts, law, load};
-use crate::constraint::Constraint;
-use crate::exact::{Law, Refusal, TreeMass, TreeObject, TreePair, TreeProblem};
-use crate::model::{
+use crate::dynamics::model::{
     Closure, DampingLaw, Law as ModelLaw, LinkBase, Model, NodeMotion, ObjectPart, Pair,
     TrackSource,
 };
-use crate::system::System;
+use crate::dynamics::system::System;
+use crate::exact::{Law, Refusal, TreeMass, TreeObject, TreePair, TreeProblem};
+use crate::kinematics::constraint::Constraint;
 
 /// What a node is to exact propagation.
 #[derive(Clone, Debug)]

@@ -6,9 +6,9 @@
 //! once, for the motion just after it; polynomials are then fitted to that
 //! formula alone and end where the motion leaves it.
 
-use crate::breaks::Breaks;
-use crate::motion::DriveMotion;
-use crate::position::Position;
+use crate::kinematics::breaks::Breaks;
+use crate::kinematics::motion::DriveMotion;
+use crate::kinematics::position::Position;
 use std::f64::consts::TAU;
 
 /// Rounding of a place on an axis, in units of the numbers that make it.

@@ -110,7 +110,7 @@ pub(crate) fn fit(
     time: f64,
     longest: f64,
     target: Target,
-    axis: Option<&crate::breaks::Breaks>,
+    axis: Option<&crate::kinematics::breaks::Breaks>,
 ) -> Option<Fit> {
     let formulas = course.formulas(time);
     let last = axis.map_or((f64::NEG_INFINITY, f64::INFINITY), |axis| {

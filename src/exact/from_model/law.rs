@@ -3,11 +3,11 @@
 
 use super::course::{Course, Rhythm, straight};
 use super::fit::{Fit, Target, fit};
+use crate::dynamics::model::Law as ModelLaw;
 use crate::exact::law::product;
 use crate::exact::{LAW_DEGREE, Law, PolynomialSpan, Sine, SpanSource};
-use crate::model::Law as ModelLaw;
-use crate::motion::DriveMotion;
-use crate::position::Position;
+use crate::kinematics::motion::DriveMotion;
+use crate::kinematics::position::Position;
 use std::sync::{Arc, OnceLock};
 
 /// Most spans kept of a cycle; a law that needs more is made as it is reached.

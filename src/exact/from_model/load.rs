@@ -2,9 +2,9 @@
 
 use super::course::{Course, within};
 use super::fit::{Target, fit};
-use crate::breaks::Breaks;
+use crate::dynamics::model::LinearPiece;
 use crate::exact::{ForcePiece, ForceSource, LAW_DEGREE, TimeLoad};
-use crate::model::LinearPiece;
+use crate::kinematics::breaks::Breaks;
 use std::sync::Arc;
 
 /// A table over a prescribed displacement, times a factor.

@@ -23,8 +23,8 @@ pub(crate) use fit::{Target, fit};
 pub use rest::Rest;
 
 use super::{ExactTree, Law, Modes, PairState, Refusal, SpanSource, TreeProblem};
-use crate::model::NodeMotion;
-use crate::system::System;
+use crate::dynamics::model::NodeMotion;
+use crate::dynamics::system::System;
 use std::sync::Arc;
 
 /// The parts of a system that can be propagated exactly, and why others cannot.
@@ -111,7 +111,7 @@ impl Parts {
     /// left can be run.
     #[must_use]
     pub fn with_sound_trees(mut self, system: &System) -> Self {
-        let still = vec![0.0; 2 * crate::integrate::Dynamics::coordinates(system)];
+        let still = vec![0.0; 2 * crate::dynamics::integrate::Dynamics::coordinates(system)];
         let mut sound = Vec::new();
         for (number, mut part) in std::mem::take(&mut self.trees).into_iter().enumerate() {
             let now = match part.try_modes(&still) {

@@ -1,12 +1,12 @@
 //! What of a system is left beside its trees, as a system of its own.
 
 use super::{Holder, Parts};
-use crate::integrate::{Dynamics, Modes};
-use crate::model::{
+use crate::dynamics::integrate::{Dynamics, Modes};
+use crate::dynamics::model::{
     Law, Link, LinkBase, LinkageBody, Load, LoadLaw, Model, Node, NodeIndex, NodeMotion,
     ObjectPart, Start, TrackSource,
 };
-use crate::system::{InitialState, System};
+use crate::dynamics::system::{InitialState, System};
 
 /// The objects that no tree holds, and where they are in the whole system.
 #[derive(Debug)]

@@ -3,12 +3,12 @@
 use super::course::Course;
 use super::law::{CourseLaw, law};
 use super::load::load;
-use crate::breaks::Breaks;
+use crate::dynamics::model::{Law as ModelLaw, LinearPiece};
 use crate::exact::{LAW_DEGREE, Law, PolynomialSpan, SpanSource, TimeLoad};
-use crate::model::{Law as ModelLaw, LinearPiece};
-use crate::motion::cycle::{CycleSpec, Motion, Station};
-use crate::motion::{DriveMotion, DriveMotionSpec, LawName, RunLawName};
-use crate::position::{CamSpec, Position, PositionSpec};
+use crate::kinematics::breaks::Breaks;
+use crate::kinematics::motion::cycle::{CycleSpec, Motion, Station};
+use crate::kinematics::motion::{DriveMotion, DriveMotionSpec, LawName, RunLawName};
+use crate::kinematics::position::{CamSpec, Position, PositionSpec};
 
 fn motions() -> Vec<DriveMotion> {
     let points = vec![

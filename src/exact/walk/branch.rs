@@ -1,10 +1,10 @@
 //! One tree in the system's coordinates.
 
-use crate::energy::EnergyAudit;
+use crate::dynamics::energy::EnergyAudit;
+use crate::dynamics::integrate::Modes;
+use crate::dynamics::segment::{Asked, Peak, Segment, Signal};
 use crate::exact::from_model::Part;
 use crate::exact::{Ahead, Cursor, End, ExactTree, Refusal, Request};
-use crate::integrate::Modes;
-use crate::segment::{Asked, Peak, Segment, Signal};
 
 /// A tree on its way: its present phase is a segment, whose objects are those of the
 /// tree.

@@ -13,8 +13,10 @@ mod paces;
 mod tracks;
 
 use super::{ExactTree, Halt, Parts, Refusal, Request};
-use crate::integrate::{Dynamics, Limits, Method, Modes, Outcome, Statistics, Stop, SwitchEvent};
-use crate::system::{InitialState, System};
+use crate::dynamics::integrate::{
+    Dynamics, Limits, Method, Modes, Outcome, Statistics, Stop, SwitchEvent,
+};
+use crate::dynamics::system::{InitialState, System};
 use paces::Paces;
 use tracks::Tracks;
 
@@ -52,7 +54,7 @@ pub(crate) struct Motion<'m, 'a> {
 impl Motion<'_, '_> {
     /// The state y = [u, u̇] at an instant.
     pub(crate) fn state(&mut self, time: f64, y: &mut [f64]) {
-        use crate::segment::Segment;
+        use crate::dynamics::segment::Segment;
         if let Some(given) = self.given {
             given.put(time, y);
         }

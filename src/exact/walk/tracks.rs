@@ -1,12 +1,12 @@
 //! Which piece of a law or table is in force: tracks over prescribed motions
 //! and over time.
 
-use crate::breaks::Breaks;
+use crate::dynamics::integrate::{Dynamics, Modes};
+use crate::dynamics::model::TrackSource;
+use crate::dynamics::system::System;
 use crate::exact::Parts;
 use crate::exact::from_model::{Course, Target, fit, within};
-use crate::integrate::{Dynamics, Modes};
-use crate::model::TrackSource;
-use crate::system::System;
+use crate::kinematics::breaks::Breaks;
 
 /// A track over a prescribed displacement.
 struct Follower<'a> {

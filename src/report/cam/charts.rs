@@ -1,9 +1,9 @@
 //! Diagrams of a cam over its turn.
 
 use super::sampled::sampled;
-use crate::analysis::cam::{CamFigures, CamForce};
-use crate::cam::{CamState, DiscCam};
+use crate::kinematics::cam::{CamState, DiscCam};
 use crate::report::plot::{Axis, Look, Mark, Plot, Series};
+use crate::studies::cam::{CamFigures, CamForce};
 
 /// Radii beyond this multiple of the prime circle are not drawn.
 const FAR: f64 = 6.0;

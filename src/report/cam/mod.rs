@@ -19,8 +19,8 @@ pub use tables::{cycle_csv, polygon_csv};
 pub use text::cam_text;
 pub(in crate::report) use view::view;
 
-use crate::cam::{DiscCam, Polygon};
 use crate::fault::Fault;
+use crate::kinematics::cam::{DiscCam, Polygon};
 
 /// A curve of a cam, to be drawn or cut.
 #[derive(Clone, Debug, PartialEq)]

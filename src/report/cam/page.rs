@@ -6,13 +6,13 @@ use super::sampled::PLACES;
 use super::text::{describe, facts as cam_facts};
 use super::view::{View, view};
 use super::{NamedCurve, charts};
-use crate::analysis::cam::{CamFigures, CamForce};
-use crate::cam::DiscCam;
+use crate::kinematics::cam::DiscCam;
 use crate::report::html::player::{Coordinates, Player, Reading, RowAxis, Shown, short};
 use crate::report::html::{bar, facts, header, scene, shell};
 use crate::report::plot::Plots;
 use crate::report::quantity::escape;
 use crate::report::verdict::{Sort, Verdict};
+use crate::studies::cam::{CamFigures, CamForce};
 use std::fmt::Write as _;
 
 /// How long a turn is played at normal speed (s).

@@ -4,7 +4,7 @@
 use super::NamedCurve;
 use super::view::short;
 use super::view::{Mover, View, mover, parts, rim_radius, view};
-use crate::cam::{Contact, DiscCam, Guide, Surface};
+use crate::kinematics::cam::{Contact, DiscCam, Guide, Surface};
 use crate::report::html::player::{Body, Shown};
 use crate::report::plot::document;
 use std::fmt::Write as _;

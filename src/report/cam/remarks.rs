@@ -1,9 +1,9 @@
 //! What a designer must know of a cam, in sentences.
 
 use super::words::{angle_at, degrees, length};
-use crate::analysis::cam::CamFigures;
-use crate::cam::Finding;
+use crate::kinematics::cam::Finding;
 use crate::report::quantity::with_unit;
+use crate::studies::cam::CamFigures;
 
 /// What a designer must know, the grave ones (`true`) first.
 pub(super) fn remarks(found: &CamFigures) -> Vec<(bool, String)> {

@@ -1,7 +1,7 @@
 //! A curve of a cam over its turn, sampled for charts.
 
 use super::tables::rows;
-use crate::cam::DiscCam;
+use crate::kinematics::cam::DiscCam;
 
 /// Angles of the diagrams (rad), with the piece of each.
 pub(super) fn sampled(cam: &DiscCam) -> Vec<(usize, f64)> {

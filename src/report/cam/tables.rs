@@ -1,9 +1,9 @@
 //! The cycle of a cam and its curves as CSV.
 
 use super::NamedCurve;
-use crate::analysis::cam::CamForce;
-use crate::cam::DiscCam;
+use crate::kinematics::cam::DiscCam;
 use crate::report::csv::{number, write};
+use crate::studies::cam::CamForce;
 
 /// One turn in `count` equal steps, and both sides of every joint of the law:
 /// motion, pressure angle, radii of curvature, profile, force and torque (left

@@ -3,12 +3,12 @@
 use super::remarks::remarks;
 use super::words::{DIGITS, clean};
 use super::words::{angle_at, degrees, length};
-use crate::analysis::cam::{Answer, CamFigures, FaceFigures, ForceFigures, Radii, SpringAnswer};
-use crate::analysis::law::LiftOff;
-use crate::cam::closing::LetsGo;
-use crate::cam::sizing::BaseRange;
-use crate::cam::{At, CamGeometry, Contact, DiscCam, Guide, Surface};
+use crate::kinematics::cam::closing::LetsGo;
+use crate::kinematics::cam::sizing::BaseRange;
+use crate::kinematics::cam::{At, CamGeometry, Contact, DiscCam, Guide, Surface};
 use crate::report::quantity::{significant, with_unit};
+use crate::studies::cam::{Answer, CamFigures, FaceFigures, ForceFigures, Radii, SpringAnswer};
+use crate::studies::law::LiftOff;
 use std::f64::consts::TAU;
 use std::fmt::Write as _;
 

@@ -2,7 +2,7 @@
 
 use super::NamedCurve;
 
-use crate::cam::{Contact, DiscCam, Guide, Surface};
+use crate::kinematics::cam::{Contact, DiscCam, Guide, Surface};
 use std::f64::consts::PI;
 
 /// Width and height of the drawing (pixels).

@@ -1,6 +1,6 @@
 //! Places and lengths of a cam in words.
 
-use crate::cam::At;
+use crate::kinematics::cam::At;
 use crate::report::quantity::{significant, with_unit};
 
 pub(super) fn angle_at(at: At) -> String {

@@ -1,10 +1,10 @@
 //! Curves over the course, χ against i, massless against full.
 
 use super::ForcesReport;
-use crate::analysis::forces::{Column, columns};
 use crate::math::order::by_first;
 use crate::report::plot::{Axis, Band, Plot, Series};
 use crate::report::quantity::significant;
+use crate::studies::forces::{Column, columns};
 
 /// A group of charts under a heading.
 pub(super) struct Group {
@@ -148,7 +148,7 @@ fn shaded(report: &ForcesReport<'_>) -> Vec<[f64; 2]> {
 pub fn ratio_chart(report: &ForcesReport<'_>) -> Option<Plot> {
     let study = report.study;
     study.settings.output?;
-    let point = |forces: &crate::analysis::forces::Forces| {
+    let point = |forces: &crate::studies::forces::Forces| {
         let found = forces.transmission?;
         Some((found.ratio, forces.chi?, found))
     };

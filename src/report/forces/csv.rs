@@ -1,7 +1,7 @@
 //! All positions as a table.
 
-use crate::analysis::forces::{ForceStudy, columns};
 use crate::report::csv::{number, write};
+use crate::studies::forces::{ForceStudy, columns};
 
 /// A row a position, everything in SI units, angles in radians; empty where a
 /// quantity has no value. χ stands with the name of its convention. The last column says why a position has no forces.

@@ -1,7 +1,7 @@
 //! A study as one JSON document.
 
 use super::ForcesReport;
-use crate::analysis::forces::{
+use crate::studies::forces::{
     Counterweight, CycleForces, Extreme, ForceStudy, MasslessComparison, NEGLIGIBLE, columns,
 };
 use serde_json::{Map, Value, json};

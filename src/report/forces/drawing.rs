@@ -1,8 +1,8 @@
 //! The linkage moving, with the forces that its pairs carry.
 
 use super::ForcesReport;
-use crate::analysis::forces::{Forces, Row};
 use crate::report::mechanism::{Arrow, ArrowSet, Axis, Drawing, Placement};
+use crate::studies::forces::{Forces, Row};
 
 /// Most positions that a page carries.
 const MOST_FRAMES: usize = 721;

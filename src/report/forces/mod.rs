@@ -14,8 +14,8 @@ pub use drawing::drawing;
 pub use page::page;
 pub use text::text;
 
-use crate::analysis::forces::{Extreme, ForceStudy, MasslessComparison, Zone};
 use crate::report::quantity::{significant, with_unit};
+use crate::studies::forces::{Extreme, ForceStudy, MasslessComparison, Zone};
 
 /// Everything that is told of a study.
 #[derive(Clone, Copy, Debug)]

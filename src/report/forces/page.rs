@@ -3,11 +3,11 @@
 use super::charts::{groups, massless_chart, ratio_chart};
 use super::text::verdict;
 use super::{ForcesReport, drawing, shown};
-use crate::analysis::forces::Extreme;
 use crate::report::html::{bar, facts, header, scene, shell, warnings};
 use crate::report::plot::{Plots, page::hodograph};
 use crate::report::quantity::{escape, significant};
 use crate::report::verdict::{Sort, Verdict};
+use crate::studies::forces::Extreme;
 use std::fmt::Write as _;
 
 /// Sizes of pictures (pixels).

@@ -1,8 +1,8 @@
 //! The forces on the terminal.
 
 use super::{ForcesReport, shown};
-use crate::analysis::forces::{Column, NEGLIGIBLE, columns};
 use crate::report::quantity::significant;
+use crate::studies::forces::{Column, NEGLIGIBLE, columns};
 use std::fmt::Write as _;
 
 /// Extremes with their positions, the cycle, zones, sensitivities, checks.
@@ -231,7 +231,7 @@ fn parameter_name(input: &str, load: &str) -> &'static str {
 }
 
 /// Up to where masses may be left out.
-pub(super) fn verdict(found: &crate::analysis::forces::MasslessComparison) -> String {
+pub(super) fn verdict(found: &crate::studies::forces::MasslessComparison) -> String {
     let percent = significant(100.0 * NEGLIGIBLE, 3);
     let asked = found.points.iter().map(|point| point.parameter);
     match found.negligible_up_to {

@@ -4,7 +4,7 @@ pub(in crate::report) mod player;
 pub mod runs;
 pub mod tables;
 
-use crate::record::{Figures, Record};
+use crate::dynamics::record::{Figures, Record};
 use crate::report::diagram::Diagram;
 use crate::report::machine::Machine;
 use crate::report::mechanism;

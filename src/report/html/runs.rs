@@ -1,7 +1,7 @@
 //! The plots of runs: one group an object, one chart a quantity, one curve a run.
 
 use super::player::Coordinates;
-use crate::record::{Column, Quantity, Record};
+use crate::dynamics::record::{Column, Quantity, Record};
 use crate::report::plot::{Band, Plot, Plots, Series};
 use crate::report::quantity::escape;
 

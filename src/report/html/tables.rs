@@ -1,7 +1,9 @@
 //! Tables of a page: figures, pairs, switches, statistics.
 
 use super::facts;
-use crate::record::{EnergyAudit, Figures, ObjectFigures, PairFigures, Record, SwitchRow, Units};
+use crate::dynamics::record::{
+    EnergyAudit, Figures, ObjectFigures, PairFigures, Record, SwitchRow, Units,
+};
 use crate::report::quantity::{escape, scale, significant, with_unit};
 
 /// A value with its unit for reading, the full number on hover.

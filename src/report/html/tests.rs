@@ -1,5 +1,5 @@
 use super::{RunReport, page};
-use crate::record::SwitchRow;
+use crate::dynamics::record::SwitchRow;
 use crate::report::diagram::Diagram;
 use crate::report::fixture;
 use crate::report::machine::Machine;
@@ -7,7 +7,7 @@ use crate::report::machine::Machine;
 const SCENE: &str = "{\n  \"name\": \"</pre><script>alert(1)</script>\"\n}\n";
 
 fn rendered(
-    change: impl FnOnce(&mut crate::record::Figures, &mut crate::record::Record),
+    change: impl FnOnce(&mut crate::dynamics::record::Figures, &mut crate::dynamics::record::Record),
 ) -> String {
     let (mut figures, mut record) = fixture::run(2, 0.05, 200);
     change(&mut figures, &mut record);

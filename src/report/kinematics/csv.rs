@@ -1,7 +1,7 @@
 //! All rows as a table.
 
-use crate::analysis::kinematics::Kinematics;
 use crate::report::csv::{number, write};
+use crate::studies::kinematics::Kinematics;
 
 /// A row a position; angles continuous and in radians, everything in SI; empty where
 /// a quantity grows beyond all numbers.

@@ -1,6 +1,6 @@
 //! The kinematics as one JSON document.
 
-use crate::analysis::kinematics::Kinematics;
+use crate::studies::kinematics::Kinematics;
 use serde_json::{Map, Value, json};
 
 /// Everything, in SI units: structure, summary, and every column.
@@ -45,7 +45,7 @@ pub fn document(scene: &str, hash: &str, found: &Kinematics) -> Value {
 }
 
 fn limits(found: &Kinematics) -> Vec<Value> {
-    let limit = |limit: &crate::analysis::kinematics::Limit| json!({ "at": limit.at, "because": limit.cause });
+    let limit = |limit: &crate::studies::kinematics::Limit| json!({ "at": limit.at, "because": limit.cause });
     found.limits.iter().map(limit).collect()
 }
 

@@ -1,7 +1,7 @@
 //! The linkage over the rows, as a drawing that moves.
 
-use crate::analysis::kinematics::{Kinematics, Quantity};
 use crate::report::mechanism::{Arrow, ArrowSet, Axis, Drawing, Path, Placement};
+use crate::studies::kinematics::{Kinematics, Quantity};
 
 /// Most positions that a page carries.
 const MOST_FRAMES: usize = 721;

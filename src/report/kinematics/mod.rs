@@ -13,8 +13,8 @@ pub use drawing::{drawing, picture};
 pub use page::{KinematicsReport, page};
 pub use text::text;
 
-use crate::analysis::kinematics::Kinematics;
 use crate::report::quantity::{significant, with_unit};
+use crate::studies::kinematics::Kinematics;
 
 /// A place on the axis for reading: angles in degrees.
 pub(super) fn place(found: &Kinematics, at: f64) -> String {
@@ -24,8 +24,8 @@ pub(super) fn place(found: &Kinematics, at: f64) -> String {
 /// An input coordinate for reading.
 pub(super) fn input(found: &Kinematics, at: f64) -> String {
     let unit = match found.input {
-        crate::model::Coordinate::Turning => "rad",
-        crate::model::Coordinate::Sliding => "m",
+        crate::dynamics::model::Coordinate::Turning => "rad",
+        crate::dynamics::model::Coordinate::Sliding => "m",
     };
     angle_or(at, unit)
 }

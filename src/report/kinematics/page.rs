@@ -2,11 +2,11 @@
 
 use super::text::{behaviour, reach};
 use super::{angle_or, drawing, input, place, plots};
-use crate::analysis::kinematics::Kinematics;
 use crate::report::html::{bar, facts, header, scene, shell};
 use crate::report::plot::Plots;
 use crate::report::quantity::{escape, significant};
 use crate::report::verdict::{Sort, Verdict};
+use crate::studies::kinematics::Kinematics;
 use std::fmt::Write as _;
 
 /// Everything that goes into the page.
@@ -75,7 +75,7 @@ fn answer(found: &Kinematics) -> Verdict {
         let text = format!("Input {}: {}", input(found, stop.input), stop.cause);
         return Verdict::answer(Sort::Mechanism, headline, text);
     }
-    let stroke = |stroke: &crate::analysis::kinematics::Stroke| {
+    let stroke = |stroke: &crate::studies::kinematics::Stroke| {
         let [low, high] = stroke.ends;
         format!("{} {}", stroke.owner, angle_or(high.1 - low.1, stroke.unit))
     };

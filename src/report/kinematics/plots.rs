@@ -1,7 +1,7 @@
 //! Plots over the axis, one a quantity.
 
-use crate::analysis::kinematics::{Column, Kinematics, Quantity};
 use crate::report::plot::{Axis, Plot, Series};
+use crate::studies::kinematics::{Column, Kinematics, Quantity};
 
 /// Size of a plot (pixels).
 pub(super) const SIZE: [f64; 2] = [579.0, 300.0];

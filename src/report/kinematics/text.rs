@@ -1,8 +1,8 @@
 //! The kinematics on the terminal.
 
 use super::{angle_or, input, place};
-use crate::analysis::kinematics::{Column, Equilibrium, Extremes, Kinematics, Quantity};
 use crate::report::quantity::{significant, with_unit};
+use crate::studies::kinematics::{Column, Equilibrium, Extremes, Kinematics, Quantity};
 use std::f64::consts::TAU;
 use std::fmt::Write as _;
 
@@ -92,7 +92,7 @@ fn row(out: &mut String, found: &Kinematics, column: &Column, extremes: &Extreme
 }
 
 pub(super) fn reach(found: &Kinematics) -> String {
-    let turning = found.input == crate::model::Coordinate::Turning;
+    let turning = found.input == crate::dynamics::model::Coordinate::Turning;
     let range = found.linkage.range();
     range.describe(found.linkage.structure(), turning)
 }

@@ -1,8 +1,8 @@
 //! Laws compared by constants and by response, as text and table.
 
-use crate::analysis::law::{ComparedLaw, Figure, LiftOff};
 use crate::report::csv::{number, write};
 use crate::report::quantity::significant;
+use crate::studies::law::{ComparedLaw, Figure, LiftOff};
 use std::fmt::Write as _;
 
 /// Laws side by side, every figure with its place, best first by `by`.
@@ -107,8 +107,8 @@ pub fn comparison_csv(laws: &[ComparedLaw]) -> Result<String, csv::Error> {
 #[cfg(test)]
 mod tests {
     use super::{comparison_csv, comparison_text};
-    use crate::analysis::law::{ComparedLaw, Figure, LawResponse};
-    use crate::motion::{Law, LawName};
+    use crate::kinematics::motion::{Law, LawName};
+    use crate::studies::law::{ComparedLaw, Figure, LawResponse};
 
     fn law(name: LawName, residual: f64) -> ComparedLaw {
         ComparedLaw {

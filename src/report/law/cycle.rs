@@ -1,13 +1,13 @@
 //! The cycle of a cam as text, table and diagram.
 
 use super::{diagrams, ratio, shocks};
-use crate::analysis::cycle::CycleFigures;
+use crate::kinematics::motion::law::Peak;
+use crate::kinematics::position::Position;
 use crate::math::jet::Jet;
-use crate::motion::law::Peak;
-use crate::position::Position;
 use crate::report::csv::{number, write};
 use crate::report::plot::Plot;
 use crate::report::quantity::significant;
+use crate::studies::cycle::CycleFigures;
 use std::fmt::Write as _;
 
 /// Joints, extremes and shocks; units of the object and of its driver.

@@ -14,8 +14,8 @@ pub use stroke::{stroke_chart, stroke_csv, stroke_text};
 
 use super::csv::{number, write};
 use super::quantity::significant;
+use crate::kinematics::motion::law::{Jump, Law, LawConstants, Peak};
 use crate::math::jet::Jet;
-use crate::motion::law::{Jump, Law, LawConstants, Peak};
 use crate::report::plot::{Axis, Plot, Series};
 use std::fmt::Write as _;
 

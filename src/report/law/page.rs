@@ -1,13 +1,13 @@
 //! A law of motion, a stroke, a cycle or a comparison as a page that opens without a network.
 
 use super::{DIAGRAM_POINTS, Jet, Law, sampled};
-use crate::analysis::law::{ComparedLaw, Figure};
-use crate::motion::stroke::Stroke;
-use crate::position::Position;
+use crate::kinematics::motion::stroke::Stroke;
+use crate::kinematics::position::Position;
 use crate::report::html::{bar, facts, header, scene, shell};
 use crate::report::plot::{Axis, Look, Mark, Plot, Plots, Series, Shape};
 use crate::report::quantity::{escape, significant};
 use crate::report::verdict::{Sort, Verdict};
+use crate::studies::law::{ComparedLaw, Figure};
 
 /// Everything that goes into the page.
 #[derive(Clone, Debug)]
@@ -187,7 +187,7 @@ pub fn comparison_chart(laws: &[ComparedLaw]) -> Plot {
 }
 
 /// What is to be said of a law's shocks: nothing good or bad but that there are none.
-pub fn shocks_said(jumps: &[crate::motion::law::Jump]) -> (bool, &'static str) {
+pub fn shocks_said(jumps: &[crate::kinematics::motion::law::Jump]) -> (bool, &'static str) {
     match jumps.iter().map(|jump| jump.order).min() {
         Some(1) => (
             false,

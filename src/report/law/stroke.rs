@@ -1,8 +1,8 @@
 //! A synthesised stroke as text, table and diagram.
 
 use super::{diagrams, ratio};
+use crate::kinematics::motion::stroke::{Stroke, StrokeFigures};
 use crate::math::jet::Jet;
-use crate::motion::stroke::{Stroke, StrokeFigures};
 use crate::report::csv::{number, write};
 use crate::report::plot::Plot;
 use crate::report::quantity::significant;

@@ -1,7 +1,7 @@
 //! Laws in print.
 
 use super::*;
-use crate::motion::LawName;
+use crate::kinematics::motion::LawName;
 
 fn row(name: LawName) -> (LawRow, Law) {
     let law = Law::of_stroke(&name.into()).unwrap();

@@ -2,8 +2,8 @@
 
 use super::Machine;
 use super::way::{Picture, Way};
-use crate::cam::{DiscCam, Guide};
-use crate::model::{NodeMotion, ObjectPart};
+use crate::dynamics::model::{NodeMotion, ObjectPart};
+use crate::kinematics::cam::{DiscCam, Guide};
 use crate::report::cam::{Follower, bodies, drawing, drawn, view};
 use crate::report::html::player::Shown;
 

@@ -1,8 +1,8 @@
 //! Linkages of the machine: to scale, over their input coordinate.
 
 use super::way::{Picture, Way};
-use crate::linkage::Linkage;
-use crate::model::{Model, NodeMotion, ObjectPart};
+use crate::dynamics::model::{Model, NodeMotion, ObjectPart};
+use crate::kinematics::linkage::Linkage;
 use crate::report::html::player::{Body, Shown};
 use crate::report::mechanism::{Axis, Drawing, Placement, View};
 

@@ -14,9 +14,9 @@ use super::html::player::{Coordinates, Player};
 use super::html::runs::followed;
 use super::plot::Plots;
 use super::quantity::escape;
-use crate::cam::DiscCam;
-use crate::model::{Model, OUTPUT, ObjectPart};
-use crate::record::{Figures, Record, drive_cycle};
+use crate::dynamics::model::{Model, OUTPUT, ObjectPart};
+use crate::dynamics::record::{Figures, Record, drive_cycle};
+use crate::kinematics::cam::DiscCam;
 use magnify::magnify;
 use station::Station;
 

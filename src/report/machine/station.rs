@@ -3,8 +3,8 @@
 use super::Machine;
 use super::way::{Picture, Way};
 use super::{cams, linkages};
-use crate::model::{Coordinate, ObjectPart};
-use crate::record::{Column, Quantity, Record};
+use crate::dynamics::model::{Coordinate, ObjectPart};
+use crate::dynamics::record::{Column, Quantity, Record};
 use crate::report::html::player::{Body, Shown};
 use crate::report::plot::coordinate;
 use crate::report::quantity::{escape, scale, with_unit};

@@ -1,6 +1,6 @@
 //! A map as a table, one row a cell.
 
-use crate::analysis::map::{MapResult, Study};
+use crate::studies::map::{MapResult, Study};
 
 /// The cells of all panels: panel (counted from 1), of several panels what each
 /// differs in, the values of the parameters, value, verdict, cause, how far the figure moves under a tiny

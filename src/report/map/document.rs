@@ -1,8 +1,8 @@
 //! A map as one JSON document.
 
-use crate::analysis::axis::Axis;
-use crate::analysis::map::{Cell, MapResult, NEAR_HARMONIC, RESONANCE, Study, THROWN_OFF, summary};
-use crate::analysis::spread::CHANGE;
+use crate::studies::axis::Axis;
+use crate::studies::map::{Cell, MapResult, NEAR_HARMONIC, RESONANCE, Study, THROWN_OFF, summary};
+use crate::studies::spread::CHANGE;
 use serde_json::{Value, json};
 
 /// The document that `dam map --json` prints. Cells stand in the order of the

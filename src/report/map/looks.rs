@@ -1,7 +1,7 @@
 //! How verdicts look: hatching over the colours of values, plain fills where
 //! there is no value. Mechanism and computation never look alike.
 
-use crate::analysis::map::Verdict;
+use crate::studies::map::Verdict;
 
 /// Fill of cells of a verdict under their hatching, when they have no value.
 pub(super) fn ground(verdict: Verdict) -> &'static str {

@@ -2,15 +2,15 @@
 
 use super::report::MapReport;
 use super::{picture, pointing};
-use crate::analysis::axis::Axis;
-use crate::analysis::map::{
-    Cell, MOST_STEPS, NEAR_HARMONIC, RESONANCE, STEADY, Study, THROWN_OFF, Verdict, summary,
-};
-use crate::analysis::spread::CHANGE;
 use crate::report::html::{facts, header, scene, shell};
 use crate::report::plot::Plots;
 use crate::report::quantity::{escape, significant, with_unit};
 use crate::report::verdict::{Sort, Verdict as Answer};
+use crate::studies::axis::Axis;
+use crate::studies::map::{
+    Cell, MOST_STEPS, NEAR_HARMONIC, RESONANCE, STEADY, Study, THROWN_OFF, Verdict, summary,
+};
+use crate::studies::spread::CHANGE;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
@@ -118,7 +118,7 @@ fn counts(report: &MapReport<'_>) -> String {
             );
         }
         for extreme in [&panel.least, &panel.greatest] {
-            let value = |extreme: &crate::analysis::map::Extreme| {
+            let value = |extreme: &crate::studies::map::Extreme| {
                 let y = extreme
                     .y
                     .as_ref()

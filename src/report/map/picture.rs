@@ -3,8 +3,6 @@
 
 use super::looks::{ground, hatching, plain};
 use super::values::Values;
-use crate::analysis::axis::Axis as Parameter;
-use crate::analysis::map::{Cell, MapResult, Study, Verdict};
 use crate::report::plot::contour::contours;
 use crate::report::plot::field::{patterns, swatch};
 use crate::report::plot::page::Plots;
@@ -14,6 +12,8 @@ use crate::report::plot::{
     document, legend_rows,
 };
 use crate::report::quantity::{escape, shortened};
+use crate::studies::axis::Axis as Parameter;
+use crate::studies::map::{Cell, MapResult, Study, Verdict};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 

@@ -2,11 +2,11 @@
 
 use super::picture;
 use super::report::MapReport;
-use crate::analysis::axis::Axis;
-use crate::analysis::map::{Cell, Verdict};
 use crate::report::html::bar;
 use crate::report::plot::Plots;
 use crate::report::quantity::with_unit;
+use crate::studies::axis::Axis;
+use crate::studies::map::{Cell, Verdict};
 use serde_json::{Value, json};
 
 const SCRIPT: &str = include_str!("pointing.js");

@@ -1,6 +1,6 @@
 //! What a map's page shows.
 
-use crate::analysis::map::{MapResult, Study};
+use crate::studies::map::{MapResult, Study};
 
 /// Everything that goes into the page of a map.
 #[derive(Clone, Copy, Debug)]

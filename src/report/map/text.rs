@@ -1,8 +1,8 @@
 //! A map in words, for the terminal.
 
-use crate::analysis::axis::Axis;
-use crate::analysis::map::{Extreme, MapResult, PanelSummary, Study, summary};
 use crate::report::quantity::with_unit;
+use crate::studies::axis::Axis;
+use crate::studies::map::{Extreme, MapResult, PanelSummary, Study, summary};
 use std::fmt::Write as _;
 
 /// Counts of verdicts, extremes and where they lie, panel by panel.

@@ -1,10 +1,10 @@
 //! The range of a figure over all panels of a map, and how it is shown.
 
-use crate::analysis::map::{MapResult, Study};
 use crate::report::plot::Axis;
 use crate::report::plot::palette::SHADES;
 use crate::report::plot::scale::ticks;
 use crate::report::quantity::with_unit;
+use crate::studies::map::{MapResult, Study};
 
 /// Ratio of the greatest to the least value from which on the scale of colours
 /// is logarithmic.

@@ -2,7 +2,7 @@
 
 use super::shape;
 use super::{Drawing, Placement};
-use crate::linkage::spec::{PairKind, PairSpec, PointOf};
+use crate::kinematics::linkage::spec::{PairKind, PairSpec, PointOf};
 use crate::report::plot::coordinate;
 use std::fmt::Write as _;
 

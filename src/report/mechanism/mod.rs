@@ -13,7 +13,7 @@ mod view;
 pub(in crate::report) use section::STYLE;
 pub(in crate::report) use view::View;
 
-use crate::linkage::spec::LinkageSpec;
+use crate::kinematics::linkage::spec::LinkageSpec;
 
 /// A link's frame in the frame of the ground.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -4,7 +4,7 @@ use super::guides::{block_height, on_axis, place, rails, stem, travel, yoke};
 use super::shape::{self, Block};
 use super::view::View;
 use super::{Drawing, Placement};
-use crate::linkage::spec::{LinkageSpec, PairKind, PairSpec, PointOf};
+use crate::kinematics::linkage::spec::{LinkageSpec, PairKind, PairSpec, PointOf};
 use crate::report::plot::coordinate;
 use crate::report::quantity::escape;
 use std::fmt::Write as _;

@@ -1,6 +1,6 @@
 //! Outlines of links, in their own frames (m).
 
-use crate::linkage::spec::{LinkageSpec, PairKind, PairSpec};
+use crate::kinematics::linkage::spec::{LinkageSpec, PairKind, PairSpec};
 use crate::math::order::Total;
 
 /// The distinct places of a link where something is: named points, pins, the

@@ -2,7 +2,9 @@
 
 use super::view::View;
 use super::{Arrow, ArrowSet, Axis, Drawing, Path, Placement, guides, parts, shape};
-use crate::linkage::spec::{LinkSpec, LinkageSpec, NamedPoint, PairKind, PairSpec, PointOf};
+use crate::kinematics::linkage::spec::{
+    LinkSpec, LinkageSpec, NamedPoint, PairKind, PairSpec, PointOf,
+};
 
 fn named(name: &str, at: [f64; 2]) -> NamedPoint {
     NamedPoint {

@@ -1,10 +1,10 @@
 //! Charts of methods: error against time and work, and over a parameter.
 
-use crate::analysis::methods::sweep::Sweep;
-use crate::analysis::methods::{MethodLine, Point, Study, Verdict, all_methods};
-use crate::integrate::Method;
+use crate::dynamics::integrate::Method;
 use crate::report::plot::{Axis, Field, Fill, Kind, Look, Mark, Plot, Rule, Series, Shape};
 use crate::report::quantity::{significant, with_unit};
+use crate::studies::methods::sweep::Sweep;
+use crate::studies::methods::{MethodLine, Point, Study, Verdict, all_methods};
 
 /// Errors above this are beyond the chart.
 const CEILING: f64 = 10.0;
@@ -176,7 +176,7 @@ pub(super) fn methods(sweep: &Sweep) -> Vec<Method> {
 pub fn cost(sweep: &Sweep) -> Option<Plot> {
     let study = &sweep.slices.first()?.study;
     let series = methods(sweep).into_iter().map(|method| {
-        let point = |slice: &crate::analysis::methods::sweep::Slice| {
+        let point = |slice: &crate::studies::methods::sweep::Slice| {
             let standing = slice.standing(method)?;
             let reached = standing.measured_seconds;
             let mark = Mark {

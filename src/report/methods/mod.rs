@@ -6,14 +6,14 @@ mod words;
 
 pub use table::{methods_csv, sweep_csv};
 
-use crate::analysis::methods::sweep::{Slice, Sweep};
-use crate::analysis::methods::{MethodLine, Point, Study, Verdict};
-use crate::integrate::Method;
+use crate::dynamics::integrate::Method;
 use crate::report::diagram::Diagram;
 use crate::report::html::{bar, facts, header, mechanism, scene, shell};
 use crate::report::plot::Plots;
 use crate::report::quantity::{escape, significant, with_unit};
 use crate::report::verdict::{Sort, Verdict as Answer};
+use crate::studies::methods::sweep::{Slice, Sweep};
+use crate::studies::methods::{MethodLine, Point, Study, Verdict};
 use charts::{Against, cost, regions, stable_steps, work_precision};
 use words::{limits, reference_facts, timing_note};
 
@@ -237,7 +237,7 @@ fn standings(sweep: &Sweep) -> String {
         .iter()
         .map(|method| format!("<th>{method}</th>"))
         .collect();
-    let cell = |standing: Option<crate::analysis::methods::sweep::Standing>| match standing {
+    let cell = |standing: Option<crate::studies::methods::sweep::Standing>| match standing {
         None => "<td>–</td>".to_owned(),
         Some(standing) => format!(
             "<td title=\"{}\"><span class=\"{}\">{}</span><span class=\"sub\">{}</span></td>",

@@ -1,8 +1,8 @@
 //! Points as CSV.
 
-use crate::analysis::methods::sweep::Sweep;
-use crate::analysis::methods::{MethodLine, Point, Study};
 use crate::report::csv::{number, write};
+use crate::studies::methods::sweep::Sweep;
+use crate::studies::methods::{MethodLine, Point, Study};
 use std::collections::BTreeSet;
 
 const HEAD: [&str; 18] = [

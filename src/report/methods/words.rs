@@ -1,8 +1,8 @@
 //! What is said beside the charts of methods.
 
-use crate::analysis::methods::{GROWN, MethodLine, Study};
 use crate::report::html::facts;
 use crate::report::quantity::{escape, significant, with_unit};
+use crate::studies::methods::{GROWN, MethodLine, Study};
 
 /// How points are marked and times are measured.
 pub(super) fn timing_note() -> &'static str {

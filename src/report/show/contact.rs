@@ -1,7 +1,7 @@
 //! Contact elements in words.
 
 use super::units;
-use crate::model::{ContactLaw, ObjectPart};
+use crate::dynamics::model::{ContactLaw, ObjectPart};
 use crate::report::quantity::significant;
 
 /// What the first link of an object joins.

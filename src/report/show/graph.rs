@@ -1,7 +1,7 @@
 //! The object graph as an indented tree and as DOT.
 
 use super::units;
-use crate::model::Closure;
+use crate::dynamics::model::Closure;
 use crate::report::diagram::{Diagram, ObjectBox};
 use crate::report::quantity::with_unit;
 

@@ -2,10 +2,10 @@
 
 use super::table::Table;
 use super::{contact, equations, load_word, units};
-use crate::linkage::spec::{LinkageSpec, PairKind, PairSpec};
-use crate::model::{
+use crate::dynamics::model::{
     Closure, Coordinate, DampingLaw, LinkBase, Model, NodeMotion, OUTPUT, ObjectPart, Pair,
 };
+use crate::kinematics::linkage::spec::{LinkageSpec, PairKind, PairSpec};
 use crate::report::diagram::pair;
 use crate::report::order::drivers_first;
 use crate::report::quantity::{significant, with_unit};

@@ -9,7 +9,7 @@ pub mod motion;
 pub mod position;
 mod table;
 
-use crate::model::Coordinate;
+use crate::dynamics::model::Coordinate;
 
 /// Units of an object's quantities, by its kind of coordinate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -2,8 +2,8 @@
 
 use super::position::plan_words;
 use super::units;
-use crate::model::Coordinate;
-use crate::motion::DriveMotion;
+use crate::dynamics::model::Coordinate;
+use crate::kinematics::motion::DriveMotion;
 use crate::report::math::{Expr, Index, Relation, symbol};
 use crate::report::quantity::{significant, with_unit};
 
@@ -100,8 +100,8 @@ pub fn summary(motion: &DriveMotion, coordinate: Coordinate) -> String {
 #[cfg(test)]
 mod tests {
     use super::formula;
-    use crate::model::Coordinate;
-    use crate::motion::DriveMotion;
+    use crate::dynamics::model::Coordinate;
+    use crate::kinematics::motion::DriveMotion;
     use crate::report::math::Expr;
 
     #[test]

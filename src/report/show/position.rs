@@ -1,8 +1,8 @@
 //! Position functions as formulas.
 
-use crate::model::{Coordinate, Law};
-use crate::motion::cycle::{Cycle, Motion};
-use crate::position::{
+use crate::dynamics::model::{Coordinate, Law};
+use crate::kinematics::motion::cycle::{Cycle, Motion};
+use crate::kinematics::position::{
     Cam, FourBar, Position, SliderCrank, SlottedDriver, SlottedLinkSpec, SlottedOutput, Table,
 };
 use crate::report::math::{Expr, Index, symbol};
@@ -260,8 +260,8 @@ fn added(phase: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::{formula, summary};
-    use crate::model::{Coordinate, Law};
-    use crate::position::{Position, PositionSpec};
+    use crate::dynamics::model::{Coordinate, Law};
+    use crate::kinematics::position::{Position, PositionSpec};
     use crate::report::math::{Index, symbol};
 
     /// Summary and formula as text.

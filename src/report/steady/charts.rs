@@ -1,8 +1,8 @@
 //! Diagrams of a steady motion.
 
 use super::Shown;
+use crate::dynamics::steady::Row;
 use crate::report::plot::{Axis, Look, Plot, Series};
-use crate::steady::Row;
 
 fn curve(label: &str, rows: &[Row], of: impl Fn(&Row) -> f64) -> Series {
     let points = rows.iter().map(|row| (row.position.to_degrees(), of(row)));

@@ -11,10 +11,10 @@ pub use page::{SteadyReport, page};
 pub use periodic::{drive_csv, periodic_text};
 pub use text::{rigid_text, rows_csv};
 
-use crate::analysis::steady::Agreement;
-use crate::steady::cycle_map::Regime;
-use crate::steady::flywheel::Flywheel;
-use crate::steady::{Halving, Row, SteadyFigures};
+use crate::dynamics::steady::cycle_map::Regime;
+use crate::dynamics::steady::flywheel::Flywheel;
+use crate::dynamics::steady::{Halving, Row, SteadyFigures};
+use crate::studies::steady::Agreement;
 
 /// The steady motion of a machine reduced to its drive, as it is shown.
 #[derive(Clone, Copy, Debug)]

@@ -5,11 +5,11 @@ use super::picture::list;
 use super::picture::picture;
 use super::text::{agreement, figures, flywheel};
 use super::{Shown, periodic};
-use crate::analysis::steady::{PeriodicAnswer, Stability};
 use crate::report::html::{bar, facts, header, scene, shell, warnings};
 use crate::report::plot::Plots;
 use crate::report::quantity::significant;
 use crate::report::verdict::{Sort, Verdict};
+use crate::studies::steady::{PeriodicAnswer, Stability};
 use std::fmt::Write as _;
 
 /// Everything that goes into the page of a steady motion.

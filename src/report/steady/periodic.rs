@@ -5,18 +5,18 @@ use super::picture::picture;
 use super::text::Line;
 use super::text::at;
 use super::text::value;
-use crate::analysis::steady::DriveFigures;
-use crate::analysis::steady::DriveRow;
-use crate::analysis::steady::LongRun;
-use crate::analysis::steady::PartMotion;
-use crate::analysis::steady::PeriodicAnswer;
-use crate::analysis::steady::Stability;
+use crate::dynamics::steady::Extreme;
 use crate::report::csv::number;
 use crate::report::csv::write;
 use crate::report::html::facts;
 use crate::report::plot::{Axis, Look, Mark, Plot, Plots, Series, Shape};
 use crate::report::quantity::{escape, significant};
-use crate::steady::Extreme;
+use crate::studies::steady::DriveFigures;
+use crate::studies::steady::DriveRow;
+use crate::studies::steady::LongRun;
+use crate::studies::steady::PartMotion;
+use crate::studies::steady::PeriodicAnswer;
+use crate::studies::steady::Stability;
 use std::fmt::Write as _;
 
 /// Multipliers listed.

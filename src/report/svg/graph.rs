@@ -1,6 +1,6 @@
 //! The object graph as a picture: left to right, drive first.
 
-use crate::model::{Closure, Coordinate};
+use crate::dynamics::model::{Closure, Coordinate};
 use crate::report::diagram::{Diagram, ObjectBox, Place};
 use crate::report::plot::{coordinate, fits};
 use crate::report::quantity::{escape, shortened, with_unit};

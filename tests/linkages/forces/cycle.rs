@@ -1,10 +1,10 @@
 //! Sums over a course where friction changes its direction, against closed forms.
 
 use super::mechanisms::{ground, of, push};
-use dam::analysis::forces::{Course, CycleForces, ForceSettings, Instant, LinkagePositions, study};
 use dam::linkage::Linkage;
 use dam::linkage::kinetostatics::InputMotion;
 use dam::linkage::spec::{LinkSpec, LinkageSpec, PairKind, PairSpec, PointOf};
+use dam::studies::forces::{Course, CycleForces, ForceSettings, Instant, LinkagePositions, study};
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, PI, TAU};
 
 /// Weight on the sliding part (N) and coefficient of friction under it.

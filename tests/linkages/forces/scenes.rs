@@ -2,12 +2,12 @@
 //! tells them.
 
 use super::{number, reference};
-use dam::analysis::forces::{
-    Course, ForceSettings, ForceStudy, LinkagePositions, only_loaded_output, study,
-};
 use dam::linkage::kinetostatics::Kinetostatics;
 use dam::lower::lower;
 use dam::scene::{BuiltIn, Document, Overrides};
+use dam::studies::forces::{
+    Course, ForceSettings, ForceStudy, LinkagePositions, only_loaded_output, study,
+};
 use serde_json::Value;
 use std::f64::consts::TAU;
 use std::path::{Path, PathBuf};

@@ -3,11 +3,11 @@
 
 use super::mechanisms::{Known, known, spec};
 use super::reference;
-use dam::analysis::forces::{
-    Course, ForceSettings, ForceStudy, PositionSource, ZoneKind, columns, compare_massless, study,
-};
 use dam::linkage::spec::LinkageSpec;
 use dam::report::forces::{ForcesReport, document};
+use dam::studies::forces::{
+    Course, ForceSettings, ForceStudy, PositionSource, ZoneKind, columns, compare_massless, study,
+};
 use serde_json::Value;
 use std::f64::consts::{PI, TAU};
 

@@ -2,9 +2,9 @@
 
 use super::reference::slider_crank;
 use super::support::{figure, read, run_of, scene_of};
-use dam::analysis::run::run;
-use dam::analysis::{Control, RunSettings};
 use dam::lower::lower;
+use dam::studies::run::run;
+use dam::studies::{Control, RunSettings};
 use dam::system::System;
 
 const MOTOR: &str = r#""motor": { "kind": "drive", "motor": { "inertia": 0.05, "speed": 6, "torque": { "constant": 1 } } }"#;

@@ -5,9 +5,9 @@ use super::oracle::{Course, integrate};
 use super::reference::slider_crank;
 use super::support::{figure, linkage_of, read, run_of, scene_of};
 use crate::multipliers::{Mechanism, State};
-use dam::analysis::run::RunResult;
 use dam::linkage::Linkage;
 use dam::linkage::spec::LinkageSpec;
+use dam::studies::run::RunResult;
 
 /// The motor of a scene: inertia, constant torque, angle and speed at the start.
 #[derive(Clone, Copy)]

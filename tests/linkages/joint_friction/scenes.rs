@@ -1,10 +1,10 @@
 //! The scenes of the group `joint_friction`, one by one.
 
-use dam::analysis::expectations::check;
-use dam::analysis::run::run;
-use dam::analysis::{Control, RunSettings};
 use dam::lower::lower;
 use dam::scene::{BuiltIn, Document, Overrides};
+use dam::studies::expectations::check;
+use dam::studies::run::run;
+use dam::studies::{Control, RunSettings};
 use dam::system::System;
 
 #[test]

@@ -2,7 +2,7 @@
 //! stops, with everything kept that was found before.
 
 use super::support::{figure, run_of, scene_of, stopped};
-use dam::analysis::run::RunResult;
+use dam::studies::run::RunResult;
 
 const G: f64 = 9.81;
 

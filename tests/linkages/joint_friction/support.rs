@@ -1,10 +1,10 @@
 //! Scenes from text, run.
 
-use dam::analysis::run::{RunResult, run};
-use dam::analysis::{Control, RunSettings};
 use dam::linkage::spec::LinkageSpec;
 use dam::lower::lower;
 use dam::scene::{BuiltIn, Document, Overrides, TypedScene};
+use dam::studies::run::{RunResult, run};
+use dam::studies::{Control, RunSettings};
 use dam::system::System;
 
 pub(crate) fn read(text: &str, overrides: &[&str]) -> TypedScene {

@@ -4,12 +4,12 @@ mod closed_forms;
 mod impacts;
 mod rod;
 
-use dam::analysis::run::{RunResult, run};
-use dam::analysis::{Control, RunSettings};
 use dam::integrate::Method;
 use dam::lower::lower;
 use dam::record::{ObjectFigures, PairFigures};
 use dam::scene::{BuiltIn, Document, Overrides};
+use dam::studies::run::{RunResult, run};
+use dam::studies::{Control, RunSettings};
 use dam::system::System;
 use std::fmt::Write;
 

@@ -391,8 +391,8 @@ fn what_follows_a_sum_is_watched_for_its_dead_position() {
         warning.contains(&format!("t = {} s", dam::units::shown(time, 6))),
         "{warning}"
     );
-    let control = dam::analysis::Control::default();
-    let result = dam::analysis::run::run(&system, &settings, &control, &mut []).unwrap();
+    let control = dam::studies::Control::default();
+    let result = dam::studies::run::run(&system, &settings, &control, &mut []).unwrap();
     assert_eq!(result.figures.run.stopped.as_deref(), Some("dead_position"));
     assert_abs_diff_eq!(result.outcome.time, time, epsilon = 1e-4);
 }

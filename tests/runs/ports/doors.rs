@@ -216,12 +216,12 @@ fn they_are_shown_and_refuse_what_they_cannot_do() {
     let text = dam::report::show::equations::text(&equations);
     assert!(text.contains("detent of 3 teeth"), "{text}");
     assert!(text.contains("driven by m and c"), "{text}");
-    let control = dam::analysis::Control::default();
-    let asked = dam::analysis::RunSettings {
+    let control = dam::studies::Control::default();
+    let asked = dam::studies::RunSettings {
         method: Some(Method::Taylor),
         ..settings
     };
-    let refused = dam::analysis::run::run(&system, &asked, &control, &mut []).unwrap_err();
+    let refused = dam::studies::run::run(&system, &asked, &control, &mut []).unwrap_err();
     assert!(
         refused[0].message.contains("`taylor` cannot be used"),
         "{refused:?}"

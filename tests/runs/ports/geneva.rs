@@ -3,15 +3,15 @@
 use super::wheel::{Geneva, KIND};
 use super::{METHODS, document, read, ready, run_by, text};
 use approx::{assert_abs_diff_eq, assert_relative_eq};
-use dam::analysis::Control;
-use dam::analysis::axis::Axis;
-use dam::analysis::map::{Panels, Question, Silent, Study, Verdict, map};
 use dam::integrate::Method;
 use dam::lower::lower;
 use dam::object::Registry;
 use dam::report::diagram::Diagram;
 use dam::report::show;
 use dam::scene::{BuiltIn, Document, Overrides, schema};
+use dam::studies::Control;
+use dam::studies::axis::Axis;
+use dam::studies::map::{Panels, Question, Silent, Study, Verdict, map};
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 

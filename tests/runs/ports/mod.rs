@@ -6,12 +6,12 @@ mod faults;
 mod geneva;
 mod wheel;
 
-use dam::analysis::run::{RunResult, run};
-use dam::analysis::{Control, RunSettings};
 use dam::integrate::Method;
 use dam::lower::lower;
 use dam::object::Registry;
 use dam::scene::{BuiltIn, Document, Overrides, TypedScene};
+use dam::studies::run::{RunResult, run};
+use dam::studies::{Control, RunSettings};
 use dam::system::System;
 
 /// A scene of objects, run as said.

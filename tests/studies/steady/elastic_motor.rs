@@ -2,15 +2,15 @@
 //! and the long run of a simulation in time, ratios, what cannot be.
 
 use super::scenes::{faults, of_text, scene};
-use dam::analysis::RunSettings;
-use dam::analysis::run::run;
-use dam::analysis::steady::{
-    Answer, DriveFigures, PeriodicAnswer, Stability, steady_motion, steady_motion_within,
-};
 use dam::budget::Budget;
 use dam::integrate::{Limits, Method, Modes, Settings, Sink, Stop, SwitchEvent, integrate};
 use dam::polynomial::Step;
 use dam::scene::SteadySpec;
+use dam::studies::RunSettings;
+use dam::studies::run::run;
+use dam::studies::steady::{
+    Answer, DriveFigures, PeriodicAnswer, Stability, steady_motion, steady_motion_within,
+};
 use dam::system::System;
 use std::f64::consts::TAU;
 use std::sync::atomic::AtomicBool;

@@ -1,12 +1,12 @@
 //! The steady motion of scenes: what independent ways agree on, what is refused.
 
-use dam::analysis::RunSettings;
-use dam::analysis::steady::{Answer, PeriodicAnswer, RigidAnswer, Stability, steady_motion};
 use dam::exact::{Parts, Request};
 use dam::fault::Fault;
 use dam::lower::lower;
 use dam::scene::{BuiltIn, Document, Overrides, SteadySpec};
 use dam::steady::{Mean, Refusal};
+use dam::studies::RunSettings;
+use dam::studies::steady::{Answer, PeriodicAnswer, RigidAnswer, Stability, steady_motion};
 use dam::system::System;
 
 /// A scene's system, settings and question.

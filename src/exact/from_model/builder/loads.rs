@@ -1,9 +1,9 @@
 //! Loads on the masses of the trees.
 
 use super::{Builder, Moved, Role, load};
+use crate::dynamics::model::{Load, LoadLaw, ObjectPart, TrackSource};
 use crate::exact::from_model::course::Course;
 use crate::exact::{TimeLoad, TreeMass};
-use crate::model::{Load, LoadLaw, ObjectPart, TrackSource};
 
 impl<'m> Builder<'m> {
     /// Adds a load to the mass that it acts on.

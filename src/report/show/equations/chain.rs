@@ -4,7 +4,7 @@ use super::{
     Entry, LONGEST_WRITTEN_OUT, Section, contact, inertia_side, inputs, loads, of_mass, of_object,
     output_name, reflected,
 };
-use crate::model::{Closure, DampingLaw, LinkBase, Model, NodeMotion, ObjectPart, Pair};
+use crate::dynamics::model::{Closure, DampingLaw, LinkBase, Model, NodeMotion, ObjectPart, Pair};
 use crate::report::math::{Expr, Index, Relation, Symbol, symbol};
 use crate::report::show::{position, units};
 

@@ -1,7 +1,9 @@
 //! Equations of a contact element in front of an object.
 
 use super::{Section, of_mass};
-use crate::model::{Closure, ContactElement, ContactLaw, DampingLaw, Model, ObjectPart, Pair};
+use crate::dynamics::model::{
+    Closure, ContactElement, ContactLaw, DampingLaw, Model, ObjectPart, Pair,
+};
 use crate::report::math::{Expr, Index, Relation, Symbol, symbol};
 use crate::report::show::units;
 

@@ -2,8 +2,8 @@
 //! what each of them receives.
 
 use super::{Section, of_object};
-use crate::constraint::Constraint;
-use crate::model::{Coordinate, Model, NodeMotion};
+use crate::dynamics::model::{Coordinate, Model, NodeMotion};
+use crate::kinematics::constraint::Constraint;
 use crate::report::math::{Expr, Index, Symbol, symbol};
 use crate::report::quantity::significant;
 

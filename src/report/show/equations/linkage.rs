@@ -1,8 +1,8 @@
 //! The terms of a linkage, reduced to its input coordinate.
 
 use super::{Section, of_object};
-use crate::linkage::spec::ForceLaw;
-use crate::model::{LinkageBody, Model};
+use crate::dynamics::model::{LinkageBody, Model};
+use crate::kinematics::linkage::spec::ForceLaw;
 use crate::report::math::Expr;
 use crate::report::show::units;
 

@@ -1,7 +1,7 @@
 //! Loads in the equations of motion.
 
 use super::{Section, of_mass, of_object};
-use crate::model::{
+use crate::dynamics::model::{
     Coordinate, LinearPiece, Load, LoadLaw, Model, NodeMotion, ObjectPart, TrackSource,
 };
 use crate::report::math::{Expr, Index, Relation, Symbol, symbol};

@@ -19,7 +19,7 @@ pub use latex::latex;
 pub use loads::summary as load_summary;
 pub use text::text;
 
-use crate::model::{LinkageBody, Model, NodeIndex, NodeMotion, OUTPUT};
+use crate::dynamics::model::{LinkageBody, Model, NodeIndex, NodeMotion, OUTPUT};
 use crate::report::math::{Expr, Index, Symbol, symbol};
 use crate::report::order::drivers_first;
 
@@ -138,7 +138,7 @@ pub fn equations(model: &Model) -> Equations {
 /// True for an output of a linkage on which nothing hangs.
 fn only_looked_at(model: &Model, object: usize) -> bool {
     let part = &model.objects[object];
-    let drives = |other: &crate::model::ObjectPart| other.is_driven_by(object);
+    let drives = |other: &crate::dynamics::model::ObjectPart| other.is_driven_by(object);
     part.kind == OUTPUT && !model.objects.iter().any(drives)
 }
 

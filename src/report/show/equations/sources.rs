@@ -4,8 +4,8 @@ use super::{
     Section, inertia_side, inputs, linkage, linkage_of, loads, of_object, only_looked_at,
     output_name, reflected,
 };
-use crate::model::{Closure, Law, Model, NodeMotion, OUTPUT, ObjectPart};
-use crate::motion::DriveMotion;
+use crate::dynamics::model::{Closure, Law, Model, NodeMotion, OUTPUT, ObjectPart};
+use crate::kinematics::motion::DriveMotion;
 use crate::report::math::{Expr, Index, Relation, Symbol, symbol};
 use crate::report::show::{motion, position, units};
 

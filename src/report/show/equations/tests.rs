@@ -1,6 +1,8 @@
 use super::{Index, equations, inertia_side, latex, reflected, symbol, text};
-use crate::model::{Coordinate, Law, LoadLaw, Model, Node, NodeMotion, ObjectPart, PartInput};
-use crate::position::Position;
+use crate::dynamics::model::{
+    Coordinate, Law, LoadLaw, Model, Node, NodeMotion, ObjectPart, PartInput,
+};
+use crate::kinematics::position::Position;
 use crate::report::fixture;
 use crate::report::math::{Expr, Symbol};
 
@@ -39,7 +41,7 @@ fn latex_is_balanced_for_every_kind_of_load() {
     ] {
         for node in 2..5 {
             let name = format!("rocker.loads.a_{node}%");
-            model.loads.push(crate::model::Load {
+            model.loads.push(crate::dynamics::model::Load {
                 node,
                 name,
                 law: law.clone(),

@@ -1,0 +1,158 @@
+//! Contact elements between a law and what follows it.
+
+use super::spec::{BodySpec, ChainSpec, ContactSpec};
+use super::{ChainParameters, ModelBuilder, Place};
+use crate::dynamics::model::{
+    Closure, ContactElement, ContactLaw, DampingLaw, Law, Link, LinkBase, Node, NodeIndex,
+    NodeMotion, Pair,
+};
+
+impl ModelBuilder {
+    /// The faults of a contact element's numbers, and of what it stands in front of.
+    pub(super) fn check_contact(&mut self, at: &Place, spec: &ChainSpec, contact: &ContactSpec) {
+        let path = |name: &str| at.path(&format!("pair.contact.{name}"));
+        self.faults.positive(&path("stiffness"), contact.stiffness);
+        match contact.law {
+            ContactLaw::Elastic => {}
+            ContactLaw::KelvinVoigt { damping } => {
+                self.faults.not_negative(&path("damping"), damping);
+            }
+            ContactLaw::HuntCrossley { dissipation } | ContactLaw::Hertz { dissipation } => {
+                self.faults.not_negative(&path("dissipation"), dissipation);
+            }
+        }
+        if spec.pair.law != DampingLaw::KelvinVoigt {
+            let message = "a contact element has a law of its own";
+            let hint = "remove `pair.law`, or `pair.contact`";
+            self.fault(at, "pair.law", message, hint);
+        }
+        let linear = matches!(
+            contact.law,
+            ContactLaw::Elastic | ContactLaw::KelvinVoigt { .. }
+        );
+        if spec.pair.closure == Closure::Bilateral && !linear {
+            let message = "a bilateral pair takes the contact laws elastic and kelvin_voigt alone";
+            self.fault(
+                at,
+                "pair.contact.law",
+                message,
+                "give one of them, or another closure",
+            );
+        }
+        if let BodySpec::Rigid { inertia } = spec.body
+            && inertia <= 0.0
+        {
+            let message = "a body on a contact element needs an inertia: nothing else carries it";
+            self.fault(at, "inertia", message, "give an inertia greater than 0");
+        }
+    }
+
+    /// An object behind a contact element: a rigid body on it, or a chain of which link 1
+    /// is a plain fragment.
+    pub(super) fn touching(
+        &mut self,
+        at: &Place,
+        law: &Law,
+        body: &BodySpec,
+        parameters: &ChainParameters,
+        (pair, contact): (Pair, ContactSpec),
+    ) -> Vec<NodeIndex> {
+        let stiffness = contact.stiffness;
+        let plain = |compliance| Pair {
+            law: damping_law(contact.law, compliance),
+            ..pair
+        };
+        let (parameters, pair) = match body {
+            BodySpec::Rigid { inertia } => {
+                let alone = ChainParameters {
+                    inertias: vec![*inertia],
+                    stiffnesses: vec![stiffness],
+                    dampings: vec![contact_damping(contact.law)],
+                };
+                (alone, plain(0.0))
+            }
+            _ if parameters.dampings[0] == 0.0 && contact.law.is_lossless() => {
+                let mut series = parameters.clone();
+                let compliance = 1.0 / parameters.stiffnesses[0];
+                series.stiffnesses[0] = match contact.law {
+                    ContactLaw::Hertz { .. } => stiffness,
+                    _ => 1.0 / (compliance + 1.0 / stiffness),
+                };
+                (series, plain(compliance))
+            }
+            _ => return self.behind_point(at, law, parameters, (plain(0.0), contact)),
+        };
+        let nodes = self.masses(at, law, &parameters, pair);
+        let object = &mut self.model.objects[at.object];
+        object.contact = Some(ContactElement {
+            law: contact.law,
+            stiffness,
+            link: object.links[0],
+            point: None,
+        });
+        nodes
+    }
+
+    /// A massless point on the contact, and the whole chain behind it.
+    fn behind_point(
+        &mut self,
+        at: &Place,
+        law: &Law,
+        parameters: &ChainParameters,
+        (pair, contact): (Pair, ContactSpec),
+    ) -> Vec<NodeIndex> {
+        let rate_dependent = !contact.law.is_linear();
+        if parameters.dampings[0] == 0.0 && rate_dependent {
+            let message = "behind a contact that loses energy by its indentation, an elastic \
+                           object without damping leaves the speed of the contact undetermined \
+                           where it first touches";
+            let hint = "give the object a damping_capacity above 0, the contact the law \
+                        kelvin_voigt or no dissipation, or the object masses: 0";
+            self.fault(at, "pair.contact.dissipation", message, hint);
+        }
+        let motion = NodeMotion::Mass { law: law.clone() };
+        let point = self.add_point(
+            at,
+            law,
+            Node {
+                inertia: 0.0,
+                motion,
+            },
+        );
+        self.model.links.push(Link {
+            mass: point,
+            base: LinkBase::Law { pair },
+            stiffness: contact.stiffness,
+            damping: contact_damping(contact.law),
+        });
+        self.model.objects[at.object].contact = Some(ContactElement {
+            law: contact.law,
+            stiffness: contact.stiffness,
+            link: self.model.links.len() - 1,
+            point: Some(point),
+        });
+        self.masses_on(at, law, parameters, LinkBase::Mass(point))
+    }
+}
+
+/// b of the link that a contact is.
+fn contact_damping(law: ContactLaw) -> f64 {
+    match law {
+        ContactLaw::KelvinVoigt { damping } => damping,
+        _ => 0.0,
+    }
+}
+
+/// The law of the pair in a link that a contact is.
+fn damping_law(law: ContactLaw, compliance: f64) -> DampingLaw {
+    match law {
+        ContactLaw::HuntCrossley { dissipation } if dissipation > 0.0 => DampingLaw::HuntCrossley {
+            kappa: Some(dissipation),
+        },
+        ContactLaw::Hertz { dissipation } => DampingLaw::Hertz {
+            dissipation,
+            compliance,
+        },
+        _ => DampingLaw::KelvinVoigt,
+    }
+}

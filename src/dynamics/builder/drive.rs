@@ -1,0 +1,88 @@
+//! Drives: prescribed motions and motors.
+
+use super::spec::{DriveMotionSpec, DriveSpec, MotorSpec, TorqueSpec};
+use super::{ModelBuilder, Place};
+use crate::dynamics::model::{Coordinate, Load, LoadLaw};
+use crate::kinematics::motion::DriveMotion;
+
+impl ModelBuilder {
+    /// Lowers a drive to its node.
+    pub fn drive(&mut self, at: &Place, spec: &DriveSpec) {
+        match spec {
+            DriveSpec::Prescribed(motion) => self.prescribe(at, motion),
+            DriveSpec::Motor(motor) => self.motor(at, motor),
+        }
+    }
+
+    fn prescribe(&mut self, at: &Place, spec: &DriveMotionSpec) {
+        match DriveMotion::new(spec) {
+            Ok(motion) => {
+                self.prescribed(at, motion);
+            }
+            Err(faults) => self.faults(at, "motion", faults),
+        }
+    }
+
+    fn motor(&mut self, at: &Place, spec: &MotorSpec) {
+        let (angle, speed) = (spec.angle, spec.speed);
+        self.faults
+            .not_negative(&at.path("motor.inertia"), spec.inertia);
+        self.faults.finite(&at.path("motor.angle"), angle);
+        self.faults.finite(&at.path("motor.speed"), speed);
+        let node = self.rotor(at, spec.inertia, angle, speed);
+        // What drives a motor is called.
+        let word = match self.model.objects[at.object].coordinate {
+            Coordinate::Turning => "torque",
+            Coordinate::Sliding => "force",
+        };
+        let name = at.path(&format!("motor.{word}"));
+        if let Some(law) = self.torque(&name, word, &spec.torque) {
+            self.model.loads.push(Load { node, name, law });
+        }
+        // The rotor has no driver: positions of its loads are its own.
+        for load in &spec.loads {
+            self.load(at, load, &[node], node);
+        }
+    }
+
+    fn torque(&mut self, path: &str, word: &str, spec: &TorqueSpec) -> Option<LoadLaw> {
+        let faults = &mut self.faults;
+        match *spec {
+            TorqueSpec::Constant(torque) => {
+                faults.finite(&format!("{path}.constant"), torque);
+                Some(LoadLaw::Constant(torque))
+            }
+            TorqueSpec::Linear {
+                stall_torque,
+                no_load_speed,
+            } => {
+                let path = format!("{path}.linear");
+                faults.finite(&format!("{path}.stall_{word}"), stall_torque);
+                faults.not_zero(&format!("{path}.no_load_speed"), no_load_speed);
+                Some(LoadLaw::LinearMotor {
+                    stall_torque,
+                    no_load_speed,
+                })
+            }
+            TorqueSpec::Kloss {
+                breakdown_torque,
+                breakdown_slip,
+                synchronous_speed,
+            } => {
+                let path = format!("{path}.kloss");
+                faults.finite(&format!("{path}.breakdown_torque"), breakdown_torque);
+                faults.positive(&format!("{path}.breakdown_slip"), breakdown_slip);
+                faults.not_zero(&format!("{path}.synchronous_speed"), synchronous_speed);
+                Some(LoadLaw::Kloss {
+                    breakdown_torque,
+                    breakdown_slip,
+                    synchronous_speed,
+                })
+            }
+            TorqueSpec::Table(ref points) => {
+                faults.points(&format!("{path}.table"), points, 1);
+                Some(LoadLaw::SpeedTable(points.clone()))
+            }
+        }
+    }
+}

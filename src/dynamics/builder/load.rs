@@ -1,0 +1,170 @@
+//! Loads on the masses of an object.
+
+use super::pieces::{self, Pieces};
+use super::spec::{LoadLawSpec, LoadSpec, MassChoice};
+use super::{FREE_FALL, ModelBuilder, Place};
+use crate::dynamics::model::{Coordinate, Load, LoadLaw, NodeIndex, TrackSource};
+use crate::fault::Faults;
+
+impl ModelBuilder {
+    /// Lowers a load on an object with the given nodes; `driver` is the node
+    /// over whose displacement windows and position tables run.
+    pub fn load(&mut self, at: &Place, spec: &LoadSpec, nodes: &[NodeIndex], driver: NodeIndex) {
+        let path = at.path(&format!("loads.{}", spec.name));
+        self.load_at(path, at.object, spec, nodes, driver);
+    }
+
+    /// The same with its address, on the nodes of an object or of an output.
+    pub(super) fn load_at(
+        &mut self,
+        path: String,
+        object: usize,
+        spec: &LoadSpec,
+        nodes: &[NodeIndex],
+        driver: NodeIndex,
+    ) {
+        let Some(chosen) = chosen(spec.mass, nodes) else {
+            if let MassChoice::Number(number) = spec.mass {
+                let message = format!(
+                    "there is no mass {number}, the masses are 1 to {}",
+                    nodes.len()
+                );
+                let hint = "give one of these, `first`, `last` or `all`";
+                self.faults.add(format!("{path}.mass"), message, hint);
+            }
+            return;
+        };
+        for &node in chosen {
+            // Faults of the law are the same for every mass: say them once.
+            let Some(law) = self.load_law(&path, &spec.law, object, node, driver) else {
+                return;
+            };
+            self.model.loads.push(Load {
+                node,
+                name: path.clone(),
+                law,
+            });
+        }
+    }
+
+    fn load_law(
+        &mut self,
+        path: &str,
+        spec: &LoadLawSpec,
+        object: usize,
+        node: NodeIndex,
+        driver: NodeIndex,
+    ) -> Option<LoadLaw> {
+        let over_position = TrackSource::Node(driver);
+        let (source, pieces, property) = match spec {
+            LoadLawSpec::TimeTable(points) => {
+                (TrackSource::Time, pieces::table(points), "time_table")
+            }
+            LoadLawSpec::PositionTable {
+                points,
+                period: None,
+            } => (
+                over_position,
+                pieces::table(points),
+                "position_table.points",
+            ),
+            LoadLawSpec::PositionTable {
+                points,
+                period: Some(period),
+            } => {
+                let pieces = pieces::repeating_table(points, *period);
+                (over_position, pieces, "position_table")
+            }
+            LoadLawSpec::Window {
+                from,
+                to,
+                force,
+                period,
+            } => {
+                let pieces = pieces::window([*from, *to], *force, *period);
+                (over_position, pieces, "window")
+            }
+            _ => return self.smooth_law(path, spec, object, node),
+        };
+        match pieces {
+            Ok(Pieces { breaks, pieces }) => Some(match self.track(source, breaks, object) {
+                Some(track) => LoadLaw::Pieces { track, pieces },
+                // A single piece without an end.
+                None => LoadLaw::Constant(pieces.first().map_or(0.0, |piece| piece.value)),
+            }),
+            Err(found) => {
+                self.faults.absorb(&format!("{path}.{property}"), found);
+                None
+            }
+        }
+    }
+
+    /// Laws that need no track.
+    fn smooth_law(
+        &mut self,
+        path: &str,
+        spec: &LoadLawSpec,
+        object: usize,
+        node: NodeIndex,
+    ) -> Option<LoadLaw> {
+        let mut faults = Faults::default();
+        let law = match *spec {
+            LoadLawSpec::Custom(ref load) => Some(LoadLaw::Custom {
+                function: load.0.clone(),
+                factor: 1.0,
+            }),
+            LoadLawSpec::Constant(force) => {
+                faults.finite("constant", force);
+                Some(LoadLaw::Constant(force))
+            }
+            LoadLawSpec::Spring { rate, preload } => {
+                faults.not_negative("spring.rate", rate);
+                faults.finite("spring.preload", preload);
+                Some(LoadLaw::Spring { rate, preload })
+            }
+            LoadLawSpec::Viscous(damping) => {
+                faults.not_negative("viscous", damping);
+                Some(LoadLaw::Viscous(damping))
+            }
+            LoadLawSpec::Weight { inclination } => {
+                faults.finite("weight.inclination", inclination);
+                if self.model.objects[object].coordinate == Coordinate::Turning {
+                    let message = "the weight of a turning object has no constant moment";
+                    let hint = "weight is for sliding objects; give a load over the position";
+                    faults.add("weight", message, hint);
+                }
+                let mass = self.model.nodes[node].inertia;
+                Some(LoadLaw::Constant(-mass * FREE_FALL * inclination.sin()))
+            }
+            LoadLawSpec::Friction { force, width } => {
+                faults.not_negative("friction.force", force);
+                faults.positive("friction.width", width);
+                Some(LoadLaw::Friction { force, width })
+            }
+            LoadLawSpec::TimeTable(_)
+            | LoadLawSpec::PositionTable { .. }
+            | LoadLawSpec::Window { .. } => None,
+        };
+        match faults.check() {
+            Ok(()) => law,
+            Err(found) => {
+                self.faults.absorb(path, found);
+                None
+            }
+        }
+    }
+}
+
+/// The nodes a load acts on; `None` when there is no such mass.
+fn chosen(mass: MassChoice, nodes: &[NodeIndex]) -> Option<&[NodeIndex]> {
+    let (first, last) = (nodes.first()?, nodes.last()?);
+    match mass {
+        MassChoice::First => Some(std::slice::from_ref(first)),
+        MassChoice::Last => Some(std::slice::from_ref(last)),
+        MassChoice::All => Some(nodes),
+        MassChoice::Number(number) => number
+            .checked_sub(1)
+            .and_then(|index| nodes.get(index))
+            .map(std::slice::from_ref),
+    }
+}

@@ -1,0 +1,211 @@
+//! The single steps: nodes, laws, links, outputs.
+
+use super::reach::DEAD;
+use super::{ChainParameters, Connected, Known, ModelBuilder, Place};
+use crate::dynamics::model::{
+    Coordinate, Law, Link, LinkBase, Load, LoadLaw, Node, NodeIndex, NodeMotion, Pair, TrackSource,
+};
+use crate::dynamics::trajectory::instant;
+use crate::kinematics::constraint::Constraint;
+use crate::kinematics::motion::DriveMotion;
+use crate::kinematics::position::Position;
+
+impl ModelBuilder {
+    /// A node whose motion is given over time.
+    pub fn prescribed(&mut self, at: &Place, motion: DriveMotion) -> NodeIndex {
+        let track = self.track(TrackSource::Time, motion.breaks(), at.object);
+        let start = instant(&motion, 0.0).value;
+        let node = Node {
+            inertia: 0.0,
+            motion: NodeMotion::Prescribed { motion, track },
+        };
+        self.add_node(at.object, node, start)
+    }
+
+    /// A rotor: its displacement is a coordinate. Inertia (kg·m² or kg), displacement
+    /// and speed at t = 0.
+    pub fn rotor(&mut self, at: &Place, inertia: f64, angle: f64, speed: f64) -> NodeIndex {
+        let node = Node {
+            inertia,
+            motion: NodeMotion::Rotor { angle, speed },
+        };
+        self.add_node(at.object, node, angle)
+    }
+
+    /// The law lever·U over the displacement of what an input hangs on, with the
+    /// track of its break points. `property`: where the position function stands.
+    ///
+    /// The position function must exist where the driver starts; where its reach
+    /// ends, the run stops, and a warning says when the drive's motion leads there.
+    /// `None`: it cannot be assembled, which is noted as a fault.
+    pub fn law(
+        &mut self,
+        at: &Place,
+        property: &str,
+        driver: &Connected,
+        position: Position,
+        lever: f64,
+    ) -> Option<Law> {
+        let source = TrackSource::Node(driver.node);
+        let track = self.track(source, position.breaks(), at.object);
+        match position.reach_from(self.start_of(driver.node)) {
+            Ok(None) => {}
+            Ok(Some(reach)) => self.limit(at, driver.node, reach, DEAD),
+            Err(outside) => {
+                self.refuse_start(at, property, driver.node, &outside);
+                return None;
+            }
+        }
+        Some(Law {
+            driver: driver.node,
+            position,
+            lever,
+            track,
+        })
+    }
+
+    /// The node on which several inputs are combined: φ = G(φ₁, …, φₖ), the drivers in
+    /// the order of the connections. What hangs on it loads driver i with F·∂G/∂φᵢ.
+    /// It belongs to the object, whose law follows it ([`Connected::node`]).
+    pub fn combine(
+        &mut self,
+        at: &Place,
+        inputs: &[&Connected],
+        constraint: Constraint,
+    ) -> Connected {
+        let drivers: Vec<NodeIndex> = inputs.iter().map(|input| input.node).collect();
+        let start = self.combined(&drivers, &constraint);
+        let motion = NodeMotion::Constrained {
+            drivers,
+            constraint,
+        };
+        self.model.nodes.push(Node {
+            inertia: 0.0,
+            motion,
+        });
+        let node = self.model.nodes.len() - 1;
+        let object = &mut self.model.objects[at.object];
+        object.combination = Some(node);
+        let coordinate = object.coordinate;
+        self.known.push(Known {
+            part: at.object,
+            start,
+        });
+        Connected {
+            port: String::new(),
+            output: at.id.clone(),
+            coordinate,
+            node,
+        }
+    }
+
+    /// A node that follows a law exactly, with an inertia (kg·m² or kg) of its own;
+    /// the object's pair says whether the driver can pull as well as push.
+    pub fn rigid(&mut self, at: &Place, law: Law, inertia: f64, pair: Pair) -> NodeIndex {
+        self.add_rigid(at.object, law, inertia, pair)
+    }
+
+    /// A chain of masses behind a law: link 1 with the pair, then mass 1, and so on.
+    pub fn masses(
+        &mut self,
+        at: &Place,
+        law: &Law,
+        parameters: &ChainParameters,
+        pair: Pair,
+    ) -> Vec<NodeIndex> {
+        self.masses_on(at, law, parameters, LinkBase::Law { pair })
+    }
+
+    /// A chain of masses behind a law, link 1 on `first`.
+    pub(super) fn masses_on(
+        &mut self,
+        at: &Place,
+        law: &Law,
+        parameters: &ChainParameters,
+        first: LinkBase,
+    ) -> Vec<NodeIndex> {
+        let start = self.following(law);
+        let mut nodes: Vec<NodeIndex> = Vec::with_capacity(parameters.inertias.len());
+        for (index, &inertia) in parameters.inertias.iter().enumerate() {
+            let motion = NodeMotion::Mass { law: law.clone() };
+            let mass = self.add_node(at.object, Node { inertia, motion }, start);
+            let base = match nodes.last() {
+                None => first.clone(),
+                Some(&node) => LinkBase::Mass(node),
+            };
+            self.model.links.push(Link {
+                mass,
+                base,
+                stiffness: parameters.stiffnesses[index],
+                damping: parameters.dampings[index],
+            });
+            let link = self.model.links.len() - 1;
+            self.model.objects[at.object].links.push(link);
+            nodes.push(mass);
+        }
+        nodes
+    }
+
+    /// A further output of the object, one that its ports name: a node without
+    /// inertia that follows a law, usually over a node of the object itself.
+    pub fn output(&mut self, at: &Place, name: &str, law: Law) -> Option<NodeIndex> {
+        let part = *self.indices.get(&format!("{}.{name}", at.id))?;
+        Some(self.add_rigid(part, law, 0.0, Pair::default()))
+    }
+
+    /// A force or moment on a node, positive towards positive displacement, addressed
+    /// as `object.loads.name`.
+    pub fn force(&mut self, at: &Place, node: NodeIndex, name: &str, law: LoadLaw) {
+        let name = at.path(&format!("loads.{name}"));
+        self.model.loads.push(Load { node, name, law });
+    }
+
+    /// A node of an object that is none of its masses.
+    pub(super) fn add_point(&mut self, at: &Place, law: &Law, node: Node) -> NodeIndex {
+        let start = self.following(law);
+        self.model.nodes.push(node);
+        self.known.push(Known {
+            part: at.object,
+            start,
+        });
+        self.model.nodes.len() - 1
+    }
+
+    /// A node that follows a law exactly, of an object or of an output.
+    pub(super) fn add_rigid(
+        &mut self,
+        part: usize,
+        law: Law,
+        inertia: f64,
+        pair: Pair,
+    ) -> NodeIndex {
+        self.model.objects[part].rigid_pair = Some(pair);
+        let start = self.following(&law);
+        let motion = NodeMotion::Rigid { law };
+        self.add_node(part, Node { inertia, motion }, start)
+    }
+
+    /// Adds a node to an object or an output of one, with its displacement at t = 0; it is the output until another
+    /// one is added.
+    fn add_node(&mut self, part: usize, node: Node, start: f64) -> NodeIndex {
+        self.model.nodes.push(node);
+        let index = self.model.nodes.len() - 1;
+        let object = &mut self.model.objects[part];
+        let mass = object.nodes.len();
+        object.nodes.push(index);
+        let given = self.explicit.get(&object.id);
+        let given = given.and_then(|masses| masses.get(mass)).copied();
+        self.outputs.insert(object.id.clone(), index);
+        self.known.push(Known {
+            part,
+            start: given.unwrap_or(start),
+        });
+        index
+    }
+
+    /// Id and coordinate of what a node belongs to.
+    pub(super) fn owner(&self, node: NodeIndex) -> (&str, Coordinate) {
+        let part = &self.model.objects[self.known[node].part];
+        (&part.id, part.coordinate)
+    }
+}

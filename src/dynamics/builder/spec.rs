@@ -1,0 +1,260 @@
+//! What a scene says of each object, in plain numbers and SI units.
+//!
+//! The kinds' files read these from the scene; the builder turns them into the
+//! model. Angles in radians; for sliding objects read m for rad, kg for kg·m²,
+//! N for N·m.
+
+use crate::dynamics::load::CustomLoad;
+use crate::dynamics::model::{Closure, ContactLaw, Coordinate, DampingLaw};
+use crate::kinematics::linkage::spec::LinkageSpec;
+pub use crate::kinematics::motion::DriveMotionSpec;
+use crate::kinematics::position::PositionSpec;
+
+/// A drive: the source of motion.
+#[derive(Clone, Debug, PartialEq)]
+pub enum DriveSpec {
+    /// Motion prescribed over time.
+    Prescribed(DriveMotionSpec),
+    /// A motor: its angle is a coordinate of the system.
+    Motor(MotorSpec),
+}
+
+/// A motor: rotor inertia and torque characteristic.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MotorSpec {
+    /// Rotor inertia (kg·m²), ≥ 0.
+    pub inertia: f64,
+    /// Angle at t = 0 (rad).
+    pub angle: f64,
+    /// Speed at t = 0 (rad/s).
+    pub speed: f64,
+    /// Driving torque as a function of speed.
+    pub torque: TorqueSpec,
+    /// Further loads on the rotor.
+    pub loads: Vec<LoadSpec>,
+}
+
+/// Torque characteristic of a motor.
+#[derive(Clone, Debug, PartialEq)]
+pub enum TorqueSpec {
+    /// `{ "constant": T }`.
+    Constant(f64),
+    /// `{ "linear": { "stall_torque", "no_load_speed" } }`: T₀·(1 − ω/ω₀).
+    Linear {
+        /// T₀ (N·m).
+        stall_torque: f64,
+        /// ω₀ (rad/s).
+        no_load_speed: f64,
+    },
+    /// `{ "kloss": { "breakdown_torque", "breakdown_slip", "synchronous_speed" } }`:
+    /// T = 2·T_b / (s/s_b + s_b/s), s = 1 − ω/ω_s.
+    Kloss {
+        /// T_b (N·m).
+        breakdown_torque: f64,
+        /// s_b, 0 < s_b ≤ 1.
+        breakdown_slip: f64,
+        /// ω_s (rad/s).
+        synchronous_speed: f64,
+    },
+    /// `{ "table": [[ω, T], …] }`: linear between the points, constant outside.
+    Table(Vec<(f64, f64)>),
+}
+
+/// A planar linkage of rigid links, and how it is driven.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DrivenLinkage {
+    /// Whether the driven pair turns or slides.
+    pub coordinate: Coordinate,
+    /// Input coordinate over the driver's displacement, a constant ratio.
+    pub position: PositionSpec,
+    /// Whether the friction of its pairs acts on its motion.
+    pub joint_friction: bool,
+    /// The linkage itself.
+    pub linkage: LinkageSpec,
+    /// Loads on each of its outputs, along it.
+    pub loads: Vec<Vec<LoadSpec>>,
+}
+
+/// Any driven object: masses, links, pair, loads.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ChainSpec {
+    /// Turning or sliding.
+    pub coordinate: Coordinate,
+    /// What the driver asks for.
+    pub position: PositionSpec,
+    /// Factor on U: a lever ratio, or a lever arm in metres where the motion
+    /// changes from turning to sliding. 1 when absent.
+    pub lever: f64,
+    /// Inertia, stiffness, damping and number of masses.
+    pub body: BodySpec,
+    /// The driving pair of link 1.
+    pub pair: PairSpec,
+    /// Loads in the order of their names.
+    pub loads: Vec<LoadSpec>,
+}
+
+impl ChainSpec {
+    /// Number of masses that move by themselves: a rigid body on a contact element is one.
+    pub fn masses(&self) -> usize {
+        let on_contact = usize::from(self.pair.contact.is_some());
+        self.body.masses().max(on_contact)
+    }
+}
+
+/// Inertia, stiffness and damping of a chain.
+#[derive(Clone, Debug, PartialEq)]
+pub enum BodySpec {
+    /// `masses: 0`.
+    Rigid {
+        /// J (kg·m² or kg), ≥ 0.
+        inertia: f64,
+    },
+    /// From few data: J, c, ψ (or b) and n.
+    Uniform {
+        /// Total inertia J.
+        inertia: f64,
+        /// Stiffness c seen at the last mass.
+        stiffness: f64,
+        /// Specific damping capacity ψ.
+        damping_capacity: f64,
+        /// n ≥ 1.
+        masses: usize,
+        /// How J is split.
+        split: InertiaSplit,
+    },
+    /// Explicit lists, all of the same length n ≥ 1.
+    Lists {
+        /// J_m.
+        inertias: Vec<f64>,
+        /// c_m.
+        stiffnesses: Vec<f64>,
+        /// b_m.
+        dampings: Vec<f64>,
+    },
+}
+
+impl BodySpec {
+    /// Number of masses; 0 of a rigid object.
+    pub fn masses(&self) -> usize {
+        match self {
+            Self::Rigid { .. } => 0,
+            Self::Uniform { masses, .. } => *masses,
+            Self::Lists { inertias, .. } => inertias.len(),
+        }
+    }
+}
+
+/// How a chain's total inertia is split over its masses.
+#[derive(Clone, Debug, PartialEq)]
+pub enum InertiaSplit {
+    /// `"cubes"`: J_m = J·(m³ − (m−1)³)/n³, a uniform lever.
+    Cubes,
+    /// `"equal"`: J/n.
+    Equal,
+    /// Shares, summing to 1.
+    Shares(Vec<f64>),
+}
+
+/// The kinematic pair of link 1 (or of a rigid object).
+#[derive(Clone, Debug, PartialEq)]
+pub struct PairSpec {
+    /// How the pair is kept together.
+    pub closure: Closure,
+    /// Gap η ≥ 0 of a form-closed pair.
+    pub gap: f64,
+    /// +1: a force-closed pair lifts off towards x > 0; −1: turned round.
+    pub opens: f64,
+    /// Law of the contact of link 1, where there is no contact element.
+    pub law: DampingLaw,
+    /// The contact element.
+    pub contact: Option<ContactSpec>,
+}
+
+/// A contact element: stiffness and law.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ContactSpec {
+    /// k_c > 0 (N/m or N·m/rad), or K (N/m^{3/2} or N·m/rad^{3/2}) by the law of Hertz.
+    pub stiffness: f64,
+    /// Its law.
+    pub law: ContactLaw,
+}
+
+/// A named load.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LoadSpec {
+    /// Its name in the scene.
+    pub name: String,
+    /// Which masses it acts on.
+    pub mass: MassChoice,
+    /// Its law.
+    pub law: LoadLawSpec,
+}
+
+/// Which masses of an object a load acts on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MassChoice {
+    /// The last mass (default, except for a weight).
+    Last,
+    /// The first mass.
+    First,
+    /// Mass m, counted from 1.
+    Number(usize),
+    /// Every mass (default of a weight).
+    All,
+}
+
+/// A load's law. Positive forces act in the direction of positive displacement.
+#[derive(Clone, Debug, PartialEq)]
+pub enum LoadLawSpec {
+    /// `{ "constant": W }`.
+    Constant(f64),
+    /// `{ "time_table": [[t, W], …] }`: linear between the points, constant outside.
+    TimeTable(Vec<(f64, f64)>),
+    /// `{ "position_table": { "points": [[φ, W], …], "period": P or absent } }` over the
+    /// driver's displacement: linear between the points; constant outside
+    /// without a period.
+    PositionTable {
+        /// (φ, W), φ strictly ascending; with a period within one of it.
+        points: Vec<(f64, f64)>,
+        /// Repeats after this much of φ.
+        period: Option<f64>,
+    },
+    /// `{ "window": { "from", "to", "force", "period" = 360 deg for a turning driver } }`:
+    /// `force` while the driver is between the two positions, else 0.
+    Window {
+        /// Start of the window (driver's displacement).
+        from: f64,
+        /// End of the window, > from.
+        to: f64,
+        /// W inside.
+        force: f64,
+        /// Repeats after this much of φ; `None`: once.
+        period: Option<f64>,
+    },
+    /// `{ "spring": { "rate", "preload" = 0 } }`: W = −preload − rate·φ of the mass.
+    Spring {
+        /// Rate, ≥ 0.
+        rate: f64,
+        /// Force at φ = 0, positive towards negative displacement.
+        preload: f64,
+    },
+    /// `{ "viscous": b }`: W = −b·φ̇.
+    Viscous(f64),
+    /// `{ "weight": { "inclination" } }` (sliders): W = −m·g·sin(inclination) with
+    /// the mass m that it acts on (each its own where there are several), the
+    /// inclination of the positive direction above the horizontal.
+    Weight {
+        /// Angle above the horizontal (rad).
+        inclination: f64,
+    },
+    /// `{ "friction": { "force", "width" } }`: Coulomb friction regularised as
+    /// W = −force·tanh(φ̇/width).
+    Friction {
+        /// Sliding friction force, ≥ 0.
+        force: f64,
+        /// Regularisation width: speed at which tanh 1 = 76 % is reached, > 0.
+        width: f64,
+    },
+    /// Anything else over displacement and speed of the mass: no text describes it.
+    Custom(CustomLoad),
+}

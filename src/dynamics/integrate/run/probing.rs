@@ -1,0 +1,124 @@
+//! Switches that no signal tells: functions of the state, looked at from place to
+//! place of a step.
+
+use super::Run;
+use crate::dynamics::integrate::locate::Located;
+use crate::dynamics::integrate::{Dynamics, Guard, Probe, Watch};
+use crate::math::optimise::vertex;
+use crate::math::roots::bisect;
+
+/// Bisections, down to the rounding of a place on the step.
+const BISECTIONS: u32 = 60;
+/// A probe may differ from a parabola by this part of its change.
+const UNLIKE: f64 = 0.25;
+
+impl<D: Dynamics> Run<'_, D> {
+    /// The watch that was found; one made up for a probe.
+    pub(super) fn watch(&self, found: Located) -> Watch {
+        let watches = self.watches.len();
+        if found.watch < watches {
+            return self.watches[found.watch];
+        }
+        let probe = self.probes[found.watch - watches];
+        Watch {
+            guards: [Guard::default(); 2],
+            rising: true,
+            component: probe.component,
+            target: probe.target,
+        }
+    }
+
+    /// The earliest of a switch found and those that the probes tell.
+    pub(super) fn probe_before(&mut self, found: Option<Located>) -> Option<Located> {
+        if self.probes.is_empty() {
+            return found;
+        }
+        let mut best = found;
+        let mut y = std::mem::take(&mut self.probed);
+        for index in 0..self.probes.len() {
+            let end = best.map_or(1.0, |best| best.s);
+            let probe = self.probes[index];
+            let Some(s) = self.fires(&probe, end, &mut y) else {
+                continue;
+            };
+            if best.is_none_or(|best| s < best.s) {
+                let watch = self.watches.len() + index;
+                best = Some(Located { s, watch });
+            }
+        }
+        self.probed = y;
+        best
+    }
+
+    /// Where a probe becomes positive first, up to `end`.
+    fn fires(&self, probe: &Probe, end: f64, y: &mut [f64]) -> Option<f64> {
+        // The start of a step is the end of the last one, unless something has
+        // switched there.
+        let turns = probe.looks > 1;
+        let begin = match self.fresh || turns {
+            true => self.value(probe, 0.0, y),
+            false => f64::NEG_INFINITY,
+        };
+        if self.fresh && begin > 0.0 {
+            return Some(0.0);
+        }
+        let (mut before, mut low) = (None, (0.0, begin));
+        for look in 1..=probe.looks {
+            let s = end * look as f64 / probe.looks as f64;
+            let high = (s, self.value(probe, s, y));
+            // It may have been positive in between.
+            if let Some([a, b]) = before.map(|before| [before, low])
+                && let Some(s) = summit([a, b, high])
+                && self.value(probe, s, y) > 0.0
+            {
+                let low = if s > b.0 { b.0 } else { a.0 };
+                return Some(self.bisect(probe, [low, s], y));
+            }
+            if high.1 > 0.0 {
+                return Some(self.bisect(probe, [low.0, high.0], y));
+            }
+            before = turns.then_some(low);
+            low = high;
+        }
+        None
+    }
+
+    /// Where a probe becomes positive between two places; just before, where there are
+    /// no forces beyond.
+    fn bisect(&self, probe: &Probe, ends: [f64; 2], y: &mut [f64]) -> f64 {
+        let [low, high] = bisect(ends, BISECTIONS, |s| !(self.value(probe, s, y) > 0.0));
+        if self.value(probe, high, y) == Probe::NO_FORCES {
+            low
+        } else {
+            high
+        }
+    }
+
+    fn value(&self, probe: &Probe, s: f64, y: &mut [f64]) -> f64 {
+        let step = self.output.step(1.0);
+        let time = if s == 0.0 {
+            y.copy_from_slice(&self.from.y);
+            self.from.time
+        } else if s == 1.0 {
+            y.copy_from_slice(&self.to.y);
+            self.to.time
+        } else {
+            step.state(s, y);
+            step.time(s)
+        };
+        self.evaluator.probe(probe, time, y)
+    }
+}
+
+/// Where a parabola through three places has its summit, if it lies between them and
+/// may reach above zero while the first two are below.
+fn summit(points: [(f64, f64); 3]) -> Option<f64> {
+    let [(_, fa), (b, fb), (_, fc)] = points;
+    if !(fa <= 0.0 && fb <= 0.0) {
+        return None;
+    }
+    let (s, top) = vertex(&points)?;
+    let doubt = UNLIKE * (fa.max(fb).max(fc) - fa.min(fb).min(fc));
+    // One beyond zero is found without it, unless it comes down before.
+    (top + doubt > 0.0 && (fc <= 0.0 || s < b)).then_some(s)
+}

@@ -1,0 +1,114 @@
+//! What happens where a step is cut: switches and breaks in time.
+
+use super::{Run, Verdict};
+use crate::dynamics::integrate::locate::{Located, Stretch};
+use crate::dynamics::integrate::{Dynamics, Guard, Modes, Stop, SwitchEvent, Watch};
+
+/// Switches at one and the same instant after which a run is given up.
+const MOST_AT_ONCE: u32 = 64;
+
+/// Switches within so many roundings of the clock are at one instant.
+const AT_ONCE: f64 = 4.0;
+
+impl<D: Dynamics> Run<'_, D> {
+    /// The step up to a switch, and the switch.
+    pub(super) fn cut(&mut self, found: Located) -> Verdict {
+        let watch = self.watch(found);
+        let step = self.output.step(found.s);
+        let stretch = Stretch {
+            step,
+            from: &self.from,
+            to: &self.to,
+            zero_at_start: &self.zero_at_start,
+        };
+        let causes: Vec<Guard> = match found.watch < self.watches.len() {
+            true => stretch.causes(&watch, found.s).collect(),
+            false => Vec::new(),
+        };
+        if found.s > 0.0 {
+            self.sink.step(&step, &self.evaluator.modes.borrow());
+        }
+        // What has just switched is still zero while the clock has hardly moved.
+        if found.s * step.length > AT_ONCE * f64::EPSILON * step.start.abs() {
+            self.zero_at_start.clear();
+        }
+        self.zero_at_start.extend(causes);
+        let time = if found.s == 1.0 {
+            self.to.time
+        } else {
+            step.end_time()
+        };
+        let mut y = std::mem::take(&mut self.to.y);
+        match found.s {
+            0.0 => y.copy_from_slice(&self.from.y),
+            1.0 => {}
+            s => step.state(s, &mut y),
+        }
+        self.switches_at_once = if time > self.from.time {
+            0
+        } else {
+            self.switches_at_once + 1
+        };
+        let verdict = self.switch(time, &mut y, &watch);
+        self.to.y = y;
+        if verdict == Verdict::Stop {
+            return verdict;
+        }
+        match self.check_limits() {
+            Verdict::Continue => Verdict::Restart,
+            stop => stop,
+        }
+    }
+
+    fn switch(&mut self, time: f64, y: &mut [f64], watch: &Watch) -> Verdict {
+        self.remember_length();
+        let before = self.evaluator.modes.borrow().clone();
+        let mut after = before.clone();
+        let dynamics = self.evaluator.dynamics;
+        let result = dynamics.switch(time, y, watch, &mut after);
+        if dynamics.is_pair(watch.component) && result.is_ok() {
+            self.switches += 1;
+        }
+        self.enter(time, y, before, after, Some(watch));
+        if let Err(stop) = result {
+            return self.end(Stop::Physical(stop));
+        }
+        if self.switches_at_once > MOST_AT_ONCE {
+            let reason = format!(
+                "component {} switches to and fro {MOST_AT_ONCE} times at t = {time} s without moving on",
+                watch.component
+            );
+            let method = self.settings.method;
+            return self.end(Stop::Method { method, reason });
+        }
+        Verdict::Restart
+    }
+
+    /// Passes the break in time that the run has just reached.
+    pub(in crate::dynamics::integrate) fn pass_break(&mut self) {
+        self.remember_length();
+        let before = self.evaluator.modes.borrow().clone();
+        let mut after = before.clone();
+        let time = self.from.time;
+        self.evaluator.dynamics.pass_break(time, &mut after);
+        let y = self.from.y.clone();
+        self.enter(time, &y, before, after, None);
+    }
+
+    /// Puts new modes in force at (`time`, `y`) and tells the sink.
+    fn enter(&mut self, time: f64, y: &[f64], before: Modes, after: Modes, watch: Option<&Watch>) {
+        self.fresh = true;
+        *self.evaluator.modes.borrow_mut() = after.clone();
+        self.evaluator.dynamics.watches(&after, &mut self.watches);
+        self.evaluator.dynamics.probes(&after, &mut self.probes);
+        self.find_edges();
+        self.move_to(time, y);
+        self.sink.switch(&SwitchEvent {
+            time,
+            y,
+            watch,
+            before: &before,
+            after: &after,
+        });
+    }
+}

@@ -1,0 +1,13 @@
+//! Models and their motion: ports and nodes, equations of motion, integration in time,
+//! records with figures and energy audit, steady motions of machines.
+
+pub mod builder;
+pub mod energy;
+pub mod integrate;
+pub mod load;
+pub mod model;
+pub mod record;
+pub(crate) mod segment;
+pub mod steady;
+pub mod system;
+pub(crate) mod trajectory;

@@ -1,0 +1,222 @@
+//! Figures by their address: `rocker.delta_max`, `rocker.pair.separations`, `run.switches`.
+
+use super::Figures;
+use crate::dynamics::model::owner_of;
+use crate::math::order::Total;
+use serde_json::Value;
+use std::collections::BTreeMap;
+
+/// How many similar addresses an error names.
+const MOST_SUGGESTIONS: usize = 3;
+
+/// Why an address gives no number.
+#[derive(Clone, Debug, PartialEq)]
+pub enum AddressError {
+    /// There is no such figure.
+    Unknown {
+        /// Similar addresses, the closest first.
+        close: Vec<String>,
+    },
+    /// The figure exists but has no value in this run (`null`).
+    NoValue,
+}
+
+impl Figures {
+    /// All addresses with their values, in alphabetical order: numbers as they
+    /// are, booleans as 0 and 1, `None` for null. The members of a list are
+    /// addressed by their index, counted from 0.
+    pub fn addresses(&self) -> BTreeMap<String, Option<f64>> {
+        let mut found = BTreeMap::new();
+        for (id, figures) in &self.objects {
+            // Plain data cannot fail to serialise; a failure would show as a missing address.
+            let value = serde_json::to_value(figures).unwrap_or_default();
+            collect(id, &value, &mut found);
+        }
+        let run = serde_json::to_value(&self.run).unwrap_or_default();
+        collect("run", &run, &mut found);
+        found
+    }
+
+    /// The value of one figure.
+    ///
+    /// # Errors
+    /// The address is unknown (similar ones are named), or the figure is null.
+    pub fn value(&self, address: &str) -> Result<f64, AddressError> {
+        let mut known = self.addresses();
+        match known.remove(address) {
+            Some(Some(value)) => Ok(value),
+            Some(None) => Err(AddressError::NoValue),
+            None => Err(AddressError::Unknown {
+                close: closest(address, known.into_keys()),
+            }),
+        }
+    }
+
+    /// SI unit of a figure; empty for counts, answers and pure numbers, and for what
+    /// is no figure.
+    pub fn unit(&self, address: &str) -> String {
+        let (id, name) = owner_of(address, |id| self.units.contains_key(id));
+        let Some(units) = self.units.get(id) else {
+            return match name {
+                "time" if id == "run" => "s".to_owned(),
+                _ => String::new(),
+            };
+        };
+        let displacement = units.displacement;
+        match name {
+            "delta_abs"
+            | "delta_max"
+            | "delta_min"
+            | "sigma"
+            | "final.displacement"
+            | "pair.max_lift"
+            | "pair.max_indentation" => displacement.to_owned(),
+            "peak_speed" | "final.speed" | "pair.max_approach_speed" => {
+                format!("{displacement}/s")
+            }
+            "peak_acceleration" => format!("{displacement}/s²"),
+            "peak_reaction" | "pair.max_contact_force" | "pair.margin" => units.force.to_owned(),
+            "pair.separated_time" | "pair.longest_separation" | "time_at_rest" => "s".to_owned(),
+            "friction_loss" => "J".to_owned(),
+            name if name.starts_with("pair.switch_times.") => "s".to_owned(),
+            _ => String::new(),
+        }
+    }
+
+    /// A measure of what a difference in a figure means: the greatest |δ| of
+    /// the object for its displacements, its peaks for the rates and forces, and
+    /// the figure's own magnitude for everything else. Counts and 0/1 answers
+    /// have the scale 1. Zero when nothing is known.
+    pub fn scale(&self, address: &str) -> f64 {
+        let (id, figure) = owner_of(address, |id| self.objects.contains_key(id));
+        let own = self.value(address).map_or(0.0, f64::abs);
+        let Some(object) = self.objects.get(id) else {
+            return match figure {
+                "steps" | "rejected" | "evaluations" | "switches" | "complete" => 1.0,
+                "energy_error" => 0.0,
+                _ => own,
+            };
+        };
+        let delta = object.delta_abs;
+        match figure {
+            "delta_abs" | "delta_max" | "delta_min" | "sigma" | "pair.max_lift" => delta,
+            "final.displacement" if delta > 0.0 => delta,
+            "final.speed" => object.peak_speed,
+            "pair.separations" | "pair.closures" | "pair.in_working_order" => 1.0,
+            "pair.separated_time" | "pair.longest_separation" => self.run.time,
+            _ if figure.starts_with("pair.switch_times") => self.run.time,
+            _ => own,
+        }
+    }
+}
+
+fn collect(prefix: &str, value: &Value, found: &mut BTreeMap<String, Option<f64>>) {
+    match value {
+        Value::Object(members) => {
+            for (name, member) in members {
+                collect(&format!("{prefix}.{name}"), member, found);
+            }
+        }
+        Value::Array(members) => {
+            for (index, member) in members.iter().enumerate() {
+                collect(&format!("{prefix}.{index}"), member, found);
+            }
+        }
+        Value::Number(number) => {
+            found.insert(prefix.to_owned(), number.as_f64());
+        }
+        Value::Bool(flag) => {
+            found.insert(prefix.to_owned(), Some(f64::from(u8::from(*flag))));
+        }
+        Value::Null => {
+            found.insert(prefix.to_owned(), None);
+        }
+        Value::String(_) => {}
+    }
+}
+
+fn closest(wanted: &str, known: impl Iterator<Item = String>) -> Vec<String> {
+    let mut ranked: Vec<(f64, String)> = known
+        .map(|name| (strsim::normalized_damerau_levenshtein(wanted, &name), name))
+        .filter(|(similarity, _)| *similarity > 0.5)
+        .collect();
+    ranked.sort_by_cached_key(|(similarity, name)| (Total(-similarity), name.clone()));
+    ranked.truncate(MOST_SUGGESTIONS);
+    ranked.into_iter().map(|(_, name)| name).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::AddressError;
+    use crate::dynamics::record::{Figures, ObjectFigures, PairFigures, RunSummary};
+    use std::collections::BTreeMap;
+
+    fn figures() -> Figures {
+        let rocker = ObjectFigures {
+            delta_abs: 5e-3,
+            delta_max: 2e-3,
+            delta_min: -5e-3,
+            pair: Some(PairFigures {
+                separations: 3,
+                switch_times: vec![0.25, 0.5],
+                in_working_order: Some(true),
+                ..PairFigures::default()
+            }),
+            ..ObjectFigures::default()
+        };
+        Figures {
+            dam: 1,
+            scene: "s".to_owned(),
+            hash: String::new(),
+            units: BTreeMap::new(),
+            objects: BTreeMap::from([
+                ("rocker".to_owned(), rocker),
+                ("shaft".to_owned(), ObjectFigures::default()),
+            ]),
+            run: RunSummary {
+                switches: 6,
+                ..RunSummary::default()
+            },
+            warnings: Vec::new(),
+        }
+    }
+
+    #[test]
+    fn every_number_of_the_document_has_an_address() {
+        let figures = figures();
+        for (address, value) in [
+            ("rocker.delta_max", 2e-3),
+            ("rocker.final.speed", 0.0),
+            ("rocker.pair.separations", 3.0),
+            ("rocker.pair.in_working_order", 1.0),
+            ("rocker.pair.switch_times.1", 0.5),
+            ("run.switches", 6.0),
+            ("run.complete", 0.0),
+        ] {
+            assert_eq!(figures.value(address), Ok(value), "{address}");
+        }
+        assert_eq!(figures.value("shaft.pair"), Err(AddressError::NoValue));
+    }
+
+    #[test]
+    fn a_wrong_address_is_told_the_right_one() {
+        let AddressError::Unknown { close } = figures().value("rocker.delta_maks").unwrap_err()
+        else {
+            panic!("an unknown address");
+        };
+        assert!(close.contains(&"rocker.delta_max".to_owned()), "{close:?}");
+        let Err(AddressError::Unknown { close }) = figures().value("xyz") else {
+            panic!("an unknown address");
+        };
+        assert!(close.is_empty());
+    }
+
+    #[test]
+    fn differences_are_measured_against_the_deviation() {
+        let figures = figures();
+        assert_eq!(figures.scale("rocker.delta_max"), 5e-3);
+        assert_eq!(figures.scale("rocker.final.displacement"), 5e-3);
+        assert_eq!(figures.scale("rocker.pair.separations"), 1.0);
+        assert_eq!(figures.scale("nobody.delta_max"), 0.0);
+    }
+}

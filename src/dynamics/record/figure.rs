@@ -1,0 +1,237 @@
+//! The figures of an object by typed keys.
+
+use super::{ObjectFigures, PairFigures};
+use std::fmt;
+
+/// A figure of an object.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Figure {
+    /// Greatest |δ|.
+    DeltaAbs,
+    /// Greatest δ.
+    DeltaMax,
+    /// Least δ.
+    DeltaMin,
+    /// Mean of |δ| over the run.
+    Sigma,
+    /// Greatest |φ̇|.
+    PeakSpeed,
+    /// Greatest |φ̈|.
+    PeakAcceleration,
+    /// Greatest |F| of link 1.
+    PeakReaction,
+    /// φ at the end.
+    FinalDisplacement,
+    /// φ̇ at the end.
+    FinalSpeed,
+    /// How often the driving pair opens.
+    Separations,
+    /// How often it closes.
+    Closures,
+    /// Total time for which it is open (s).
+    SeparatedTime,
+    /// Longest time for which it is open (s).
+    LongestSeparation,
+    /// Greatest clearance of the open pair.
+    MaxLift,
+    /// Greatest speed of approach at a closure.
+    MaxApproachSpeed,
+    /// Greatest contact force.
+    MaxContactForce,
+    /// Greatest indentation of the contact element.
+    MaxIndentation,
+    /// Least contact force that the motion of a rigid object needs.
+    Margin,
+    /// 1: no separation within the window of steady figures; 0: there is one.
+    InWorkingOrder,
+    /// How often the input of a linkage with joint friction stands still.
+    Standstills,
+    /// Time for which joint friction held it at rest (s).
+    TimeAtRest,
+    /// Energy lost to the friction of its joints (J).
+    FrictionLoss,
+}
+
+impl Figure {
+    /// All figures.
+    pub const ALL: [Self; 22] = [
+        Self::DeltaAbs,
+        Self::DeltaMax,
+        Self::DeltaMin,
+        Self::Sigma,
+        Self::PeakSpeed,
+        Self::PeakAcceleration,
+        Self::PeakReaction,
+        Self::FinalDisplacement,
+        Self::FinalSpeed,
+        Self::Separations,
+        Self::Closures,
+        Self::SeparatedTime,
+        Self::LongestSeparation,
+        Self::MaxLift,
+        Self::MaxApproachSpeed,
+        Self::MaxContactForce,
+        Self::MaxIndentation,
+        Self::Margin,
+        Self::InWorkingOrder,
+        Self::Standstills,
+        Self::TimeAtRest,
+        Self::FrictionLoss,
+    ];
+
+    /// Its address within the object: `pair.max_lift`.
+    pub const fn address(self) -> &'static str {
+        match self {
+            Self::DeltaAbs => "delta_abs",
+            Self::DeltaMax => "delta_max",
+            Self::DeltaMin => "delta_min",
+            Self::Sigma => "sigma",
+            Self::PeakSpeed => "peak_speed",
+            Self::PeakAcceleration => "peak_acceleration",
+            Self::PeakReaction => "peak_reaction",
+            Self::FinalDisplacement => "final.displacement",
+            Self::FinalSpeed => "final.speed",
+            Self::Separations => "pair.separations",
+            Self::Closures => "pair.closures",
+            Self::SeparatedTime => "pair.separated_time",
+            Self::LongestSeparation => "pair.longest_separation",
+            Self::MaxLift => "pair.max_lift",
+            Self::MaxApproachSpeed => "pair.max_approach_speed",
+            Self::MaxContactForce => "pair.max_contact_force",
+            Self::MaxIndentation => "pair.max_indentation",
+            Self::Margin => "pair.margin",
+            Self::InWorkingOrder => "pair.in_working_order",
+            Self::Standstills => "standstills",
+            Self::TimeAtRest => "time_at_rest",
+            Self::FrictionLoss => "friction_loss",
+        }
+    }
+}
+
+impl fmt::Display for Figure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.address())
+    }
+}
+
+impl ObjectFigures {
+    /// The value of a figure; `None`: the object has none such, or it has no value
+    /// (a bilateral pair, no window).
+    pub fn value(&self, figure: Figure) -> Option<f64> {
+        let joints = self.joints.as_ref();
+        Some(match figure {
+            Figure::DeltaAbs => self.delta_abs,
+            Figure::DeltaMax => self.delta_max,
+            Figure::DeltaMin => self.delta_min,
+            Figure::Sigma => self.sigma,
+            Figure::PeakSpeed => self.peak_speed,
+            Figure::PeakAcceleration => self.peak_acceleration,
+            Figure::PeakReaction => self.peak_reaction,
+            Figure::FinalDisplacement => self.end.displacement,
+            Figure::FinalSpeed => self.end.speed,
+            Figure::Standstills => joints?.standstills as f64,
+            Figure::TimeAtRest => joints?.time_at_rest,
+            Figure::FrictionLoss => joints?.friction_loss,
+            of_pair => return self.pair.as_ref()?.value(of_pair),
+        })
+    }
+}
+
+impl PairFigures {
+    fn value(&self, figure: Figure) -> Option<f64> {
+        match figure {
+            Figure::Separations => Some(self.separations as f64),
+            Figure::Closures => Some(self.closures as f64),
+            Figure::SeparatedTime => Some(self.separated_time),
+            Figure::LongestSeparation => Some(self.longest_separation),
+            Figure::MaxLift => Some(self.max_lift),
+            Figure::MaxApproachSpeed => Some(self.max_approach_speed),
+            Figure::MaxContactForce => Some(self.max_contact_force),
+            Figure::MaxIndentation => self.max_indentation,
+            Figure::Margin => self.margin,
+            Figure::InWorkingOrder => self
+                .in_working_order
+                .map(|holds| f64::from(u8::from(holds))),
+            _ => None,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Figure;
+    use crate::dynamics::record::{
+        Figures, FinalState, JointFigures, ObjectFigures, PairFigures, RunSummary,
+    };
+    use std::collections::{BTreeMap, BTreeSet};
+
+    /// Every figure has another value.
+    fn all_different() -> ObjectFigures {
+        ObjectFigures {
+            delta_abs: 20.0,
+            delta_max: 1.0,
+            delta_min: 2.0,
+            sigma: 3.0,
+            peak_speed: 4.0,
+            peak_acceleration: 5.0,
+            peak_reaction: 6.0,
+            end: FinalState {
+                displacement: 7.0,
+                speed: 8.0,
+            },
+            pair: Some(PairFigures {
+                separations: 9,
+                closures: 10,
+                separated_time: 11.0,
+                longest_separation: 12.0,
+                max_lift: 13.0,
+                max_approach_speed: 14.0,
+                max_contact_force: 15.0,
+                max_indentation: Some(21.0),
+                margin: Some(16.0),
+                switch_times: Vec::new(),
+                in_working_order: Some(false),
+            }),
+            joints: Some(JointFigures {
+                standstills: 17,
+                time_at_rest: 18.0,
+                friction_loss: 19.0,
+            }),
+        }
+    }
+
+    #[test]
+    fn keys_and_addresses_name_the_same_figures() {
+        let figures = Figures {
+            dam: 1,
+            scene: String::new(),
+            hash: String::new(),
+            units: BTreeMap::new(),
+            objects: BTreeMap::from([("a".to_owned(), all_different())]),
+            run: RunSummary::default(),
+            warnings: Vec::new(),
+        };
+        let known = figures.addresses();
+        for figure in Figure::ALL {
+            let address = format!("a.{figure}");
+            assert_eq!(
+                figures.objects["a"].value(figure),
+                known[&address],
+                "{address}"
+            );
+        }
+        let keys: BTreeSet<String> = Figure::ALL.map(|figure| format!("a.{figure}")).into();
+        let of_objects = known
+            .into_keys()
+            .filter(|address| address.starts_with("a."));
+        assert_eq!(of_objects.collect::<BTreeSet<String>>(), keys);
+    }
+
+    #[test]
+    fn a_bilateral_pair_has_no_figures() {
+        let bare = ObjectFigures::default();
+        assert_eq!(bare.value(Figure::MaxLift), None);
+        assert_eq!(bare.value(Figure::Standstills), None);
+        assert_eq!(bare.value(Figure::DeltaMax), Some(0.0));
+    }
+}

@@ -1,0 +1,363 @@
+//! Samples and switches of a run.
+
+use super::failure::Failure;
+use super::joints::JointTracker;
+use super::observer::Observer;
+use super::pairs::PairTracker;
+use super::rows::{Rows, Seen, is_finite};
+use super::settings::RecorderSettings;
+use super::tally::Tally;
+use super::{Interval, ObjectFigures, PairFigures, Record, Recorded, SwitchRow};
+use crate::dynamics::energy::EnergyAudit;
+use crate::dynamics::integrate::{Modes, SwitchEvent};
+use crate::dynamics::system::{MassState, ObjectState, System};
+
+/// Closeups behind a switch at most.
+const CLOSEUPS: usize = 96;
+
+/// Parts of a stretch that are looked at in any case.
+const PARTS: u32 = 8;
+
+/// Halvings of a part at most.
+const DEEPEST: u32 = 8;
+
+/// Share of a column's greatest value by which a straight line between two closeups may
+/// miss what lies between them.
+const STRAIGHT: f64 = 1e-3;
+
+/// What the observer has just seen, with the masses if they are recorded.
+fn seen<'o>(
+    observer: &'o mut Observer<'_>,
+    y: &[f64],
+    modes: &Modes,
+    masses: &'o mut [MassState],
+) -> Seen<'o> {
+    if !masses.is_empty() {
+        observer.masses(y, modes, masses);
+    }
+    Seen {
+        states: observer.states(),
+        masses,
+    }
+}
+
+/// Takes the samples of a run and the switches of its pairs; makes the record and the
+/// figures of all that was gathered.
+pub(crate) struct Log<'s> {
+    observer: Observer<'s>,
+    settings: RecorderSettings,
+    rows: Rows,
+    pairs: Vec<PairTracker>,
+    switches: Vec<SwitchRow>,
+    separations: Vec<Interval>,
+    start: f64,
+    time: f64,
+    y: Vec<f64>,
+    /// All masses, where they are recorded.
+    masses: Vec<MassState>,
+    /// Closeups that may still be taken until the next switch.
+    budget: usize,
+    /// Times and rows of what were the extremes of figures.
+    peaks: Vec<(f64, Vec<f64>)>,
+    failure: Option<Failure>,
+}
+
+impl<'s> Log<'s> {
+    /// For one run of `system` from t = 0.
+    pub(crate) fn new(system: &'s System, settings: RecorderSettings) -> Self {
+        let model = system.model();
+        let all_masses = (0..model.objects.len()).map(|object| system.masses(object));
+        let all_masses: usize = all_masses.sum();
+        let pair = |object| Some(PairTracker::new(object, system.pair_component(object)?));
+        Self {
+            observer: Observer::new(system),
+            rows: Rows::new(system, settings.masses, settings.samples, settings.duration),
+            pairs: (0..model.objects.len()).filter_map(pair).collect(),
+            switches: Vec::new(),
+            separations: Vec::new(),
+            start: 0.0,
+            time: 0.0,
+            y: vec![0.0; 2 * crate::dynamics::integrate::Dynamics::coordinates(system)],
+            masses: match settings.masses && settings.samples > 0 {
+                true => vec![MassState::default(); all_masses],
+                false => Vec::new(),
+            },
+            budget: 0,
+            peaks: Vec::new(),
+            failure: None,
+            settings,
+        }
+    }
+
+    /// The start; what all objects are doing then.
+    pub(crate) fn start(&mut self, time: f64, y: &[f64], modes: &Modes) -> &[ObjectState] {
+        (self.start, self.time) = (time, time);
+        for pair in &mut self.pairs {
+            pair.start(time, modes.0[pair.component]);
+        }
+        let states = self.observer.state(time, y, modes);
+        let bad = states.iter().position(|state| !is_finite(state));
+        if self.rows.is_wanted() {
+            let seen = seen(&mut self.observer, y, modes, &mut self.masses);
+            self.rows.sample_at(time, seen);
+        }
+        if bad.is_some() {
+            let model = self.observer.system().model();
+            self.failure = Some(Failure::of(model, time, bad));
+        }
+        self.observer.states()
+    }
+
+    /// The samples that fall into a stretch without switches; `state` gives y at an
+    /// instant of it.
+    pub(crate) fn sample(
+        &mut self,
+        [from, until]: [f64; 2],
+        modes: &Modes,
+        state: &mut dyn FnMut(f64, &mut [f64]),
+    ) {
+        while let Some(time) = self.rows.due(until) {
+            if self.failure.is_some() {
+                return;
+            }
+            state(time, &mut self.y);
+            self.observer.state(time, &self.y, modes);
+            let seen = seen(&mut self.observer, &self.y, modes, &mut self.masses);
+            if !self.rows.sample_at(time, seen) {
+                self.fail(from);
+            }
+        }
+        if !self.masses.is_empty() && self.rows.nearly_due(until) {
+            // The last sample is taken from what was seen last.
+            state(until, &mut self.y);
+            self.observer.state(until, &self.y, modes);
+            seen(&mut self.observer, &self.y, modes, &mut self.masses);
+        }
+        if self.budget > 0 && self.failure.is_none() {
+            self.look_closely([from, until], modes, state);
+        }
+        self.time = until;
+    }
+
+    /// A switch.
+    pub(crate) fn switch(&mut self, event: &SwitchEvent<'_>) {
+        if self.failure.is_some() {
+            return;
+        }
+        let changed = |pair: &&mut PairTracker| {
+            event.before.0[pair.component] != event.after.0[pair.component]
+        };
+        let mut any = false;
+        for pair in self.pairs.iter_mut().filter(changed) {
+            any = true;
+            let component = pair.component;
+            let state = self.observer.state(event.time, event.y, event.before)[pair.object];
+            pair.switch(
+                (
+                    &self.observer.system().model().objects[pair.object].id,
+                    event.time,
+                ),
+                (event.before.0[component], event.after.0[component]),
+                &state,
+                &mut self.switches,
+                &mut self.separations,
+            );
+        }
+        if any && self.settings.closeups {
+            self.budget = CLOSEUPS;
+        }
+        if any && self.settings.switch_rows {
+            for modes in [event.before, event.after] {
+                self.observer.state(event.time, event.y, modes);
+                let seen = seen(&mut self.observer, event.y, modes, &mut self.masses);
+                if !self.rows.push(event.time, seen) {
+                    return self.fail(event.time);
+                }
+            }
+        }
+    }
+
+    /// Keeps rows at the instants, among `times`, of extremes met in a stretch: where they
+    /// last, they are closeups.
+    pub(crate) fn keep(
+        &mut self,
+        times: impl Iterator<Item = f64>,
+        [from, until]: [f64; 2],
+        modes: &Modes,
+        state: &mut dyn FnMut(f64, &mut [f64]),
+    ) {
+        if !self.settings.closeups || self.failure.is_some() {
+            return;
+        }
+        for time in times.filter(|time| from <= *time && *time <= until) {
+            if self.peaks.iter().any(|kept| kept.0 == time) {
+                continue;
+            }
+            state(time, &mut self.y);
+            self.observer.state(time, &self.y, modes);
+            let seen = seen(&mut self.observer, &self.y, modes, &mut self.masses);
+            if let Some(values) = self.rows.values(seen) {
+                self.peaks.push((time, values.to_vec()));
+            }
+        }
+    }
+
+    /// Takes samples between those that are due, where straight lines between them would
+    /// not show the course of every column.
+    fn look_closely(
+        &mut self,
+        [from, until]: [f64; 2],
+        modes: &Modes,
+        state: &mut dyn FnMut(f64, &mut [f64]),
+    ) {
+        let mut row = |log: &mut Self, time: f64| -> Option<Vec<f64>> {
+            state(time, &mut log.y);
+            log.observer.state(time, &log.y, modes);
+            let seen = seen(&mut log.observer, &log.y, modes, &mut log.masses);
+            log.rows.values(seen).map(<[f64]>::to_vec)
+        };
+        let Some(first) = row(self, from) else {
+            return self.fail(from);
+        };
+        self.rows.push_closeup(from, &first);
+        // Ends of what is still to be looked at, the nearest last.
+        let mut ends: Vec<(f64, Vec<f64>, u32)> = Vec::new();
+        for part in (1..=PARTS).rev() {
+            let time = from + (until - from) * (f64::from(part) / f64::from(PARTS));
+            match row(self, time) {
+                Some(values) => ends.push((time, values, 0)),
+                None => return self.fail(from),
+            }
+        }
+        let (mut time, mut values) = (from, first);
+        while let Some((to, last, depth)) = ends.pop() {
+            let middle = 0.5 * (time + to);
+            let Some(between) = row(self, middle) else {
+                return self.fail(from);
+            };
+            let straight = self.rows.is_straight([&values, &between, &last], STRAIGHT);
+            if straight || depth == DEEPEST || self.budget == 0 {
+                self.rows.push_closeup(to, &last);
+                self.budget = self.budget.saturating_sub(1);
+                (time, values) = (to, last);
+            } else {
+                ends.push((to, last, depth + 1));
+                ends.push((middle, between, depth + 1));
+            }
+        }
+    }
+
+    fn fail(&mut self, time: f64) {
+        let states = self.observer.states();
+        let bad = states.iter().position(|state| !is_finite(state));
+        let model = self.observer.system().model();
+        self.failure = Some(Failure::of(model, time, bad));
+    }
+
+    /// What all objects are doing at a state.
+    pub(crate) fn observe(&mut self, time: f64, y: &[f64], modes: &Modes) -> &[ObjectState] {
+        self.observer.state(time, y, modes)
+    }
+
+    /// The first number that was not finite.
+    pub(crate) fn failure(&self) -> Option<&Failure> {
+        self.failure.as_ref()
+    }
+
+    /// The window, when the run got to its end.
+    fn window(&self) -> Option<[f64; 2]> {
+        self.settings
+            .window
+            .filter(|[_, to]| self.time >= to * (1.0 - 1e-12))
+    }
+
+    /// Ends the recording of a run that got to `time`: closes open intervals and works
+    /// out the figures of what was gathered, a tally an object.
+    pub(crate) fn finish(
+        mut self,
+        time: f64,
+        tallies: &[Tally],
+        joints: Vec<JointTracker>,
+        audit: EnergyAudit,
+    ) -> Recorded {
+        self.time = time;
+        let last: Vec<ObjectState> = tallies.iter().map(|tally| *tally.last()).collect();
+        let seen = Seen {
+            states: &last,
+            masses: &self.masses,
+        };
+        self.rows.finish(time, seen);
+        let duration = time - self.start;
+        let figures = tallies.iter().map(|tally| tally.figures(duration));
+        let mut figures: Vec<ObjectFigures> = figures.collect();
+        for tracker in std::mem::take(&mut self.pairs) {
+            let object = tracker.object;
+            let id = &self.observer.system().model().objects[object].id;
+            let mut pair = tracker.finish(id, time, &mut self.separations);
+            pair.max_lift = tallies[object].lift();
+            pair.max_contact_force = tallies[object].contact_force();
+            pair.max_indentation = tallies[object].indentation();
+            pair.in_working_order = self.window().map(|[from, to]| {
+                !self
+                    .separations
+                    .iter()
+                    .any(|open| open.object == *id && open.from < to && open.to > from)
+            });
+            figures[object].pair = Some(pair);
+        }
+        for joints in joints {
+            let object = joints.object;
+            figures[object].joints = Some(joints.finish(time));
+        }
+        for (time, values) in std::mem::take(&mut self.peaks) {
+            if tallies
+                .iter()
+                .any(|tally| tally.times().any(|own| own == time))
+            {
+                self.rows.push_closeup(time, &values);
+            }
+        }
+        let margins = self.margins(tallies, &mut figures);
+        self.separations.sort_by(|a, b| {
+            a.from
+                .total_cmp(&b.from)
+                .then_with(|| a.object.cmp(&b.object))
+        });
+        if !audit.error().is_finite() {
+            let model = self.observer.system().model();
+            let found = || Failure::of(model, time, None);
+            self.failure.get_or_insert_with(found);
+        }
+        let (times, columns, closeups) = self.rows.into_columns();
+        Recorded {
+            record: Record {
+                times,
+                columns,
+                switches: self.switches,
+                separations: self.separations,
+                closeups,
+            },
+            figures,
+            audit,
+            margins,
+            failure: self.failure,
+        }
+    }
+
+    fn margins(&self, tallies: &[Tally], figures: &mut [ObjectFigures]) -> Vec<(usize, f64, f64)> {
+        let mut margins = Vec::new();
+        for (object, tally) in tallies.iter().enumerate() {
+            let Some([(margin, time), (in_window, _)]) = tally.margins() else {
+                continue;
+            };
+            figures[object].pair = Some(PairFigures {
+                max_contact_force: tally.contact_force(),
+                margin: Some(margin),
+                in_working_order: self.window().map(|_| in_window >= 0.0),
+                ..PairFigures::default()
+            });
+            margins.push((object, margin, time));
+        }
+        margins
+    }
+}

@@ -1,0 +1,167 @@
+//! A step of an integration as a segment: coordinates are polynomials, everything
+//! else is observed at a few places and looked for between them.
+
+use super::contact::Opening;
+use super::observer::Observer;
+use super::peaks::PLACES;
+use super::subdivision::{integral_of_magnitude, maximum, minimum};
+use super::tally::read;
+use crate::dynamics::energy::EnergyAudit;
+use crate::dynamics::integrate::Modes;
+use crate::dynamics::segment::{Asked, Peak, Segment, Signal};
+use crate::dynamics::system::{ObjectState, System};
+use crate::math::polynomial::{MAX_DEGREE, Step};
+
+/// Where the coordinates of an elastic object are.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Coordinates {
+    /// δ.
+    deviation: Option<usize>,
+    /// The deformation of link 1, of a pair that can open.
+    pub(super) opening: Option<Opening>,
+}
+
+impl Coordinates {
+    pub(super) fn of(system: &System, object: usize) -> Self {
+        let model = system.model();
+        let part = &model.objects[object];
+        let opening = || {
+            Some(Opening {
+                component: system.pair_component(object)?,
+                coordinate: system.first_coordinate(object)?,
+                pair: model.elastic_pair(part)?,
+            })
+        };
+        Self {
+            deviation: system.last_coordinate(object).filter(|_| !part.is_drive()),
+            opening: opening(),
+        }
+    }
+}
+
+/// The places of a step cut off at `end`.
+pub(super) fn places(end: f64) -> [f64; 7] {
+    PLACES.map(|place| place * end)
+}
+
+/// What is read off an object at all places; `states` are those of all objects,
+/// place after place.
+pub(super) fn at_places(
+    states: &[ObjectState],
+    objects: usize,
+    object: usize,
+    signal: Signal,
+) -> [f64; 7] {
+    let field = |values: fn(&ObjectState) -> f64| {
+        std::array::from_fn(|place| values(&states[place * objects + object]))
+    };
+    // (One loop a signal, not a choice for every value.)
+    match signal {
+        Signal::Deviation => field(|state| state.delta),
+        Signal::Speed => field(|state| state.speed),
+        Signal::Acceleration => field(|state| state.acceleration),
+        Signal::Reaction => field(|state| state.reaction),
+        Signal::ContactForce => field(|state| state.contact_force),
+        Signal::Clearance => field(|state| state.lift),
+        Signal::Indentation => field(|state| state.indentation),
+    }
+}
+
+/// A step, its observations and the means to look in between.
+pub(super) struct Observed<'a, 's> {
+    pub(super) step: &'a Step<'a>,
+    pub(super) modes: &'a Modes,
+    pub(super) observer: &'a mut Observer<'s>,
+    /// States of all objects at [`places`], place after place.
+    pub(super) states: &'a [ObjectState],
+    pub(super) coordinates: &'a [Coordinates],
+    pub(super) works: EnergyAudit,
+}
+
+impl Segment for Observed<'_, '_> {
+    fn state(&mut self, time: f64, y: &mut [f64]) {
+        let s = (time - self.step.start) / self.step.length;
+        self.step.state(s.clamp(0.0, self.step.end), y);
+    }
+
+    fn raise(&mut self, asked: Asked, peak: &mut Peak) {
+        let Asked {
+            object,
+            signal,
+            sign,
+        } = asked;
+        let (step, end) = (self.step, self.step.end);
+        let mut room = [0.0; MAX_DEGREE + 1];
+        let own = self.coordinates[object];
+        let found = match signal {
+            Signal::Deviation => own.deviation.and_then(|coordinate| {
+                let delta = step.signal(coordinate, &mut room);
+                if sign > 0.0 {
+                    maximum(delta, end, peak.value)
+                } else {
+                    minimum(delta, end, -peak.value).map(|(value, place)| (-value, place))
+                }
+            }),
+            Signal::Clearance => own.opening.and_then(|opening| {
+                (self.modes.0[opening.component] == 0).then_some(())?;
+                let x = step.signal(opening.coordinate, &mut room);
+                opening.greatest_clearance(x, end, peak.value)
+            }),
+            _ => {
+                let values = at_places(self.states, self.coordinates.len(), object, signal);
+                return self.follow(asked, &values.map(|value| sign * value), peak);
+            }
+        };
+        if let Some((value, place)) = found {
+            peak.see(step.time(place), value);
+        }
+    }
+
+    fn raise_magnitude(&mut self, object: usize, signal: Signal, peak: &mut Peak) {
+        let values = at_places(self.states, self.coordinates.len(), object, signal);
+        let most = values.iter().copied().fold(f64::MIN, f64::max);
+        let least = values.iter().copied().fold(f64::MAX, f64::min);
+        // Most often neither side can pass, and nothing has to be looked at twice.
+        if most.max(-least) + 2.0 * (most - least) <= peak.value {
+            return;
+        }
+        for sign in [1.0, -1.0] {
+            let asked = Asked {
+                object,
+                signal,
+                sign,
+            };
+            self.follow(asked, &values.map(|value| sign * value), peak);
+        }
+    }
+
+    fn area(&mut self, object: usize) -> f64 {
+        let Some(coordinate) = self.coordinates[object].deviation else {
+            return 0.0;
+        };
+        let mut room = [0.0; MAX_DEGREE + 1];
+        let delta = self.step.signal(coordinate, &mut room);
+        self.step.length * integral_of_magnitude(delta, self.step.end)
+    }
+
+    fn works(&mut self) -> EnergyAudit {
+        std::mem::take(&mut self.works)
+    }
+}
+
+impl Observed<'_, '_> {
+    /// Follows a signal that is no polynomial from place to place, at which it has the
+    /// values given.
+    fn follow(&mut self, asked: Asked, values: &[f64; 7], peak: &mut Peak) {
+        let Asked {
+            object,
+            signal,
+            sign,
+        } = asked;
+        let step = self.step;
+        let (observer, modes) = (&mut *self.observer, self.modes);
+        let look = |s: f64| sign * read(signal, &observer.at(step, s, modes)[object]);
+        let time = |place| step.time(place);
+        peak.follow(&places(step.end), values, time, look);
+    }
+}

@@ -1,0 +1,95 @@
+//! The listener that turns an integration into a record and figures.
+
+use super::failure::Failure;
+
+use super::figured::Figured;
+use super::log::Log;
+use super::settings::RecorderSettings;
+use super::tally::Tally;
+use super::{ObjectFigures, Record};
+use crate::dynamics::energy::EnergyAudit;
+use crate::dynamics::integrate::{Modes, Sink, SwitchEvent};
+use crate::dynamics::system::System;
+use crate::math::polynomial::Step;
+
+/// What a recorder has gathered when the run is over.
+#[derive(Clone, Debug)]
+pub struct Recorded {
+    /// Samples, switches, separations.
+    pub record: Record,
+    /// Figures of every object, in the order of the model's objects.
+    pub figures: Vec<ObjectFigures>,
+    /// The energy balance.
+    pub audit: EnergyAudit,
+    /// Rigid force-closed pairs: object, least contact force, when (s).
+    pub margins: Vec<(usize, f64, f64)>,
+    /// The first force, acceleration or energy that was not a finite number at
+    /// a state that was. Nothing from that step on is in the figures, the audit
+    /// and the record.
+    pub failure: Option<Failure>,
+}
+
+/// Records a run of a system. Its memory is bounded by samples and switches.
+pub struct Recorder<'s> {
+    log: Log<'s>,
+    figured: Figured<'s>,
+}
+
+impl<'s> Recorder<'s> {
+    /// A recorder for one run of `system` from t = 0.
+    pub fn new(system: &'s System, settings: RecorderSettings) -> Self {
+        Self {
+            figured: Figured::new(system, &settings),
+            log: Log::new(system, settings),
+        }
+    }
+
+    /// Ends the recording: closes open intervals and works out the figures.
+    pub fn finish(self) -> Recorded {
+        let gathered = self.figured.finish();
+        let (tallies, joints) = (&gathered.tallies, gathered.joints);
+        let mut recorded = self
+            .log
+            .finish(gathered.time, tallies, joints, gathered.audit);
+        recorded.failure = gathered.failure.or(recorded.failure);
+        recorded
+    }
+
+    fn failed(&self) -> bool {
+        self.figured.failure().is_some() || self.log.failure().is_some()
+    }
+}
+
+impl Sink for Recorder<'_> {
+    fn start(&mut self, time: f64, y: &[f64], modes: &Modes) {
+        self.log.start(time, y, modes);
+        self.figured.start(time, y, modes);
+    }
+
+    fn step(&mut self, step: &Step<'_>, modes: &Modes) {
+        if self.failed() {
+            return;
+        }
+        self.figured.step(step, modes);
+        let until = match self.figured.failure() {
+            Some(failure) => failure.time,
+            None => step.end_time(),
+        };
+        let mut state = |time: f64, y: &mut [f64]| {
+            let s = (time - step.start) / step.length;
+            step.state(s.clamp(0.0, step.end), y);
+        };
+        let span = [step.start, until];
+        self.log.sample(span, modes, &mut state);
+        let tallies = self.figured.tallies().iter();
+        let times = tallies.flat_map(Tally::times);
+        self.log.keep(times, span, modes, &mut state);
+    }
+
+    fn switch(&mut self, event: &SwitchEvent<'_>) {
+        if !self.failed() {
+            self.figured.switch(event);
+            self.log.switch(event);
+        }
+    }
+}

@@ -1,0 +1,307 @@
+//! The figures of one object, gathered segment by segment: the only place that says
+//! which extremes and integrals of which signals the figures are.
+
+use super::{FinalState, ObjectFigures, greatest_magnitude};
+use crate::dynamics::model::{Closure, ContactLaw, Pair};
+use crate::dynamics::segment::{Asked, Peak, Segment, Signal};
+use crate::dynamics::system::{ObjectState, System};
+
+/// Signals of whose magnitude the greatest is wanted: speed, acceleration, reaction,
+/// contact force.
+const MAGNITUDES: [Signal; 4] = [
+    Signal::Speed,
+    Signal::Acceleration,
+    Signal::Reaction,
+    Signal::ContactForce,
+];
+
+/// Reads a signal off a state.
+pub(super) fn read(signal: Signal, state: &ObjectState) -> f64 {
+    match signal {
+        Signal::Deviation => state.delta,
+        Signal::Speed => state.speed,
+        Signal::Acceleration => state.acceleration,
+        Signal::Reaction => state.reaction,
+        Signal::ContactForce => state.contact_force,
+        Signal::Clearance => state.lift,
+        Signal::Indentation => state.indentation,
+    }
+}
+
+/// δ of an elastic object.
+#[derive(Clone, Copy, Debug)]
+struct Deviation {
+    greatest: Peak,
+    /// Of −δ.
+    least: Peak,
+    /// ∫|δ| dt.
+    area: f64,
+}
+
+/// Where the greatest indentation of a contact element is found.
+#[derive(Clone, Copy, Debug)]
+enum Indentation {
+    /// At a massless point, whose motion is followed.
+    Followed(Peak),
+    /// Of a contact without loss: the one under the greatest force N = k·p^power.
+    OfForce { stiffness: f64, power: f64 },
+    /// Of the contact of a rigid body: the body's own deviation, as far as it presses.
+    OfDeviation { pair: Pair },
+}
+
+impl Indentation {
+    fn of(system: &System, object: usize) -> Option<Self> {
+        system.pair_component(object)?;
+        let model = system.model();
+        let part = &model.objects[object];
+        let contact = part.contact?;
+        Some(match contact.law {
+            _ if contact.point.is_some() => Self::Followed(Peak::NONE),
+            law if !law.is_lossless() => Self::OfDeviation {
+                pair: model.elastic_pair(part)?,
+            },
+            law => Self::OfForce {
+                stiffness: contact.stiffness,
+                power: match law {
+                    ContactLaw::Hertz { .. } => 1.5,
+                    _ => 1.0,
+                },
+            },
+        })
+    }
+}
+
+/// Figures of one object on the way.
+#[derive(Clone, Debug)]
+pub(crate) struct Tally {
+    deviation: Option<Deviation>,
+    /// Of the [`MAGNITUDES`].
+    peaks: [Peak; 4],
+    /// Greatest of −N of a rigid force-closed pair: over the run, in the window.
+    slack: Option<[Peak; 2]>,
+    /// Side to which its pair opens: −N is so many times the reaction.
+    opens: f64,
+    /// Greatest clearance of a pair that can open.
+    lift: Option<Peak>,
+    /// Greatest indentation of a contact element.
+    indentation: Option<Indentation>,
+    last: ObjectState,
+}
+
+impl Tally {
+    /// A tally for object `object` of the system; `window`: that of the margins.
+    pub(crate) fn new(system: &System, object: usize, window: Option<[f64; 2]>) -> Self {
+        let part = &system.model().objects[object];
+        let elastic = system.last_coordinate(object).filter(|_| !part.is_drive());
+        let lifts_off = part
+            .rigid_pair
+            .is_some_and(|pair| pair.closure == Closure::Force);
+        let never = [f64::INFINITY, f64::NEG_INFINITY];
+        Self {
+            deviation: elastic.map(|_| Deviation {
+                greatest: Peak::NONE,
+                least: Peak::NONE,
+                area: 0.0,
+            }),
+            peaks: [Peak::NONE; 4],
+            slack: lifts_off.then(|| [Peak::NONE, Peak::within(window.unwrap_or(never))]),
+            opens: part.rigid_pair.map_or(1.0, |pair| pair.opens),
+            lift: system.pair_component(object).map(|_| Peak::NONE),
+            indentation: Indentation::of(system, object),
+            last: ObjectState::default(),
+        }
+    }
+
+    /// A state outside segments: the start, an edge of the window.
+    pub(crate) fn see(&mut self, time: f64, state: &ObjectState) {
+        if let Some(deviation) = &mut self.deviation {
+            deviation.greatest.see(time, state.delta);
+            deviation.least.see(time, -state.delta);
+        }
+        for (peak, signal) in self.peaks.iter_mut().zip(MAGNITUDES) {
+            peak.see(time, read(signal, state).abs());
+        }
+        for peak in self.slack.iter_mut().flatten() {
+            peak.see(time, -state.contact_force);
+        }
+        if let Some(Indentation::Followed(peak)) = &mut self.indentation {
+            peak.see(time, state.indentation);
+        }
+        self.last = *state;
+    }
+
+    /// The motion at the start alone, where the forces on both its sides are told.
+    pub(crate) fn see_motion(&mut self, time: f64, state: &ObjectState) {
+        if let Some(deviation) = &mut self.deviation {
+            deviation.greatest.see(time, state.delta);
+            deviation.least.see(time, -state.delta);
+        }
+    }
+
+    /// Takes a segment into account, of which the object is number `number`.
+    pub(crate) fn take(&mut self, number: usize, segment: &mut dyn Segment) {
+        let asked = |signal, sign| Asked {
+            object: number,
+            signal,
+            sign,
+        };
+        if let Some(deviation) = &mut self.deviation {
+            segment.raise(asked(Signal::Deviation, 1.0), &mut deviation.greatest);
+            segment.raise(asked(Signal::Deviation, -1.0), &mut deviation.least);
+            deviation.area += segment.area(number);
+        }
+        for (peak, signal) in self.peaks.iter_mut().zip(MAGNITUDES) {
+            segment.raise_magnitude(number, signal, peak);
+        }
+        self.take_contact(number, segment);
+        if let Some(lift) = &mut self.lift {
+            segment.raise(asked(Signal::Clearance, 1.0), lift);
+        }
+        if let Some(Indentation::Followed(peak)) = &mut self.indentation {
+            segment.raise(asked(Signal::Indentation, 1.0), peak);
+        }
+    }
+
+    /// What is climbed to of the forces: the sign that makes the reaction greater, and
+    /// the level that it has to pass.
+    pub(crate) fn goals(&self) -> impl Iterator<Item = (f64, f64)> + '_ {
+        let reaction = self.peaks[2].value;
+        let slack = self.slack.iter().flatten();
+        let slack = slack.map(|peak| (self.opens, peak.value));
+        [(1.0, reaction), (-1.0, reaction)].into_iter().chain(slack)
+    }
+
+    /// The forces at an instant.
+    pub(crate) fn see_forces(&mut self, time: f64, state: &ObjectState) {
+        for (peak, signal) in self.peaks.iter_mut().zip(MAGNITUDES).skip(2) {
+            peak.see(time, read(signal, state).abs());
+        }
+        for peak in self.slack.iter_mut().flatten() {
+            peak.see(time, -state.contact_force);
+        }
+    }
+
+    fn take_contact(&mut self, number: usize, segment: &mut dyn Segment) {
+        for peak in self.slack.iter_mut().flatten() {
+            let asked = Asked {
+                object: number,
+                signal: Signal::ContactForce,
+                sign: -1.0,
+            };
+            segment.raise(asked, peak);
+        }
+    }
+
+    /// Takes the forces of another tally in place of its own.
+    pub(crate) fn replace_forces(&mut self, other: &Self) {
+        self.peaks[2..].copy_from_slice(&other.peaks[2..]);
+        self.slack = other.slack;
+    }
+
+    /// The least of what a force may not pass without being greater than before:
+    /// of the reaction, and of −N where the pair is rigid and force-closed.
+    pub(crate) fn forces(&self) -> (f64, f64) {
+        let slack = self.slack.iter().flatten().map(|peak| peak.value);
+        let reaction = self.peaks[2].value;
+        (reaction, slack.fold(f64::INFINITY, f64::min))
+    }
+
+    /// The object's state last seen.
+    pub(crate) fn last(&self) -> &ObjectState {
+        &self.last
+    }
+
+    /// Sets the object's state last seen.
+    pub(crate) fn stand(&mut self, state: &ObjectState) {
+        self.last = *state;
+    }
+
+    /// The greatest magnitudes of acceleration, reaction and contact force so far.
+    pub(super) fn greatest(&self) -> [f64; 3] {
+        [1, 2, 3].map(|reading| self.peaks[reading].magnitude())
+    }
+
+    /// Least contact force of a rigid force-closed pair and its time; the same
+    /// within the window (NaN time when nothing was seen there).
+    pub(crate) fn margins(&self) -> Option<[(f64, f64); 2]> {
+        self.slack
+            .map(|peaks| peaks.map(|peak| (-peak.value, peak.time)))
+    }
+
+    /// Greatest contact force.
+    pub(crate) fn contact_force(&self) -> f64 {
+        self.peaks[3].magnitude()
+    }
+
+    /// Greatest indentation of the contact element.
+    pub(crate) fn indentation(&self) -> Option<f64> {
+        Some(match self.indentation? {
+            Indentation::Followed(peak) => peak.magnitude(),
+            Indentation::OfForce { stiffness, power } => {
+                (self.contact_force() / stiffness).powf(1.0 / power)
+            }
+            Indentation::OfDeviation { pair } => {
+                let deviation = self.deviation?;
+                let [most, least] = [deviation.greatest.value, deviation.least.value];
+                let depth = match pair.closure {
+                    Closure::Force if pair.opens >= 0.0 => least,
+                    Closure::Force => most,
+                    Closure::Form | Closure::Bilateral => most.max(least) - 0.5 * pair.gap,
+                };
+                depth.max(0.0)
+            }
+        })
+    }
+
+    /// Greatest clearance of the pair.
+    pub(crate) fn lift(&self) -> f64 {
+        self.lift.map_or(0.0, |lift| lift.magnitude())
+    }
+
+    fn followed(&self) -> Option<Peak> {
+        match self.indentation? {
+            Indentation::Followed(peak) => Some(peak),
+            _ => None,
+        }
+    }
+
+    /// When the figures' extremes are met (s).
+    pub(crate) fn times(&self) -> impl Iterator<Item = f64> + '_ {
+        let deviation = self.deviation.iter();
+        let deviation = deviation.flat_map(|own| [own.greatest, own.least]);
+        let slack = self.slack.iter().flatten().copied();
+        deviation
+            .chain(self.peaks)
+            .chain(slack)
+            .chain(self.lift)
+            .chain(self.followed())
+            .filter(|peak| peak.value > f64::NEG_INFINITY)
+            .map(|peak| peak.time)
+            .filter(|time| time.is_finite())
+    }
+
+    /// The object's figures after `duration` seconds, its pair left out.
+    pub(crate) fn figures(&self, duration: f64) -> ObjectFigures {
+        let mut figures = ObjectFigures {
+            peak_speed: self.peaks[0].magnitude(),
+            peak_acceleration: self.peaks[1].magnitude(),
+            peak_reaction: self.peaks[2].magnitude(),
+            end: FinalState {
+                displacement: self.last.displacement,
+                speed: self.last.speed,
+            },
+            ..ObjectFigures::default()
+        };
+        if let Some(deviation) = self.deviation {
+            figures.delta_max = deviation.greatest.value;
+            figures.delta_min = -deviation.least.value;
+            figures.delta_abs = greatest_magnitude(figures.delta_min, figures.delta_max);
+            figures.sigma = if duration > 0.0 {
+                deviation.area / duration
+            } else {
+                self.last.delta.abs()
+            };
+        }
+        figures
+    }
+}

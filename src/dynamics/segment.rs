@@ -1,0 +1,109 @@
+//! What is known of a motion over a stretch without switches.
+//!
+//! Between two switches a motion is smooth, and some description of it holds from end
+//! to end: a closed form (exact propagation), or the polynomials of an integration.
+//! Whoever wants figures, works or samples asks a [`Segment`] and need not know
+//! which of the two it is.
+
+use crate::dynamics::energy::EnergyAudit;
+
+/// A signal of an object.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Signal {
+    /// δ of the last mass.
+    Deviation,
+    /// φ̇ of the last mass.
+    Speed,
+    /// φ̈ of the last mass.
+    Acceleration,
+    /// F of link 1; what moves a drive.
+    Reaction,
+    /// N of the pair; negative where a rigid force-closed pair would have to pull.
+    ContactForce,
+    /// Indentation of a contact element that ends at a massless point.
+    Indentation,
+    /// Clearance of an open pair from the nearest flank, negative behind it.
+    Clearance,
+}
+
+/// A signal of one of the objects of a segment, turned round for its least values.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Asked {
+    /// Index of the object in the model of the segment.
+    pub(crate) object: usize,
+    /// Which of its signals.
+    pub(crate) signal: Signal,
+    /// +1, or −1 for the negative of the signal.
+    pub(crate) sign: f64,
+}
+
+/// The greatest value so far, and when it was taken.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Peak {
+    /// Greatest value; −∞ before anything was seen.
+    pub(crate) value: f64,
+    /// When (s).
+    pub(crate) time: f64,
+    /// Only times within these bounds count.
+    bounds: [f64; 2],
+}
+
+impl Peak {
+    /// Nothing seen yet; all times count.
+    pub(crate) const NONE: Self = Self::within([f64::NEG_INFINITY, f64::INFINITY]);
+
+    /// Nothing seen yet; only times within `bounds` count.
+    pub(crate) const fn within(bounds: [f64; 2]) -> Self {
+        Self {
+            value: f64::NEG_INFINITY,
+            time: f64::NAN,
+            bounds,
+        }
+    }
+
+    /// Takes a single value into account.
+    pub(crate) fn see(&mut self, time: f64, value: f64) {
+        if value > self.value && self.bounds[0] <= time && time <= self.bounds[1] {
+            (self.value, self.time) = (value, time);
+        }
+    }
+
+    /// True when none of the times between two instants counts.
+    pub(crate) fn leaves_out(&self, [from, to]: [f64; 2]) -> bool {
+        to < self.bounds[0] || from > self.bounds[1]
+    }
+
+    /// The greatest value; 0 when nothing greater was seen.
+    pub(crate) fn magnitude(&self) -> f64 {
+        self.value.max(0.0)
+    }
+}
+
+/// What is known of the motion of some objects over a stretch without switches.
+pub(crate) trait Segment {
+    /// Their part of the state y = [u, u̇] at an instant of the segment.
+    fn state(&mut self, time: f64, y: &mut [f64]);
+
+    /// Raises a peak to the greatest value of a signal over the segment, if that is
+    /// greater; what cannot be costs next to nothing.
+    fn raise(&mut self, asked: Asked, peak: &mut Peak);
+
+    /// The same for the magnitude of a signal.
+    fn raise_magnitude(&mut self, object: usize, signal: Signal, peak: &mut Peak) {
+        for sign in [1.0, -1.0] {
+            let asked = Asked {
+                object,
+                signal,
+                sign,
+            };
+            self.raise(asked, peak);
+        }
+    }
+
+    /// ∫|δ| dt of an object (s times its unit) over what has come about since it was
+    /// last asked for.
+    fn area(&mut self, object: usize) -> f64;
+
+    /// Works over what has come about since they were last asked for.
+    fn works(&mut self) -> EnergyAudit;
+}

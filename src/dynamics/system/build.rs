@@ -1,0 +1,330 @@
+//! From the model to the frozen layout, with every check on its numbers.
+
+use super::check::chains_of;
+use super::constraints::Constrained;
+use super::frozen::{Chain, Frozen, FrozenLaw, FrozenTrack, Prescribed, Rigid, Rotor, Step};
+use super::linkages::{FrozenLinkage, OutputPlace};
+use super::loads::{Argument, FrozenLoad};
+use super::pairs::Contact;
+use crate::dynamics::model::{Law, LinkBase, LoadLaw, Model, NodeMotion, TrackSource};
+use crate::fault::Fault;
+
+/// Lays a model out; the faults of all its parts together.
+pub(super) fn freeze(model: &Model) -> Result<Frozen, Vec<Fault>> {
+    let faults = super::check::faults(model);
+    if !faults.is_empty() {
+        return Err(faults);
+    }
+    let mut builder = Builder::new(model);
+    for node in 0..model.nodes.len() {
+        builder.place(node);
+    }
+    builder.place_linkages();
+    builder.place_tracks();
+    builder.place_friction();
+    builder.place_loads();
+    builder.frozen.mark_heavy();
+    builder.refuse_coupled_friction();
+    builder.frozen.mark_chains();
+    builder.frozen.separate();
+    if builder.faults.is_empty() {
+        Ok(builder.frozen)
+    } else {
+        Err(builder.faults)
+    }
+}
+
+struct Builder<'a> {
+    model: &'a Model,
+    frozen: Frozen,
+    /// Links of each chain in order, by its first mass's node.
+    chains: Vec<Vec<usize>>,
+    placed: Vec<bool>,
+    faults: Vec<Fault>,
+}
+
+impl<'a> Builder<'a> {
+    fn new(model: &'a Model) -> Self {
+        let mut frozen = Frozen {
+            internal: vec![0; model.nodes.len()],
+            ..Frozen::default()
+        };
+        let chains = chains_of(model);
+        let opening = |links: &&Vec<usize>| match &model.links[links[0]].base {
+            LinkBase::Law { pair } => pair.closure != crate::dynamics::model::Closure::Bilateral,
+            LinkBase::Mass(_) => false,
+        };
+        // Only their number matters yet: tracks are numbered after the pairs.
+        frozen.pairs = vec![usize::MAX; chains.iter().filter(opening).count()];
+        Self {
+            model,
+            frozen,
+            chains,
+            placed: vec![false; model.nodes.len()],
+            faults: Vec::new(),
+        }
+    }
+
+    /// Gives a node its place, with its whole chain when it is a mass.
+    fn place(&mut self, node: usize) {
+        if self.placed[node] {
+            return;
+        }
+        match &self.model.nodes[node].motion {
+            NodeMotion::Prescribed { motion, track } => {
+                let component = self.component(*track);
+                let motion = motion.clone();
+                let node = self.add_node(node, false);
+                self.frozen.steps.push(Step::Prescribed(Prescribed {
+                    node,
+                    motion,
+                    component,
+                }));
+            }
+            NodeMotion::Rotor { angle, speed } => {
+                let coordinate = self.frozen.coordinates;
+                let node = self.add_node(node, true);
+                self.frozen.steps.push(Step::Rotor(Rotor {
+                    node,
+                    coordinate,
+                    angle: *angle,
+                    speed: *speed,
+                }));
+                self.frozen.stiffness.push(0.0);
+                self.frozen.damping.push(0.0);
+            }
+            NodeMotion::Rigid { law } => {
+                let law = self.add_law(law);
+                let node = self.add_node(node, false);
+                self.frozen
+                    .steps
+                    .push(Step::Rigid(self.frozen.rigids.len()));
+                self.frozen.rigids.push(Rigid { node, law });
+            }
+            NodeMotion::Mass { law } => {
+                let law = self.add_law(law);
+                self.place_chain(node, law);
+            }
+            NodeMotion::Constrained {
+                drivers,
+                constraint,
+            } => {
+                let internal = |&driver: &usize| self.frozen.internal[driver];
+                let drivers = drivers.iter().map(internal).collect();
+                let constraint = constraint.clone();
+                let node = self.add_node(node, false);
+                let index = self.frozen.constraints.len();
+                self.frozen.steps.push(Step::Constrained(index));
+                self.frozen.constraints.push(Constrained {
+                    node,
+                    drivers,
+                    constraint,
+                    heavy: false,
+                });
+            }
+        }
+    }
+
+    fn place_chain(&mut self, node: usize, law: usize) {
+        let holds = |links: &&Vec<usize>| {
+            links
+                .iter()
+                .any(|&link| self.model.links[link].mass == node)
+        };
+        let Some(links) = self.chains.iter().find(holds).cloned() else {
+            return; // refused by the checks
+        };
+        let first = &self.model.links[links[0]];
+        let LinkBase::Law { pair } = &first.base else {
+            return; // refused by the checks
+        };
+        let object = super::check::object_of(self.model, first.mass);
+        let contact = match Contact::new(pair, first.stiffness, first.damping, &object) {
+            Ok(contact) => contact,
+            Err(fault) => {
+                self.faults.push(fault);
+                return;
+            }
+        };
+        let index = self.frozen.chains.len();
+        let component = contact.can_open().then(|| {
+            let known = self.frozen.chains.iter();
+            known.filter(|chain| chain.component.is_some()).count()
+        });
+        if let Some(component) = component {
+            self.frozen.pairs[component] = index;
+        }
+        self.frozen.steps.push(Step::Chain(index));
+        self.frozen.chains.push(Chain {
+            law,
+            first_node: self.frozen.inertia.len(),
+            first_coordinate: self.frozen.coordinates,
+            masses: links.len(),
+            point: self.is_point(first.mass),
+            indented: self.indented(links[0]),
+            contact,
+            component,
+            watched: false,
+            carries: false,
+        });
+        for &link in &links {
+            let link = &self.model.links[link];
+            self.add_node(link.mass, true);
+            self.frozen.stiffness.push(link.stiffness);
+            self.frozen.damping.push(link.damping);
+        }
+    }
+
+    /// True of a massless point between a contact element and link 1.
+    fn is_point(&self, node: usize) -> bool {
+        let mut contacts = self.model.objects.iter().flat_map(|part| part.contact);
+        contacts.any(|contact| contact.point == Some(node))
+    }
+
+    /// The stiffness of the contact element that a link holds.
+    fn indented(&self, link: usize) -> Option<f64> {
+        let mut contacts = self.model.objects.iter().flat_map(|part| part.contact);
+        let own = contacts.find(|contact| contact.link == link)?;
+        Some(own.stiffness)
+    }
+
+    fn add_node(&mut self, node: usize, free: bool) -> usize {
+        let index = self.frozen.inertia.len();
+        let inertia = self.model.nodes[node].inertia;
+        self.placed[node] = true;
+        self.frozen.internal[node] = index;
+        self.frozen.inertia.push(inertia);
+        self.frozen.constant_force.push(0.0);
+        let coordinate = free.then_some(self.frozen.coordinates);
+        self.frozen.coordinate.push(coordinate);
+        if free {
+            // (Nothing divides by the inertia of a massless point.)
+            let inverse = if inertia > 0.0 { 1.0 / inertia } else { 0.0 };
+            self.frozen.inverse_inertia.push(inverse);
+            self.frozen.coordinates += 1;
+        }
+        index
+    }
+
+    fn add_law(&mut self, law: &Law) -> usize {
+        let component = self.component(law.track);
+        self.frozen.laws.push(FrozenLaw {
+            driver: self.frozen.internal[law.driver],
+            position: law.position.clone(),
+            lever: law.lever,
+            component,
+            output: None,
+        });
+        self.frozen.laws.len() - 1
+    }
+
+    fn component(&self, track: Option<usize>) -> Option<usize> {
+        track.map(|track| self.frozen.track_component(track))
+    }
+
+    /// Linkages, and which laws are outputs of theirs.
+    fn place_linkages(&mut self) {
+        let frozen = &mut self.frozen;
+        for (linkage, body) in self.model.linkages.iter().enumerate() {
+            let node = frozen.internal[body.node];
+            frozen
+                .linkages
+                .push(FrozenLinkage::new(node, &body.linkage));
+            for (output, &node) in body.outputs.iter().enumerate() {
+                let node = frozen.internal[node];
+                let rigid = frozen.rigids.iter().find(|rigid| rigid.node == node);
+                if let Some(rigid) = rigid {
+                    let place = OutputPlace { linkage, output };
+                    frozen.laws[rigid.law].output = Some(place);
+                }
+            }
+        }
+    }
+
+    fn place_tracks(&mut self) {
+        for track in &self.model.tracks {
+            let node = match track.source {
+                TrackSource::Time => None,
+                TrackSource::Node(node) => Some(self.frozen.internal[node]),
+            };
+            let signal = node.map(|node| self.frozen.signal(node));
+            self.frozen.tracks.push(FrozenTrack {
+                node,
+                signal,
+                breaks: track.breaks.clone(),
+                stops: track.stops,
+                object: track.object,
+            });
+        }
+    }
+
+    /// Friction in the joints of linkages, with the tracks that it brings along.
+    fn place_friction(&mut self) {
+        for (linkage, body) in self.model.linkages.iter().enumerate() {
+            self.frozen.place_friction(linkage, body);
+        }
+        self.frozen.number_directions();
+    }
+
+    /// Friction of joints is found from the acceleration of one coordinate.
+    fn refuse_coupled_friction(&mut self) {
+        for group in &self.frozen.groups {
+            let combined = (self.frozen.constraints.iter()).any(|one| one.node == group.root);
+            if !(combined || self.frozen.is_coupled(group.root)) {
+                continue;
+            }
+            for member in &group.members {
+                let id = &self.model.objects[member.object].id;
+                self.faults.push(Fault::new(
+                    format!("{id}.joint_friction"),
+                    "it moves as one with an object that has several inputs and inertia: joint \
+                     friction is found for one coordinate alone",
+                    "leave `joint_friction` out, or give one of the objects between masses",
+                ));
+            }
+        }
+    }
+
+    fn place_loads(&mut self) {
+        for load in &self.model.loads {
+            let node = self.frozen.internal[load.node];
+            let argument = match &load.law {
+                LoadLaw::Constant(force) => {
+                    self.frozen.constant_force[node] += force;
+                    continue;
+                }
+                LoadLaw::Pieces { track, .. } => {
+                    let component = self.frozen.track_component(*track);
+                    let place = self.frozen.tracks[*track].node;
+                    Some(Argument::new(&self.model.tracks[*track], component, place))
+                }
+                _ => None,
+            };
+            self.frozen.loads.push(FrozenLoad {
+                node,
+                law: load.law.clone(),
+                argument,
+            });
+        }
+    }
+}
+
+impl Frozen {
+    /// The signal that is a node's displacement: a rotor's coordinate, or one
+    /// of the extra signals.
+    pub(super) fn signal(&mut self, node: usize) -> usize {
+        for step in &self.steps {
+            if let Step::Rotor(rotor) = step
+                && rotor.node == node
+            {
+                return rotor.coordinate;
+            }
+        }
+        let known = self.extra.iter().position(|&extra| extra == node);
+        let index = known.unwrap_or_else(|| {
+            self.extra.push(node);
+            self.extra.len() - 1
+        });
+        self.coordinates + index
+    }
+}

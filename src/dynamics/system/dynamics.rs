@@ -1,0 +1,301 @@
+//! The system as the integrators see it.
+
+use super::frozen::{Frozen, Step};
+use super::passes::{Extent, Work};
+use super::taylor::{Start, Taylor};
+use super::{Bundle, DIRECTIONS, Scratch, System};
+use crate::dynamics::integrate::{Dynamics, Edge, Modes, PhysicalStop, Probe, Watch};
+use crate::math::number::{Dual, Duals};
+
+impl Scratch {
+    pub(super) fn new(frozen: &Frozen) -> Self {
+        let coordinates = frozen.coordinates;
+        Self {
+            work: Work::new(frozen),
+            accelerations: vec![0.0; coordinates],
+            dual_work: Work::new(frozen),
+            dual_state: vec![Dual::default(); 2 * coordinates],
+            dual_accelerations: vec![Dual::default(); coordinates],
+            bundle: None,
+            taylor: None,
+        }
+    }
+}
+
+impl Bundle {
+    fn new(frozen: &Frozen) -> Self {
+        let zero = Duals::from(0.0);
+        Self {
+            work: Work::new(frozen),
+            state: vec![zero; 2 * frozen.coordinates],
+            accelerations: vec![zero; frozen.coordinates],
+        }
+    }
+}
+
+/// Share of a rotor's angle that counts for its size.
+const TURNED: f64 = 0.01;
+
+impl Dynamics for System {
+    type Scratch = Scratch;
+
+    fn scratch(&self) -> Scratch {
+        Scratch::new(&self.frozen)
+    }
+
+    fn coordinates(&self) -> usize {
+        self.frozen.coordinates
+    }
+
+    fn signals(&self) -> usize {
+        self.frozen.coordinates + self.frozen.extra.len()
+    }
+
+    fn derivatives(
+        &self,
+        time: f64,
+        y: &[f64],
+        modes: &Modes,
+        scratch: &mut Scratch,
+        dy: &mut [f64],
+    ) {
+        let (speeds, accelerations) = dy.split_at_mut(self.frozen.coordinates);
+        speeds.copy_from_slice(&y[self.frozen.coordinates..]);
+        let extent = Extent::Needed;
+        self.frozen
+            .evaluate(time, y, &modes.0, extent, &mut scratch.work, accelerations);
+    }
+
+    fn tangent(
+        &self,
+        time: f64,
+        y: &[f64],
+        modes: &Modes,
+        direction: &[f64],
+        scratch: &mut Scratch,
+        out: &mut [f64],
+    ) {
+        for ((state, &value), &derivative) in scratch.dual_state.iter_mut().zip(y).zip(direction) {
+            *state = Dual::new(value, derivative);
+        }
+        self.frozen.evaluate(
+            Dual::from(time),
+            &scratch.dual_state,
+            &modes.0,
+            Extent::Needed,
+            &mut scratch.dual_work,
+            &mut scratch.dual_accelerations,
+        );
+        let (speeds, accelerations) = out.split_at_mut(self.frozen.coordinates);
+        speeds.copy_from_slice(&direction[self.frozen.coordinates..]);
+        for (out, dual) in accelerations.iter_mut().zip(&scratch.dual_accelerations) {
+            *out = dual.derivative;
+        }
+    }
+
+    fn tangents(
+        &self,
+        time: f64,
+        y: &[f64],
+        modes: &Modes,
+        directions: &[f64],
+        scratch: &mut Scratch,
+        out: &mut [f64],
+    ) {
+        let count = self.frozen.coordinates;
+        let bundle = scratch
+            .bundle
+            .get_or_insert_with(|| Box::new(Bundle::new(&self.frozen)));
+        let directions = directions.chunks(DIRECTIONS * 2 * count);
+        for (directions, out) in directions.zip(out.chunks_mut(DIRECTIONS * count)) {
+            for (state, &value) in bundle.state.iter_mut().zip(y) {
+                *state = Duals::from(value);
+            }
+            for (k, direction) in directions.chunks_exact(2 * count).enumerate() {
+                for (state, &entry) in bundle.state.iter_mut().zip(direction) {
+                    state.derivatives[k] = entry;
+                }
+            }
+            self.frozen.evaluate(
+                Duals::from(time),
+                &bundle.state,
+                &modes.0,
+                Extent::Needed,
+                &mut bundle.work,
+                &mut bundle.accelerations,
+            );
+            for (k, out) in out.chunks_exact_mut(count).enumerate() {
+                for (out, acceleration) in out.iter_mut().zip(&bundle.accelerations) {
+                    *out = acceleration.derivatives[k];
+                }
+            }
+        }
+    }
+
+    fn is_autonomous(&self) -> bool {
+        let timed = |step: &Step| matches!(step, Step::Prescribed(_));
+        !self.frozen.steps.iter().any(timed) && self.frozen.tracks.iter().all(|t| t.node.is_some())
+    }
+
+    fn time_tangent(
+        &self,
+        time: f64,
+        y: &[f64],
+        modes: &Modes,
+        scratch: &mut Scratch,
+        out: &mut [f64],
+    ) {
+        for (state, &value) in scratch.dual_state.iter_mut().zip(y) {
+            *state = Dual::from(value);
+        }
+        self.frozen.evaluate(
+            Dual::new(time, 1.0),
+            &scratch.dual_state,
+            &modes.0,
+            Extent::Needed,
+            &mut scratch.dual_work,
+            &mut scratch.dual_accelerations,
+        );
+        let (speeds, accelerations) = out.split_at_mut(self.frozen.coordinates);
+        speeds.fill(0.0);
+        for (out, dual) in accelerations.iter_mut().zip(&scratch.dual_accelerations) {
+            *out = dual.derivative;
+        }
+    }
+
+    fn expands(&self) -> bool {
+        self.frozen.expands()
+    }
+
+    fn expand(
+        &self,
+        [time, length]: [f64; 2],
+        y: &[f64],
+        dy: &[f64],
+        modes: &Modes,
+        degree: usize,
+        scratch: &mut Scratch,
+        out: &mut [f64],
+    ) -> f64 {
+        let start = Start {
+            time,
+            y,
+            dy,
+            modes: &modes.0,
+        };
+        let Scratch { work, taylor, .. } = scratch;
+        let taylor = taylor.get_or_insert_with(|| Box::new(Taylor::new(&self.frozen)));
+        self.frozen
+            .expand(&start, degree, length, work, taylor, out)
+    }
+
+    fn pattern(&self) -> Vec<Vec<usize>> {
+        self.frozen.pattern()
+    }
+
+    fn extra_signals(
+        &self,
+        time: f64,
+        y: &[f64],
+        dy: &[f64],
+        modes: &Modes,
+        scratch: &mut Scratch,
+        out: &mut [[f64; 3]],
+    ) {
+        if self.frozen.extra.is_empty() {
+            return;
+        }
+        let work = &mut scratch.work;
+        let accelerations = &dy[self.frozen.coordinates..];
+        self.frozen.motion(time, y, &modes.0, Extent::Needed, work);
+        self.frozen.known_accelerations(accelerations, work);
+        for (out, &node) in out.iter_mut().zip(&self.frozen.extra) {
+            *out = [
+                work.displacement[node],
+                work.speed[node],
+                work.acceleration[node],
+            ];
+        }
+    }
+
+    fn scales(&self) -> &[f64] {
+        self.scales_of_state()
+    }
+
+    fn size(&self, index: usize, value: f64) -> f64 {
+        // Only rotors have no link; their angle stays well above its rounding.
+        let turns = index < self.frozen.coordinates && self.frozen.stiffness[index] == 0.0;
+        let share = if turns { TURNED } else { 1.0 };
+        self.scales_of_state()[index] + share * value.abs()
+    }
+
+    fn state_name(&self, index: usize) -> String {
+        self.entry_name(index)
+    }
+
+    fn watches(&self, modes: &Modes, out: &mut Vec<Watch>) {
+        self.frozen.watches(&modes.0, out);
+    }
+
+    fn switch(
+        &self,
+        time: f64,
+        y: &mut [f64],
+        watch: &Watch,
+        modes: &mut Modes,
+    ) -> Result<(), PhysicalStop> {
+        self.pass_switch(time, y, watch, modes)
+    }
+
+    fn probes(&self, modes: &Modes, out: &mut Vec<Probe>) {
+        out.clear();
+        self.frozen.probes(&modes.0, out);
+    }
+
+    fn probe(
+        &self,
+        probe: &Probe,
+        time: f64,
+        y: &mut [f64],
+        modes: &Modes,
+        scratch: &mut Scratch,
+    ) -> f64 {
+        let work = &mut scratch.work;
+        self.frozen.probe(probe, time, y, &modes.0, work)
+    }
+
+    fn obstacle(&self, scratch: &Scratch) -> Option<PhysicalStop> {
+        self.friction_obstacle(&scratch.work)
+    }
+
+    fn edges(&self, modes: &Modes, out: &mut Vec<Edge>) {
+        self.frozen.edges(&modes.0, out);
+    }
+
+    fn stop_at(&self, time: f64, edge: &Edge) -> PhysicalStop {
+        self.end_of_reach(time, edge)
+    }
+
+    fn given_signal(&self, signal: usize, time: f64) -> Option<[f64; 2]> {
+        let extra = signal.checked_sub(self.frozen.coordinates)?;
+        let node = *self.frozen.extra.get(extra)?;
+        let motion = self.frozen.steps.iter().find_map(|step| match step {
+            Step::Prescribed(drive) if drive.node == node => Some(&drive.motion),
+            _ => None,
+        })?;
+        let jet = motion.jet(motion.breaks().locate(time, 1.0), time);
+        Some([jet.value, jet.first])
+    }
+
+    fn next_break(&self, time: f64, modes: &Modes) -> f64 {
+        self.frozen.next_break(time, &modes.0)
+    }
+
+    fn pass_break(&self, time: f64, modes: &mut Modes) {
+        self.frozen.pass_break(time, &mut modes.0);
+    }
+
+    fn is_pair(&self, component: usize) -> bool {
+        component < self.frozen.pairs.len()
+    }
+}

@@ -1,0 +1,119 @@
+//! Named ends of runs whose motion friction does not allow or does not determine.
+
+use super::Obstacle;
+use crate::dynamics::integrate::PhysicalStop;
+use crate::dynamics::system::System;
+use crate::dynamics::system::passes::Work;
+use crate::kinematics::linkage::kinetostatics::ForceFailure;
+use crate::units::shown;
+
+/// How far beyond a state the reason of a stop is looked for, in parts of the time.
+const AHEAD: [f64; 5] = [0.0, 1e-15, 1e-14, 1e-12, 1e-9];
+/// No acceleration agrees with its friction.
+const LOCKED: Obstacle = Obstacle::Failed(ForceFailure::SelfLocking {
+    change: f64::NAN,
+    iterations: 0,
+});
+
+impl System {
+    /// A group at rest that may start in either direction.
+    pub(super) fn either_way(&self, index: usize, time: f64) -> PhysicalStop {
+        let id = self.rubbing_id(index, 0);
+        PhysicalStop {
+            name: "several_solutions",
+            message: format!(
+                "{id} stands at t = {} s and may start in either direction: with the \
+                 friction of its joints the motion is not determined",
+                shown(time, 9)
+            ),
+            object: id,
+        }
+    }
+
+    /// The end of a run whose motion has no solution or several, at a state or just
+    /// beyond it.
+    pub(super) fn without_solution(
+        &self,
+        index: usize,
+        time: f64,
+        y: &[f64],
+        modes: &[i64],
+    ) -> PhysicalStop {
+        let mut work = Work::new(&self.frozen);
+        let group = &self.frozen.groups[index];
+        let (u, v) = y.split_at(self.frozen.coordinates);
+        let found = AHEAD.iter().find_map(|ahead| {
+            let ahead = ahead * time;
+            let moved = u.iter().zip(v).map(|(u, v)| u + ahead * v);
+            let state: Vec<f64> = moved.chain(v.iter().copied()).collect();
+            self.frozen
+                .unsolved(group, time + ahead, &state, modes, &mut work)
+        });
+        // Found by following the motion itself: friction goes on as it came beyond a
+        // kink, where the other side of it does not lead on.
+        let (member, failure) = found.unwrap_or((0, LOCKED));
+        self.friction_stop(index, member, failure)
+    }
+
+    fn rubbing_id(&self, index: usize, member: usize) -> String {
+        let object = self.frozen.groups[index].members[member].object;
+        self.model.objects[object].id.clone()
+    }
+
+    pub(super) fn friction_stop(
+        &self,
+        index: usize,
+        member: usize,
+        failure: Obstacle,
+    ) -> PhysicalStop {
+        let object = self.rubbing_id(index, member);
+        let given = self.frozen.groups[index].coordinate.is_none();
+        let (name, message) = match failure {
+            Obstacle::Several => (
+                "several_solutions",
+                format!(
+                    "the motion of {object} is not determined: several accelerations agree with \
+                     the friction that they cause in its joints (Painlevé)"
+                ),
+            ),
+            Obstacle::Failed(ForceFailure::DeadPosition { .. }) => (
+                "self_locking",
+                format!("{object} locks: the equations of its motion are singular here"),
+            ),
+            _ if given => (
+                "self_locking",
+                format!(
+                    "{object} locks: no force of its drive overcomes the friction of its joints"
+                ),
+            ),
+            _ => (
+                "self_locking",
+                format!(
+                    "{object} locks: no acceleration agrees with the friction that it causes in \
+                     its joints"
+                ),
+            ),
+        };
+        PhysicalStop {
+            name,
+            object,
+            message,
+        }
+    }
+
+    /// Why the last evaluation gave no numbers, where friction is the reason.
+    pub(in crate::dynamics::system) fn friction_obstacle(
+        &self,
+        work: &Work<f64>,
+    ) -> Option<PhysicalStop> {
+        for (index, group) in self.frozen.groups.iter().enumerate() {
+            for (number, member) in group.members.iter().enumerate() {
+                match work.rubbing[member.linkage].failure {
+                    None | Some(Obstacle::Failed(ForceFailure::NotFinite)) => {}
+                    Some(failure) => return Some(self.friction_stop(index, number, failure)),
+                }
+            }
+        }
+        None
+    }
+}

@@ -1,0 +1,271 @@
+//! The model laid out for the right-hand side.
+//!
+//! Nodes get an internal order in which drivers come before driven and the
+//! masses of a chain stand side by side; free coordinates follow the same
+//! order, so that a chain is one contiguous range of nodes, of coordinates and
+//! of links.
+
+use super::constraints::Constrained;
+use super::friction::Group;
+use super::linkages::{FrozenLinkage, OutputPlace};
+use super::loads::FrozenLoad;
+use super::pairs::Contact;
+use super::trains::Train;
+use crate::kinematics::breaks::Breaks;
+use crate::kinematics::motion::DriveMotion;
+use crate::kinematics::position::Position;
+use crate::math::jet::Jet;
+
+/// Numbers and order of evaluation of a model. n: coordinates, k: nodes.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Frozen {
+    /// Number n of free coordinates.
+    pub(super) coordinates: usize,
+    /// Internal index of each of the model's nodes (k).
+    pub(super) internal: Vec<usize>,
+    /// Free coordinate of each internal node (k).
+    pub(super) coordinate: Vec<Option<usize>>,
+    /// What to evaluate, drivers before driven.
+    pub(super) steps: Vec<Step>,
+    /// Chains that are systems of their own behind a prescribed drive.
+    pub(super) branches: Vec<Branch>,
+    /// The steps that the right-hand side needs besides the branches.
+    pub(super) coupled: Vec<Step>,
+    /// All of `coupled`, if it consists of rigid trains.
+    pub(super) trains: Vec<Train>,
+    /// Laws, one for each chain and each rigid node.
+    pub(super) laws: Vec<FrozenLaw>,
+    /// Chains.
+    pub(super) chains: Vec<Chain>,
+    /// Rigid nodes, drivers before driven.
+    pub(super) rigids: Vec<Rigid>,
+    /// Those of them that the right-hand side needs.
+    pub(super) needed_rigids: Vec<Rigid>,
+    /// Nodes with several drivers, drivers before driven.
+    pub(super) constraints: Vec<Constrained>,
+    /// Those of them that inertia is on, indices into `constraints`.
+    pub(super) heavy: Vec<usize>,
+    /// Linkages, drivers before driven.
+    pub(super) linkages: Vec<FrozenLinkage>,
+    /// Constant inertia of each node (k, kg·m² or kg).
+    pub(super) inertia: Vec<f64>,
+    /// Sum of the constant loads on each node (k, N·m or N).
+    pub(super) constant_force: Vec<f64>,
+    /// All other loads.
+    pub(super) loads: Vec<FrozenLoad>,
+    /// c of the link below each mass (n; 0 for rotors).
+    pub(super) stiffness: Vec<f64>,
+    /// b of the link below each mass (n; 0 for rotors).
+    pub(super) damping: Vec<f64>,
+    /// 1/J of each free node (n).
+    pub(super) inverse_inertia: Vec<f64>,
+    /// Chain of each pair that can open: the first components of the modes.
+    pub(super) pairs: Vec<usize>,
+    /// The tracks: the components of the modes after the pairs.
+    pub(super) tracks: Vec<FrozenTrack>,
+    /// What moves together where joints have friction.
+    pub(super) groups: Vec<Group>,
+    /// Number of directions: the components of the modes after the tracks.
+    pub(super) directions: usize,
+    /// Internal nodes whose displacement is a signal beyond the coordinates.
+    pub(super) extra: Vec<usize>,
+}
+
+/// One step of the forward pass.
+#[derive(Clone, Debug)]
+pub(super) enum Step {
+    /// A node with given motion.
+    Prescribed(Prescribed),
+    /// A motor's rotor.
+    Rotor(Rotor),
+    /// A rigid object, index into [`Frozen::rigids`].
+    Rigid(usize),
+    /// A chain, index into [`Frozen::chains`].
+    Chain(usize),
+    /// A node with several drivers, index into [`Frozen::constraints`].
+    Constrained(usize),
+}
+
+/// A node with given motion.
+#[derive(Clone, Debug)]
+pub(super) struct Prescribed {
+    /// Its node.
+    pub(super) node: usize,
+    /// φ(t).
+    pub(super) motion: DriveMotion,
+    /// Component of the modes that selects the piece.
+    pub(super) component: Option<usize>,
+}
+
+/// A motor's rotor.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Rotor {
+    /// Its node.
+    pub(super) node: usize,
+    /// Its coordinate.
+    pub(super) coordinate: usize,
+    /// φ at t = 0.
+    pub(super) angle: f64,
+    /// φ̇ at t = 0.
+    pub(super) speed: f64,
+}
+
+/// A rigid object.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Rigid {
+    /// Its node.
+    pub(super) node: usize,
+    /// Its law.
+    pub(super) law: usize,
+}
+
+/// A chain of masses behind a law.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Chain {
+    /// Its law.
+    pub(super) law: usize,
+    /// Node of mass 1; the others follow.
+    pub(super) first_node: usize,
+    /// Coordinate of mass 1; the others follow.
+    pub(super) first_coordinate: usize,
+    /// Number of its coordinates: its masses, and the massless point before them.
+    pub(super) masses: usize,
+    /// True when it begins with a massless point between a contact element and link 1.
+    pub(super) point: bool,
+    /// Stiffness of the contact element of its pair, alone or in series with link 1.
+    pub(super) indented: Option<f64>,
+    /// The pair of link 1.
+    pub(super) contact: Contact,
+    /// Component of the modes of a pair that can open.
+    pub(super) component: Option<usize>,
+    /// True when loads, followers or tracks look at a mass's own motion, not
+    /// only at its deviation.
+    pub(super) watched: bool,
+    /// True when a rigid object hangs on a mass and adds to its inertia.
+    pub(super) carries: bool,
+}
+
+impl Chain {
+    /// Number of massless points before its masses: 0 or 1.
+    #[inline(always)]
+    pub(super) fn points(&self) -> usize {
+        usize::from(self.point)
+    }
+
+    /// Indentation of its contact element at a deformation x of the pair under a force
+    /// N ≥ 0; 0 while it is clear of its flanks, and where there is no such element.
+    pub(super) fn indentation(&self, x: f64, force: f64) -> f64 {
+        let Some(stiffness) = self.indented else {
+            return 0.0;
+        };
+        let flanks = self.contact.sides().iter();
+        let depth = flanks.map(|&side| self.contact.penetration(side, x, 0.0).0);
+        let depth = depth.fold(0.0, f64::max);
+        match self.contact.hertz() {
+            Some(hertz) => hertz.indentation(depth),
+            // In series with link 1 only its own share.
+            None if self.contact.stiffness() < stiffness => force / stiffness,
+            None => depth,
+        }
+    }
+
+    /// Its coordinates.
+    pub(super) fn coordinates(&self) -> std::ops::Range<usize> {
+        self.first_coordinate..self.first_coordinate + self.masses
+    }
+
+    /// Its nodes.
+    pub(super) fn nodes(&self) -> std::ops::Range<usize> {
+        self.first_node..self.first_node + self.masses
+    }
+}
+
+/// A chain that nothing but its links and constant loads acts on, behind a
+/// prescribed drive: all that its right-hand side needs, side by side.
+#[derive(Clone, Debug)]
+pub(super) struct Branch {
+    /// The drive.
+    pub(super) drive: Prescribed,
+    /// The law over the drive's displacement.
+    pub(super) law: FrozenLaw,
+    /// The chain.
+    pub(super) chain: Chain,
+    /// c of its links.
+    pub(super) stiffness: Box<[f64]>,
+    /// b of its links.
+    pub(super) damping: Box<[f64]>,
+    /// 1/J of its masses.
+    pub(super) inverse_inertia: Box<[f64]>,
+    /// Constant loads on its masses.
+    pub(super) constant_force: Box<[f64]>,
+}
+
+/// U(φ_driver), frozen.
+#[derive(Clone, Debug)]
+pub(super) struct FrozenLaw {
+    /// Driving node.
+    pub(super) driver: usize,
+    /// U.
+    pub(super) position: Position,
+    /// Factor on U.
+    pub(super) lever: f64,
+    /// Component of the modes that selects the piece.
+    pub(super) component: Option<usize>,
+    /// The output of a linkage that it is, which is then read off the linkage.
+    pub(super) output: Option<OutputPlace>,
+}
+
+impl FrozenLaw {
+    /// lever·U and its derivatives at the driver's displacement.
+    #[inline(always)]
+    pub(super) fn jet(&self, modes: &[i64], displacement: f64) -> Jet {
+        let segment = segment(modes, self.component);
+        self.position.jet(segment, displacement).scaled(self.lever)
+    }
+
+    /// True when the law exists at the driver's displacement.
+    pub(super) fn reaches(&self, displacement: f64) -> bool {
+        displacement.is_finite() && self.position.reach_from(displacement).is_ok()
+    }
+}
+
+/// An axis with break points.
+#[derive(Clone, Debug)]
+pub(super) struct FrozenTrack {
+    /// Node whose displacement runs along it; `None`: time.
+    pub(super) node: Option<usize>,
+    /// Signal that is that displacement; `None` for time.
+    pub(super) signal: Option<usize>,
+    /// The break points.
+    pub(super) breaks: Breaks,
+    /// True when leaving the present segment ends the run.
+    pub(super) stops: bool,
+    /// Index of the object concerned.
+    pub(super) object: usize,
+}
+
+/// The segment that a component of the modes selects; 0 without one.
+#[inline(always)]
+pub(super) fn segment(modes: &[i64], component: Option<usize>) -> i64 {
+    component.map_or(0, |component| modes[component])
+}
+
+impl Frozen {
+    /// Mode of a chain's pair; [`super::pairs::OPEN`] for a bilateral pair,
+    /// which does not look at it.
+    #[inline(always)]
+    pub(super) fn pair_mode(&self, chain: &Chain, modes: &[i64]) -> i64 {
+        segment(modes, chain.component)
+    }
+
+    /// True when the motion of a node hangs on a free coordinate.
+    pub(super) fn moves_freely(&self, node: usize) -> bool {
+        let mut roots = self.roots(node).into_iter();
+        roots.any(|root| self.coordinate[root].is_some())
+    }
+
+    /// Component of the modes of a track.
+    pub(super) fn track_component(&self, track: usize) -> usize {
+        self.pairs.len() + track
+    }
+}

@@ -1,0 +1,271 @@
+//! What every object is doing: read off a complete evaluation.
+
+use super::frozen::{Chain, Frozen, Rigid, Step};
+use super::loads::is_motor;
+use super::passes::{Extent, Work};
+use super::{Energy, ObjectState, Power, Scratch, System};
+use crate::dynamics::integrate::Modes;
+use crate::dynamics::model::{Closure, LoadLaw, Model, ObjectPart, Pair};
+
+/// What an object of the model has become in the frozen layout.
+#[derive(Clone, Debug)]
+pub(super) struct ObjectPlace {
+    /// Its last node, internal index.
+    pub(super) node: usize,
+    /// What it is.
+    pub(super) body: Body,
+}
+
+/// What an object is.
+#[derive(Clone, Debug)]
+pub(super) enum Body {
+    /// A drive with given motion.
+    Prescribed,
+    /// A motor: its loads that are its torque, and the constant part of it.
+    Motor {
+        /// Indices into [`Frozen::loads`].
+        loads: Vec<usize>,
+        /// Constant torque.
+        constant: f64,
+    },
+    /// A rigid object, with its pair.
+    Rigid(Rigid, Pair),
+    /// A chain, index into [`Frozen::chains`].
+    Chain(usize),
+}
+
+impl ObjectPlace {
+    /// Finds an object of the model in the frozen layout.
+    pub(super) fn find(frozen: &Frozen, model: &Model, part: &ObjectPart) -> Self {
+        let node = frozen.internal[part.nodes[part.nodes.len() - 1]];
+        let body = frozen
+            .steps
+            .iter()
+            .find_map(|step| match step {
+                Step::Prescribed(drive) if drive.node == node => Some(Body::Prescribed),
+                Step::Rotor(rotor) if rotor.node == node => Some(motor(frozen, model, part, node)),
+                Step::Rigid(index) if frozen.rigids[*index].node == node => Some(Body::Rigid(
+                    frozen.rigids[*index],
+                    part.rigid_pair.unwrap_or_default(),
+                )),
+                Step::Chain(index) if frozen.chains[*index].nodes().contains(&node) => {
+                    Some(Body::Chain(*index))
+                }
+                _ => None,
+            })
+            // Every node has its step.
+            .unwrap_or(Body::Prescribed);
+        Self { node, body }
+    }
+}
+
+/// The torque of a motor: its characteristic over speed, or the constant load
+/// that bears the torque's own address.
+fn motor(frozen: &Frozen, model: &Model, part: &ObjectPart, internal: usize) -> Body {
+    let own = |name: &str| {
+        let rest = name.strip_prefix(part.id.as_str());
+        rest.is_some_and(|rest| [".torque", ".motor.torque", ".motor.force"].contains(&rest))
+    };
+    let loads = (0..frozen.loads.len())
+        .filter(|&load| frozen.loads[load].node == internal && is_motor(&frozen.loads[load].law))
+        .collect();
+    let constant = model
+        .loads
+        .iter()
+        .filter(|load| load.node == part.nodes[0] && own(&load.name))
+        .map(|load| match load.law {
+            LoadLaw::Constant(torque) => torque,
+            _ => 0.0,
+        })
+        .sum();
+    Body::Motor { loads, constant }
+}
+
+impl System {
+    /// A complete evaluation into `scratch`.
+    pub(super) fn evaluate_fully(
+        &self,
+        time: f64,
+        y: &[f64],
+        modes: &Modes,
+        scratch: &mut Scratch,
+    ) {
+        self.frozen.evaluate(
+            time,
+            y,
+            &modes.0,
+            Extent::Full,
+            &mut scratch.work,
+            &mut scratch.accelerations,
+        );
+    }
+
+    /// What every object of the model is doing; `out` has one entry an object.
+    /// Allocates nothing.
+    pub fn observe(
+        &self,
+        time: f64,
+        y: &[f64],
+        modes: &Modes,
+        scratch: &mut Scratch,
+        out: &mut [ObjectState],
+    ) {
+        self.evaluate_fully(time, y, modes, scratch);
+        self.read_states(time, y, modes, &scratch.work, out);
+    }
+
+    /// The same, with the powers of [`Self::power`] and the energies of
+    /// [`Self::energy`] from the same evaluation.
+    pub fn observe_closely(
+        &self,
+        time: f64,
+        y: &[f64],
+        modes: &Modes,
+        scratch: &mut Scratch,
+        out: &mut [ObjectState],
+    ) -> (Power, Energy) {
+        self.evaluate_fully(time, y, modes, scratch);
+        let work = &scratch.work;
+        self.read_states(time, y, modes, work, out);
+        let [kinetic, elastic] = self.frozen.energy_of(y, work);
+        let energy = Energy { kinetic, elastic };
+        (self.read_power(time, y, modes, work), energy)
+    }
+
+    /// States, read off a complete evaluation.
+    fn read_states(
+        &self,
+        time: f64,
+        y: &[f64],
+        modes: &Modes,
+        work: &Work<f64>,
+        out: &mut [ObjectState],
+    ) {
+        for (out, place) in out.iter_mut().zip(&self.places) {
+            *out = ObjectState {
+                displacement: work.displacement[place.node],
+                speed: work.speed[place.node],
+                acceleration: work.acceleration[place.node],
+                ..ObjectState::default()
+            };
+            match &place.body {
+                Body::Prescribed => out.reaction = self.drive_moment(place.node, work),
+                Body::Motor { loads, constant } => {
+                    let torque = |&load: &usize| self.frozen.load(load, time, &modes.0, work);
+                    out.reaction = constant + loads.iter().map(torque).sum::<f64>();
+                }
+                Body::Rigid(rigid, pair) => {
+                    let force = work.force[rigid.node]
+                        - work.mass[rigid.node] * work.acceleration[rigid.node];
+                    out.reaction = force;
+                    out.contact_force = match pair.closure {
+                        Closure::Bilateral => 0.0,
+                        Closure::Force => -pair.opens * force,
+                        Closure::Form => force.abs(),
+                    };
+                }
+                Body::Chain(chain) => {
+                    let reaction = work.reaction[*chain];
+                    self.observe_chain(&self.frozen.chains[*chain], y, modes, reaction, out);
+                }
+            }
+        }
+    }
+
+    fn observe_chain(
+        &self,
+        chain: &Chain,
+        y: &[f64],
+        modes: &Modes,
+        reaction: f64,
+        out: &mut ObjectState,
+    ) {
+        let (u, v) = self.frozen.deviations(chain, y);
+        out.delta = u[chain.masses - 1];
+        out.delta_speed = v[chain.masses - 1];
+        out.deformation = u[0];
+        let mode = self.frozen.pair_mode(chain, &modes.0);
+        out.deformation_speed = self.frozen.pair_rate(chain, mode, u, v);
+        out.reaction = reaction;
+        if chain.contact.can_open() {
+            // At a switch located to rounding the force may be a rounding below 0.
+            out.contact_force = (mode as f64 * reaction).max(0.0);
+            if mode == super::pairs::OPEN {
+                out.lift = chain.contact.clearance(u[0]);
+            }
+            out.indentation = chain.indentation(u[0], out.contact_force);
+        }
+    }
+
+    /// The moment (or force) that gives a prescribed node its motion.
+    fn drive_moment(&self, node: usize, work: &Work<f64>) -> f64 {
+        work.mass[node] * work.acceleration[node] - work.force[node]
+    }
+
+    /// Powers of drives, loads and dampers. Allocates nothing.
+    pub fn power(&self, time: f64, y: &[f64], modes: &Modes, scratch: &mut Scratch) -> Power {
+        self.evaluate_fully(time, y, modes, scratch);
+        self.read_power(time, y, modes, &scratch.work)
+    }
+
+    /// Powers, read off a complete evaluation.
+    fn read_power(&self, time: f64, y: &[f64], modes: &Modes, work: &Work<f64>) -> Power {
+        let frozen = &self.frozen;
+        let drive = |step: &Step| match step {
+            Step::Prescribed(drive) => self.drive_moment(drive.node, work) * work.speed[drive.node],
+            _ => 0.0,
+        };
+        let constant = frozen.constant_force.iter().zip(&work.speed);
+        let varying = (0..frozen.loads.len()).map(|load| {
+            frozen.load(load, time, &modes.0, work) * work.speed[frozen.loads[load].node]
+        });
+        let (mut applied, mut damped) = (0.0, 0.0);
+        for (index, linkage) in frozen.linkages.iter().enumerate() {
+            let (reduced, speed) = (frozen.linkage(index, work), work.speed[linkage.node]);
+            applied += reduced.applied * speed;
+            damped -= reduced.damping * speed;
+        }
+        let chains = frozen.chains.iter();
+        Power {
+            drives: frozen.steps.iter().map(drive).sum(),
+            loads: constant.map(|(force, speed)| force * speed).sum::<f64>()
+                + varying.sum::<f64>()
+                + applied,
+            dissipated: chains
+                .map(|chain| frozen.dissipated(chain, y, modes))
+                .sum::<f64>()
+                + damped,
+            friction: frozen
+                .friction_losses(&modes.0, work)
+                .map(|(_, loss)| loss)
+                .sum(),
+        }
+    }
+
+    /// Power lost to the friction of joints, as the last call of [`Self::power`] found
+    /// it: object and loss (W).
+    pub fn friction_losses<'a>(
+        &'a self,
+        modes: &'a Modes,
+        scratch: &'a Scratch,
+    ) -> impl Iterator<Item = (usize, f64)> + 'a {
+        self.frozen.friction_losses(&modes.0, &scratch.work)
+    }
+
+    /// A number that changes where friction has a kink that no switch marks: where in
+    /// a given motion a corner of a block begins to press on the other side of its
+    /// guide. As of the last evaluation.
+    pub(crate) fn friction_side(&self, scratch: &Scratch) -> u64 {
+        self.frozen.pressing_corners(&scratch.work)
+    }
+
+    /// Objects whose joints have friction, each with the component of [`Modes`] that
+    /// says whether friction holds it; without one its motion is given.
+    pub fn rubbing_objects(&self) -> impl Iterator<Item = (usize, Option<usize>)> + '_ {
+        let groups = self.frozen.groups.iter();
+        groups.flat_map(|group| {
+            let members = group.members.iter();
+            members.map(|member| (member.object, group.component))
+        })
+    }
+}

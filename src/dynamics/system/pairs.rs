@@ -1,0 +1,298 @@
+//! The kinematic pair of link 1: force, guards, stored and lost energy.
+//!
+//! A flank is written in its penetration p and ṗ. With s the side of the flank
+//! (−1: lower, where x < 0 presses; +1: upper) p = s·x − η/2 and ṗ = s·v, and
+//! the force of the link is F = s·N(p, ṗ). A pair is engaged on a flank while
+//! both p > 0 and the flank presses, N > 0.
+
+use super::hertz::Hertz;
+use crate::dynamics::integrate::{Guard, Watch};
+use crate::dynamics::model::{Closure, DampingLaw, Pair};
+use crate::fault::Fault;
+use crate::math::number::Number;
+use crate::math::quantity::Quantity;
+
+/// Mode of an open pair.
+pub(super) const OPEN: i64 = 0;
+
+/// A pair with its link's numbers.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Contact {
+    /// How it is kept together.
+    pub(super) closure: Closure,
+    /// Half the gap, η/2; 0 for force closure.
+    pub(super) half_gap: f64,
+    /// Side of the only flank of a force closure: −1 lower, +1 upper.
+    side: f64,
+    /// c of link 1.
+    stiffness: f64,
+    /// b of link 1 (Kelvin–Voigt).
+    damping: f64,
+    /// κ of Hunt–Crossley and of Hertz; `None`: Kelvin–Voigt.
+    pub(super) kappa: Option<f64>,
+    /// The elastic force where it is no c·p.
+    hertz: Option<Hertz>,
+}
+
+impl Contact {
+    /// A pair on a link. A κ still to be found (from the static penetration)
+    /// is 0 until [`Contact::kappa`] is set.
+    pub(super) fn new(
+        pair: &Pair,
+        stiffness: f64,
+        damping: f64,
+        object: &str,
+    ) -> Result<Self, Fault> {
+        if !(pair.gap >= 0.0 && pair.gap.is_finite()) {
+            return Err(Fault::new(
+                format!("{object}.pair.gap"),
+                format!("a gap of {} is not possible", pair.gap),
+                "a finite gap ≥ 0",
+            ));
+        }
+        if pair.opens != 1.0 && pair.opens != -1.0 {
+            return Err(Fault::new(
+                format!("{object}.pair.opens"),
+                format!("{} is not a direction", pair.opens),
+                "\"+\" or \"-\"",
+            ));
+        }
+        let kappa = match pair.law {
+            DampingLaw::KelvinVoigt => None,
+            DampingLaw::HuntCrossley { kappa } => Some(kappa.unwrap_or(0.0)),
+            DampingLaw::Hertz { dissipation, .. } => Some(dissipation),
+        };
+        let hertz = match pair.law {
+            DampingLaw::Hertz { compliance, .. } => Some(Hertz {
+                stiffness,
+                compliance,
+            }),
+            _ => None,
+        };
+        if kappa.is_some_and(|kappa| !(kappa >= 0.0 && kappa.is_finite())) {
+            return Err(Fault::new(
+                format!("{object}.pair.kappa"),
+                "κ is not a finite number ≥ 0",
+                "seconds per unit of penetration",
+            ));
+        }
+        let half_gap = match pair.closure {
+            Closure::Form => 0.5 * pair.gap,
+            Closure::Bilateral | Closure::Force => 0.0,
+        };
+        Ok(Self {
+            closure: pair.closure,
+            half_gap,
+            side: -pair.opens,
+            stiffness,
+            damping,
+            kappa,
+            hertz,
+        })
+    }
+
+    /// True when the pair can open, so that it has a mode.
+    pub(super) fn can_open(&self) -> bool {
+        self.closure != Closure::Bilateral
+    }
+
+    /// The sides of its flanks.
+    pub(super) fn sides(&self) -> &'static [i64] {
+        match self.closure {
+            Closure::Bilateral => &[],
+            Closure::Force if self.side > 0.0 => &[1],
+            Closure::Force => &[-1],
+            Closure::Form => &[-1, 1],
+        }
+    }
+
+    /// Penetration p of the flank on a side and its rate, negative when clear of it.
+    #[inline(always)]
+    pub(super) fn penetration<N: Number>(&self, side: i64, x: N, v: N) -> (N, N) {
+        let side = side as f64;
+        (x.scale(side) - N::from(self.half_gap), v.scale(side))
+    }
+
+    /// The elastic part of N at a penetration, and its derivative.
+    #[inline(always)]
+    pub(super) fn elastic<N: Quantity>(&self, p: N) -> [N; 2] {
+        match self.hertz {
+            None => [p.scale(self.stiffness), N::from(self.stiffness)],
+            Some(hertz) => {
+                let [force, slope, _] = p.lift(|p| hertz.jet(p));
+                [force, slope]
+            }
+        }
+    }
+
+    /// The elastic force where it is no c·p.
+    pub(super) fn hertz(&self) -> Option<Hertz> {
+        self.hertz
+    }
+
+    /// c of the link, or K by Hertz.
+    pub(super) fn stiffness(&self) -> f64 {
+        self.stiffness
+    }
+
+    /// b of the contact, and κ in force on a flank.
+    pub(super) fn losses(&self) -> (f64, Option<f64>) {
+        (self.damping, self.kappa)
+    }
+
+    /// F of link 1: smooth in x and v while the mode does not change, also
+    /// beyond the place where it should have changed.
+    #[inline(always)]
+    pub(super) fn force<N: Quantity>(&self, mode: i64, x: N, v: N) -> N {
+        if self.closure == Closure::Bilateral {
+            return x.scale(self.stiffness) + v.scale(self.damping);
+        }
+        if mode == OPEN {
+            return N::from(0.0);
+        }
+        let (p, rate) = self.penetration(mode, x, v);
+        let pressed = match (self.kappa, self.hertz) {
+            (None, _) => p.scale(self.stiffness) + rate.scale(self.damping),
+            (Some(kappa), None) => p.scale(self.stiffness) * (N::from(1.0) + rate.scale(kappa)),
+            (Some(kappa), Some(_)) => self.elastic(p)[0] * (N::from(1.0) + rate.scale(kappa)),
+        };
+        pressed.scale(mode as f64)
+    }
+
+    /// The two quantities that are both positive exactly while a flank is
+    /// engaged: p, and N in units that keep it of the size of p (N/c), or
+    /// 1 + κ·ṗ for Hunt–Crossley.
+    pub(super) fn presses<N: Number>(&self, side: i64, x: N, v: N) -> [N; 2] {
+        let (p, rate) = self.penetration(side, x, v);
+        match self.kappa {
+            None => [p, p + rate.scale(self.damping / self.stiffness)],
+            Some(kappa) => [p, N::from(1.0) + rate.scale(kappa)],
+        }
+    }
+
+    /// The same two quantities as guards over the coordinate x.
+    fn guards(&self, side: i64, coordinate: usize) -> [Guard; 2] {
+        let side = side as f64;
+        let depth = Guard {
+            signal: coordinate,
+            offset: -self.half_gap,
+            displacement: side,
+            speed: 0.0,
+        };
+        let pressing = match self.kappa {
+            None => Guard {
+                speed: side * self.damping / self.stiffness,
+                ..depth
+            },
+            Some(kappa) => Guard {
+                signal: coordinate,
+                offset: 1.0,
+                displacement: 0.0,
+                speed: side * kappa,
+            },
+        };
+        [depth, pressing]
+    }
+
+    /// The switches to look for in a mode.
+    pub(super) fn watches(
+        &self,
+        mode: i64,
+        coordinate: usize,
+        component: usize,
+        out: &mut Vec<Watch>,
+    ) {
+        if mode != OPEN {
+            out.push(Watch {
+                guards: self.guards(mode, coordinate),
+                rising: false,
+                component,
+                target: OPEN,
+            });
+            return;
+        }
+        for &side in self.sides() {
+            out.push(Watch {
+                guards: self.guards(side, coordinate),
+                rising: true,
+                component,
+                target: side,
+            });
+        }
+    }
+
+    /// The mode after leaving a flank at (x, v). Without a gap a pair that
+    /// leaves one flank by x reaching 0, rather than by its force falling to
+    /// zero, is on the other flank at once: it never opens.
+    pub(super) fn mode_after_leaving(&self, side: i64, x: f64, v: f64, scale: f64) -> i64 {
+        if self.closure != Closure::Form || self.half_gap > 0.0 {
+            return OPEN;
+        }
+        let [depth, pressing] = self.presses(side, x, v);
+        let passes = match self.kappa {
+            None => self.damping == 0.0,
+            Some(_) => depth.abs() < pressing.abs() * scale,
+        };
+        if passes { -side } else { OPEN }
+    }
+
+    /// Elastic energy stored: c·p²/2 of the flank that is penetrated, engaged
+    /// or open; c·x²/2 of a bilateral pair.
+    pub(super) fn stored<N: Quantity>(&self, x: N) -> N {
+        let depth = if self.closure == Closure::Bilateral {
+            x
+        } else {
+            self.sides()
+                .iter()
+                .map(|&side| self.penetration(side, x, x).0)
+                .find(|depth| depth.value() > 0.0)
+                .unwrap_or(N::from(0.0))
+        };
+        match self.hertz {
+            None => (depth * depth).scale(0.5 * self.stiffness),
+            Some(hertz) => depth.lift(|p| hertz.energy(p))[0],
+        }
+    }
+
+    /// Power lost: F·v less the rate of the stored energy, in a form that does
+    /// not cancel. Never negative where the mode belongs to the state.
+    pub(super) fn dissipated(&self, mode: i64, x: f64, v: f64) -> f64 {
+        if self.closure == Closure::Bilateral {
+            return self.damping * v * v;
+        }
+        if mode == OPEN {
+            return -self.stored_rate(x, v);
+        }
+        let (p, rate) = self.penetration(mode, x, v);
+        let damped = match self.kappa {
+            None => self.damping * rate * rate,
+            Some(kappa) => match self.hertz {
+                None => self.stiffness * p * kappa * rate * rate,
+                Some(_) => self.elastic(p)[0] * kappa * rate * rate,
+            },
+        };
+        // Zero unless a method has gone beyond the switch: the smooth law then
+        // works against an energy that is stored no more.
+        damped + self.elastic(p)[0] * rate - self.stored_rate(x, v)
+    }
+
+    /// Clearance to the nearest flank, 0 when touching one.
+    pub(super) fn clearance(&self, x: f64) -> f64 {
+        self.sides()
+            .iter()
+            .map(|&side| -self.penetration(side, x, 0.0).0)
+            .fold(f64::INFINITY, f64::min)
+            .max(0.0)
+    }
+
+    /// Rate of the stored energy, c·p·ṗ of the penetrated flank.
+    fn stored_rate(&self, x: f64, v: f64) -> f64 {
+        self.sides()
+            .iter()
+            .map(|&side| {
+                let (p, rate) = self.penetration(side, x, v);
+                self.elastic(p.max(0.0))[0] * rate
+            })
+            .sum()
+    }
+}

@@ -1,0 +1,115 @@
+//! A machine with rigid objects seen from its rotor: one moment of inertia and
+//! one moment.
+
+use super::passes::Extent;
+use super::{Scratch, System};
+use crate::dynamics::integrate::Modes;
+use crate::dynamics::model::TrackSource;
+use crate::math::number::Dual;
+
+/// A rotor with all that hangs rigidly on it, at a position and a speed: its
+/// equation of motion is inertia·φ̈ + inertia_slope·φ̇²/2 = moment.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Reduced {
+    /// J(φ) (kg·m²).
+    pub inertia: f64,
+    /// dJ/dφ.
+    pub inertia_slope: f64,
+    /// M(φ, φ̇) of all loads (N·m), driving positive.
+    pub moment: f64,
+    /// ∂M/∂φ̇.
+    pub moment_by_speed: f64,
+}
+
+impl System {
+    /// The state with every rotor at `position` and `speed`, everything else on
+    /// its law, and the modes in which it moves on.
+    pub fn rotor_state(&self, rotor: usize, position: f64, speed: f64) -> (Vec<f64>, Modes) {
+        let mut y = self.frozen.law_state();
+        if let Some(coordinate) = self.last_coordinate(rotor) {
+            y[coordinate] = position;
+            y[self.frozen.coordinates + coordinate] = speed;
+        }
+        let mut modes = self.frozen.no_modes();
+        self.frozen.locate_tracks(&y, &mut modes);
+        (y, Modes(modes))
+    }
+
+    /// Reduces what hangs rigidly on the rotor of an object to it, in a state and
+    /// its modes; zero for an object that has none. Allocates nothing.
+    pub fn reduced(
+        &self,
+        rotor: usize,
+        y: &[f64],
+        modes: &Modes,
+        scratch: &mut Scratch,
+    ) -> Reduced {
+        let Some(coordinate) = self.last_coordinate(rotor) else {
+            return Reduced::default();
+        };
+        let node = self.places[rotor].node;
+        let speed = y[self.frozen.coordinates + coordinate];
+        let mut along = |entry: usize| {
+            for (index, (state, &value)) in scratch.dual_state.iter_mut().zip(y).enumerate() {
+                *state = Dual::new(value, f64::from(u8::from(index == entry)));
+            }
+            let work = &mut scratch.dual_work;
+            let state = &scratch.dual_state;
+            let still = Dual::from(0.0);
+            self.frozen
+                .motion(still, state, &modes.0, Extent::Full, work);
+            self.frozen.apply_loads(still, &modes.0, Extent::Full, work);
+            self.frozen.reduce_rigid(Extent::Full, work);
+            (work.mass[node], work.force[node])
+        };
+        let (inertia, force) = along(coordinate);
+        let (_, by_speed) = along(self.frozen.coordinates + coordinate);
+        let slope = inertia.derivative;
+        Reduced {
+            inertia: inertia.value,
+            inertia_slope: slope,
+            // The passes take the inertia's own moment off the force.
+            moment: force.value + 0.5 * slope * speed * speed,
+            moment_by_speed: by_speed.derivative + slope * speed,
+        }
+    }
+
+    /// Positions of the rotor of an object in [0, `end`], ascending, at which
+    /// tables and laws over its own displacement change their formula.
+    pub fn rotor_breaks(&self, rotor: usize, end: f64) -> Vec<f64> {
+        let node = self.model.objects[rotor].nodes[0];
+        let mut found = Vec::new();
+        for track in &self.model.tracks {
+            if track.source != TrackSource::Node(node) {
+                continue;
+            }
+            let mut segment = track.breaks.locate(0.0, 1.0);
+            loop {
+                let edge = track.breaks.edges(segment).1;
+                if !(edge < end) || found.len() > MOST_BREAKS {
+                    break;
+                }
+                if edge > 0.0 {
+                    found.push(edge);
+                }
+                segment += 1;
+            }
+        }
+        found.sort_by(f64::total_cmp);
+        found.dedup();
+        found
+    }
+
+    /// True when a track over a displacement that ends a run is left in the
+    /// given modes: a dead position has been passed. The object concerned.
+    pub fn beyond_reach(&self, first: &Modes, modes: &Modes) -> Option<usize> {
+        let left = self.model.tracks.iter().enumerate().find(|(index, track)| {
+            let component = self.frozen.track_component(*index);
+            track.stops && first.0[component] != modes.0[component]
+        });
+        left.map(|(_, track)| track.object)
+    }
+}
+
+/// Break points of a cycle at most.
+const MOST_BREAKS: usize = 100_000;

@@ -1,0 +1,344 @@
+//! Scales of the state: what size of error matters in each entry.
+//!
+//! The scale δ* of an object's deviation is the deflection under its loads and
+//! the inertia load of its law, (ΣW + J·max|U″φ̇² + U′φ̈|)/c, at least its gap; its
+//! speed's scale is δ*·√(c/J). J is the sum of its masses, c the stiffness of
+//! its links in series. Followers load it with what they carry, times U′.
+//!
+//! The greatest accelerations are those of the mechanism on its laws, sampled
+//! along the drive's motion; a motor is taken at its no-load speed.
+
+use super::constraints::ConstraintValues;
+use super::frozen::{Chain, Frozen, FrozenLaw, Step};
+use super::loads::FrozenLoad;
+use super::passes::{Extent, Work};
+use crate::dynamics::model::LoadLaw;
+use std::f64::consts::PI;
+
+/// Samples along a drive's motion, and its turns after the last break.
+const SAMPLES: usize = 1024;
+const TURNS: f64 = 8.0;
+
+/// Share of a limited reach at each end that is not sampled.
+const EDGE: f64 = 0.05;
+
+/// δ* of an object that nothing loads (rad or m).
+pub(super) const FLOOR: f64 = 1e-6;
+
+/// Scale of a rotor's angle (rad).
+const ROTOR_ANGLE: f64 = 1.0;
+
+/// Greatest motions of one node over the samples.
+#[derive(Clone, Copy, Debug, Default)]
+struct Range {
+    displacement: f64,
+    speed: f64,
+    acceleration: f64,
+}
+
+/// Scales of all 2n entries: > 0 and finite.
+pub(super) fn scales(frozen: &Frozen, sampled: &Sampled) -> Vec<f64> {
+    let n = frozen.coordinates;
+    let mut scales = vec![1.0; 2 * n];
+    let carried = carried_loads(frozen, sampled);
+    for step in &frozen.steps {
+        match step {
+            Step::Prescribed(_) | Step::Rigid(_) | Step::Constrained(_) => {}
+            Step::Rotor(rotor) => {
+                let speed = nominal_speed(frozen, rotor.node, rotor.speed);
+                scales[rotor.coordinate] = ROTOR_ANGLE;
+                scales[n + rotor.coordinate] = positive(speed, 1.0);
+            }
+            Step::Chain(index) => {
+                let chain = &frozen.chains[*index];
+                let (displacement, speed) = chain_scales(frozen, chain, carried[chain.first_node]);
+                for coordinate in chain.coordinates() {
+                    scales[coordinate] = displacement;
+                    scales[n + coordinate] = speed;
+                }
+            }
+        }
+    }
+    scales
+}
+
+/// What δ* of a chain is at least: the deflection under its constant loads, or
+/// its gap. Costs nothing, where δ* takes a thousand samples of the laws.
+pub(super) fn least_deflection(frozen: &Frozen, chain: &Chain) -> f64 {
+    let loads = &frozen.constant_force[chain.nodes()];
+    let force: f64 = loads.iter().map(|force| force.abs()).sum();
+    let (_, stiffness) = body(frozen, chain);
+    (force / stiffness).max(2.0 * chain.contact.half_gap)
+}
+
+/// δ* and its speed, from the force that link 1 carries.
+fn chain_scales(frozen: &Frozen, chain: &Chain, force: f64) -> (f64, f64) {
+    let (inertia, stiffness) = body(frozen, chain);
+    let gap = 2.0 * chain.contact.half_gap;
+    let displacement = positive((force / stiffness).max(gap), FLOOR);
+    let frequency = positive((stiffness / inertia).sqrt(), 1.0);
+    (displacement, positive(displacement * frequency, FLOOR))
+}
+
+/// J and the series stiffness c of a chain.
+pub(super) fn body(frozen: &Frozen, chain: &Chain) -> (f64, f64) {
+    let inertia: f64 = frozen.inertia[chain.nodes()].iter().sum();
+    let flexibility = frozen.stiffness[chain.coordinates()]
+        .iter()
+        .map(|c| 1.0 / c);
+    (inertia, 1.0 / flexibility.sum::<f64>())
+}
+
+fn positive(value: f64, otherwise: f64) -> f64 {
+    if value > 0.0 && value.is_finite() {
+        value
+    } else {
+        otherwise
+    }
+}
+
+/// Force magnitudes that each node carries on to its driver: its loads, its
+/// inertia load and what its followers carry.
+fn carried_loads(frozen: &Frozen, sampled: &Sampled) -> Vec<f64> {
+    let Sampled {
+        ranges,
+        slopes,
+        gradients,
+        linkages,
+    } = sampled;
+    let mut carried: Vec<f64> = frozen
+        .constant_force
+        .iter()
+        .map(|force| force.abs())
+        .collect();
+    for load in &frozen.loads {
+        let force = magnitude(load, &ranges[load.node]);
+        carried[load.node] += if force.is_finite() { force } else { 0.0 };
+    }
+    for (node, range) in ranges.iter().enumerate() {
+        carried[node] += frozen.inertia[node] * range.acceleration;
+    }
+    for (linkage, force) in frozen.linkages.iter().zip(linkages) {
+        carried[linkage.node] += force;
+    }
+    for step in frozen.steps.iter().rev() {
+        match step {
+            Step::Prescribed(_) | Step::Rotor(_) => {}
+            Step::Rigid(index) => {
+                let rigid = frozen.rigids[*index];
+                carried[frozen.laws[rigid.law].driver] += slopes[rigid.law] * carried[rigid.node];
+            }
+            Step::Chain(index) => {
+                let chain = &frozen.chains[*index];
+                let total = carried[chain.nodes()].iter().sum();
+                carried[chain.first_node] = total;
+                carried[frozen.laws[chain.law].driver] += slopes[chain.law] * total;
+            }
+            Step::Constrained(index) => {
+                let constrained = &frozen.constraints[*index];
+                let force = carried[constrained.node];
+                for (&driver, slope) in constrained.drivers.iter().zip(&gradients[*index]) {
+                    carried[driver] += slope * force;
+                }
+            }
+        }
+    }
+    carried
+}
+
+/// Greatest magnitude of a load over a node's motion.
+fn magnitude(load: &FrozenLoad, range: &Range) -> f64 {
+    match &load.law {
+        LoadLaw::Constant(force) => force.abs(),
+        LoadLaw::Pieces { pieces, .. } => pieces
+            .iter()
+            .map(|piece| piece.value.abs())
+            .fold(0.0, f64::max),
+        LoadLaw::Spring { rate, preload } => preload.abs() + rate.abs() * range.displacement,
+        LoadLaw::Viscous(damping) => damping.abs() * range.speed,
+        LoadLaw::Friction { force, .. } => force.abs(),
+        LoadLaw::LinearMotor { stall_torque, .. } => stall_torque.abs(),
+        LoadLaw::Kloss {
+            breakdown_torque, ..
+        } => breakdown_torque.abs(),
+        LoadLaw::SpeedTable(points) => points.iter().map(|point| point.1.abs()).fold(0.0, f64::max),
+        LoadLaw::Custom { function, factor } => (factor * function.magnitude()).abs(),
+    }
+}
+
+/// The speed that a motor runs at: its no-load or synchronous speed, the
+/// fastest of its table, or the given one; with a constant torque alone, the
+/// speed that its own rotor reaches in one turn from rest.
+fn nominal_speed(frozen: &Frozen, node: usize, given: f64) -> f64 {
+    let loads = frozen.loads.iter().filter(|load| load.node == node);
+    let of_motor = |load: &FrozenLoad| match &load.law {
+        LoadLaw::LinearMotor { no_load_speed, .. } => no_load_speed.abs(),
+        LoadLaw::Kloss {
+            synchronous_speed, ..
+        } => synchronous_speed.abs(),
+        LoadLaw::SpeedTable(points) => points.iter().map(|point| point.0.abs()).fold(0.0, f64::max),
+        _ => 0.0,
+    };
+    let speed = loads.map(of_motor).fold(given.abs(), f64::max);
+    if speed > 0.0 {
+        return speed;
+    }
+    (4.0 * PI * frozen.constant_force[node].abs() / carried_inertia(frozen, node)).sqrt()
+}
+
+/// Inertia of a rotor with that of all that follows it rigidly at t = 0 when it
+/// drives a linkage; else its own.
+fn carried_inertia(frozen: &Frozen, node: usize) -> f64 {
+    let own = frozen.inertia[node];
+    if frozen.linkages.is_empty() {
+        return own;
+    }
+    let (mut modes, mut work) = (frozen.no_modes(), Work::new(frozen));
+    let state = frozen.law_state();
+    frozen.locate_tracks(&state, &mut modes);
+    frozen.motion(0.0, &state, &modes, Extent::Full, &mut work);
+    frozen.reduce_rigid(Extent::Full, &mut work);
+    if work.mass[node] > 0.0 {
+        work.mass[node]
+    } else {
+        own
+    }
+}
+
+/// Greatest values over samples of the motion of the drives.
+#[derive(Debug)]
+pub(crate) struct Sampled {
+    /// |φ|, |φ̇|, |φ̈| of every node on its law.
+    ranges: Vec<Range>,
+    /// |U′| of every law.
+    slopes: Vec<f64>,
+    /// |∂G/∂φᵢ| of every constraint.
+    gradients: Vec<Vec<f64>>,
+    /// Force magnitudes that each linkage takes at its input.
+    linkages: Vec<f64>,
+}
+
+/// Samples the laws along the motion of the drives.
+pub(super) fn sample(frozen: &Frozen) -> Sampled {
+    let mut ranges = vec![Range::default(); frozen.inertia.len()];
+    let mut slopes = vec![0.0; frozen.laws.len()];
+    let mut constraints: Vec<ConstraintValues<f64>> = (frozen.constraints.iter())
+        .map(ConstraintValues::new)
+        .collect();
+    let mut gradients: Vec<Vec<f64>> = (frozen.constraints.iter())
+        .map(|one| vec![0.0; one.drivers.len()])
+        .collect();
+    let mut linkages = vec![0.0f64; frozen.linkages.len()];
+    let memory = frozen.linkage_memory();
+    let mut motion = vec![[0.0; 3]; frozen.inertia.len()];
+    for sample in 0..=SAMPLES {
+        let share = sample as f64 / SAMPLES as f64;
+        for step in &frozen.steps {
+            match step {
+                Step::Prescribed(drive) => motion[drive.node] = drive_sample(drive, share),
+                Step::Rotor(rotor) => {
+                    let speed = nominal_speed(frozen, rotor.node, rotor.speed);
+                    let angle = rotor.angle + TURNS * 2.0 * PI * share;
+                    motion[rotor.node] = [angle, speed, 0.0];
+                }
+                Step::Rigid(index) => {
+                    let rigid = frozen.rigids[*index];
+                    let (at, slope) = law_sample(frozen, &frozen.laws[rigid.law], &motion);
+                    motion[rigid.node] = at;
+                    slopes[rigid.law] = slope.max(slopes[rigid.law]);
+                }
+                Step::Chain(index) => {
+                    let chain = &frozen.chains[*index];
+                    let (at, slope) = law_sample(frozen, &frozen.laws[chain.law], &motion);
+                    motion[chain.nodes()].fill(at);
+                    slopes[chain.law] = slope.max(slopes[chain.law]);
+                }
+                Step::Constrained(index) => {
+                    let (own, values) = (&frozen.constraints[*index], &mut constraints[*index]);
+                    motion[own.node] = values.sample(own, &motion);
+                    for (slope, first) in gradients[*index].iter_mut().zip(&values.first) {
+                        *slope = slope.max(first.abs());
+                    }
+                }
+            }
+        }
+        for (index, solved) in memory.iter().enumerate() {
+            let force = solved
+                .borrow_mut()
+                .magnitude(motion[frozen.linkages[index].node]);
+            linkages[index] = linkages[index].max(force);
+        }
+        for (range, at) in ranges.iter_mut().zip(&motion) {
+            // NaN, outside the reach of a law, is passed over by `max`.
+            range.displacement = range.displacement.max(at[0].abs());
+            range.speed = range.speed.max(at[1].abs());
+            range.acceleration = range.acceleration.max(at[2].abs());
+        }
+    }
+    Sampled {
+        ranges,
+        slopes,
+        gradients,
+        linkages,
+    }
+}
+
+/// A drive's motion: half of the samples up to its last break, half over
+/// [`TURNS`] turns after it.
+fn drive_sample(drive: &super::frozen::Prescribed, share: f64) -> [f64; 3] {
+    let breaks = drive.motion.breaks();
+    let last = breaks.points.last().map_or(0.0, |last| last.max(0.0));
+    let at = |time: f64| {
+        let jet = drive.motion.jet(breaks.locate(time, 1.0), time);
+        [jet.value, jet.first, jet.second]
+    };
+    if last > 0.0 && share < 0.5 {
+        return at(2.0 * share * last);
+    }
+    let share = if last > 0.0 { 2.0 * share - 1.0 } else { share };
+    let speed = at(last)[1].abs();
+    let span = if speed > 0.0 {
+        TURNS * 2.0 * PI / speed
+    } else {
+        0.0
+    };
+    at(last + share * span)
+}
+
+/// φ, φ̇ and φ̈ that a law asks for, and |U′|; NaN and 0 beyond its reach, and
+/// near the ends of it, where U″ grows beyond all bounds.
+fn law_sample(frozen: &Frozen, law: &FrozenLaw, motion: &[[f64; 3]]) -> ([f64; 3], f64) {
+    let [displacement, speed, acceleration] = motion[law.driver];
+    let inside = match law.position.reach_from(displacement) {
+        Ok(None) => displacement.is_finite(),
+        Ok(Some((low, high))) => {
+            let margin = EDGE * (high - low);
+            low + margin <= displacement && displacement <= high - margin
+        }
+        Err(_) => false,
+    };
+    if !inside {
+        return ([f64::NAN; 3], 0.0);
+    }
+    // Laws without break points look at no modes.
+    let mut modes = Vec::new();
+    if let Some(component) = law.component {
+        modes.resize(frozen.pairs.len() + frozen.tracks.len(), 0);
+        let track = &frozen.tracks[component - frozen.pairs.len()];
+        modes[component] = track.breaks.locate(displacement, speed);
+    }
+    let jet = law.jet(&modes, displacement);
+    let at = [
+        jet.value,
+        jet.first * speed,
+        jet.second * speed * speed + jet.first * acceleration,
+    ];
+    (
+        at,
+        if jet.first.is_finite() {
+            jet.first.abs()
+        } else {
+            0.0
+        },
+    )
+}

@@ -1,0 +1,258 @@
+//! The state at t = 0.
+
+use super::balance::{Balance, Balanced};
+use super::passes::{Extent, Work};
+use super::{InitialState, System};
+use crate::dynamics::integrate::Modes;
+use crate::dynamics::model::{Closure, ExplicitStart, Start};
+use crate::fault::Fault;
+
+impl System {
+    /// State just after t = 0, as the model's `start` asks.
+    ///
+    /// # Errors
+    /// No static balance, a start outside the reach of a position function, an
+    /// explicit state that does not fit its objects or is not finite.
+    pub fn initial_state(&self) -> Result<InitialState, Vec<Fault>> {
+        let mut state = self.place()?;
+        let (y, modes) = (&state.y, &mut state.modes.0);
+        let noise = self.start_noise(y, modes);
+        self.settle_pairs(y, &noise, modes);
+        // A rotor at rest on an edge leaves it by its acceleration, which the
+        // pairs have a say in.
+        self.frozen.locate_tracks(y, modes);
+        self.frozen.settle_points(&mut state.y, &state.modes.0);
+        self.settle_directions(&mut state.y, &mut state.modes.0);
+        self.frozen.settle_sides(0.0, &state.y, &mut state.modes.0);
+        Ok(state)
+    }
+
+    /// The state at t = 0 with the modes that were supposed in finding it, for methods
+    /// that find out by themselves what pairs that just touch do next: developing the
+    /// motion for it costs more than many a run.
+    ///
+    /// # Errors
+    /// Those of [`Self::initial_state`].
+    pub fn initial_place(&self) -> Result<InitialState, Vec<Fault>> {
+        let mut state = self.place()?;
+        self.frozen.locate_tracks(&state.y, &mut state.modes.0);
+        self.frozen.settle_points(&mut state.y, &state.modes.0);
+        Ok(state)
+    }
+
+    fn place(&self) -> Result<InitialState, Vec<Fault>> {
+        let mut warnings = Vec::new();
+        let mut modes = self.frozen.no_modes();
+        let y = match &self.model.start {
+            Start::OnLaw => self.explicit_state(&[], &mut modes)?,
+            Start::Explicit(starts) => self.explicit_state(starts, &mut modes)?,
+            Start::Static => {
+                let balanced = self.balanced(Balance::Static, &mut modes)?;
+                self.warn_of_inertia(&balanced, &modes, &mut warnings);
+                balanced.state
+            }
+            Start::Kinetostatic => self.kinetostatic(&mut modes)?,
+        };
+        self.check_start(&y, &modes)?;
+        Ok(InitialState {
+            y,
+            modes: Modes(modes),
+            warnings,
+        })
+    }
+
+    /// The modes in which a state at t = 0 moves on.
+    pub fn modes_at_start(&self, y: &[f64]) -> Modes {
+        let mut modes = self.frozen.no_modes();
+        self.frozen.locate_tracks(y, &mut modes);
+        let noise: Vec<f64> = y.iter().map(|entry| entry.abs()).collect();
+        self.settle_pairs(y, &noise, &mut modes);
+        self.frozen.locate_tracks(y, &mut modes);
+        Modes(modes)
+    }
+
+    /// The quiet start.
+    fn kinetostatic(&self, modes: &mut [i64]) -> Result<Vec<f64>, Vec<Fault>> {
+        let mut state = self.balanced(Balance::Kinetostatic, modes)?.state;
+        let n = self.frozen.coordinates;
+        let rate = self
+            .frozen
+            .balance_rate(Balance::Kinetostatic, &state, modes)
+            .ok_or_else(|| vec![no_balance()])?;
+        for chain in &self.frozen.chains {
+            for coordinate in chain.coordinates() {
+                state[n + coordinate] = rate[coordinate];
+            }
+        }
+        Ok(state)
+    }
+
+    /// Balance, with the flanks and the segments of tracks that belong to it.
+    fn balanced(&self, kind: Balance, modes: &mut [i64]) -> Result<Balanced, Vec<Fault>> {
+        let frozen = &self.frozen;
+        let mut balanced = frozen
+            .settle(kind, modes)
+            .ok_or_else(|| vec![no_balance()])?;
+        let mut faults = Vec::new();
+        for (index, chain) in frozen.chains.iter().enumerate() {
+            let reaction = balanced.reactions[index];
+            let open = frozen.pair_mode(chain, modes) == super::pairs::OPEN;
+            if chain.contact.closure == Closure::Force && open && reaction != 0.0 {
+                faults.push(self.pulled_open(kind, index, reaction));
+            }
+            if open && reaction == 0.0 {
+                // The middle of the gap, not the rounding that Newton leaves.
+                balanced.state[chain.first_coordinate] = 0.0;
+            }
+        }
+        if faults.is_empty() {
+            Ok(balanced)
+        } else {
+            Err(faults)
+        }
+    }
+
+    /// A state given by absolute displacements and speeds; what is not given
+    /// is on its law.
+    fn explicit_state(
+        &self,
+        starts: &[ExplicitStart],
+        modes: &mut [i64],
+    ) -> Result<Vec<f64>, Vec<Fault>> {
+        let faults: Vec<Fault> = starts
+            .iter()
+            .filter_map(|start| self.misfit(start))
+            .collect();
+        if !faults.is_empty() {
+            return Err(faults);
+        }
+        let frozen = &self.frozen;
+        let mut given: Vec<Option<(f64, f64)>> = vec![None; frozen.inertia.len()];
+        for start in starts {
+            let nodes = &self.model.objects[start.object].nodes;
+            for (m, &node) in nodes.iter().enumerate() {
+                given[frozen.internal[node]] = Some((start.displacement[m], start.speed[m]));
+            }
+        }
+        let mut state = frozen.law_state();
+        // Each round gives the right segments one driver further on.
+        for _ in 0..=frozen.tracks.len() + 1 {
+            frozen.place_given(&given, modes, &mut state);
+            let before = modes.to_vec();
+            frozen.locate_tracks(&state, modes);
+            if *modes == before {
+                break;
+            }
+        }
+        frozen.rest_points(&mut state);
+        Ok(state)
+    }
+
+    /// What is wrong with an explicit start.
+    fn misfit(&self, start: &ExplicitStart) -> Option<Fault> {
+        let part = self.model.objects.get(start.object)?;
+        let path = format!("run.start.{}", part.id);
+        let masses = part.nodes.len();
+        let free = self.last_coordinate(start.object).is_some();
+        if !free {
+            let message = format!(
+                "`{}` has no state of its own: its driver or its motion determines it",
+                part.id
+            );
+            return Some(Fault::new(path, message, "leave it out of the start"));
+        }
+        if start.displacement.len() != masses || start.speed.len() != masses {
+            return Some(Fault::new(
+                path,
+                format!(
+                    "{} displacements and {} speeds for {masses} masses",
+                    start.displacement.len(),
+                    start.speed.len()
+                ),
+                format!("{masses} of each"),
+            ));
+        }
+        let mut numbers = start.displacement.iter().chain(&start.speed);
+        if numbers.all(|number| number.is_finite()) {
+            return None;
+        }
+        Some(Fault::new(path, "a number that is not finite", ""))
+    }
+
+    /// The start must be finite and within the reach of every law.
+    fn check_start(&self, y: &[f64], modes: &[i64]) -> Result<(), Vec<Fault>> {
+        let frozen = &self.frozen;
+        let mut work = Work::new(frozen);
+        frozen.motion(0.0, y, modes, Extent::Full, &mut work);
+        let mut faults = Vec::new();
+        for part in &self.model.objects {
+            let node = frozen.internal[part.nodes[0]];
+            let law = frozen.law_of_node(node);
+            let outside = law.is_some_and(|law| {
+                !frozen.laws[law].reaches(work.displacement[frozen.laws[law].driver])
+            });
+            if outside {
+                let place = law.map_or(0.0, |law| work.displacement[frozen.laws[law].driver]);
+                faults.push(Fault::new(
+                    format!("{}.position", part.id),
+                    format!("at t = 0 the driver is at {place:.6}, outside the reach of this position function"),
+                    "another position of the drive at t = 0",
+                ));
+            } else if !(work.displacement[node].is_finite() && work.speed[node].is_finite()) {
+                faults.push(Fault::new(
+                    format!("{}.position", part.id),
+                    "the state at t = 0 is not finite",
+                    "",
+                ));
+            }
+        }
+        if y.iter().any(|value| !value.is_finite()) && faults.is_empty() {
+            faults.push(Fault::new(
+                "run.start",
+                "the state at t = 0 is not finite",
+                "",
+            ));
+        }
+        if faults.is_empty() {
+            Ok(())
+        } else {
+            Err(faults)
+        }
+    }
+
+    /// Size of the numbers whose rounding is in each state entry. A deviation
+    /// of exactly zero carries none.
+    fn start_noise(&self, y: &[f64], modes: &[i64]) -> Vec<f64> {
+        let mut noise: Vec<f64> = y.iter().map(|entry| entry.abs()).collect();
+        if let Start::Explicit(starts) = &self.model.start {
+            // u = φ − U carries the rounding of φ.
+            let mut work = Work::new(&self.frozen);
+            self.frozen.motion(0.0, y, modes, Extent::Full, &mut work);
+            let n = self.frozen.coordinates;
+            for start in starts {
+                for &node in &self.model.objects[start.object].nodes {
+                    let node = self.frozen.internal[node];
+                    if let Some(coordinate) = self.frozen.coordinate[node] {
+                        noise[coordinate] += work.displacement[node].abs();
+                        noise[n + coordinate] += work.speed[node].abs();
+                    }
+                }
+            }
+        }
+        noise
+    }
+
+    /// Index of the object that a chain belongs to.
+    pub(super) fn part_of_chain(&self, chain: usize) -> usize {
+        let is = |place: &super::ObjectPlace| matches!(place.body, super::Body::Chain(index) if index == chain);
+        self.places.iter().position(is).unwrap_or(0)
+    }
+}
+
+fn no_balance() -> Fault {
+    Fault::new(
+        "run.start",
+        "no balance of loads and links was found at t = 0",
+        "\"start\": \"on_law\", or softer load springs",
+    )
+}

@@ -1,0 +1,371 @@
+//! The motion as a power series in time, from the equations of motion.
+//!
+//! With s = (t − t₀)/L, every quantity of the passes (see `passes`) is a series
+//! Σ q_k·s^k. Accelerations of order k need displacements up to order k + 1
+//! only, and give those of order k + 2: one pass over the equations for each
+//! order, each operation by its rule for series (product, quotient, and for
+//! tanh its differential equation), as in the Taylor methods of A. Griewank and
+//! A. Walther, Evaluating derivatives (2008), chapter 13. Laws are taken along
+//! the way of their driver, see [`law`].
+//!
+//! The speed table of a motor has kinks that no series knows of: systems with
+//! one have no expansion here, and neither have those with a linkage.
+
+mod begin;
+mod law;
+mod loads;
+mod points;
+#[cfg(test)]
+mod tests;
+
+pub(crate) use law::HIGHEST;
+pub(super) use law::way as way_of_law;
+
+use super::constraints::Constrained;
+use super::frozen::{Chain, Frozen, Rigid, Step};
+use super::pairs::OPEN;
+use super::passes::Work;
+use crate::dynamics::model::{Closure, LoadLaw};
+use crate::kinematics::position::Position;
+use law::{LawSeries, Series, against, product};
+use loads::LoadSeries;
+
+/// The polynomial of a law is good a little beyond its reach.
+const BEYOND: f64 = 1.1;
+
+const ZERO: Series = [0.0; HIGHEST + 1];
+
+/// Series of everything; made once, used for every step.
+#[derive(Clone, Debug)]
+pub(super) struct Taylor {
+    /// φ and φ̇ of the nodes (k).
+    pub(super) displacement: Vec<Series>,
+    pub(super) speed: Vec<Series>,
+    /// φ̈.
+    acceleration: Vec<Series>,
+    force: Vec<Series>,
+    mass: Vec<Series>,
+    /// F of each chain's link 1.
+    reaction: Vec<Series>,
+    /// Mode of each chain's pair.
+    modes: Vec<i64>,
+    /// Of each law that a rigid object follows: U″φ̇², φ̇² of its driver, U′·M and
+    /// F − M·U″φ̇².
+    bias: Vec<Series>,
+    square: Vec<Series>,
+    slope: Vec<Series>,
+    rest: Vec<Series>,
+    laws: Vec<LawSeries>,
+    loads: Vec<LoadSeries>,
+    /// u and u̇ of the coordinates (n).
+    u: Vec<Series>,
+    v: Vec<Series>,
+    /// Time of the whole series, s from 0 to 1 (s).
+    length: f64,
+    /// Share of U′ that the last coefficients of a law may have.
+    last: f64,
+}
+
+impl Taylor {
+    pub(super) fn new(frozen: &Frozen) -> Self {
+        let (nodes, laws) = (frozen.inertia.len(), frozen.laws.len());
+        let series = |count: usize| vec![ZERO; count];
+        Self {
+            displacement: series(nodes),
+            speed: series(nodes),
+            acceleration: series(nodes),
+            force: series(nodes),
+            mass: series(nodes),
+            reaction: series(frozen.chains.len()),
+            modes: vec![OPEN; frozen.chains.len()],
+            bias: series(laws),
+            square: series(laws),
+            slope: series(laws),
+            rest: series(laws),
+            laws: vec![LawSeries::default(); laws],
+            loads: vec![LoadSeries::default(); frozen.loads.len()],
+            u: series(frozen.coordinates),
+            v: series(frozen.coordinates),
+            length: 1.0,
+            last: law::last(HIGHEST),
+        }
+    }
+
+    /// Factor from coefficient k of φ̈ to coefficient k + 2 of φ.
+    fn twice(&self, order: usize) -> f64 {
+        self.length * self.length / ((order + 1) * (order + 2)) as f64
+    }
+
+    /// Sets φ of a node at an order, and φ̇ at the one before.
+    fn place(&mut self, node: usize, order: usize, value: f64) {
+        self.displacement[node][order] = value;
+        if order > 0 {
+            self.speed[node][order - 1] = order as f64 * value / self.length;
+        }
+    }
+}
+
+/// Where a motion starts.
+pub(super) struct Start<'a> {
+    pub(super) time: f64,
+    pub(super) y: &'a [f64],
+    /// Derivative there.
+    pub(super) dy: &'a [f64],
+    pub(super) modes: &'a [i64],
+}
+
+impl Frozen {
+    /// True when motions can be expanded.
+    pub(super) fn expands(&self) -> bool {
+        let known = |law: &LoadLaw| !matches!(law, LoadLaw::SpeedTable(_) | LoadLaw::Custom { .. });
+        // Inertia on a node with several drivers couples coordinates.
+        let linear = |one: &Constrained| one.constraint.is_linear();
+        let sums = self.heavy.is_empty() && self.constraints.iter().all(linear);
+        // The force of a contact by Hertz has no series where it begins.
+        let smooth = self
+            .chains
+            .iter()
+            .all(|chain| chain.contact.hertz().is_none());
+        let known = self.loads.iter().all(|load| known(&load.law));
+        sums && smooth && self.linkages.is_empty() && known
+    }
+
+    /// Series to the power `degree` over the time `length`: coefficients of all
+    /// signals into `out`, one after the other. Returns what they take for
+    /// granted, at 1 just all of it: the longest way that a driver goes, in units
+    /// of that for which its law is known, and how many times the length is that
+    /// for which the series of the loads can be relied on.
+    pub(super) fn expand(
+        &self,
+        start: &Start<'_>,
+        degree: usize,
+        length: f64,
+        work: &mut Work<f64>,
+        taylor: &mut Taylor,
+        out: &mut [f64],
+    ) -> f64 {
+        taylor.length = length;
+        taylor.last = law::last(degree);
+        self.begin(start, work, taylor);
+        for order in 0..=degree - 2 {
+            self.forces_of(start, order, work, taylor);
+            self.reduce_of(order, taylor);
+            self.accelerations_of(order, taylor);
+        }
+        let extra = self.extra.iter().map(|&node| &taylor.displacement[node]);
+        let signals = taylor.u.iter().chain(extra);
+        for (out, series) in out.chunks_exact_mut(degree + 1).zip(signals) {
+            out.copy_from_slice(&series[..=degree]);
+        }
+        let bending = self.laws.iter().zip(&taylor.laws);
+        let ways = bending
+            .filter(|(law, _)| bends(law))
+            .map(|(_, series)| series.way(degree) / BEYOND);
+        // Speeds are known to one order less.
+        let loads = self.loads.iter().zip(&taylor.loads);
+        let shares = loads.map(|(load, series)| {
+            let speed = &taylor.speed[load.node];
+            1.0 / series.reliable(&load.law, speed, degree - 1)
+        });
+        ways.chain(shares).fold(
+            0.0,
+            |greatest: f64, one| {
+                if one.is_nan() { one } else { greatest.max(one) }
+            },
+        )
+    }
+
+    /// Loads and reactions of an order.
+    fn forces_of(&self, start: &Start<'_>, order: usize, work: &Work<f64>, taylor: &mut Taylor) {
+        for (force, &constant) in taylor.force.iter_mut().zip(&self.constant_force) {
+            force[order] = if order == 0 { constant } else { 0.0 };
+        }
+        for (index, load) in self.loads.iter().enumerate() {
+            let force = if order == 0 {
+                let place = [load.node].map(|node| taylor.speed[node][0]);
+                taylor.loads[index].begin(&load.law, place[0]);
+                self.load(index, start.time, start.modes, work)
+            } else {
+                let argument = load.argument.as_ref().map(|axis| {
+                    let time = if order == 1 { taylor.length } else { 0.0 };
+                    let place = axis
+                        .node
+                        .map_or(time, |node| taylor.displacement[node][order]);
+                    place * load.slope(start.modes[axis.component])
+                });
+                let motion = [&taylor.displacement[load.node], &taylor.speed[load.node]];
+                taylor.loads[index].advance(&load.law, order, motion, argument.unwrap_or(0.0))
+            };
+            taylor.force[load.node][order] += force;
+        }
+        for (index, chain) in self.chains.iter().enumerate() {
+            if order == 0 {
+                taylor.modes[index] = self.pair_mode(chain, start.modes);
+            }
+            let reaction = self.reaction_of(chain, start.modes, order, taylor);
+            taylor.reaction[index][order] = reaction;
+            let first = &taylor.laws[chain.law].first;
+            taylor.force[self.laws[chain.law].driver][order] +=
+                product(&taylor.reaction[index], first, order);
+        }
+    }
+
+    /// F of a chain's link 1 at an order.
+    fn reaction_of(&self, chain: &Chain, modes: &[i64], order: usize, taylor: &Taylor) -> f64 {
+        let first = chain.first_coordinate;
+        let (c, b) = (self.stiffness[first], self.damping[first]);
+        let (x, v) = (&taylor.u[first], &taylor.v[first]);
+        let contact = &chain.contact;
+        let mode = self.pair_mode(chain, modes);
+        if contact.closure == Closure::Bilateral {
+            return c * x[order] + b * v[order];
+        }
+        if mode == OPEN {
+            return 0.0;
+        }
+        let side = mode as f64;
+        let clearance = if order == 0 { contact.half_gap } else { 0.0 };
+        let Some(kappa) = contact.kappa else {
+            return c * (x[order] - side * clearance) + b * v[order];
+        };
+        // c·p·(1 + κ·ṗ), p = side·x − η/2.
+        let depth = side * x[order] - clearance;
+        let crossed = product(x, v, order) - side * contact.half_gap * v[order];
+        side * c * (depth + kappa * crossed)
+    }
+
+    /// Rigid nodes hand inertia and forces of an order to their drivers.
+    fn reduce_of(&self, order: usize, taylor: &mut Taylor) {
+        if self.rigids.is_empty() && self.constraints.is_empty() {
+            return;
+        }
+        for (mass, &inertia) in taylor.mass.iter_mut().zip(&self.inertia) {
+            mass[order] = if order == 0 { inertia } else { 0.0 };
+        }
+        if self.constraints.is_empty() {
+            for rigid in self.rigids.iter().rev() {
+                self.reduce_rigid_of(rigid, order, taylor);
+            }
+            return;
+        }
+        for step in self.steps.iter().rev() {
+            match *step {
+                Step::Rigid(index) => self.reduce_rigid_of(&self.rigids[index], order, taylor),
+                Step::Constrained(index) => {
+                    let own = &self.constraints[index];
+                    let force = taylor.force[own.node][order];
+                    for (driver, ratio) in own.terms() {
+                        taylor.force[driver][order] += ratio * force;
+                    }
+                }
+                _ => {}
+            }
+        }
+    }
+
+    fn reduce_rigid_of(&self, rigid: &Rigid, order: usize, taylor: &mut Taylor) {
+        let driver = self.laws[rigid.law].driver;
+        let law = rigid.law;
+        let speed = &taylor.speed[driver];
+        taylor.square[law][order] = product(speed, speed, order);
+        let series = &taylor.laws[law];
+        let mass = &taylor.mass[rigid.node];
+        taylor.bias[law][order] = product(&series.second, &taylor.square[law], order);
+        // U′·M and F − M·bias, then both times U′ to the driver.
+        taylor.slope[law][order] = product(&series.first, mass, order);
+        let carried = product(mass, &taylor.bias[law], order);
+        taylor.rest[law][order] = taylor.force[rigid.node][order] - carried;
+        let inertia = product(&series.first, &taylor.slope[law], order);
+        let force = product(&series.first, &taylor.rest[law], order);
+        taylor.mass[driver][order] += inertia;
+        taylor.force[driver][order] += force;
+    }
+
+    /// Accelerations of an order, drivers before driven, and the displacements
+    /// two orders on.
+    fn accelerations_of(&self, order: usize, taylor: &mut Taylor) {
+        for step in &self.steps {
+            match step {
+                Step::Prescribed(_) => {}
+                Step::Rotor(rotor) => {
+                    let acceleration = self.quotient(rotor.node, 0.0, order, taylor);
+                    let place = taylor.twice(order) * acceleration;
+                    taylor.acceleration[rotor.node][order] = acceleration;
+                    taylor.place(rotor.node, order + 2, place);
+                    taylor.u[rotor.coordinate][order + 2] = place;
+                    taylor.v[rotor.coordinate][order + 1] = taylor.speed[rotor.node][order + 1];
+                }
+                Step::Rigid(index) => {
+                    let rigid = self.rigids[*index];
+                    let place = self.advance_law(rigid.law, order, taylor);
+                    taylor.place(rigid.node, order + 2, place);
+                    taylor.acceleration[rigid.node][order] = place / taylor.twice(order);
+                }
+                Step::Chain(index) => self.accelerate_of(*index, order, taylor),
+                Step::Constrained(index) => {
+                    let own = &self.constraints[*index];
+                    let place = own.sum(|driver| taylor.displacement[driver][order + 2]);
+                    taylor.place(own.node, order + 2, place);
+                    taylor.acceleration[own.node][order] = place / taylor.twice(order);
+                }
+            }
+        }
+    }
+
+    /// Coefficient `order` of φ̈ of a node from its forces and the links'.
+    fn quotient(&self, node: usize, links: f64, order: usize, taylor: &Taylor) -> f64 {
+        let force = taylor.force[node][order] + links;
+        if self.rigids.is_empty() && self.constraints.is_empty() {
+            return force / self.inertia[node];
+        }
+        let (mass, known) = (&taylor.mass[node], &taylor.acceleration[node]);
+        let carried = against(&mass[1..=order], &known[..order]);
+        (force - carried) / mass[0]
+    }
+
+    /// The law's next coefficient of U, its driver's being known.
+    fn advance_law(&self, law: usize, order: usize, taylor: &mut Taylor) -> f64 {
+        let phi = taylor.displacement[self.laws[law].driver][order + 2];
+        taylor.laws[law].advance(order + 2, phi);
+        taylor.laws[law].value[order + 2]
+    }
+
+    fn accelerate_of(&self, index: usize, order: usize, taylor: &mut Taylor) {
+        let chain = &self.chains[index];
+        let base = self.advance_law(chain.law, order, taylor);
+        let twice = taylor.twice(order);
+        let rate = (order + 2) as f64 / taylor.length;
+        let mut below = taylor.reaction[index][order];
+        let last = chain.coordinates().end - 1;
+        let masses = chain.nodes().zip(chain.coordinates()).skip(chain.points());
+        for (node, m) in masses {
+            let above = if m < last {
+                let (u, v) = (&taylor.u, &taylor.v);
+                self.stiffness[m + 1] * (u[m + 1][order] - u[m][order])
+                    + self.damping[m + 1] * (v[m + 1][order] - v[m][order])
+            } else {
+                0.0
+            };
+            let acceleration = self.quotient(node, above - below, order, taylor);
+            below = above;
+            let place = twice * acceleration;
+            taylor.acceleration[node][order] = acceleration;
+            taylor.place(node, order + 2, place);
+            taylor.u[m][order + 2] = place - base;
+            taylor.v[m][order + 1] = rate * (place - base);
+        }
+        if chain.point {
+            let place = twice * self.point_of(index, order, taylor);
+            let first = chain.first_coordinate;
+            taylor.u[first][order + 2] = place;
+            taylor.v[first][order + 1] = rate * place;
+            taylor.place(chain.first_node, order + 2, place + base);
+            taylor.acceleration[chain.first_node][order] = (place + base) / twice;
+        }
+    }
+}
+
+/// True when U′ of a law is not a constant.
+fn bends(law: &super::frozen::FrozenLaw) -> bool {
+    !matches!(law.position, Position::Ratio { .. })
+}

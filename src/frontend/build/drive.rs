@@ -1,0 +1,180 @@
+//! Drives: where motion comes from.
+
+use super::{builder, only};
+use crate::frontend::read::Node;
+
+builder! {
+    /// A drive: prescribed motion, or a motor.
+    Drive {
+        /// Remarks for people.
+        description;
+        /// `"turning"` (default) or `"sliding"`.
+        coordinate;
+    }
+}
+
+impl Drive {
+    /// Prescribed constant speed (rad/s).
+    pub fn speed(speed: impl Into<Node>) -> Self {
+        Self::prescribed("speed", speed)
+    }
+
+    /// Held at a displacement (rad or m).
+    pub fn fixed(displacement: impl Into<Node>) -> Self {
+        Self::prescribed("fixed", displacement)
+    }
+
+    /// Prescribed constant acceleration (rad/s²).
+    pub fn acceleration(acceleration: impl Into<Node>) -> Self {
+        Self::prescribed("acceleration", acceleration)
+    }
+
+    /// A run-up from rest to a constant speed (rad/s) in a time (s).
+    pub fn run_up(speed: impl Into<Node>, time: impl Into<Node>) -> Self {
+        let mut run_up = only("speed", speed);
+        run_up.put("time", time);
+        Self::prescribed("run_up", run_up)
+    }
+
+    /// A smooth motion through points [time, displacement].
+    pub fn table(points: impl Into<Node>) -> Self {
+        Self::prescribed("table", points)
+    }
+
+    /// A plan of motion over time: its stations, ascending.
+    pub fn plan(stations: impl Into<Node>) -> Self {
+        Self::prescribed("plan", only("stations", stations))
+    }
+
+    /// A motor: inertia of its rotor (kg·m²) and its torque over speed.
+    pub fn motor(inertia: impl Into<Node>, torque: Torque) -> Self {
+        let drive = Self(super::of_kind("drive")).set("motor.inertia", inertia);
+        drive.set("motor.torque", torque)
+    }
+
+    /// A motor that slides: its mass (kg) and its force over speed.
+    pub fn linear_motor(mass: impl Into<Node>, force: Force) -> Self {
+        let drive = Self(super::of_kind("drive")).set("motor.inertia", mass);
+        drive.set("motor.force", force).sliding()
+    }
+
+    /// Slides instead of turning: a cylinder.
+    pub fn sliding(self) -> Self {
+        self.coordinate("sliding")
+    }
+
+    /// Angle (rad) at t = 0, with a constant speed or acceleration, or of a motor.
+    pub fn angle(self, angle: impl Into<Node>) -> Self {
+        self.of_motion("angle", angle)
+    }
+
+    /// Displacement (m) at t = 0 of a drive that slides.
+    pub fn displacement(self, displacement: impl Into<Node>) -> Self {
+        self.of_motion("displacement", displacement)
+    }
+
+    /// Speed at t = 0, with a constant acceleration, or of a motor.
+    pub fn start_speed(self, speed: impl Into<Node>) -> Self {
+        match self.0.get("motor") {
+            Some(_) => self.set("motor.speed", speed),
+            None => self.set("motion.start_speed", speed),
+        }
+    }
+
+    /// Law of a run-up.
+    pub fn law(self, law: impl Into<Node>) -> Self {
+        self.set("motion.run_up.law", law)
+    }
+
+    /// Adds a load on the rotor of a motor.
+    pub fn load(mut self, name: &str, load: impl Into<Node>) -> Self {
+        self.0.property("loads").put(name, load);
+        self
+    }
+
+    fn prescribed(motion: &str, value: impl Into<Node>) -> Self {
+        Self(super::of_kind("drive")).set("motion", only(motion, value))
+    }
+
+    fn of_motion(self, property: &str, value: impl Into<Node>) -> Self {
+        let motion = self.0.get("motion");
+        let group = match motion.map(|motion| motion.get("run_up").is_some()) {
+            Some(true) => "motion.run_up",
+            Some(false) => "motion",
+            None => "motor",
+        };
+        self.set(&format!("{group}.{property}"), value)
+    }
+}
+
+/// The torque of a motor over its speed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Torque(Node);
+
+impl Torque {
+    /// The same at every speed (N·m).
+    pub fn constant(torque: impl Into<Node>) -> Self {
+        Self(only("constant", torque))
+    }
+
+    /// Falling linearly from the stall torque (N·m) to nothing at the no-load speed
+    /// (rad/s).
+    pub fn linear(stall_torque: impl Into<Node>, no_load_speed: impl Into<Node>) -> Self {
+        let mut linear = only("stall_torque", stall_torque);
+        linear.put("no_load_speed", no_load_speed);
+        Self(only("linear", linear))
+    }
+
+    /// An asynchronous motor by Kloss's formula: breakdown torque (N·m), breakdown slip
+    /// and synchronous speed (rad/s).
+    pub fn kloss(
+        breakdown_torque: impl Into<Node>,
+        breakdown_slip: impl Into<Node>,
+        synchronous_speed: impl Into<Node>,
+    ) -> Self {
+        let mut kloss = only("breakdown_torque", breakdown_torque);
+        kloss.put("breakdown_slip", breakdown_slip);
+        kloss.put("synchronous_speed", synchronous_speed);
+        Self(only("kloss", kloss))
+    }
+
+    /// Points [speed, torque], linear between them.
+    pub fn table(points: impl Into<Node>) -> Self {
+        Self(only("table", points))
+    }
+}
+
+impl From<Torque> for Node {
+    fn from(torque: Torque) -> Self {
+        torque.0
+    }
+}
+
+/// The force of a motor that slides, over its speed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Force(Node);
+
+impl Force {
+    /// The same at every speed (N).
+    pub fn constant(force: impl Into<Node>) -> Self {
+        Self(only("constant", force))
+    }
+
+    /// Falling linearly from the stall force (N) to nothing at the no-load speed (m/s).
+    pub fn linear(stall_force: impl Into<Node>, no_load_speed: impl Into<Node>) -> Self {
+        let mut linear = only("stall_force", stall_force);
+        linear.put("no_load_speed", no_load_speed);
+        Self(only("linear", linear))
+    }
+
+    /// Points [speed, force], linear between them.
+    pub fn table(points: impl Into<Node>) -> Self {
+        Self(only("table", points))
+    }
+}
+
+impl From<Force> for Node {
+    fn from(force: Force) -> Self {
+        force.0
+    }
+}

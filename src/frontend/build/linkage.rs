@@ -1,0 +1,259 @@
+//! Linkages: links with named points, pairs that say which points coincide.
+
+use super::{builder, only};
+use crate::frontend::read::Node;
+
+builder! {
+    /// A planar linkage of rigid links with one degree of freedom. Points are named
+    /// `link.point`, `ground.O`, `rod.origin`.
+    Linkage {
+        /// Remarks for people.
+        description;
+        /// The pair whose coordinate the input moves.
+        driver;
+        /// Input coordinate over the driver's displacement: a constant ratio.
+        position;
+        /// Input coordinate at which the assembly holds (rad or m).
+        start;
+        /// Least and greatest input coordinate: the stroke of a cylinder.
+        travel;
+        /// Weights of the links: false (default), true, or acceleration and direction.
+        gravity;
+        /// Whether the friction of the pairs acts on the motion.
+        joint_friction;
+    }
+}
+
+impl Linkage {
+    /// One that an object drives, or an output of one.
+    pub fn on(input: &str) -> Self {
+        Self(super::of_kind("linkage")).set("input", input)
+    }
+
+    /// Copies a linkage of the catalogue, `linkage/toggle-press`.
+    pub fn copy_of(self, catalogued: &str) -> Self {
+        self.set("from", catalogued)
+    }
+
+    /// Gives a number a name; wherever a number is wanted, the name may stand.
+    pub fn dimension(self, name: &str, value: impl Into<Node>) -> Self {
+        self.entry("dimensions", name, value)
+    }
+
+    /// Adds a point of the ground (m, m).
+    pub fn ground(self, name: &str, x: impl Into<Node>, y: impl Into<Node>) -> Self {
+        self.entry("ground", name, (x, y))
+    }
+
+    /// Adds a link.
+    pub fn link(self, name: &str, link: Link) -> Self {
+        self.entry("links", name, link)
+    }
+
+    /// Adds a pair.
+    pub fn pair(self, name: &str, joint: Joint) -> Self {
+        self.entry("pairs", name, joint)
+    }
+
+    /// Says on which side a link, or a group, is put together.
+    pub fn assembly(self, link: &str, assembly: Assembly) -> Self {
+        self.entry("assembly", link, assembly)
+    }
+
+    /// Adds a force, a spring or a damper.
+    pub fn force(self, name: &str, force: LinkageForce) -> Self {
+        self.entry("forces", name, force)
+    }
+
+    /// Adds an output: others hang on it as `linkage.output`.
+    pub fn output(self, name: &str, output: Output) -> Self {
+        self.entry("outputs", name, output)
+    }
+
+    fn entry(mut self, group: &str, name: &str, value: impl Into<Node>) -> Self {
+        self.0.property(group).put(name, value);
+        self
+    }
+}
+
+builder! {
+    /// A link. Lengths in m, in the link's own frame.
+    Link {
+        /// Mass (kg).
+        mass;
+        /// Centre of mass: [x, y], or x.
+        centre;
+        /// Moment of inertia about the centre of mass (kg·m²).
+        moment;
+    }
+}
+
+impl Link {
+    /// A link without mass whose frame has its origin only.
+    #[allow(clippy::new_without_default)]
+    pub fn new() -> Self {
+        Self(Node::object())
+    }
+
+    /// Adds a point.
+    pub fn point(mut self, name: &str, x: impl Into<Node>, y: impl Into<Node>) -> Self {
+        self.0.property("points").put(name, (x, y));
+        self
+    }
+
+    /// A uniform bar of a mass (kg) between its origin and its only other point.
+    pub fn bar(self, mass: impl Into<Node>) -> Self {
+        self.set("geometry.mass", mass)
+    }
+}
+
+builder! {
+    /// A pair of a linkage.
+    Joint {
+        /// Coefficient of Coulomb friction.
+        friction;
+        /// Diameter of the pin (m), for friction.
+        diameter;
+    }
+}
+
+impl Joint {
+    /// A pin that joins two points.
+    pub fn revolute(one: &str, other: &str) -> Self {
+        Self(only("revolute", [one, other]))
+    }
+
+    /// A block that slides along a guide: a point of the guide's axis, the direction of
+    /// the guide in the frame of its link (rad), the block's point.
+    pub fn sliding(guide: &str, direction: impl Into<Node>, block: &str) -> Self {
+        let mut sliding = only("guide", guide);
+        sliding.put("direction", direction);
+        sliding.put("block", block);
+        Self(only("sliding", sliding))
+    }
+
+    /// The same, the guide directed towards another point of its axis.
+    pub fn sliding_through(guide: &str, through: &str, block: &str) -> Self {
+        let mut sliding = only("guide", guide);
+        sliding.put("through", through);
+        sliding.put("block", block);
+        Self(only("sliding", sliding))
+    }
+}
+
+/// How a group of links is put together.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Assembly(Node);
+
+impl Assembly {
+    /// The origin of the link's frame is near this place (m, m).
+    pub fn near(x: impl Into<Node>, y: impl Into<Node>) -> Self {
+        Self(only("near", (x, y)))
+    }
+
+    /// The link's angle is near this one (rad).
+    pub fn angle(angle: impl Into<Node>) -> Self {
+        Self(only("angle", angle))
+    }
+
+    /// The side on which a group of two links lies: `"+"` or `"-"`.
+    pub fn branch(branch: &str) -> Self {
+        Self(only("branch", branch))
+    }
+}
+
+impl From<Assembly> for Node {
+    fn from(assembly: Assembly) -> Self {
+        assembly.0
+    }
+}
+
+builder! {
+    /// A force on a linkage. What has no method is set by its address, as
+    /// `strut.force`.
+    LinkageForce {}
+}
+
+impl LinkageForce {
+    /// A constant force [x, y] (N) on a point, of fixed direction.
+    pub fn constant(point: &str, x: impl Into<Node>, y: impl Into<Node>) -> Self {
+        let mut force = only("point", point);
+        force.put("force", (x, y));
+        Self(only("force", force))
+    }
+
+    /// A couple (N·m) on a link.
+    pub fn couple(link: &str, moment: impl Into<Node>) -> Self {
+        let mut couple = only("link", link);
+        couple.put("moment", moment);
+        Self(only("couple", couple))
+    }
+
+    /// A spring between two points: rate (N/m) and free length (m).
+    pub fn spring(
+        from: &str,
+        to: &str,
+        rate: impl Into<Node>,
+        free_length: impl Into<Node>,
+    ) -> Self {
+        Self::strut(from, to)
+            .set("strut.rate", rate)
+            .set("strut.free_length", free_length)
+    }
+
+    /// A damper between two points (N·s/m).
+    pub fn damper(from: &str, to: &str, damping: impl Into<Node>) -> Self {
+        Self::strut(from, to).set("strut.damping", damping)
+    }
+
+    /// A strut between two points, its rate, damping or force still to be set.
+    pub fn strut(from: &str, to: &str) -> Self {
+        let mut strut = only("from", from);
+        strut.put("to", to);
+        Self(only("strut", strut))
+    }
+
+    /// A torsion spring in a pair: rate (N·m/rad) and free angle (rad).
+    pub fn torsion(pair: &str, rate: impl Into<Node>, free_angle: impl Into<Node>) -> Self {
+        let mut torsion = only("pair", pair);
+        torsion.put("rate", rate);
+        torsion.put("free_angle", free_angle);
+        Self(only("torsion", torsion))
+    }
+
+    /// A force on a point over the input coordinate: points [coordinate, force].
+    pub fn table(point: &str, points: impl Into<Node>) -> Self {
+        let mut table = only("point", point);
+        table.put("points", points);
+        Self(only("table", table))
+    }
+}
+
+/// An output of a linkage.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Output(Node);
+
+impl Output {
+    /// The displacement of a point along a direction in the frame of the ground (rad).
+    pub fn point(point: &str, direction: impl Into<Node>) -> Self {
+        let mut output = only("point", point);
+        output.put("direction", direction);
+        Self(output)
+    }
+
+    /// The angle of a link.
+    pub fn angle(link: &str) -> Self {
+        Self(only("angle", link))
+    }
+
+    /// The coordinate of a pair.
+    pub fn pair(pair: &str) -> Self {
+        Self(only("pair", pair))
+    }
+}
+
+impl From<Output> for Node {
+    fn from(output: Output) -> Self {
+        output.0
+    }
+}

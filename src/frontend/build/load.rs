@@ -1,0 +1,118 @@
+//! Loads.
+
+use super::only;
+use crate::dynamics::load::{CustomLoad, LoadFunction};
+use crate::frontend::read::{Node, OWN, Own};
+use std::sync::Arc;
+
+/// A force or moment on the masses of an object; positive towards positive displacement.
+#[derive(Clone, Debug, PartialEq)]
+#[must_use]
+pub struct Load {
+    law: &'static str,
+    node: Node,
+}
+
+impl Load {
+    /// The laws, with the options that a method here sets.
+    #[cfg(test)]
+    pub(super) const LAWS: &[(&str, &[&str])] = &[
+        ("constant", &[]),
+        ("time_table", &[]),
+        ("position_table", &["points", "period"]),
+        ("window", &["from", "to", "force", "period", "once"]),
+        ("spring", &["rate", "preload"]),
+        ("viscous", &[]),
+        ("weight", &["inclination"]),
+        ("friction", &["force", "width"]),
+    ];
+
+    fn of(law: &'static str, value: impl Into<Node>) -> Self {
+        let node = only(law, value);
+        Self { law, node }
+    }
+
+    /// A constant force or moment (N or N·m).
+    pub fn constant(force: impl Into<Node>) -> Self {
+        Self::of("constant", force)
+    }
+
+    /// Points [time, force]: linear between them, constant outside.
+    pub fn time_table(points: impl Into<Node>) -> Self {
+        Self::of("time_table", points)
+    }
+
+    /// Points [driver's displacement, force]; with [`Self::period`] it repeats.
+    pub fn position_table(points: impl Into<Node>) -> Self {
+        Self::of("position_table", only("points", points))
+    }
+
+    /// A constant force while the driver is between two displacements; repeats with
+    /// every turn of a turning driver, with a [`Self::period`], or comes [`Self::once`].
+    pub fn window(from: impl Into<Node>, to: impl Into<Node>, force: impl Into<Node>) -> Self {
+        let mut window = only("from", from);
+        window.put("to", to);
+        window.put("force", force);
+        Self::of("window", window)
+    }
+
+    /// A spring −rate·φ (N/m or N·m/rad), with a [`Self::preload`].
+    pub fn spring(rate: impl Into<Node>) -> Self {
+        Self::of("spring", only("rate", rate))
+    }
+
+    /// A damper −b·φ̇ (N·s/m or N·m·s/rad).
+    pub fn viscous(damping: impl Into<Node>) -> Self {
+        Self::of("viscous", damping)
+    }
+
+    /// Weight of what slides in a direction at this angle (rad) above the horizontal.
+    pub fn weight(inclination: impl Into<Node>) -> Self {
+        Self::of("weight", only("inclination", inclination))
+    }
+
+    /// Coulomb friction −force·tanh(φ̇/width).
+    pub fn friction(force: impl Into<Node>, width: impl Into<Node>) -> Self {
+        let mut friction = only("force", force);
+        friction.put("width", width);
+        Self::of("friction", friction)
+    }
+
+    /// A force of your own over displacement and speed of the mass.
+    pub fn own(function: impl LoadFunction + 'static) -> Self {
+        Self::of(OWN, Own::new(CustomLoad(Arc::new(function))))
+    }
+
+    /// The mass it acts on: `"last"`, `"first"`, `"all"`, or its number from 1. Default
+    /// `"all"` for a weight, `"last"` for everything else.
+    pub fn mass(mut self, mass: impl Into<Node>) -> Self {
+        self.node.put("mass", mass);
+        self
+    }
+
+    /// Force of a spring at φ = 0, positive towards negative displacement.
+    pub fn preload(self, force: impl Into<Node>) -> Self {
+        self.option("preload", force)
+    }
+
+    /// A position table or window repeats after this much of the driver's displacement.
+    pub fn period(self, period: impl Into<Node>) -> Self {
+        self.option("period", period)
+    }
+
+    /// A window comes once and does not repeat.
+    pub fn once(self) -> Self {
+        self.option("once", true)
+    }
+
+    fn option(mut self, name: &str, value: impl Into<Node>) -> Self {
+        self.node.property(self.law).put(name, value);
+        self
+    }
+}
+
+impl From<Load> for Node {
+    fn from(load: Load) -> Self {
+        load.node
+    }
+}

@@ -1,0 +1,150 @@
+//! Driving pairs, dimensions, disc cams.
+
+use super::{builder, only};
+use crate::frontend::read::Node;
+
+builder! {
+    /// The driving pair of an object: what holds it on its driver.
+    Pair {
+        /// Gap of a form-closed pair (rad or m).
+        gap;
+        /// Side towards which a force-closed pair opens: `"+"` (default) or `"-"`.
+        opens;
+        /// Law of the contact force: `"kelvin_voigt"` (default), `"hunt_crossley"`.
+        law;
+        /// Contact element in front of link 1, with a law of its own.
+        contact;
+    }
+}
+
+builder! {
+    /// A contact element between an object and its driver, independent of the number of
+    /// masses.
+    Contact {
+        /// Stiffness k (N/m or N·m/rad), or K of Hertz (N/m^(3/2) or N·m/rad^(3/2)).
+        stiffness;
+        /// `"elastic"` (default), `"kelvin_voigt"`, `"hunt_crossley"`, `"hertz"`.
+        law;
+        /// Damping of Kelvin–Voigt (N·s/m or N·m·s/rad).
+        damping;
+        /// χ of Hunt–Crossley and Hertz, seconds per unit of indentation.
+        dissipation;
+    }
+}
+
+impl Contact {
+    /// N = k·p.
+    pub fn elastic(stiffness: impl Into<Node>) -> Self {
+        Self(only("stiffness", stiffness))
+    }
+
+    /// N = k·p + b·ṗ.
+    pub fn kelvin_voigt(stiffness: impl Into<Node>, damping: impl Into<Node>) -> Self {
+        Self::elastic(stiffness)
+            .law("kelvin_voigt")
+            .damping(damping)
+    }
+
+    /// N = k·p·(1 + χ·ṗ).
+    pub fn hunt_crossley(stiffness: impl Into<Node>, dissipation: impl Into<Node>) -> Self {
+        Self::elastic(stiffness)
+            .law("hunt_crossley")
+            .dissipation(dissipation)
+    }
+
+    /// N = K·p^(3/2), contact in a point.
+    pub fn hertz(stiffness: impl Into<Node>) -> Self {
+        Self::elastic(stiffness).law("hertz")
+    }
+}
+
+impl Pair {
+    /// It holds both ways, without a gap.
+    pub fn bilateral() -> Self {
+        Self(only("closure", "bilateral"))
+    }
+
+    /// A force holds it closed: it may lift off.
+    pub fn force_closed() -> Self {
+        Self(only("closure", "force"))
+    }
+
+    /// Form-closed with a gap (rad or m).
+    pub fn form(gap: impl Into<Node>) -> Self {
+        Self(only("closure", "form")).gap(gap)
+    }
+
+    /// Contact force by Hunt and Crossley with κ, seconds per unit of penetration.
+    pub fn hunt_crossley(self, kappa: impl Into<Node>) -> Self {
+        self.set("law.hunt_crossley.kappa", kappa)
+    }
+}
+
+builder! {
+    /// Dimensions (m) and material of an object, from which inertia and stiffness follow.
+    Geometry {
+        /// Length.
+        length;
+        /// Width of a lever's section.
+        width;
+        /// Height of a lever's section.
+        height;
+        /// Diameter of a shaft or round rod.
+        diameter;
+        /// Bore of a hollow shaft.
+        bore;
+        /// Width and height of a rod's section.
+        section;
+        /// Area of a rod's section (m²).
+        area;
+        /// Density (kg/m³).
+        density;
+        /// Young's modulus (Pa).
+        modulus;
+        /// Shear modulus of a shaft (Pa).
+        shear_modulus;
+    }
+}
+
+impl Geometry {
+    /// Dimensions, none given yet; the material is steel unless said otherwise.
+    #[allow(clippy::new_without_default)]
+    pub fn new() -> Self {
+        Self(Node::object())
+    }
+}
+
+builder! {
+    /// The disc cam that moves an object, as the study of cams needs it. Lengths in m.
+    DiscCam {
+        /// Radius of the base circle.
+        base_radius;
+        /// Offset of a sliding follower's axis from the cam's.
+        offset;
+        /// Distance between the axes of cam and turning follower.
+        centre_distance;
+        /// Length of a turning follower's arm.
+        arm;
+        /// `"knife_edge"`, or what describes a roller or a flat face.
+        contact;
+        /// Sense in which the cam turns: `"counterclockwise"`, `"clockwise"`.
+        sense;
+        /// Which way the follower swings: `"with"` or `"against"` the cam.
+        swing;
+        /// Whether positive displacement leads `"outward"` or `"inward"`.
+        positive;
+        /// `"disc"`, `"hollow"` or `"groove"`.
+        surface;
+        /// Direction of the follower's motion (rad).
+        direction;
+        /// Part of the turn that is cut: [from, to].
+        range;
+    }
+}
+
+impl DiscCam {
+    /// A disc cam with a base circle.
+    pub fn new(base_radius: impl Into<Node>) -> Self {
+        Self(only("base_radius", base_radius))
+    }
+}

@@ -1,0 +1,191 @@
+//! Builders know what the schema knows.
+
+use super::*;
+use crate::frontend::object::Registry;
+use crate::frontend::scene::schema;
+use serde_json::Value as Json;
+use std::collections::BTreeSet;
+
+fn names<'n>(names: impl IntoIterator<Item = &'n str>) -> BTreeSet<String> {
+    names.into_iter().map(str::to_owned).collect()
+}
+
+/// The properties of an object that the schema describes at a path.
+fn described(schema: &Json, path: &[&str]) -> BTreeSet<String> {
+    let mut at = &schema["$defs"];
+    for (depth, name) in path.iter().enumerate() {
+        at = if depth == 0 {
+            &at[name]
+        } else {
+            &at["properties"][name]
+        };
+        if let Some(reference) = at["$ref"].as_str() {
+            at = &schema["$defs"][reference.trim_start_matches("#/$defs/")];
+        }
+    }
+    // One of several forms is the object.
+    let forms = at["anyOf"].as_array();
+    let object = forms.and_then(|forms| forms.iter().find(|form| form["type"] == "object"));
+    let properties = object.unwrap_or(at)["properties"].as_object();
+    let properties = properties.unwrap_or_else(|| panic!("no object at {path:?}"));
+    properties.keys().cloned().collect()
+}
+
+/// Checks that methods and constructors together set what the schema describes.
+fn same(schema: &Json, path: &[&str], methods: &[&str], others: &[&str]) {
+    let known = names(methods.iter().chain(others).copied());
+    assert_eq!(known, described(schema, path), "{path:?}");
+}
+
+#[test]
+fn every_property_of_every_kind_can_be_built() {
+    let schema = schema(&Registry::standard());
+    let of_chains = ["kind", "input", "from", "loads"];
+    same(&schema, &["shaft"], Shaft::PROPERTIES, &of_chains);
+    same(&schema, &["crank"], Crank::PROPERTIES, &of_chains);
+    same(&schema, &["rocker"], Rocker::PROPERTIES, &of_chains);
+    same(&schema, &["slider"], Slider::PROPERTIES, &of_chains);
+    same(
+        &schema,
+        &["cam_follower"],
+        CamFollower::PROPERTIES,
+        &of_chains,
+    );
+    let of_sums = ["kind", "from", "inputs", "loads", "planetary", "lever"];
+    same(
+        &schema,
+        &["differential"],
+        Differential::PROPERTIES,
+        &of_sums,
+    );
+    let of_drives = ["kind", "from", "motion", "motor", "loads"];
+    same(&schema, &["drive"], Drive::PROPERTIES, &of_drives);
+    let of_linkages = [
+        "kind",
+        "from",
+        "input",
+        "dimensions",
+        "ground",
+        "links",
+        "pairs",
+        "assembly",
+        "forces",
+        "outputs",
+    ];
+    same(&schema, &["linkage"], Linkage::PROPERTIES, &of_linkages);
+    same(
+        &schema,
+        &["linkage_link"],
+        Link::PROPERTIES,
+        &["points", "geometry"],
+    );
+    same(
+        &schema,
+        &["linkage_pair"],
+        Joint::PROPERTIES,
+        &["revolute", "sliding"],
+    );
+    same(&schema, &["rocker", "pair"], Pair::PROPERTIES, &["closure"]);
+    same(
+        &schema,
+        &["rocker", "pair", "contact"],
+        Contact::PROPERTIES,
+        &[],
+    );
+}
+
+#[test]
+fn every_law_and_option_of_loads_can_be_built() {
+    let schema = schema(&Registry::standard());
+    let laws: Vec<&str> = Load::LAWS.iter().map(|law| law.0).collect();
+    same(&schema, &["load"], &laws, &["mass"]);
+    for (law, options) in Load::LAWS.iter().filter(|law| !law.1.is_empty()) {
+        same(&schema, &["load", law], options, &[]);
+    }
+}
+
+#[test]
+fn every_position_function_and_option_can_be_built() {
+    let schema = schema(&Registry::standard());
+    let functions: Vec<&str> = Position::FUNCTIONS.iter().map(|one| one.0).collect();
+    same(&schema, &["position"], &functions, &[]);
+    let mut options = BTreeSet::new();
+    for (function, made_with) in Position::FUNCTIONS {
+        let all = described(&schema, &["position", function]);
+        let given = names(made_with.iter().copied());
+        assert!(given.is_subset(&all), "{function}");
+        options.extend(all.difference(&given).cloned());
+    }
+    assert_eq!(options, names(Position::OPTIONS.iter().copied()));
+}
+
+#[test]
+fn dimensions_and_cams_can_be_built() {
+    let schema = schema(&Registry::standard());
+    let kinds = ["shaft", "crank", "rocker", "slider", "cam_follower"];
+    let geometries = kinds.map(|kind| described(&schema, &[kind, "geometry"]));
+    let all: BTreeSet<String> = geometries.into_iter().flatten().collect();
+    assert_eq!(all, names(Geometry::PROPERTIES.iter().copied()));
+    same(&schema, &["disc_cam"], DiscCam::PROPERTIES, &[]);
+}
+
+#[test]
+fn stations_forces_and_outputs_can_be_built() {
+    let schema = schema(&Registry::standard());
+    let plan = &schema["$defs"]["position"]["properties"]["plan"]["properties"];
+    let station = plan["stations"]["items"]["properties"].as_object();
+    let known = Station::PROPERTIES.iter().chain(&["at", "displacement"]);
+    let in_schema: BTreeSet<String> = station.unwrap().keys().cloned().collect();
+    assert_eq!(names(known.copied()), in_schema);
+    assert!(LinkageForce::PROPERTIES.is_empty() && AnyObject::PROPERTIES.contains(&"input"));
+    let json = |node: Node| serde_json::to_value(node).unwrap();
+    let made = [
+        LinkageForce::constant("a.b", 1, 2),
+        LinkageForce::couple("a", 1),
+        LinkageForce::spring("a.b", "c.d", 1, 2),
+        LinkageForce::damper("a.b", "c.d", 1),
+        LinkageForce::torsion("a", 1, 2),
+        LinkageForce::table("a.b", [(0, 1)]),
+    ];
+    for force in made.map(|force| json(force.into())) {
+        for (law, options) in force.as_object().unwrap() {
+            let given = names(options.as_object().unwrap().keys().map(String::as_str));
+            assert!(
+                given.is_subset(&described(&schema, &["linkage_force", law])),
+                "{law}"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_built_value_is_the_json_that_says_the_same() {
+    let json = |node: Node| serde_json::to_value(node).unwrap();
+    let drive = Drive::run_up("600 rpm", 0.5).angle(1).law("sine");
+    let wanted = r#"{"kind":"drive","motion":{"run_up":{"speed":"600 rpm","time":0.5,"angle":1,"law":"sine"}}}"#;
+    assert_eq!(
+        json(drive.into()),
+        serde_json::from_str::<Json>(wanted).unwrap()
+    );
+    let motor = Drive::motor(0.2, Torque::linear(100, 20)).start_speed(5);
+    let wanted = r#"{"kind":"drive","motor":{"inertia":0.2,"torque":{"linear":{"stall_torque":100,"no_load_speed":20}},"speed":5}}"#;
+    assert_eq!(
+        json(motor.into()),
+        serde_json::from_str::<Json>(wanted).unwrap()
+    );
+    let window = Load::window("30 deg", "60 deg", -40)
+        .period(3.0)
+        .mass("first");
+    let wanted =
+        r#"{"window":{"from":"30 deg","to":"60 deg","force":-40,"period":3},"mass":"first"}"#;
+    assert_eq!(
+        json(window.into()),
+        serde_json::from_str::<Json>(wanted).unwrap()
+    );
+    let pair = Rocker::on("a").set("pair.gap", 1e-3);
+    let wanted = r#"{"kind":"rocker","input":"a","pair":{"gap":0.001}}"#;
+    assert_eq!(
+        json(pair.into()),
+        serde_json::from_str::<Json>(wanted).unwrap()
+    );
+}

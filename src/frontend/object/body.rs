@@ -1,0 +1,378 @@
+//! Inertia, stiffness, damping and number of masses of a chain.
+
+use super::geometry::{self, Beam, Elastic};
+use super::measures::Measures;
+use super::spec::{BodySpec, InertiaSplit};
+use crate::frontend::read::{Bounds, Fields, Slot};
+use serde_json::json;
+use std::f64::consts::TAU;
+
+/// Most masses of one object.
+pub(super) const MOST_MASSES: u64 = 10_000;
+
+/// Everything that is written, each in one of its ways; `None`: absent.
+struct Written {
+    masses: Option<usize>,
+    inertia: Option<f64>,
+    inertias: Option<Vec<f64>>,
+    stiffness: Option<f64>,
+    stiffnesses: Option<Vec<f64>>,
+    capacity: Option<f64>,
+    damping: Option<f64>,
+    dampings: Option<Vec<f64>>,
+    split: Option<InertiaSplit>,
+    geometry: Option<Elastic>,
+}
+
+/// Pairs of properties that say the same thing.
+const CLASHES: &[(&str, &str)] = &[
+    ("inertia", "geometry"),
+    ("inertia", "inertias"),
+    ("inertias", "geometry"),
+    ("stiffness", "geometry"),
+    ("stiffness", "stiffnesses"),
+    ("stiffnesses", "geometry"),
+    ("damping_capacity", "damping"),
+    ("damping_capacity", "dampings"),
+    ("damping", "dampings"),
+    ("split", "inertias"),
+];
+
+/// Reads the body of a chain.
+pub(super) fn read(
+    fields: &mut Fields<'_>,
+    own: Measures,
+    beam: Beam,
+    default_split: InertiaSplit,
+) -> Option<BodySpec> {
+    let written = written(fields, own, beam);
+    let mut clash = false;
+    for (one, other) in CLASHES {
+        clash |= fields.clash(one, other, "they give the same parameter in two ways");
+    }
+    let written = written.filter(|_| !clash)?;
+    let masses = number_of_masses(fields, &written)?;
+    fields.fill_in("masses", json!(masses));
+    if masses == 0 {
+        return rigid(fields, &written);
+    }
+    elastic(fields, written, masses, default_split)
+}
+
+fn written(fields: &mut Fields<'_>, own: Measures, beam: Beam) -> Option<Written> {
+    let masses = fields.maybe(
+        "masses",
+        "Number of masses; 0: rigid. Default: 1, or the length of the lists.",
+        |slot| slot.count(0..=MOST_MASSES),
+    );
+    let inertia = fields.maybe("inertia", "Total inertia J", |slot| {
+        slot.quantity(own.inertia(), Bounds::NOT_NEGATIVE)
+    });
+    let stiffness = fields.maybe("stiffness", "Stiffness c seen at the last mass", |slot| {
+        slot.quantity(own.stiffness(), Bounds::POSITIVE)
+    });
+    let capacity = fields.maybe(
+        "damping_capacity",
+        "Specific damping capacity ψ: share of the elastic energy lost in one cycle. Default 0.",
+        |slot| slot.number(Bounds::NOT_NEGATIVE),
+    );
+    let damping = fields.maybe("damping", "Damping b seen at the last mass", |slot| {
+        slot.quantity(own.damping(), Bounds::NOT_NEGATIVE)
+    });
+    let split = fields.maybe(
+        "split",
+        "How the inertia is split: `cubes` (uniform lever), `equal`, or a list of shares.",
+        split,
+    );
+    let list = |wanted, bounds| {
+        move |slot: Slot<'_>| {
+            slot.list(1..=MOST_MASSES as usize, |slot| {
+                slot.quantity(wanted, bounds)
+            })
+        }
+    };
+    let inertias = fields.maybe(
+        "inertias",
+        "Inertia of each mass",
+        list(own.inertia(), Bounds::POSITIVE),
+    );
+    let stiffnesses = fields.maybe(
+        "stiffnesses",
+        "Stiffness of each link",
+        list(own.stiffness(), Bounds::POSITIVE),
+    );
+    let dampings = fields.maybe(
+        "dampings",
+        "Damping of each link",
+        list(own.damping(), Bounds::NOT_NEGATIVE),
+    );
+    let geometry = fields.maybe(
+        "geometry",
+        "Dimensions and material, in place of inertia and stiffness",
+        |slot| geometry::read(slot, beam),
+    );
+    Some(Written {
+        masses: masses?.map(|count| count as usize),
+        inertia: inertia?,
+        inertias: inertias?,
+        stiffness: stiffness?,
+        stiffnesses: stiffnesses?,
+        capacity: capacity?,
+        damping: damping?,
+        dampings: dampings?,
+        split: split?,
+        geometry: geometry?,
+    })
+}
+
+fn split(mut slot: Slot<'_>) -> Option<InertiaSplit> {
+    let names = [
+        ("cubes", InertiaSplit::Cubes),
+        ("equal", InertiaSplit::Equal),
+    ];
+    let shares = |slot: Slot<'_>| {
+        slot.list(1..=MOST_MASSES as usize, |slot| {
+            slot.number(Bounds::up_to(1.0))
+        })
+    };
+    let shares = match slot.list_or(shares, |slot| slot.choice(&names))? {
+        Ok(shares) => shares,
+        Err(named) => return Some(named),
+    };
+    let sum: f64 = shares.iter().sum();
+    if (sum - 1.0).abs() > 1e-6 {
+        slot.refuse(
+            "out-of-range",
+            format!("the shares of `split` must add up to 1, found {sum}"),
+        );
+        return None;
+    }
+    Some(InertiaSplit::Shares(
+        shares.iter().map(|share| share / sum).collect(),
+    ))
+}
+
+/// The number of masses, with which all lists must agree.
+fn number_of_masses(fields: &mut Fields<'_>, written: &Written) -> Option<usize> {
+    let shares = match &written.split {
+        Some(InertiaSplit::Shares(shares)) => Some(shares.len()),
+        _ => None,
+    };
+    let lists = [
+        ("inertias", written.inertias.as_ref().map(Vec::len)),
+        ("stiffnesses", written.stiffnesses.as_ref().map(Vec::len)),
+        ("dampings", written.dampings.as_ref().map(Vec::len)),
+        ("split", shares),
+    ];
+    let first_list = lists
+        .iter()
+        .find_map(|(name, length)| Some((*name, (*length)?)));
+    let (said_by, masses) = match (written.masses, first_list) {
+        (Some(masses), _) => ("masses", masses),
+        (None, Some(found)) => found,
+        (None, None) => ("masses", 1),
+    };
+    let mut agree = true;
+    for (name, length) in lists {
+        let Some(length) = length.filter(|length| *length != masses) else {
+            continue;
+        };
+        agree = false;
+        let other = fields.value_place(said_by);
+        let entries = if length == 1 { "entry" } else { "entries" };
+        let fault = fields.refuse(
+            name,
+            "wrong-length",
+            format!("`{name}` has {length} {entries} for {masses} masses"),
+        );
+        fault.related.push(crate::frontend::diagnostics::Related {
+            place: other,
+            label: format!("{masses} masses here"),
+        });
+    }
+    agree.then_some(masses)
+}
+
+/// Stiffness and damping of a rigid object are left unused, so that the number
+/// of masses can be varied down to 0.
+fn rigid(fields: &mut Fields<'_>, written: &Written) -> Option<BodySpec> {
+    let geometry = written.geometry.map(|elastic| elastic.inertia);
+    match written.inertia.or(geometry) {
+        Some(inertia) => Some(BodySpec::Rigid { inertia }),
+        None => {
+            fields.lack(
+                "inertia",
+                Some("give `inertia` (0 for a massless object) or `geometry`".to_owned()),
+            );
+            None
+        }
+    }
+}
+
+fn elastic(
+    fields: &mut Fields<'_>,
+    written: Written,
+    masses: usize,
+    default_split: InertiaSplit,
+) -> Option<BodySpec> {
+    let geometry = written.geometry;
+    let inertia = written.inertia.or(geometry.map(|elastic| elastic.inertia));
+    let stiffness = written
+        .stiffness
+        .or(geometry.map(|elastic| elastic.stiffness));
+    check_elastic(fields, &written, inertia, stiffness)?;
+    let split = written.split.unwrap_or(default_split);
+    if written.inertias.is_none() {
+        fields.fill_in("split", split_json(&split));
+    }
+    if written.dampings.is_none() && written.damping.is_none() {
+        fields.fill_in("damping_capacity", json!(written.capacity.unwrap_or(0.0)));
+    }
+    if let (Some(inertia), Some(stiffness), None) = (inertia, stiffness, &written.dampings) {
+        let from_damping = |damping: f64| damping * TAU / (stiffness * inertia).sqrt();
+        let capacity = written.capacity.or(written.damping.map(from_damping));
+        let body = BodySpec::Uniform {
+            inertia,
+            stiffness,
+            damping_capacity: capacity.unwrap_or(0.0),
+            masses,
+            split,
+        };
+        return sound(fields, body);
+    }
+    let split_up = |inertia: f64| {
+        shares(&split, masses)
+            .iter()
+            .map(|share| share * inertia)
+            .collect()
+    };
+    let inertias: Vec<f64> = written.inertias.or(inertia.map(split_up))?;
+    let in_series = |stiffness: f64| vec![stiffness * masses as f64; masses];
+    let stiffnesses = written.stiffnesses.or(stiffness.map(in_series))?;
+    let dampings = written.dampings.unwrap_or_else(|| {
+        spread_damping(&inertias, &stiffnesses, written.capacity, written.damping)
+    });
+    let body = BodySpec::Lists {
+        inertias,
+        stiffnesses,
+        dampings,
+    };
+    sound(fields, body)
+}
+
+/// An elastic object needs an inertia and a stiffness, both greater than 0.
+fn check_elastic(
+    fields: &mut Fields<'_>,
+    written: &Written,
+    inertia: Option<f64>,
+    stiffness: Option<f64>,
+) -> Option<()> {
+    let no_inertia = inertia.is_none() && written.inertias.is_none();
+    let no_stiffness = stiffness.is_none() && written.stiffnesses.is_none();
+    if no_inertia {
+        fields.lack(
+            "inertia",
+            Some("give `inertia`, `inertias` or `geometry`".to_owned()),
+        );
+    }
+    if no_stiffness {
+        let hint =
+            "give `stiffness`, `stiffnesses` or `geometry`, or `masses`: 0 for a rigid object";
+        fields.lack("stiffness", Some(hint.to_owned()));
+    }
+    if inertia == Some(0.0) {
+        let message = "`inertia` must be greater than 0 for an elastic object";
+        let fault = fields.refuse("inertia", "out-of-range", message);
+        fault
+            .hints
+            .push("a massless object is rigid: `masses`: 0".to_owned());
+        return None;
+    }
+    (!no_inertia && !no_stiffness).then_some(())
+}
+
+/// b_m = ψ·c_m/(2π·ω₀) with ω₀ = √(c/J) of the whole, or b·c_m/c.
+fn spread_damping(
+    inertias: &[f64],
+    stiffnesses: &[f64],
+    capacity: Option<f64>,
+    damping: Option<f64>,
+) -> Vec<f64> {
+    let whole = 1.0 / stiffnesses.iter().map(|c| 1.0 / c).sum::<f64>();
+    let inertia: f64 = inertias.iter().sum();
+    let per_stiffness = match damping {
+        Some(damping) => damping / whole,
+        None => capacity.unwrap_or(0.0) / (TAU * (whole / inertia).sqrt()),
+    };
+    stiffnesses.iter().map(|c| c * per_stiffness).collect()
+}
+
+/// Share of the inertia that each mass has; they add up to 1.
+fn shares(split: &InertiaSplit, masses: usize) -> Vec<f64> {
+    let n = masses as f64;
+    match split {
+        InertiaSplit::Equal => vec![1.0 / n; masses],
+        // m³ − (m−1)³ = 3m(m−1) + 1, without cancellation.
+        InertiaSplit::Cubes => (1..=masses)
+            .map(|m| (3.0 * m as f64 * (m as f64 - 1.0) + 1.0) / n.powi(3))
+            .collect(),
+        InertiaSplit::Shares(shares) => shares.clone(),
+    }
+}
+
+fn split_json(split: &InertiaSplit) -> serde_json::Value {
+    match split {
+        InertiaSplit::Cubes => json!("cubes"),
+        InertiaSplit::Equal => json!("equal"),
+        InertiaSplit::Shares(shares) => json!(shares),
+    }
+}
+
+/// True when its numbers do not overflow once they are combined.
+pub(super) fn is_sound(body: &BodySpec) -> bool {
+    match body {
+        BodySpec::Rigid { inertia } => inertia.is_finite(),
+        BodySpec::Uniform {
+            inertia,
+            stiffness,
+            damping_capacity,
+            masses,
+            ..
+        } => {
+            let chain = stiffness * *masses as f64;
+            let frequency = (chain * *masses as f64 / inertia).sqrt();
+            let damping = damping_capacity * chain / frequency;
+            frequency.is_finite() && frequency > 0.0 && damping.is_finite()
+        }
+        BodySpec::Lists {
+            inertias,
+            stiffnesses,
+            dampings,
+        } => {
+            let all = [inertias, stiffnesses, dampings];
+            all.into_iter().flatten().all(|value| value.is_finite())
+                && inertias.iter().chain(stiffnesses).all(|value| *value > 0.0)
+        }
+    }
+}
+
+/// Refuses numbers that overflow once they are combined.
+fn sound(fields: &mut Fields<'_>, body: BodySpec) -> Option<BodySpec> {
+    if is_sound(&body) {
+        return Some(body);
+    }
+    let name = if fields.has("stiffness") {
+        "stiffness"
+    } else {
+        "inertia"
+    };
+    fields
+        .refuse(
+            name,
+            "out-of-range",
+            "these numbers give no finite natural frequency and damping",
+        )
+        .hints
+        .push("inertia, stiffness and damping are in SI units".to_owned());
+    None
+}

@@ -1,0 +1,117 @@
+//! Kinds of objects, and the registry that knows them.
+
+use super::{Context, Object};
+use crate::dynamics::model::Coordinate;
+use crate::frontend::read::{Fields, Node, did_you_mean};
+
+/// Outputs by name, with whether they turn or slide; `None`: not known.
+pub type Outputs = Vec<(String, Option<Coordinate>)>;
+
+/// What drives the objects of a kind.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Inputs {
+    /// Nothing: motion comes from them.
+    None,
+    /// One other object, named by the property `input`.
+    One,
+    /// Several, by name in the property `inputs`, each an object whose property
+    /// `object` names what the input hangs on. The kind reads them itself, with
+    /// [`Context::connect`].
+    Several,
+}
+
+/// A kind of object: how it is read from a scene.
+#[derive(Clone, Copy, Debug)]
+pub struct Kind {
+    /// The value of the property `kind`.
+    pub name: &'static str,
+    /// What it is, in one line.
+    pub doc: &'static str,
+    /// What drives it.
+    pub inputs: Inputs,
+    /// Its outputs besides its own displacement, as far as the text tells: their
+    /// names, and whether they turn or slide.
+    pub outputs: fn(&Node) -> Outputs,
+    /// Whether it turns or slides, as far as the text tells.
+    pub coordinate: fn(&Node) -> Option<Coordinate>,
+    /// Reads its properties, those common to all kinds (`kind`, `description`, `from`,
+    /// `input`) excepted.
+    pub read: fn(&mut Fields<'_>, &Context<'_>) -> Option<Box<dyn Object>>,
+}
+
+impl Kind {
+    /// Most kinds have no outputs but their own displacement.
+    pub fn no_outputs(_: &Node) -> Outputs {
+        Vec::new()
+    }
+}
+
+impl Inputs {
+    /// The outputs that the inputs of an object hang on, by its ports, as its text has
+    /// them.
+    pub(crate) fn references(self, node: &Node) -> Vec<(&str, &str)> {
+        match self {
+            Self::None => Vec::new(),
+            Self::One => {
+                let input = node.get(super::INPUT).and_then(Node::text);
+                input
+                    .map(|input| (super::INPUT, input))
+                    .into_iter()
+                    .collect()
+            }
+            Self::Several => {
+                let inputs = node.get("inputs").map_or(&[][..], Node::members);
+                let named = inputs
+                    .iter()
+                    .filter_map(|m| Some((m.name.as_str(), m.value.get("object")?.text()?)));
+                named.collect()
+            }
+        }
+    }
+}
+
+/// The kinds that a scene may name, in the order they are presented.
+#[derive(Clone, Debug)]
+pub struct Registry {
+    kinds: Vec<Kind>,
+}
+
+impl Registry {
+    /// The kinds of this library.
+    pub fn standard() -> Self {
+        Self {
+            kinds: super::STANDARD.to_vec(),
+        }
+    }
+
+    /// With a further kind, which takes the place of one of the same name.
+    #[must_use]
+    pub fn with(mut self, kind: Kind) -> Self {
+        match self.kinds.iter_mut().find(|known| known.name == kind.name) {
+            Some(known) => *known = kind,
+            None => self.kinds.push(kind),
+        }
+        self
+    }
+
+    /// All kinds.
+    pub fn kinds(&self) -> &[Kind] {
+        &self.kinds
+    }
+
+    /// The kind of a name.
+    pub fn kind(&self, name: &str) -> Option<&Kind> {
+        self.kinds.iter().find(|kind| kind.name == name)
+    }
+
+    /// What may have been meant by a name that no kind has.
+    pub fn did_you_mean(&self, name: &str) -> Option<String> {
+        did_you_mean(name, self.kinds.iter().map(|kind| kind.name))
+    }
+}
+
+impl Default for Registry {
+    fn default() -> Self {
+        Self::standard()
+    }
+}

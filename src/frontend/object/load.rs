@@ -1,0 +1,316 @@
+//! Loads.
+
+use super::measures::Measures;
+use super::spec::{LoadLawSpec, LoadSpec, MassChoice};
+use crate::dynamics::model::Coordinate;
+use crate::frontend::read::{Bounds, Fields, Slot, Wanted};
+use crate::units::quantities as q;
+use serde_json::json;
+use std::f64::consts::TAU;
+
+/// Most points of a table.
+const MOST_POINTS: usize = 100_000;
+
+/// What loads are on.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum On {
+    /// The masses of a chain, driven by something that turns or slides.
+    Chain {
+        own: Measures,
+        driver: Measures,
+        /// Number of masses; `None`: not known.
+        masses: Option<usize>,
+    },
+    /// The rotor of a motor, or the slide of a linear one.
+    Rotor(Measures),
+    /// An output of a linkage.
+    Output(Measures),
+}
+
+impl On {
+    fn own(self) -> Measures {
+        match self {
+            Self::Chain { own, .. } => own,
+            Self::Rotor(own) | Self::Output(own) => own,
+        }
+    }
+}
+
+/// Reads `loads`, in the order of their names.
+pub(super) fn read_all(fields: &mut Fields<'_>, on: On) -> Option<Vec<LoadSpec>> {
+    let doc = "Loads by name. Positive forces act in the direction of positive displacement.";
+    fields.or("loads", doc, json!({}), |slot| {
+        slot.names(|name, slot| match on {
+            On::Rotor(_) => slot.defined("rotor_load", |slot| read(slot, name, on)),
+            On::Output(_) => slot.defined("output_load", |slot| read(slot, name, on)),
+            On::Chain { own, .. } => {
+                let definition = match own.0 {
+                    Some(Coordinate::Turning) => "turning_load",
+                    Some(Coordinate::Sliding) => "sliding_load",
+                    None => "load",
+                };
+                slot.defined(definition, |slot| read(slot, name, on))
+            }
+        })
+    })
+}
+
+fn read(slot: Slot<'_>, name: &str, on: On) -> Option<LoadSpec> {
+    slot.record(|fields| {
+        let mass = match on {
+            On::Rotor(_) | On::Output(_) => Some(MassChoice::Last),
+            On::Chain { masses, .. } => chosen_mass(fields, masses),
+        };
+        let law = law(fields, on);
+        Some(LoadSpec {
+            name: name.to_owned(),
+            mass: mass?,
+            law: law?,
+        })
+    })
+}
+
+/// `mass`: a weight acts on every mass unless said otherwise, all other loads
+/// on the last.
+fn chosen_mass(fields: &mut Fields<'_>, masses: Option<usize>) -> Option<MassChoice> {
+    let doc = "Mass it acts on: `last`, `first`, `all`, or its number from 1; \
+               default `all` for a weight, `last` for everything else.";
+    let given = fields.maybe("mass", doc, |slot| mass(slot, masses))?;
+    let (name, usual) = match fields.has("weight") {
+        true => ("all", MassChoice::All),
+        false => ("last", MassChoice::Last),
+    };
+    if given.is_none() {
+        fields.fill_in("mass", json!(name));
+    }
+    Some(given.unwrap_or(usual))
+}
+
+fn mass(slot: Slot<'_>, masses: Option<usize>) -> Option<MassChoice> {
+    let names = [
+        ("last", MassChoice::Last),
+        ("first", MassChoice::First),
+        ("all", MassChoice::All),
+    ];
+    slot.text_or(
+        |slot| slot.choice(&names),
+        |slot| {
+            let most = masses.map_or(super::body::MOST_MASSES, |count| count as u64);
+            if most == 0 {
+                let mut slot = slot;
+                slot.refuse("out-of-range", "a rigid object has no numbered masses")
+                    .hints
+                    .push("leave out `mass`".to_owned());
+                return None;
+            }
+            Some(MassChoice::Number(slot.count(1..=most)? as usize))
+        },
+    )
+}
+
+fn law(fields: &mut Fields<'_>, on: On) -> Option<LoadLawSpec> {
+    if let Some(load) = fields.own("A load given in code.") {
+        return Some(LoadLawSpec::Custom(load));
+    }
+    let own = on.own();
+    let force = own.force();
+    let any = |wanted: Wanted| move |slot: Slot<'_>| slot.quantity(wanted, Bounds::ANY);
+    let mut law = fields.one_of("its law");
+    law.case("constant", "Constant force W", |slot| {
+        any(force)(slot).map(LoadLawSpec::Constant)
+    });
+    law.case(
+        "time_table",
+        "List of [time, force]: linear between the points, constant outside.",
+        |slot| points(slot, q::TIME.into(), force, 1).map(LoadLawSpec::TimeTable),
+    );
+    if let On::Chain { driver, .. } = on {
+        law.case(
+            "position_table",
+            "Force over the driver's displacement.",
+            |slot| position_table(slot, driver, force),
+        );
+        law.case(
+            "window",
+            "Constant force while the driver is between two positions.",
+            |slot| window(slot, driver, force),
+        );
+    }
+    law.case("spring", "Spring: W = −preload − rate·φ.", |slot| {
+        spring(slot, own)
+    });
+    law.case("viscous", "Viscous: W = −b·φ̇, b", |slot| {
+        let damping = slot.quantity(own.damping(), Bounds::NOT_NEGATIVE);
+        damping.map(LoadLawSpec::Viscous)
+    });
+    // An output has no mass of its own.
+    if own.0 != Some(Coordinate::Turning) && !matches!(on, On::Output(_)) {
+        law.case("weight", "Weight: W = −m·g·sin(inclination).", weight);
+    }
+    law.case(
+        "friction",
+        "Coulomb friction, regularised: W = −force·tanh(φ̇/width).",
+        |slot| friction(slot, own),
+    );
+    law.finish()
+}
+
+/// Reads `[[x, y], …]` with x strictly ascending.
+pub(super) fn points(
+    mut slot: Slot<'_>,
+    x: Wanted,
+    y: Wanted,
+    least: usize,
+) -> Option<Vec<(f64, f64)>> {
+    let points = slot.look(|slot| {
+        slot.list(least..=MOST_POINTS, |slot| {
+            slot.pair(
+                |slot| slot.quantity(x, Bounds::ANY),
+                |slot| slot.quantity(y, Bounds::ANY),
+            )
+        })
+    })?;
+    let wrong = (1..points.len()).find(|&at| points[at].0 <= points[at - 1].0);
+    match wrong {
+        None => Some(points),
+        Some(at) => {
+            let message = format!(
+                "the first values must ascend: {} follows {}",
+                points[at].0,
+                points[at - 1].0
+            );
+            slot.refuse_item(at, "not-ascending", message);
+            None
+        }
+    }
+}
+
+fn period(fields: &mut Fields<'_>, driver: Measures, doc: &str) -> Option<Option<f64>> {
+    fields.maybe("period", doc, |slot| {
+        slot.quantity(driver.displacement(), Bounds::POSITIVE)
+    })
+}
+
+fn position_table(slot: Slot<'_>, driver: Measures, force: Wanted) -> Option<LoadLawSpec> {
+    slot.record(|fields| {
+        let points = fields.need(
+            "points",
+            "List of [driver's displacement, force]: linear between the points.",
+            |slot| points(slot, driver.displacement(), force, 1),
+        );
+        let doc = "Repeats after this much of the driver's displacement; without it the force is constant outside the points";
+        let period = period(fields, driver, doc);
+        let (points, period) = (points?, period?);
+        let length = points[points.len() - 1].0 - points[0].0;
+        if let Some(period) = period
+            && length >= period * (1.0 - 1e-12)
+        {
+            let closes = points[0].1 == points[points.len() - 1].1;
+            if length > period * (1.0 + 1e-12) || !closes {
+                let message = format!("the points span {length}, the period is {period}");
+                fields
+                    .refuse("period", "out-of-range", message)
+                    .hints
+                    .push("all points must lie within one period; the force goes on to the first point by itself".to_owned());
+                return None;
+            }
+        }
+        Some(LoadLawSpec::PositionTable { points, period })
+    })
+}
+
+fn window(slot: Slot<'_>, driver: Measures, force: Wanted) -> Option<LoadLawSpec> {
+    slot.record(|fields| {
+        let edge = |slot: Slot<'_>| slot.quantity(driver.displacement(), Bounds::ANY);
+        let from = fields.need("from", "Start of the window", edge);
+        let to = fields.need("to", "End of the window, beyond its start", edge);
+        let force = fields.need("force", "Force inside the window", |slot| {
+            slot.quantity(force, Bounds::ANY)
+        });
+        let doc = "Repeats after this much of the driver's displacement; default one turn of a turning driver";
+        let once = fields.or(
+            "once",
+            "True: the window comes once and does not repeat.",
+            json!(false),
+            |slot| slot.flag(),
+        );
+        let period = period(fields, driver, doc);
+        let (from, to, force, once, period) = (from?, to?, force?, once?, period?);
+        if to <= from {
+            let message = "`to` must be greater than `from`";
+            fields
+                .refuse("to", "out-of-range", message)
+                .hints
+                .push("a window across the end of a turn goes on beyond it: from 350 deg to 370 deg".to_owned());
+            return None;
+        }
+        if once && period.is_some() {
+            fields.refuse("period", "contradiction", "a window that comes `once` has no `period`");
+            return None;
+        }
+        let turn = (driver.0 == Some(Coordinate::Turning) && !once).then_some(TAU);
+        let period = period.or(turn);
+        if let Some(period) = period {
+            fields.fill_in("period", json!(period));
+            if to - from > period {
+                let message = format!("the window spans {}, the period is {period}", to - from);
+                fields.refuse("to", "out-of-range", message);
+                return None;
+            }
+        }
+        Some(LoadLawSpec::Window {
+            from,
+            to,
+            force,
+            period,
+        })
+    })
+}
+
+fn spring(slot: Slot<'_>, own: Measures) -> Option<LoadLawSpec> {
+    slot.record(|fields| {
+        let rate = fields.need("rate", "Rate of the spring", |slot| {
+            slot.quantity(own.stiffness(), Bounds::NOT_NEGATIVE)
+        });
+        let preload = fields.or(
+            "preload",
+            "Force at φ = 0, positive towards negative displacement",
+            json!(0.0),
+            |slot| slot.quantity(own.force(), Bounds::ANY),
+        );
+        Some(LoadLawSpec::Spring {
+            rate: rate?,
+            preload: preload?,
+        })
+    })
+}
+
+fn weight(slot: Slot<'_>) -> Option<LoadLawSpec> {
+    slot.record(|fields| {
+        let inclination = fields.need(
+            "inclination",
+            "Angle of the positive direction above the horizontal",
+            |slot| slot.quantity(q::ANGLE, Bounds::ANY),
+        );
+        Some(LoadLawSpec::Weight {
+            inclination: inclination?,
+        })
+    })
+}
+
+fn friction(slot: Slot<'_>, own: Measures) -> Option<LoadLawSpec> {
+    slot.record(|fields| {
+        let force = fields.need("force", "Force of sliding friction", |slot| {
+            slot.quantity(own.force(), Bounds::NOT_NEGATIVE)
+        });
+        let width = fields.need(
+            "width",
+            "Regularisation width: speed at which 76 % of the force is reached",
+            |slot| slot.quantity(own.speed(), Bounds::POSITIVE),
+        );
+        Some(LoadLawSpec::Friction {
+            force: force?,
+            width: width?,
+        })
+    })
+}

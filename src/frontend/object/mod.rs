@@ -1,0 +1,108 @@
+//! The objects of a scene: one file a kind.
+//!
+//! An [`Object`] has [`Ports`] and lowers itself to nodes, links, laws and loads of
+//! the model, through a [`ModelBuilder`]. Its [`Kind`] says how it is read from a
+//! scene; kinds live in a [`Registry`]. A new kind of this library is one file and
+//! two lines in this one (`ARCHITECTURE.md` says what else goes with it); one of another
+//! crate is added with [`Registry::with`].
+
+mod body;
+mod cam;
+mod cam_follower;
+mod cam_geometry;
+pub mod chain;
+mod contact;
+mod context;
+mod crank;
+mod differential;
+mod drive;
+pub mod geometry;
+mod kind;
+pub mod law;
+mod linkage;
+mod load;
+mod measures;
+mod motor;
+pub(crate) mod numbers;
+mod own;
+mod pair;
+mod plan;
+mod ports;
+mod position;
+mod rocker;
+mod shaft;
+mod slider;
+
+use crate::dynamics::model::Coordinate;
+use crate::kinematics::cam::CamGeometry;
+use spec::{ChainSpec, DrivenLinkage};
+use std::fmt;
+
+pub use crate::dynamics::builder::{ModelBuilder, Place, spec};
+pub use chain::ChainObject;
+pub use context::{Connection, Context, KnownObject, object_of};
+pub use differential::Differential;
+pub use drive::Drive;
+pub use kind::{Inputs, Kind, Outputs, Registry};
+pub use linkage::Linkage;
+pub use measures::Measures;
+pub(crate) use own::OwnObject;
+pub use ports::{INPUT, OWN, Port, Ports};
+
+/// An object of a mechanism.
+pub trait Object: fmt::Debug + Send + Sync {
+    /// Its `kind`.
+    fn kind(&self) -> &'static str;
+
+    /// Its inputs and outputs; the first output is its own displacement.
+    fn ports(&self) -> Ports;
+
+    /// Adds what it is made of to the model: nodes, links, laws, loads. Faults are
+    /// noted in the builder; every output must have its node, unless there are faults.
+    fn lower(&self, at: &Place, into: &mut ModelBuilder);
+
+    /// Whether its displacement is an angle or a length.
+    fn coordinate(&self) -> Coordinate {
+        let own = self.ports().outputs.into_iter().next();
+        own.and_then(|port| port.coordinate).unwrap_or_default()
+    }
+
+    /// Number of coordinates that a start state has: its masses, 1 for a motor's
+    /// rotor, 0 for what follows rigidly and for a prescribed drive. Default: those of
+    /// its chain.
+    fn masses(&self) -> usize {
+        self.chain().map_or(0, |chain| chain.masses())
+    }
+
+    /// The chain of masses, or rigid object, that it is; `None`: something else.
+    fn chain(&self) -> Option<&ChainSpec> {
+        None
+    }
+
+    /// The same, where single numbers may be set in place.
+    fn chain_mut(&mut self) -> Option<&mut ChainSpec> {
+        None
+    }
+
+    /// The linkage of rigid links that it is; `None`: something else.
+    fn linkage(&self) -> Option<&DrivenLinkage> {
+        None
+    }
+
+    /// The disc cam that realises its position function, if the scene tells of one.
+    fn cam(&self) -> Option<&CamGeometry> {
+        None
+    }
+}
+
+/// The kinds of this library, in the order they are presented.
+const STANDARD: &[Kind] = &[
+    drive::KIND,
+    shaft::KIND,
+    crank::KIND,
+    rocker::KIND,
+    slider::KIND,
+    cam_follower::KIND,
+    differential::KIND,
+    linkage::KIND,
+];

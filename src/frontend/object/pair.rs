@@ -1,0 +1,125 @@
+//! The driving pair.
+
+use super::contact;
+use super::measures::Measures;
+use super::spec::{ContactSpec, PairSpec};
+use crate::dynamics::model::{Closure, ContactLaw, DampingLaw};
+use crate::frontend::read::{Bounds, Fields, Slot};
+use serde_json::json;
+
+/// Names of the closures.
+pub(super) const CLOSURES: [(&str, Closure); 3] = [
+    ("bilateral", Closure::Bilateral),
+    ("force", Closure::Force),
+    ("form", Closure::Form),
+];
+
+pub(super) fn closure_name(closure: Closure) -> &'static str {
+    match closure {
+        Closure::Bilateral => "bilateral",
+        Closure::Force => "force",
+        Closure::Form => "form",
+    }
+}
+
+/// Reads `pair`.
+pub(super) fn read(slot: Slot<'_>, own: Measures, default: Closure) -> Option<PairSpec> {
+    slot.record(|fields| {
+        let closure = fields.or(
+            "closure",
+            "How the pair is kept together: always (`bilateral`), by a closing `force`, or by `form` with a gap.",
+            json!(closure_name(default)),
+            |slot| slot.choice(&CLOSURES),
+        );
+        let gap = fields.or("gap", "Gap η of a form-closed pair", json!(0.0), |slot| {
+            slot.quantity(own.displacement(), Bounds::NOT_NEGATIVE)
+        });
+        let opens = fields.or(
+            "opens",
+            "Side to which a force-closed pair lifts off.",
+            json!("+"),
+            |slot| slot.choice(&[("+", 1.0), ("-", -1.0)]),
+        );
+        let law = fields.or("law", "Law of the contact force.", json!("kelvin_voigt"), |slot| {
+            law(slot, own)
+        });
+        let contact = fields.maybe(
+            "contact",
+            "Contact between driver and object: an element of its own, in front of link 1.",
+            |slot| contact::read(slot, own),
+        );
+        let clash = fields.clash("law", "contact", "a contact element has a law of its own");
+        let (closure, law, contact) = (closure?, law?, contact?);
+        if clash {
+            return None;
+        }
+        let pair = PairSpec {
+            closure,
+            gap: gap?,
+            opens: opens?,
+            law,
+            contact,
+        };
+        check(fields, &pair)
+    })
+}
+
+fn law(slot: Slot<'_>, own: Measures) -> Option<DampingLaw> {
+    let names = [
+        ("kelvin_voigt", DampingLaw::KelvinVoigt),
+        ("hunt_crossley", DampingLaw::HuntCrossley { kappa: None }),
+    ];
+    slot.object_or(
+        |slot| {
+            slot.record(|fields| {
+                fields.need("hunt_crossley", "N = c·p·max(0, 1 + κ·ṗ)", |slot| {
+                    slot.record(|fields| {
+                        let kappa =
+                            fields.need("kappa", "κ, seconds per unit of penetration", |slot| {
+                                slot.quantity(own.time_per_displacement(), Bounds::NOT_NEGATIVE)
+                            });
+                        Some(DampingLaw::HuntCrossley {
+                            kappa: Some(kappa?),
+                        })
+                    })
+                })
+            })
+        },
+        |slot| slot.choice(&names),
+    )
+}
+
+/// Each closure has only some of the properties.
+fn check(fields: &mut Fields<'_>, pair: &PairSpec) -> Option<PairSpec> {
+    let closure = closure_name(pair.closure);
+    let mut sound = true;
+    let mut refuse = |name: &str, needed: &str| {
+        sound = false;
+        let message = format!("`{name}` has no meaning for a pair with closure `{closure}`");
+        let fault = fields.refuse(name, "contradiction", message);
+        fault
+            .hints
+            .push(format!("set `closure` to {needed}, or remove `{name}`"));
+    };
+    if pair.gap > 0.0 && pair.closure != Closure::Form {
+        refuse("gap", "\"form\"");
+    }
+    if pair.opens < 0.0 && pair.closure != Closure::Force {
+        refuse("opens", "\"force\"");
+    }
+    if pair.law != DampingLaw::KelvinVoigt && pair.closure == Closure::Bilateral {
+        refuse("law", "\"force\" or \"form\"");
+    }
+    let nonlinear = |contact: &ContactSpec| {
+        let law = contact.law;
+        !matches!(law, ContactLaw::Elastic | ContactLaw::KelvinVoigt { .. })
+    };
+    if pair.contact.as_ref().is_some_and(nonlinear) && pair.closure == Closure::Bilateral {
+        sound = false;
+        let message = "a bilateral pair takes the contact laws `elastic` and `kelvin_voigt` alone";
+        let fault = fields.refuse("contact", "contradiction", message);
+        let hint = "set `closure` to \"force\" or \"form\", or give another law";
+        fault.hints.push(hint.to_owned());
+    }
+    sound.then(|| pair.clone())
+}

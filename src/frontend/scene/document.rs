@@ -1,0 +1,373 @@
+//! A scene's text, read once; decoded as often as wanted with other overrides.
+
+use super::objects::Known;
+use super::overrides::{self, Overrides};
+use super::{Catalogue, TypedScene, address, root};
+use crate::fault::Fault;
+use crate::frontend::diagnostics::{Diagnostic, Diagnostics, Place, Source, Sources};
+use crate::frontend::object::Registry;
+use crate::frontend::read::{self, Member, Node, Reader, Value, did_you_mean};
+use sha2::{Digest, Sha256};
+use std::fmt::Write;
+use std::sync::{Arc, OnceLock};
+
+/// A scene's text as a tree, and the kinds of objects that it may name.
+#[derive(Clone, Debug)]
+pub struct Document {
+    sources: Sources,
+    root: Node,
+    registry: Registry,
+    /// Its text, where that is not what it was read from.
+    rewritten: Option<OnceLock<String>>,
+}
+
+/// A scene, read and checked, with what reading it left behind.
+#[derive(Debug)]
+pub struct Reading {
+    /// The scene.
+    pub scene: TypedScene,
+    /// What the user should know.
+    pub warnings: Diagnostics,
+    /// The canonical scene: defaults filled in, SI units, names sorted.
+    pub canonical: serde_json::Value,
+    /// Where each property stands.
+    pub places: Places,
+}
+
+/// Where each property of a scene stands.
+#[derive(Clone, Debug)]
+pub struct Places {
+    sources: Sources,
+    root: Node,
+}
+
+impl Document {
+    /// Reads a scene's text, with the standard kinds of objects. `name` is shown in
+    /// diagnostics.
+    ///
+    /// # Errors
+    /// Not UTF-8, larger than 4 MiB, nested deeper than 64, not strict JSON,
+    /// names given twice.
+    pub fn parse(name: &str, bytes: &[u8]) -> Result<Self, Diagnostics> {
+        let mut sources = Sources::default();
+        match read::parse(name, bytes, &mut sources) {
+            Ok(root) => Ok(Self {
+                sources,
+                root,
+                registry: Registry::standard(),
+                rewritten: None,
+            }),
+            Err(faults) => Err(Diagnostics::new(sources, faults)),
+        }
+    }
+
+    /// A scene made in code, of a tree without places: faults name the properties
+    /// alone. With the standard kinds of objects.
+    pub fn of_values(root: Node) -> Self {
+        let mut sources = Sources::default();
+        // Overrides are sources of their own, and come after it.
+        sources.add(Arc::new(Source {
+            name: "scene".to_owned(),
+            text: String::new(),
+        }));
+        Self {
+            sources,
+            root,
+            registry: Registry::standard(),
+            rewritten: Some(OnceLock::new()),
+        }
+    }
+
+    /// Changes the tree.
+    pub fn edit(&mut self, change: impl FnOnce(&mut Node)) {
+        change(&mut self.root);
+        self.rewritten = Some(OnceLock::new());
+    }
+
+    /// The same with the kinds of objects of a registry.
+    #[must_use]
+    pub fn with_kinds(self, registry: Registry) -> Self {
+        Self { registry, ..self }
+    }
+
+    /// The kinds of objects that it may name.
+    pub fn kinds(&self) -> &Registry {
+        &self.registry
+    }
+
+    /// The same without what it expects of a run and without remarks: quicker to
+    /// decode where a scene is decoded thousands of times with other values.
+    #[must_use]
+    pub fn bare(&self) -> Self {
+        let mut bare = self.clone();
+        if let Value::Object(members) = &mut bare.root.value {
+            members.retain(|member| {
+                !["expect", "description", "$schema"].contains(&member.name.as_str())
+            });
+        }
+        bare
+    }
+
+    /// The text itself; of a scene made or changed in code, the JSON that says the
+    /// same.
+    pub fn text(&self) -> &str {
+        match &self.rewritten {
+            None => self.sources.get(0).map_or("", |source| &source.text),
+            // A tree has no names that are no texts: it can be written.
+            Some(text) => {
+                text.get_or_init(|| serde_json::to_string_pretty(&self.root).unwrap_or_default())
+            }
+        }
+    }
+
+    /// Decodes the scene, with catalogue objects copied in and properties
+    /// overridden.
+    ///
+    /// # Errors
+    /// Everything that is wrong, at once; warnings among it.
+    pub fn scene(
+        &self,
+        catalogue: &dyn Catalogue,
+        overrides: &Overrides,
+    ) -> Result<Reading, Diagnostics> {
+        let mut sources = self.sources.clone();
+        let mut faults = Vec::new();
+        let tree = self.tree(catalogue, overrides, &mut sources, &mut faults);
+        let mut reader = Reader::new();
+        let known = Known::new(&self.registry);
+        let (read, canonical) = reader.read(Some(&tree), "", |slot| root::read(slot, known));
+        for mut fault in reader.diagnostics {
+            // As it is addressed everywhere else: `rocker.pair.gap`.
+            if let Some(address) = fault.path.strip_prefix("objects.") {
+                fault.path = address.to_owned();
+            }
+            faults.push(fault);
+        }
+        let diagnostics = Diagnostics::new(sources.clone(), faults);
+        match read {
+            Some(read) if !diagnostics.has_errors() => Ok(Reading {
+                scene: TypedScene {
+                    name: read.name,
+                    objects: read.objects,
+                    run: read.run,
+                    steady: read.steady,
+                    expect: read.expect,
+                    hash: hash(&canonical),
+                },
+                warnings: diagnostics,
+                canonical,
+                places: Places {
+                    sources,
+                    root: tree,
+                },
+            }),
+            _ => Err(diagnostics),
+        }
+    }
+
+    /// What is known of its objects, however faulty they are, and what a catalogue offers.
+    pub(super) fn known(&self, catalogue: &dyn Catalogue) -> Known {
+        let (mut sources, mut faults) = (self.sources.clone(), Vec::new());
+        let tree = self.tree(catalogue, &Overrides::none(), &mut sources, &mut faults);
+        Known::new(&self.registry).offering(Some(&tree), catalogue)
+    }
+
+    /// The tree to be decoded.
+    fn tree(
+        &self,
+        catalogue: &dyn Catalogue,
+        overrides: &Overrides,
+        sources: &mut Sources,
+        faults: &mut Vec<Diagnostic>,
+    ) -> Node {
+        let mut tree = self.root.clone();
+        let changes = overrides::read(overrides, sources, faults);
+        let (early, late): (Vec<_>, Vec<_>) =
+            changes.iter().partition(|change| change.chooses_from());
+        for change in early {
+            faults.extend(
+                overrides::apply(&mut tree, change)
+                    .err()
+                    .map(|fault| *fault),
+            );
+        }
+        copy_from_catalogue(&mut tree, catalogue, sources, faults);
+        for change in late {
+            faults.extend(
+                overrides::apply(&mut tree, change)
+                    .err()
+                    .map(|fault| *fault),
+            );
+        }
+        tree
+    }
+}
+
+/// Replaces every `from` by what it names.
+fn copy_from_catalogue(
+    tree: &mut Node,
+    catalogue: &dyn Catalogue,
+    sources: &mut Sources,
+    faults: &mut Vec<Diagnostic>,
+) {
+    let Value::Object(top) = &mut tree.value else {
+        return;
+    };
+    let Some(objects) = top.iter_mut().find(|member| member.name == "objects") else {
+        return;
+    };
+    let Value::Object(objects) = &mut objects.value.value else {
+        return;
+    };
+    for object in objects {
+        let Value::Object(members) = &mut object.value.value else {
+            continue;
+        };
+        let Some(at) = members.iter().position(|member| member.name == "from") else {
+            continue;
+        };
+        let from = members.remove(at);
+        match catalogue_members(&from, &object.name, catalogue, sources) {
+            Ok(mut copied) => {
+                merge_dimensions(members, &mut copied);
+                copied.retain(|copy| members.iter().all(|own| own.name != copy.name));
+                members.append(&mut copied);
+            }
+            Err(mut found) => {
+                faults.append(&mut found);
+                // Its reading sees by this that something is missing.
+                members.push(from);
+            }
+        }
+    }
+}
+
+/// Named numbers are replaced one by one, all other properties as a whole.
+fn merge_dimensions(own: &mut [Member], copied: &mut [Member]) {
+    let of = |members: &[Member]| members.iter().position(|m| m.name == "dimensions");
+    let (Some(mine), Some(theirs)) = (of(own), of(copied)) else {
+        return;
+    };
+    if let (Value::Object(mine), Value::Object(theirs)) =
+        (&mut own[mine].value.value, &mut copied[theirs].value.value)
+    {
+        theirs.retain(|copy| mine.iter().all(|own| own.name != copy.name));
+        mine.append(theirs);
+    }
+}
+
+fn catalogue_members(
+    from: &Member,
+    id: &str,
+    catalogue: &dyn Catalogue,
+    sources: &mut Sources,
+) -> Result<Vec<Member>, Vec<Diagnostic>> {
+    let fault = |code, message: String| {
+        Diagnostic::error(code, message)
+            .at(from.value.place.clone())
+            .path(format!("{id}.from"))
+    };
+    let Some(name) = from.value.text() else {
+        let message = format!("`from` must be a text, found {}", from.value.type_name());
+        return Err(vec![fault("wrong-type", message)]);
+    };
+    let Some((file, text)) = catalogue.lookup(name) else {
+        let names = catalogue.names();
+        let guess = did_you_mean(name, names.iter().map(String::as_str));
+        let all = || {
+            format!(
+                "the catalogue has {}",
+                read::quoted_list(names.iter().map(String::as_str).take(40), "and")
+            )
+        };
+        let message = format!("the catalogue has no object `{name}`");
+        return Err(vec![
+            fault("unknown-catalogue-object", message).hint(guess.unwrap_or_else(all)),
+        ]);
+    };
+    let node = read::parse(&file, text.as_bytes(), sources)?;
+    let Value::Object(mut members) = node.value else {
+        let message = "a catalogue file holds one object's properties".to_owned();
+        return Err(vec![
+            Diagnostic::error("wrong-type", message).at(node.place),
+        ]);
+    };
+    if let Some(nested) = members.iter().find(|member| member.name == "from") {
+        let message = "a catalogue object cannot copy another one";
+        return Err(vec![
+            Diagnostic::error("contradiction", message).at(nested.name_place.clone()),
+        ]);
+    }
+    members.retain(|member| !["source", "description"].contains(&member.name.as_str()));
+    Ok(members)
+}
+
+/// SHA-256 of the canonical scene, in hexadecimal.
+fn hash(canonical: &serde_json::Value) -> String {
+    let mut text = String::new();
+    write_sorted(canonical, &mut text);
+    let mut hash = String::new();
+    for byte in Sha256::digest(text.as_bytes()) {
+        // Writing to a string cannot fail.
+        let _ = write!(hash, "{byte:02x}");
+    }
+    hash
+}
+
+/// JSON with sorted names, whatever order the map type keeps.
+fn write_sorted(value: &serde_json::Value, out: &mut String) {
+    use serde_json::Value as Json;
+    match value {
+        Json::Object(map) => {
+            let mut names: Vec<&String> = map.keys().collect();
+            names.sort();
+            out.push('{');
+            for name in names {
+                out.push_str(&Json::String(name.clone()).to_string());
+                out.push(':');
+                write_sorted(&map[name], out);
+                out.push(',');
+            }
+            out.push('}');
+        }
+        Json::Array(items) => {
+            out.push('[');
+            for item in items {
+                write_sorted(item, out);
+                out.push(',');
+            }
+            out.push(']');
+        }
+        other => out.push_str(&other.to_string()),
+    }
+}
+
+impl Places {
+    /// The tree that was decoded.
+    pub(super) fn into_root(self) -> Node {
+        self.root
+    }
+
+    /// Where the property at an address stands; the nearest part of the
+    /// address that exists.
+    pub fn locate(&self, path: &str) -> Place {
+        address::locate(&self.root, path)
+    }
+
+    /// Faults found later as diagnostics with their places.
+    pub fn diagnose(&self, faults: &[Fault]) -> Diagnostics {
+        let items = faults.iter().map(|fault| {
+            let hint = (!fault.hint.is_empty()).then(|| fault.hint.clone());
+            Diagnostic::error("model", fault.message.clone())
+                .at(self.locate(&fault.path))
+                .path(fault.path.clone())
+                .maybe_hint(hint)
+        });
+        Diagnostics::new(self.sources.clone(), items.collect())
+    }
+
+    /// The texts that the scene was read from.
+    pub fn sources(&self) -> &Sources {
+        &self.sources
+    }
+}

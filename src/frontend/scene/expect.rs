@@ -1,0 +1,322 @@
+//! The `expect` block.
+
+use super::objects::Known;
+use super::{Expectation, Expected};
+use crate::dynamics::model::owner_of;
+use crate::frontend::object::Measures;
+use crate::frontend::read::{Bounds, Fields, Slot, Wanted, closest, did_you_mean, quoted_list};
+use crate::units::{Quantity, quantities as q};
+
+/// Reasons for which a run may be expected to stop.
+const STOPS: [&str; 11] = [
+    "dead_position",
+    "end_of_travel",
+    "not_explored",
+    "self_locking",
+    "several_solutions",
+    "not_finite",
+    "step_floor",
+    "too_many_switches",
+    "too_many_steps",
+    "wall_clock",
+    "method",
+];
+
+/// A figure's name and what it measures.
+type Figure = (&'static str, fn(Measures) -> Wanted);
+
+/// Figures of an object.
+const OBJECT_FIGURES: &[Figure] = &[
+    ("delta_abs", Measures::displacement),
+    ("delta_max", Measures::displacement),
+    ("delta_min", Measures::displacement),
+    ("sigma", Measures::displacement),
+    ("peak_speed", Measures::speed),
+    ("peak_acceleration", Measures::acceleration),
+    ("peak_reaction", Measures::force),
+    ("final.displacement", Measures::displacement),
+    ("final.speed", Measures::speed),
+    ("pair.separations", |_| q::NUMBER.into()),
+    ("pair.closures", |_| q::NUMBER.into()),
+    ("pair.separated_time", |_| q::TIME.into()),
+    ("pair.longest_separation", |_| q::TIME.into()),
+    ("pair.max_lift", Measures::displacement),
+    ("pair.max_approach_speed", Measures::speed),
+    ("pair.max_contact_force", Measures::force),
+    ("pair.max_indentation", Measures::displacement),
+    ("pair.margin", Measures::force),
+    ("pair.in_working_order", |_| q::NUMBER.into()),
+    ("friction_loss", |_| q::MOMENT.into()),
+    ("standstills", |_| q::NUMBER.into()),
+    ("time_at_rest", |_| q::TIME.into()),
+];
+
+/// Figures of the run.
+const RUN_FIGURES: &[&str] = &[
+    "time",
+    "steps",
+    "rejected",
+    "evaluations",
+    "switches",
+    "energy_error",
+    "complete",
+];
+
+/// Figures of the steady motion, judged by `dam steady`.
+pub(crate) const STEADY_FIGURES: &[(&str, Quantity)] = &[
+    ("mean_time", q::ANGULAR_SPEED),
+    ("mean_angle", q::ANGULAR_SPEED),
+    ("mean_midrange", q::ANGULAR_SPEED),
+    ("period", q::TIME),
+    ("least_speed", q::ANGULAR_SPEED),
+    ("greatest_speed", q::ANGULAR_SPEED),
+    ("speed_at_start", q::ANGULAR_SPEED),
+    ("fluctuation", q::NUMBER),
+    ("energy_at_start", q::MOMENT),
+    ("reference_energy", q::MOMENT),
+    ("energy_fluctuation", q::MOMENT),
+    ("cycle_work", q::MOMENT),
+    ("balance", q::MOMENT),
+    ("multiplier", q::NUMBER),
+    ("periods", q::NUMBER),
+    ("flywheel", q::INERTIA),
+];
+
+/// What an expectation is about.
+#[derive(Clone)]
+enum About {
+    Figure(String, Wanted),
+    Stop(&'static str),
+}
+
+/// Reads `expect`.
+pub(super) fn read(slot: Slot<'_>, known: &Known) -> Option<Vec<Expectation>> {
+    slot.list(0..=usize::MAX, |slot| {
+        slot.record(|fields| expectation(fields, known))
+    })
+}
+
+fn expectation(fields: &mut Fields<'_>, known: &Known) -> Option<Expectation> {
+    let mut about = fields.one_of("what is expected");
+    about.case(
+        "figure",
+        "Address of a figure: `rocker.delta_max`, `run.switches`; `steady.period`; \
+         `kinematics.press.ram.time_ratio`, `forces.press.drive.greatest`.",
+        |slot| figure(slot, known),
+    );
+    about.case(
+        "stops",
+        "Reason for which the run is expected to stop.",
+        |slot| {
+            slot.choice(&STOPS.map(|name| (name, name)))
+                .map(About::Stop)
+        },
+    );
+    let about = about.finish();
+    let wanted = match &about {
+        Some(About::Figure(_, wanted)) => *wanted,
+        Some(About::Stop(_)) => q::TIME.into(),
+        None => Wanted::anything(),
+    };
+    let number = move |slot: Slot<'_>| slot.quantity(wanted, Bounds::ANY);
+    let value = fields.maybe(
+        "value",
+        "Expected value of the figure; true or false where it says so",
+        |slot| slot.flag_or(|slot| slot.flag().map(f64::from), number),
+    );
+    let time = fields.maybe("time", "Expected time of the stop", |slot| {
+        slot.quantity(q::TIME, Bounds::ANY)
+    });
+    let within = fields.need(
+        "within",
+        "Greatest difference: a number, or a text such as \"0.1 %\" of the value",
+        |slot| within(slot, wanted),
+    );
+    let source = fields.maybe("source", "Where the figure comes from.", |slot| slot.text());
+    let (about, value, time, within) = (about?, value?, time?, within?);
+    let what = match about {
+        About::Figure(figure, _) => {
+            let value = given(fields, value, "value", time.is_some().then_some("time"))?;
+            let within = absolute(fields, within, value)?;
+            Expected::Figure {
+                figure,
+                value,
+                within,
+            }
+        }
+        About::Stop(reason) => {
+            let time = given(fields, time, "time", value.is_some().then_some("value"))?;
+            let within = absolute(fields, within, time)?;
+            Expected::Stops {
+                reason: reason.to_owned(),
+                time,
+                within,
+            }
+        }
+    };
+    Some(Expectation {
+        what,
+        source: source?,
+    })
+}
+
+/// The property that belongs to what is expected, without the other one.
+fn given(
+    fields: &mut Fields<'_>,
+    value: Option<f64>,
+    name: &str,
+    stray: Option<&str>,
+) -> Option<f64> {
+    if let Some(stray) = stray {
+        let message = format!("`{stray}` does not belong here");
+        fields
+            .refuse(stray, "contradiction", message)
+            .hints
+            .push("`value` goes with `figure`, `time` with `stops`".to_owned());
+        return None;
+    }
+    if value.is_none() {
+        fields
+            .refuse(
+                name,
+                "missing-property",
+                format!("this expectation has no `{name}`"),
+            )
+            .label = format!("`{name}` is missing");
+    }
+    value
+}
+
+/// A bound as written.
+#[derive(Clone, Copy)]
+enum Within {
+    Absolute(f64),
+    Share(f64),
+}
+
+fn within(slot: Slot<'_>, wanted: Wanted) -> Option<Within> {
+    let share = slot
+        .node()
+        .and_then(|node| node.text())
+        .is_some_and(|text| text.trim_end().ends_with('%'));
+    match share {
+        true => slot.number(Bounds::NOT_NEGATIVE).map(Within::Share),
+        false => slot
+            .quantity(wanted, Bounds::NOT_NEGATIVE)
+            .map(Within::Absolute),
+    }
+}
+
+fn absolute(fields: &mut Fields<'_>, within: Within, value: f64) -> Option<f64> {
+    match within {
+        Within::Absolute(bound) => Some(bound),
+        Within::Share(share) if value != 0.0 => Some(share * value.abs()),
+        Within::Share(_) => {
+            fields.refuse(
+                "within",
+                "contradiction",
+                "a share of 0 allows no difference at all",
+            );
+            None
+        }
+    }
+}
+
+/// The address of a figure, with what it measures.
+fn figure(mut slot: Slot<'_>, known: &Known) -> Option<About> {
+    let address = slot.look(|slot| slot.text())?;
+    let (owner, name) = owner_of(&address, |id| known.objects.contains_key(id));
+    if owner == "run" {
+        if RUN_FIGURES.contains(&name) {
+            let wanted = if name == "time" { q::TIME } else { q::NUMBER };
+            return Some(About::Figure(address, wanted.into()));
+        }
+        unknown(&mut slot, "run", name, RUN_FIGURES.iter().copied());
+        return None;
+    }
+    if owner == "steady" {
+        if let Some((_, quantity)) = STEADY_FIGURES.iter().find(|figure| figure.0 == name) {
+            return Some(About::Figure(address, (*quantity).into()));
+        }
+        let names = STEADY_FIGURES.iter().map(|figure| figure.0);
+        unknown(&mut slot, "steady", name, names);
+        return None;
+    }
+    if owner == "kinematics" || owner == "forces" {
+        return study_figure(&mut slot, known, address);
+    }
+    let Some(object) = known.objects.get(owner) else {
+        let ids = known.objects.keys().map(String::as_str).chain(["run"]);
+        let guess = closest(owner, ids);
+        let fault = slot.refuse("unknown-object", format!("unknown object `{owner}`"));
+        fault.hints.push(match guess {
+            Some(guess) => format!("did you mean `{guess}`?"),
+            None => "figures are addressed as `object.figure` or `run.figure`".to_owned(),
+        });
+        return None;
+    };
+    let index = name.strip_prefix("pair.switch_times.");
+    if index.is_some_and(|index| index.parse::<usize>().is_ok()) {
+        return Some(About::Figure(address, q::TIME.into()));
+    }
+    let found = OBJECT_FIGURES.iter().find(|figure| figure.0 == name);
+    match found {
+        Some((_, measure)) => {
+            let wanted = measure(Measures(object.coordinate));
+            Some(About::Figure(address, wanted))
+        }
+        None => {
+            unknown(
+                &mut slot,
+                owner,
+                name,
+                OBJECT_FIGURES.iter().map(|figure| figure.0),
+            );
+            None
+        }
+    }
+}
+
+/// The address of a figure of a linkage's kinematics or forces,
+/// `forces.press.drive.greatest`. Which figures there are is known only when the
+/// linkage is; so they are plain numbers in SI units.
+fn study_figure(slot: &mut Slot<'_>, known: &Known, address: String) -> Option<About> {
+    let mut parts = address.splitn(3, '.');
+    let (study, object, name) = (parts.next()?, parts.next(), parts.next());
+    let (Some(object), Some(_)) = (object, name) else {
+        let message = format!("`{address}` names no figure");
+        let fault = slot.refuse("unknown-figure", message);
+        let hint = format!(
+            "write {study}.object.figure, as in `{study}.press.{}`",
+            match study {
+                "forces" => "drive.greatest",
+                _ => "ram.speed.greatest",
+            }
+        );
+        fault.hints.push(hint);
+        return None;
+    };
+    if known.objects.contains_key(object) {
+        return Some(About::Figure(address, q::NUMBER.into()));
+    }
+    let hint = did_you_mean(object, known.objects.keys().map(String::as_str));
+    let fault = slot.refuse("unknown-object", format!("unknown object `{object}`"));
+    fault.hints.extend(hint);
+    None
+}
+
+fn unknown<'a>(
+    slot: &mut Slot<'_>,
+    owner: &str,
+    name: &str,
+    names: impl Iterator<Item = &'a str> + Clone,
+) {
+    let fault = slot.refuse(
+        "unknown-figure",
+        format!("`{owner}` has no figure `{name}`"),
+    );
+    fault.hints.push(match closest(name, names.clone()) {
+        Some(guess) => format!("did you mean `{owner}.{guess}`?"),
+        None => format!("its figures are {}", quoted_list(names, "and")),
+    });
+}

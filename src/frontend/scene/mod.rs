@@ -1,0 +1,186 @@
+//! Scenes: what the engineer wrote, typed, in SI units, every value still knowing its place in the text.
+
+mod address;
+mod catalogue;
+mod document;
+mod expect;
+mod folder;
+mod objects;
+mod overrides;
+mod root;
+mod run;
+mod schema;
+mod steady;
+mod variation;
+
+pub use catalogue::{BuiltIn, Catalogue, Layered};
+pub use document::{Document, Places, Reading};
+pub use folder::{Folder, read_bounded};
+pub use overrides::Overrides;
+pub use schema::{schema, schema_of, schema_text};
+pub use variation::Variation;
+
+use crate::dynamics::steady::Mean;
+use crate::frontend::graph::MechanismGraph;
+use crate::frontend::object::{Connection, Object};
+use std::collections::BTreeMap;
+
+/// A scene, read and checked.
+#[derive(Debug)]
+pub struct TypedScene {
+    /// Its name.
+    pub name: String,
+    /// The objects by id.
+    pub objects: BTreeMap<String, SceneObject>,
+    /// How it is to be run.
+    pub run: RunSpec,
+    /// What is asked of its steady motion.
+    pub steady: Option<SteadySpec>,
+    /// What is expected of it.
+    pub expect: Vec<Expectation>,
+    /// SHA-256 (hex) of the canonical scene: defaults filled in, SI, keys sorted.
+    pub hash: String,
+}
+
+impl TypedScene {
+    /// The mechanism: objects, joined by their ports.
+    pub fn graph(&self) -> MechanismGraph<'_> {
+        MechanismGraph::new(self.objects.iter().map(|(id, entry)| {
+            let connections = entry.connections.iter();
+            let inputs = connections.map(|one| (one.port.as_str(), one.output.as_str()));
+            (id.as_str(), Some(&*entry.object), inputs.collect())
+        }))
+    }
+
+    /// Ids of all objects, every driver before what it drives, otherwise in
+    /// the order of the ids. A scene that was read has no cycles.
+    pub fn order(&self) -> Vec<String> {
+        let order = self.graph().order().unwrap_or_default();
+        order.into_iter().map(str::to_owned).collect()
+    }
+}
+
+/// An object of a scene.
+#[derive(Debug)]
+pub struct SceneObject {
+    /// What its inputs hang on; empty for a drive.
+    pub connections: Vec<Connection>,
+    /// The object itself.
+    pub object: Box<dyn Object>,
+}
+
+impl SceneObject {
+    /// The output that an input hangs on: `press`, `press.ram`; `None`: nothing.
+    pub fn connection(&self, port: &str) -> Option<&str> {
+        let found = self.connections.iter().find(|one| one.port == port);
+        found.map(|one| one.output.as_str())
+    }
+}
+
+/// The `run` block.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RunSpec {
+    /// Simulated time (s), > 0.
+    pub duration: f64,
+    /// State at t = 0.
+    pub start: StartSpec,
+    /// `auto` or the name of a method.
+    pub method: String,
+    /// Error wanted in δ relative to its scale; default 1e-6.
+    pub tolerance: f64,
+    /// Fixed or greatest step (s).
+    pub step: Option<f64>,
+    /// Number of equal sample intervals; default 1000.
+    pub samples: usize,
+    /// True: two rows (before, after) at each switch.
+    pub switch_rows: bool,
+    /// True: the record has columns of every mass and link of elastic objects too.
+    pub masses: bool,
+    /// Window of steady figures (s, s); `None`: chosen.
+    pub window: Option<(f64, f64)>,
+    /// Most switches before the run is given up; default 1 000 000.
+    pub max_switches: u64,
+}
+
+/// The `steady` block: what is asked of the steady motion of a drive.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SteadySpec {
+    /// Id of the drive; `None`: the only one.
+    pub drive: Option<String>,
+    /// Required mean speed (rad/s).
+    pub mean_speed: Option<f64>,
+    /// What is meant by it; default: the mean over time.
+    pub mean: Mean,
+    /// Angle after which the machine repeats, or a part of it (rad); default: one turn.
+    pub cycle: f64,
+    /// True: a constant moment balances the cycle.
+    pub balance: bool,
+    /// Required coefficient of fluctuation.
+    pub fluctuation: Option<f64>,
+    /// How far the mean speed may be off, relative; default 1e-12.
+    pub tolerance: f64,
+    /// Elastic scenes: most turns after which the motion may repeat; default 1.
+    pub periods: usize,
+}
+
+impl Default for SteadySpec {
+    fn default() -> Self {
+        Self {
+            drive: None,
+            mean_speed: None,
+            mean: Mean::Time,
+            cycle: std::f64::consts::TAU,
+            balance: false,
+            fluctuation: None,
+            tolerance: 1e-12,
+            periods: 1,
+        }
+    }
+}
+
+/// The `start` property.
+#[derive(Clone, Debug, PartialEq)]
+pub enum StartSpec {
+    /// `"kinetostatic"` (default).
+    Kinetostatic,
+    /// `"static"`.
+    Static,
+    /// `"on_law"`.
+    OnLaw,
+    /// `{ "rocker": { "displacement": […], "speed": […] } }`.
+    Explicit(BTreeMap<String, (Vec<f64>, Vec<f64>)>),
+}
+
+/// One entry of `expect`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Expectation {
+    /// What is expected.
+    pub what: Expected,
+    /// Where the figure comes from.
+    pub source: Option<String>,
+}
+
+/// What is expected of a run.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Expected {
+    /// A figure, by its address (`rocker.delta_max`, `rocker.pair.separations`,
+    /// `rocker.final.speed`, `run.switches`), within an absolute bound. Those
+    /// of the steady motion (`steady.period`) are judged by `dam steady`.
+    Figure {
+        /// Address.
+        figure: String,
+        /// Expected value (booleans as 0 and 1).
+        value: f64,
+        /// Absolute bound.
+        within: f64,
+    },
+    /// The run stops at a time for a named reason.
+    Stops {
+        /// `dead_position`, …
+        reason: String,
+        /// When (s).
+        time: f64,
+        /// Absolute bound (s).
+        within: f64,
+    },
+}

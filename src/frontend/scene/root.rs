@@ -1,0 +1,48 @@
+//! The top level of a scene.
+
+use super::objects::{self, Known};
+use super::{Expectation, RunSpec, SceneObject, SteadySpec, expect, run, steady};
+use crate::frontend::read::Slot;
+use serde_json::json;
+use std::collections::BTreeMap;
+
+/// A scene without its hash.
+pub(super) struct Root {
+    pub(super) name: String,
+    pub(super) objects: BTreeMap<String, SceneObject>,
+    pub(super) run: RunSpec,
+    pub(super) steady: Option<SteadySpec>,
+    pub(super) expect: Vec<Expectation>,
+}
+
+/// Reads (or describes) a whole scene.
+pub(super) fn read(slot: Slot<'_>, mut known: Known) -> Option<Root> {
+    slot.record(|fields| {
+        fields.remark("$schema", "Where editors find the schema of this file.");
+        let version = fields.need("dam", "Version of the format: 1.", |slot| slot.count(1..=1));
+        let name = fields.need("name", "Name of the scene.", |slot| slot.text());
+        fields.remark("description", "Remarks for people.");
+        let objects = fields.need("objects", "The objects of the mechanism by id.", |slot| {
+            objects::read(slot, &mut known)
+        });
+        let run = fields.need("run", "How the scene is run.", |slot| {
+            run::read(slot, &known)
+        });
+        let doc = "What is asked of the steady motion of the drive (`dam steady`).";
+        let steady = fields.maybe("steady", doc, |slot| steady::read(slot, &known));
+        let expect = fields.or(
+            "expect",
+            "What is expected of the run.",
+            json!([]),
+            |slot| expect::read(slot, &known),
+        );
+        version?;
+        Some(Root {
+            name: name?,
+            objects: objects?,
+            run: run?,
+            steady: steady?,
+            expect: expect?,
+        })
+    })
+}

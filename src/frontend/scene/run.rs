@@ -1,0 +1,183 @@
+//! The `run` block.
+
+use super::objects::Known;
+use super::{RunSpec, StartSpec};
+use crate::dynamics::integrate::Method;
+use crate::frontend::object::KnownObject;
+use crate::frontend::object::Measures;
+use crate::frontend::read::{Bounds, Fields, Slot, did_you_mean, quoted_list};
+use crate::units::quantities as q;
+use serde_json::json;
+use std::collections::BTreeMap;
+
+/// Most sample intervals.
+const MOST_SAMPLES: u64 = 1_000_000;
+
+/// Reads `run`.
+pub(super) fn read(slot: Slot<'_>, known: &Known) -> Option<RunSpec> {
+    slot.record(|fields| {
+        let seconds = |slot: Slot<'_>| slot.quantity(q::TIME, Bounds::POSITIVE);
+        let duration = fields.need("duration", "Simulated time", seconds);
+        let start = fields.or(
+            "start",
+            "State at t = 0: `kinetostatic` (quiet), `static`, `on_law`, or explicit states by object.",
+            json!("kinetostatic"),
+            |slot| start(slot, known),
+        );
+        let method = fields.or("method", "Method of integration.", json!("auto"), method);
+        let tolerance = fields.or(
+            "tolerance",
+            "Error wanted in each object's δ, relative to its scale.",
+            json!(1e-6),
+            |slot| slot.number(Bounds::between(1e-14, 1e-1)),
+        );
+        let step = fields.maybe(
+            "step",
+            "Step of `rk4`; greatest step of the other methods",
+            seconds,
+        );
+        let samples = fields.or(
+            "samples",
+            "Number of equal sample intervals.",
+            json!(1000),
+            |slot| slot.count(1..=MOST_SAMPLES),
+        );
+        let switch_rows = fields.or(
+            "switch_rows",
+            "True: two rows (before, after) at each switch.",
+            json!(false),
+            |slot| slot.flag(),
+        );
+        let record = fields.maybe(
+            "record",
+            "Columns of the record: `objects`, six of each object (default), or `all`, displacement and speed of every mass and the force of every link of elastic objects too",
+            |slot| slot.choice(&[("objects", false), ("all", true)]),
+        );
+        let window = fields.maybe(
+            "window",
+            "[from, to]: where steady figures are taken. Default: the last whole cycle of the drive.",
+            |slot| {
+                let time = |slot: Slot<'_>| slot.quantity(q::TIME, Bounds::NOT_NEGATIVE);
+                slot.pair(time, time)
+            },
+        );
+        let max_switches = fields.or(
+            "max_switches",
+            "Most switches before the run is given up.",
+            json!(1_000_000),
+            |slot| slot.count(1..=1_000_000_000),
+        );
+        let run = RunSpec {
+            duration: duration?,
+            start: start?,
+            method: method?,
+            tolerance: tolerance?,
+            step: step?,
+            samples: samples? as usize,
+            switch_rows: switch_rows?,
+            masses: record?.unwrap_or(false),
+            window: window?,
+            max_switches: max_switches?,
+        };
+        check(fields, &run).then_some(run)
+    })
+}
+
+fn method(slot: Slot<'_>) -> Option<String> {
+    let exact = Method::Exact.name();
+    let mut names = vec![("auto", "auto"), (exact, exact)];
+    names.extend(Method::ALL.map(|method| (method.name(), method.name())));
+    slot.choice(&names).map(str::to_owned)
+}
+
+fn check(fields: &mut Fields<'_>, run: &RunSpec) -> bool {
+    let before = fields.faults();
+    if run.method == Method::Rk4.name() && run.step.is_none() {
+        let fault = fields.refuse("method", "missing-property", "`rk4` needs a `step`");
+        fault
+            .hints
+            .push(r#"add "step": "10 µs", or choose another method"#.to_owned());
+    }
+    if let Some(step) = run.step
+        && step > run.duration
+    {
+        let message = format!(
+            "`step` ({step} s) is longer than `duration` ({} s)",
+            run.duration
+        );
+        fields.refuse("step", "out-of-range", message);
+    }
+    if let Some((from, to)) = run.window
+        && !(from < to && to <= run.duration * (1.0 + 1e-12))
+    {
+        let message = format!(
+            "the window [{from}, {to}] does not lie within the run [0, {}]",
+            run.duration
+        );
+        fields.refuse("window", "out-of-range", message);
+    }
+    fields.faults() == before
+}
+
+fn start(slot: Slot<'_>, known: &Known) -> Option<StartSpec> {
+    let names = [
+        ("kinetostatic", StartSpec::Kinetostatic),
+        ("static", StartSpec::Static),
+        ("on_law", StartSpec::OnLaw),
+    ];
+    slot.object_or(
+        |slot| {
+            let states = slot.map(|id, slot| state(slot, id, known))?;
+            Some(StartSpec::Explicit(states))
+        },
+        |slot| slot.choice(&names),
+    )
+}
+
+/// Displacements and speeds of all masses of one object.
+fn state(mut slot: Slot<'_>, id: &str, known: &Known) -> Option<(Vec<f64>, Vec<f64>)> {
+    let object = match known.objects.get(id) {
+        Some(object) => *object,
+        None if slot.describing() => KnownObject::default(),
+        None => {
+            unknown(&mut slot, id, &known.objects);
+            return None;
+        }
+    };
+    if object.masses == Some(0) {
+        let place = slot.name_place();
+        let message = format!("`{id}` has no state of its own");
+        let fault = slot.refuse("contradiction", message);
+        fault.place = Some(place);
+        fault
+            .hints
+            .push("rigid objects and prescribed drives follow from the others".to_owned());
+        return None;
+    }
+    let measures = Measures(object.coordinate);
+    let length = object
+        .masses
+        .map_or(1..=usize::MAX, |masses| masses..=masses);
+    slot.record(|fields| {
+        let displacement = fields.need("displacement", "Displacement of each mass", |slot| {
+            slot.list(length.clone(), |slot| {
+                slot.quantity(measures.displacement(), Bounds::ANY)
+            })
+        });
+        let speed = fields.need("speed", "Speed of each mass", |slot| {
+            slot.list(length, |slot| slot.quantity(measures.speed(), Bounds::ANY))
+        });
+        Some((displacement?, speed?))
+    })
+}
+
+fn unknown(slot: &mut Slot<'_>, id: &str, objects: &BTreeMap<String, KnownObject>) {
+    let ids = || objects.keys().map(String::as_str);
+    let place = slot.name_place();
+    let fault = slot.refuse("unknown-object", format!("unknown object `{id}`"));
+    fault.place = Some(place);
+    fault.hints.push(
+        did_you_mean(id, ids())
+            .unwrap_or_else(|| format!("the objects are {}", quoted_list(ids().take(20), "and"))),
+    );
+}

@@ -1,0 +1,294 @@
+//! Equilibrium of the links: W·F = B − P − T, three rows a link.
+//!
+//! Unknowns F: two of every pair, and the driver's force. Rows: forces along x
+//! and y, moment about the centre of mass. Moments are divided by the length
+//! scale ℓ of the linkage, so that all entries are of the order of one and all
+//! unknowns are forces.
+
+use super::external::{Input, Wrench, wrenches};
+use super::friction::{Law, Term};
+use super::positions::PointPosition;
+use super::workspace::{ForceWorkspace, PairPlace};
+use super::{Kinetostatics, Unknown};
+use crate::kinematics::linkage::spec::PairKind;
+
+/// A force and a couple on the links joined by a pair: as given on j, opposite on i.
+#[derive(Clone, Copy)]
+struct PairWrench {
+    at: [f64; 2],
+    force: [f64; 2],
+    couple: f64,
+}
+
+impl Kinetostatics {
+    /// Writes W and factorises it; false if it is singular.
+    pub(super) fn factorise(&self, unknown: Unknown, w: &mut ForceWorkspace) -> bool {
+        let size = self.size();
+        w.factors.clear(size);
+        for index in 0..self.spec.pairs.len() {
+            for (which, wrench) in self
+                .reactions(index, &w.pairs[index])
+                .into_iter()
+                .enumerate()
+            {
+                let column = 2 * index + which;
+                self.each_row(index, &wrench, &w.centres, |row, value| {
+                    w.factors.add(row, column, value);
+                });
+            }
+        }
+        match unknown {
+            Unknown::Drive => {
+                let wrench = self.drive_wrench(&w.pairs[self.spec.driver]);
+                self.each_row(self.spec.driver, &wrench, &w.centres, |row, value| {
+                    w.factors.add(row, size - 1, value);
+                });
+            }
+            Unknown::Acceleration => {
+                for row in 0..size {
+                    let inertia = self.inertia_row(row, w);
+                    w.factors.add(row, size - 1, -inertia / self.inertia_scale);
+                }
+            }
+            Unknown::Resistance { mobility, share } => {
+                for row in 0..size {
+                    let inertia = self.inertia_row(row, w);
+                    let column = -inertia * mobility - w.drive_rows[row] * share;
+                    w.factors.add(row, size - 1, column);
+                }
+            }
+        }
+        w.factors.factorise()
+    }
+
+    /// What a unit of each of the pair's two unknowns does.
+    fn reactions(&self, index: usize, place: &PairPlace) -> [PairWrench; 2] {
+        let unit = |at, force| PairWrench {
+            at,
+            force,
+            couple: 0.0,
+        };
+        match self.spec.pairs[index].kind {
+            PairKind::Revolute { .. } => {
+                [unit(place.point, [1.0, 0.0]), unit(place.point, [0.0, 1.0])]
+            }
+            PairKind::Sliding { .. } => self.corners[index].map(|corner| {
+                let [tx, ty] = place.tangent;
+                let at = [place.point[0] + corner * tx, place.point[1] + corner * ty];
+                unit(at, [-ty, tx])
+            }),
+        }
+    }
+
+    /// What a unit of the driver's force does: a couple of ℓ or a force along
+    /// the guide.
+    fn drive_wrench(&self, place: &PairPlace) -> PairWrench {
+        match self.spec.pairs[self.spec.driver].kind {
+            PairKind::Revolute { .. } => PairWrench {
+                at: place.point,
+                force: [0.0; 2],
+                couple: self.length,
+            },
+            PairKind::Sliding { .. } => PairWrench {
+                at: place.point,
+                force: place.tangent,
+                couple: 0.0,
+            },
+        }
+    }
+
+    /// What a unit of each of the pair's frictions does: see [`mod@super::friction`].
+    fn frictions(&self, index: usize, place: &PairPlace) -> [PairWrench; 2] {
+        let couple = PairWrench {
+            at: place.point,
+            force: [0.0; 2],
+            couple: self.length,
+        };
+        match self.spec.pairs[index].kind {
+            PairKind::Revolute { .. } => [couple; 2],
+            PairKind::Sliding { .. } => [
+                PairWrench {
+                    at: place.point,
+                    force: place.tangent,
+                    couple: 0.0,
+                },
+                couple,
+            ],
+        }
+    }
+
+    /// Rows of a wrench between the two links of a pair.
+    #[inline]
+    fn each_row(
+        &self,
+        pair: usize,
+        wrench: &PairWrench,
+        centres: &[PointPosition],
+        mut add: impl FnMut(usize, f64),
+    ) {
+        let pair = &self.spec.pairs[pair];
+        for (link, sign) in [(pair.link.link, 1.0), (pair.on.link, -1.0)] {
+            if let Some(link) = link {
+                let [fx, fy] = wrench.force;
+                let [cx, cy] = centres[link].place;
+                let arm = [wrench.at[0] - cx, wrench.at[1] - cy];
+                let moment = arm[0] * fy - arm[1] * fx + wrench.couple;
+                add(3 * link, sign * fx);
+                add(3 * link + 1, sign * fy);
+                add(3 * link + 2, sign * moment / self.length);
+            }
+        }
+    }
+
+    /// B per unit of the input's acceleration: m·s, J·s/ℓ.
+    #[inline]
+    pub(super) fn inertia_row(&self, row: usize, w: &ForceWorkspace) -> f64 {
+        let (link, axis) = (row / 3, row % 3);
+        let body = &self.spec.links[link];
+        let own = match axis {
+            2 => body.moment * w.links[link].first[2] / self.length,
+            axis => body.mass * w.centres[link].first[axis],
+        };
+        own + w.carried[0].get(row).unwrap_or(&0.0)
+    }
+
+    /// B at constant speed of the input, per its square.
+    #[inline]
+    pub(super) fn bias_row(&self, row: usize, w: &ForceWorkspace) -> f64 {
+        let (link, axis) = (row / 3, row % 3);
+        let body = &self.spec.links[link];
+        let own = match axis {
+            2 => body.moment * w.links[link].second[2] / self.length,
+            axis => body.mass * w.centres[link].second[axis],
+        };
+        own + w.carried[1].get(row).unwrap_or(&0.0)
+    }
+
+    /// Writes −P, from weights and forces, and the generalised force of each.
+    pub(super) fn apply_forces(&self, input: Input, w: &mut ForceWorkspace) {
+        w.applied.fill(0.0);
+        for index in 0..self.spec.links.len() {
+            let weight = self.spec.gravity.map(|g| self.spec.links[index].mass * g);
+            let centre = &w.centres[index].first;
+            w.weights[index] = weight[0] * centre[0] + weight[1] * centre[1];
+            w.applied[3 * index] += weight[0];
+            w.applied[3 * index + 1] += weight[1];
+        }
+        for index in 0..self.spec.forces.len() {
+            let law = &self.spec.forces[index].law;
+            let pairs = &w.pairs;
+            let found = wrenches(
+                law,
+                &w.links,
+                input,
+                |pair| [pairs[pair].coordinate, pairs[pair].rates[0]],
+                |pair| {
+                    let pair = &self.spec.pairs[pair];
+                    [pair.on.link, pair.link.link]
+                },
+            );
+            w.forces[index] = 0.0;
+            for wrench in found.into_iter().flatten() {
+                w.forces[index] += wrench.generalised(&w.links);
+                self.apply(&wrench, w);
+            }
+        }
+        self.apply_output_loads(w);
+    }
+
+    /// Adds a wrench to P.
+    pub(super) fn apply(&self, wrench: &Wrench, w: &mut ForceWorkspace) {
+        let applied = &mut w.applied;
+        self.each_row_of(wrench, &w.centres, |row, value| applied[row] += value);
+    }
+
+    /// Rows of a wrench on one link.
+    pub(super) fn each_row_of(
+        &self,
+        wrench: &Wrench,
+        centres: &[PointPosition],
+        mut add: impl FnMut(usize, f64),
+    ) {
+        let Some(link) = wrench.link else { return };
+        let [fx, fy] = wrench.force;
+        let [cx, cy] = centres[link].place;
+        let [px, py] = wrench.point.place;
+        add(3 * link, fx);
+        add(3 * link + 1, fy);
+        let moment = (px - cx) * fy - (py - cy) * fx + wrench.couple;
+        add(3 * link + 2, moment / self.length);
+    }
+
+    /// The terms of friction at this position; `without` leaves them all out.
+    pub(super) fn friction_terms(&self, with: bool, w: &mut ForceWorkspace) {
+        w.terms.clear();
+        w.columns = 0;
+        if !with {
+            return;
+        }
+        for index in 0..self.spec.pairs.len() {
+            let sense = w.pairs[index].sense;
+            let law = match (self.friction_factors[index], sense) {
+                (None, _) => continue,
+                (_, 0.0) => continue,
+                (Some(Law::Pin(factor)), sense) => Law::Pin(sense * factor),
+                (Some(Law::Guide(factors)), sense) => Law::Guide(factors.map(|f| sense * f)),
+            };
+            let term = Term {
+                unknown: 2 * index,
+                column: w.columns,
+                law,
+                pressed: None,
+            };
+            w.columns += term.width();
+            w.terms.push(term);
+        }
+    }
+
+    /// Solves for F₀ (first column of the right sides) and K (the others).
+    pub(super) fn solve_columns(
+        &self,
+        right_side: impl Fn(usize, &ForceWorkspace) -> f64,
+        w: &mut ForceWorkspace,
+    ) {
+        let (size, width) = (self.size(), 1 + w.columns);
+        w.right.clear();
+        w.right.resize(size * width, 0.0);
+        for row in 0..size {
+            w.right[row * width] = right_side(row, w);
+        }
+        for term in &w.terms {
+            let index = term.unknown / 2;
+            let wrenches = self.frictions(index, &w.pairs[index]);
+            for (which, wrench) in wrenches.iter().take(term.width()).enumerate() {
+                let column = 1 + term.column + which;
+                let right = &mut w.right;
+                self.each_row(index, wrench, &w.centres, |row, value| {
+                    right[row * width + column] += value;
+                });
+            }
+        }
+        w.factors.solve(&mut w.right, width);
+    }
+
+    /// Work of a row vector (dual to the rows of W) on a unit of each of a pair's frictions.
+    pub(super) fn on_frictions(&self, index: usize, dual: &[f64], w: &ForceWorkspace) -> [f64; 2] {
+        self.frictions(index, &w.pairs[index]).map(|wrench| {
+            let mut sum = 0.0;
+            self.each_row(index, &wrench, &w.centres, |row, value| {
+                sum += dual[row] * value
+            });
+            sum
+        })
+    }
+
+    /// Right side of the driver's force given: its rows per unit.
+    pub(super) fn drive_rows(&self, w: &mut ForceWorkspace) {
+        w.drive_rows.fill(0.0);
+        let wrench = self.drive_wrench(&w.pairs[self.spec.driver]);
+        let rows = &mut w.drive_rows;
+        self.each_row(self.spec.driver, &wrench, &w.centres, |row, value| {
+            rows[row] += value;
+        });
+    }
+}

@@ -1,0 +1,165 @@
+//! What the tests of linkages share.
+
+use crate::kinematics::linkage::spec::{PairKind, PointOf};
+use crate::kinematics::linkage::{Linkage, Reach, Workspace};
+use proptest::prelude::*;
+
+pub(super) fn close(a: f64, b: f64, relative: f64, absolute: f64) -> bool {
+    (a - b).abs() <= relative * a.abs().max(b.abs()) + absolute
+}
+
+/// The input at a part of the reach, or of a turn.
+pub(super) fn interior(linkage: &Linkage, part: f64) -> f64 {
+    let range = linkage.range();
+    match &range.reach {
+        Reach::Everywhere => range.start + 20.0 * (part - 0.5),
+        Reach::Interval { lower, upper } => lower.at + part * (upper.at - lower.at),
+    }
+}
+
+impl Workspace {
+    /// The largest coordinate of a link's origin.
+    pub(super) fn farthest(&self) -> f64 {
+        let links = 0..self.core().spec.links.len();
+        let far = links.map(|link| self.pose(link).x.hypot(self.pose(link).y));
+        far.fold(0.0, f64::max)
+    }
+
+    /// The largest of all positions and transfer functions.
+    pub(super) fn largest(&self) -> f64 {
+        let mut most = self.farthest();
+        for link in 0..self.core().spec.links.len() {
+            for k in 1..=self.order() {
+                for value in self.transfer(link, k) {
+                    most = most.max(value.abs());
+                }
+            }
+        }
+        most
+    }
+}
+
+/// The greatest error of any pair, from the poses and the plain numbers alone.
+pub(super) fn closure_error(linkage: &Linkage, workspace: &Workspace) -> f64 {
+    let place = |point: &PointOf| match point.link {
+        Some(link) => workspace.pose(link).place(point.at),
+        None => point.at,
+    };
+    let direction = |link: Option<usize>| match link {
+        Some(link) => {
+            let pose = workspace.pose(link);
+            pose.sin.atan2(pose.cos)
+        }
+        None => 0.0,
+    };
+    let mut most = 0.0f64;
+    for link in 0..linkage.spec().links.len() {
+        let pose = workspace.pose(link);
+        most = most.max((pose.cos.hypot(pose.sin) - 1.0).abs());
+    }
+    for (index, pair) in linkage.spec().pairs.iter().enumerate() {
+        let (on, to) = (place(&pair.on), place(&pair.link));
+        let (dx, dy) = (to[0] - on[0], to[1] - on[1]);
+        most = most.max(match pair.kind {
+            PairKind::Revolute { .. } => dx.hypot(dy),
+            PairKind::Sliding {
+                direction: psi,
+                angle,
+                ..
+            } => {
+                let guide = direction(pair.on.link) + psi;
+                let tilt = (direction(pair.link.link) - guide - angle).sin().abs();
+                (dy * guide.cos() - dx * guide.sin()).abs().max(tilt)
+            }
+        });
+        if index == linkage.spec().driver {
+            most = most.max((workspace.pair(index).value - workspace.input()).abs());
+        }
+    }
+    most
+}
+
+/// All that has derivatives: poses, angles, pairs, outputs, energies.
+fn everything(linkage: &Linkage, q: f64, workspace: &mut Workspace) -> Option<Vec<[f64; 4]>> {
+    linkage.solve(q, 3, workspace).ok()?;
+    let mut all = Vec::new();
+    for link in 0..linkage.spec().links.len() {
+        let pose = workspace.pose(link);
+        let t = [1, 2, 3].map(|k| workspace.transfer(link, k));
+        for (axis, value) in [pose.x, pose.y, workspace.angle(link)]
+            .into_iter()
+            .enumerate()
+        {
+            all.push([value, t[0][axis], t[1][axis], t[2][axis]]);
+        }
+        let at = PointOf {
+            link: Some(link),
+            at: [0.3, -0.4],
+        };
+        for jet in workspace.point(at) {
+            all.push([jet.value, jet.first, jet.second, jet.third]);
+        }
+    }
+    for pair in 0..linkage.spec().pairs.len() {
+        let jet = workspace.pair(pair);
+        all.push([jet.value, jet.first, jet.second, jet.third]);
+    }
+    let r = linkage.reduced(workspace);
+    let unknown = f64::NAN;
+    all.push([r.inertia[0], r.inertia[1], r.inertia[2], unknown]);
+    all.push([r.potential[0], r.potential[1], r.potential[2], unknown]);
+    all.push([r.force[0], r.force[1], unknown, unknown]);
+    all.push([r.damping[0], r.damping[1], unknown, unknown]);
+    Some(all)
+}
+
+/// Every derivative against the difference of sixth order of the one before.
+pub(super) fn compare_with_differences(linkage: &Linkage, q: f64) -> Result<(), TestCaseError> {
+    let mut workspace = linkage.workspace();
+    let sizes: Vec<f64> = [4.0, 1.0]
+        .iter()
+        .map(|factor| factor * 2e-4 * linkage.core.plan.size)
+        .collect();
+    let mut differences: Vec<Vec<[f64; 4]>> = Vec::new();
+    for &h in &sizes {
+        let mut sum: Vec<[f64; 4]> = Vec::new();
+        for (k, weight) in [(1.0, 45.0), (2.0, -9.0), (3.0, 1.0)] {
+            let (Some(up), Some(down)) = (
+                everything(linkage, q + k * h, &mut workspace),
+                everything(linkage, q - k * h, &mut workspace),
+            ) else {
+                return Ok(());
+            };
+            sum.resize(up.len(), [0.0; 4]);
+            for (sum, (up, down)) in sum.iter_mut().zip(up.iter().zip(&down)) {
+                for i in 0..4 {
+                    sum[i] += weight * (up[i] - down[i]) / (60.0 * h);
+                }
+            }
+        }
+        differences.push(sum);
+    }
+    let Some(exact) = everything(linkage, q, &mut workspace) else {
+        return Ok(());
+    };
+    for (row, exact) in exact.iter().enumerate() {
+        let size = exact
+            .iter()
+            .filter(|x| x.is_finite())
+            .fold(1.0f64, |m, x| m.max(x.abs()));
+        for order in 0..3 {
+            let (coarse, fine) = (differences[0][row][order], differences[1][row][order]);
+            // Where the two differences do not agree they tell nothing.
+            if !((coarse - fine).abs() <= 1e-5 * size) || exact[order + 1].is_nan() {
+                continue;
+            }
+            prop_assert!(
+                (fine - exact[order + 1]).abs() <= 2e-7 * size,
+                "quantity {row}, derivative {}: {}, difference {fine}",
+                order + 1,
+                exact[order + 1]
+            );
+        }
+    }
+    Ok(())
+}

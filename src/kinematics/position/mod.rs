@@ -1,0 +1,329 @@
+//! Position functions U(φ): where the driver asks the driven object to be.
+//!
+//! A position function is pure. It gives U with its geometric transfer
+//! functions U′, U″ and U‴ at any driver displacement φ it can reach, says
+//! where it changes its formula ([`Breaks`]) and which interval of φ it
+//! reaches. The system evaluates [`Position`], a closed set for speed, with one
+//! open variant.
+
+mod cam;
+mod four_bar;
+mod linkage;
+mod reach;
+mod short_form;
+mod slider_crank;
+mod slotted_link;
+mod spec;
+mod table;
+#[cfg(test)]
+mod tests;
+
+pub use crate::kinematics::motion::{Cycle, CycleSpec, LawName, LawSpec};
+pub use cam::Cam;
+pub use four_bar::FourBar;
+pub use linkage::LinkageOutput;
+pub(crate) use linkage::reach as linkage_reach;
+pub use reach::OutOfReach;
+pub use slider_crank::SliderCrank;
+pub use slotted_link::SlottedLink;
+pub use spec::{
+    CamSpec, CustomPosition, PositionSpec, SlottedDriver, SlottedLinkSpec, SlottedOutput,
+};
+pub use table::Table;
+
+use crate::fault::{Fault, Faults};
+use crate::kinematics::breaks::Breaks;
+use crate::math::jet::Jet;
+use std::fmt;
+use std::sync::Arc;
+
+/// A position function that this library does not know, supplied by its user.
+pub trait PositionFunction: fmt::Debug + Send + Sync {
+    /// U and its first three derivatives at `phi`, by the formula of `segment`
+    /// (see [`Breaks`]), which may be asked a little beyond the segment's edges.
+    fn jet(&self, segment: i64, phi: f64) -> Jet;
+
+    /// Where the formula changes.
+    fn breaks(&self) -> Breaks {
+        Breaks::NONE
+    }
+
+    /// The interval of φ in which the function exists; `None`: everywhere.
+    fn reach(&self) -> Option<(f64, f64)> {
+        None
+    }
+}
+
+/// A position function, ready to be evaluated.
+#[derive(Clone, Debug)]
+pub enum Position {
+    /// U = ratio·φ + offset.
+    Ratio {
+        /// U′: dimensionless, metres per radian or radians per metre.
+        ratio: f64,
+        /// U at φ = 0.
+        offset: f64,
+    },
+    /// U = amplitude·sin(harmonic·φ + phase) + offset.
+    Sine {
+        /// Half the full stroke (rad or m).
+        amplitude: f64,
+        /// Oscillations per turn of the driver.
+        harmonic: f64,
+        /// Phase at φ = 0 (rad).
+        phase: f64,
+        /// Middle of the stroke (rad or m).
+        offset: f64,
+    },
+    /// U = Σ a_k·φᵏ, coefficients in SI, lowest power first.
+    Polynomial(Vec<f64>),
+    /// A spline through points.
+    Table(Table),
+    /// A slider-crank.
+    SliderCrank(SliderCrank),
+    /// A four-bar linkage.
+    FourBar(FourBar),
+    /// A slotted link.
+    SlottedLink(SlottedLink),
+    /// A cam.
+    Cam(Cam),
+    /// A plan of motion: any number of rises, dwells and returns.
+    Plan(Box<Cycle>),
+    /// An output of a linkage, over its input coordinate.
+    Linkage(LinkageOutput),
+    /// Anything else.
+    Custom(Arc<dyn PositionFunction>),
+}
+
+impl Position {
+    /// The position function that a scene describes.
+    ///
+    /// # Errors
+    /// Everything wrong with its numbers, paths relative to `position`
+    /// (`slider_crank.rod`, `table.points[3]`).
+    pub fn new(spec: &PositionSpec) -> Result<Self, Vec<Fault>> {
+        let mut faults = Faults::default();
+        match *spec {
+            PositionSpec::Ratio { ratio, offset } => {
+                faults.finite("ratio.ratio", ratio);
+                faults.finite("ratio.offset", offset);
+                faults.check()?;
+                Ok(Self::Ratio { ratio, offset })
+            }
+            PositionSpec::Sine {
+                amplitude,
+                harmonic,
+                phase,
+                offset,
+            } => {
+                faults.finite("sine.amplitude", amplitude);
+                faults.finite("sine.harmonic", harmonic);
+                faults.finite("sine.phase", phase);
+                faults.finite("sine.offset", offset);
+                faults.check()?;
+                Ok(Self::Sine {
+                    amplitude,
+                    harmonic,
+                    phase,
+                    offset,
+                })
+            }
+            PositionSpec::Polynomial { ref coefficients } => polynomial(coefficients),
+            PositionSpec::Table {
+                ref points,
+                periodic,
+                end_slopes,
+            } => Table::new(points, periodic, end_slopes).map(Self::Table),
+            PositionSpec::SliderCrank {
+                crank,
+                rod,
+                offset,
+                branch,
+                phase,
+            } => SliderCrank::new(crank, rod, offset, branch, phase).map(Self::SliderCrank),
+            PositionSpec::FourBar {
+                crank,
+                coupler,
+                rocker,
+                frame,
+                branch,
+                phase,
+            } => FourBar::new([crank, coupler, rocker, frame], branch, phase).map(Self::FourBar),
+            PositionSpec::SlottedLink(ref spec) => SlottedLink::new(spec).map(Self::SlottedLink),
+            PositionSpec::Cam(ref cam) => Cam::new(cam).map(Self::Cam),
+            PositionSpec::Custom(ref custom) => Ok(Self::Custom(custom.0.clone())),
+            PositionSpec::Plan(ref spec) => match Cycle::new(spec) {
+                Ok(cycle) => Ok(Self::Plan(Box::new(cycle))),
+                Err(found) => {
+                    faults.absorb("plan", found);
+                    faults.check()?;
+                    Err(Vec::new())
+                }
+            },
+        }
+    }
+
+    /// U and its first three derivatives at `phi`, by the formula of `segment`.
+    ///
+    /// Not numbers where a linkage cannot be assembled ([`Self::reach_from`]).
+    // The two shortest formulas stand in the caller's loop: a call would cost
+    // as much as they do.
+    #[inline(always)]
+    pub fn jet(&self, segment: i64, phi: f64) -> Jet {
+        match self {
+            Self::Ratio { ratio, offset } => Jet {
+                value: ratio * phi + offset,
+                first: *ratio,
+                ..Jet::default()
+            },
+            Self::Sine {
+                amplitude,
+                harmonic,
+                phase,
+                offset,
+            } => {
+                let (sin, cos) = (harmonic * phi + phase).sin_cos();
+                let first = amplitude * harmonic;
+                let second = first * harmonic;
+                Jet {
+                    value: amplitude * sin + offset,
+                    first: first * cos,
+                    second: -second * sin,
+                    third: -second * harmonic * cos,
+                }
+            }
+            _ => self.longer_jet(segment, phi),
+        }
+    }
+
+    /// [`Self::jet`] of all but the shortest formulas.
+    #[inline(never)]
+    fn longer_jet(&self, segment: i64, phi: f64) -> Jet {
+        match self {
+            Self::Ratio { .. } | Self::Sine { .. } => self.jet(segment, phi),
+            Self::Polynomial(coefficients) => horner(coefficients, phi),
+            Self::Table(table) => table.jet(segment, phi),
+            Self::SliderCrank(linkage) => linkage.jet(phi),
+            Self::FourBar(linkage) => linkage.jet(phi),
+            Self::SlottedLink(linkage) => linkage.jet(phi),
+            Self::Cam(cam) => cam.jet(segment, phi),
+            Self::Plan(cycle) => cycle.jet(segment, phi),
+            Self::Linkage(output) => output.jet(phi),
+            Self::Custom(function) => function.jet(segment, phi),
+        }
+    }
+
+    /// Where the formula changes.
+    pub fn breaks(&self) -> Breaks {
+        match self {
+            Self::Table(table) => table.breaks(),
+            Self::Cam(cam) => cam.breaks().clone(),
+            Self::Plan(cycle) => cycle.breaks().clone(),
+            Self::Custom(function) => function.breaks(),
+            _ => Breaks::NONE,
+        }
+    }
+
+    /// Where any derivative jumps: [`Self::breaks`], and the points of a table.
+    pub fn joints(&self) -> Breaks {
+        let Self::Table(table) = self else {
+            return self.breaks();
+        };
+        let knots = table.knots();
+        let (first, last) = table.ends();
+        if table.is_periodic() {
+            Breaks {
+                points: knots[..knots.len() - 1].to_vec(),
+                period: Some(last - first),
+            }
+        } else {
+            Breaks {
+                points: knots.to_vec(),
+                period: None,
+            }
+        }
+    }
+
+    /// The open interval of φ around `phi` in which the function exists;
+    /// `None`: everywhere. At its ends the linkage is in a dead position.
+    ///
+    /// # Errors
+    /// The function has no value at `phi` (or `phi` is exactly a dead position).
+    pub fn reach_from(&self, phi: f64) -> Result<Option<(f64, f64)>, OutOfReach> {
+        match self {
+            Self::SliderCrank(linkage) => linkage.reach_from(phi),
+            Self::FourBar(linkage) => linkage.reach_from(phi),
+            Self::Linkage(output) => output.reach_from(phi),
+            Self::SlottedLink(linkage) => linkage.reach_from(phi),
+            Self::Custom(function) => match function.reach() {
+                Some(interval) if !(interval.0 < phi && phi < interval.1) => Err(OutOfReach {
+                    intervals: vec![interval],
+                }),
+                reach => Ok(reach),
+            },
+            _ => Ok(None),
+        }
+    }
+}
+
+fn polynomial(coefficients: &[f64]) -> Result<Position, Vec<Fault>> {
+    let mut faults = Faults::default();
+    if coefficients.is_empty() {
+        let hint = "give at least one, lowest power first";
+        faults.add("polynomial.coefficients", "there are no coefficients", hint);
+    }
+    for (power, &coefficient) in coefficients.iter().enumerate() {
+        faults.finite(&format!("polynomial.coefficients[{power}]"), coefficient);
+    }
+    faults.check()?;
+    Ok(Position::Polynomial(coefficients.to_vec()))
+}
+
+/// A polynomial and its derivatives by repeated synthetic division.
+fn horner(coefficients: &[f64], phi: f64) -> Jet {
+    let [mut value, mut first, mut second, mut third] = [0.0f64; 4];
+    for coefficient in coefficients.iter().rev() {
+        third = third * phi + second;
+        second = second * phi + first;
+        first = first * phi + value;
+        value = value * phi + coefficient;
+    }
+    Jet {
+        value,
+        first,
+        second: 2.0 * second,
+        third: 6.0 * third,
+    }
+}
+
+/// A reach found in the crank's angle θ = φ + phase, in φ.
+fn shifted(
+    reach: Result<Option<(f64, f64)>, OutOfReach>,
+    phase: f64,
+) -> Result<Option<(f64, f64)>, OutOfReach> {
+    let shift = |(from, to): (f64, f64)| (from - phase, to - phase);
+    match reach {
+        Ok(interval) => Ok(interval.map(shift)),
+        Err(OutOfReach { intervals }) => Err(OutOfReach {
+            intervals: intervals.into_iter().map(shift).collect(),
+        }),
+    }
+}
+
+impl Faults {
+    /// Requires the length of a link: squares of lengths must stay numbers.
+    fn length(&mut self, path: &str, length: f64) {
+        if !(1e-9..=1e9).contains(&length) {
+            let message = format!("{length} m is no length of a link");
+            self.add(path, message, "give a length between 1 nm and 1e9 m");
+        }
+    }
+
+    /// Requires the branch of a linkage: +1 or −1.
+    fn branch(&mut self, path: &str, branch: f64) {
+        if branch != 1.0 && branch != -1.0 {
+            let message = format!("{branch} names no branch");
+            self.add(path, message, "give + or -");
+        }
+    }
+}

@@ -1,0 +1,254 @@
+//! Contact force, lift-off and closing spring of a cam in a scene.
+
+use super::reduction::Reduction;
+use crate::dynamics::model::{Closure, Coordinate, Model};
+use crate::dynamics::trajectory::Trajectory;
+use crate::kinematics::cam::closing::{Closing, ClosingSpring, LetsGo, Rates};
+use crate::kinematics::cam::search::greatest_over;
+use crate::kinematics::cam::{At, DiscCam, Surface};
+use crate::studies::law::LiftOff;
+use crate::units::shown;
+use serde::Serialize;
+
+/// What of the contact force is to be left as reserve.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Reserve {
+    /// A share of the greatest force with which the follower would leave the
+    /// cam without its spring.
+    Share(f64),
+    /// A force (N or N·m along the follower's displacement).
+    Force(f64),
+}
+
+/// The contact of follower and cam at constant speed, everything being rigid
+/// and without friction.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ForceFigures {
+    /// Unit of forces along the follower's displacement: N or N m.
+    pub unit: &'static str,
+    /// Speed of the cam (rad/s).
+    pub speed: f64,
+    /// Reduced inertia of follower and what it carries, at the beginning of the turn (kg or kg·m²).
+    pub inertia: f64,
+    /// The closing spring: all springs on the follower together.
+    pub spring: ClosingSpring,
+    /// Their names.
+    pub springs: Vec<String>,
+    /// Least force of the pair along the displacement of the follower (N or
+    /// N·m): the margin against lift-off, negative where it would lift off. Of
+    /// a form-closed or bilateral pair: below zero the other flank carries.
+    pub margin: At,
+    /// Greatest force of the pair, along the displacement.
+    pub greatest: At,
+    /// Greatest |force| between cam and follower, along the normal (N).
+    pub contact_force: At,
+    /// Greatest torque that the cam needs (N·m).
+    pub torque: At,
+    /// Least torque: below zero the follower drives.
+    pub return_torque: At,
+    /// Speed at which the pair opens; null unless it is closed by force.
+    pub lets_go: Option<LetsGo>,
+    /// The spring that would keep contact at the speed.
+    pub closing: Option<SpringAnswer>,
+    /// With the follower's elasticity: the speed (rad/s of the drive) at which the pair opens in
+    /// the last cycle of a run; null unless it was looked for.
+    pub elastic: Option<LiftOff>,
+    /// What is left out.
+    pub notes: Vec<String>,
+}
+
+impl ForceFigures {
+    /// False when some force grew beyond all numbers.
+    pub(super) fn is_finite(&self) -> bool {
+        let mut all = vec![self.speed, self.margin.value, self.greatest.value];
+        all.extend([
+            self.contact_force.value,
+            self.torque.value,
+            self.return_torque.value,
+        ]);
+        if let Some(answer) = &self.closing {
+            all.extend([answer.reserve, answer.preload.value]);
+            all.extend(answer.boundary.iter().flatten());
+        }
+        all.iter().all(|value| value.is_finite())
+    }
+}
+
+/// Springs that leave a reserve in contact.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct SpringAnswer {
+    /// The reserve (N or N·m).
+    pub reserve: f64,
+    /// Least preload with the present rate, and where it is needed.
+    pub preload: At,
+    /// Rates that do with the present preload; null: none.
+    pub rates: Option<Rates>,
+    /// Why none does.
+    pub no_rate: Option<String>,
+    /// Boundary of the region that does: rate, least preload.
+    pub boundary: Vec<[f64; 2]>,
+}
+
+/// The reduced follower on its cam.
+#[derive(Debug)]
+pub struct CamForce<'m> {
+    cam: &'m DiscCam,
+    reduction: Reduction<'m>,
+    speed: f64,
+    unit: &'static str,
+}
+
+/// Points of the boundary of the region of springs.
+const BOUNDARY: usize = 60;
+
+impl<'m> CamForce<'m> {
+    /// The object (index in the model) on its cam at a speed (rad/s), by
+    /// default that of the scene.
+    ///
+    /// # Errors
+    /// There is no constant speed, or a load that is none of the cam's angle.
+    pub fn new(
+        model: &'m Model,
+        object: usize,
+        cam: &'m DiscCam,
+        speed: Option<f64>,
+    ) -> Result<Self, String> {
+        let reduction = Reduction::new(model, object, cam)?;
+        let driver = model.objects[object].driver();
+        let node = driver.and_then(|driver| model.objects[driver].nodes.last());
+        let speed = speed.or_else(|| Trajectory::of(model, *node?)?.constant_speed());
+        let speed = speed.ok_or("the cam has no constant speed: give one")?;
+        if !(speed.is_finite() && speed != 0.0) {
+            return Err(format!("{speed} rad/s is no speed of a cam"));
+        }
+        Ok(Self {
+            cam,
+            reduction,
+            speed,
+            unit: match model.objects[object].coordinate {
+                Coordinate::Turning => "N m",
+                Coordinate::Sliding => "N",
+            },
+        })
+    }
+
+    /// The cam.
+    pub fn cam(&self) -> &'m DiscCam {
+        self.cam
+    }
+
+    /// Speed of the cam (rad/s).
+    pub fn speed(&self) -> f64 {
+        self.speed
+    }
+
+    /// Force of the pair along the displacement of the follower, in the
+    /// direction of opening (N or N·m), force between cam and follower along
+    /// the normal, positive where the cam pushes outwards (N), and torque of
+    /// the cam (N·m), at φ of a piece.
+    pub fn at(&self, piece: usize, phi: f64) -> [f64; 3] {
+        let demand = self.reduction.demand(self.cam, piece, phi);
+        let force = demand.force(self.reduction.spring, self.speed);
+        let [from, to] = self.reduction.pieces[piece];
+        let (at, _) = self.cam.motion().locate(0.5 * (from + to));
+        let state = self.cam.at(at, phi);
+        let lever = self.reduction.lever();
+        let opens = self.reduction.pair().opens;
+        let outward = opens * lever * self.cam.geometry().outward;
+        let slope = self.reduction.follower(self.cam, piece, phi)[1];
+        [force, outward * force / state.lever, opens * force * slope]
+    }
+
+    /// [`Self::at`] for any φ between `from` and `to`, the ends of a piece of the
+    /// law; at its beginning what holds after it, else what holds before a break.
+    pub fn beside(&self, phi: f64, from: f64, to: f64) -> [f64; 3] {
+        let inside = match phi <= from {
+            true => from + 1e-9 * (to - from),
+            false => phi - 1e-9 * (phi - from),
+        };
+        let pieces = &self.reduction.pieces;
+        let after = pieces.partition_point(|piece| piece[0] <= inside);
+        self.at(after.saturating_sub(1), phi)
+    }
+
+    fn extreme(&self, f: impl Fn([f64; 3]) -> f64) -> At {
+        greatest_over(&self.reduction.pieces, &|piece, phi| f(self.at(piece, phi)))
+    }
+
+    /// Everything about the contact.
+    pub fn figures(&self, reserve: Reserve) -> ForceFigures {
+        let negative = |at: At| At {
+            value: 0.0 - at.value,
+            ..at
+        };
+        let contact_force = self.extreme(|[_, normal, _]| normal.abs());
+        let torque = self.extreme(|[.., torque]| torque);
+        let return_torque = negative(self.extreme(|[.., torque]| -torque));
+        let demand = |piece: usize, phi: f64| self.reduction.demand(self.cam, piece, phi);
+        let closing = Closing::new(&self.reduction.pieces, &demand);
+        let (spring, speed) = (self.reduction.spring, self.speed);
+        let forced = self.reduction.pair().closure == Closure::Force;
+        let mut notes = self.reduction.notes.clone();
+        if self.cam.geometry().surface == Surface::Groove && forced {
+            notes.push("a groove needs no closing force".to_owned());
+        }
+        ForceFigures {
+            unit: self.unit,
+            speed,
+            inertia: self
+                .reduction
+                .inertia(self.cam, 0, self.reduction.pieces[0][0]),
+            spring,
+            springs: self.reduction.springs.clone(),
+            margin: closing.least(spring, speed),
+            greatest: closing.most(spring, speed),
+            contact_force,
+            torque,
+            return_torque,
+            lets_go: forced.then(|| closing.lets_go(spring, speed.signum())),
+            closing: forced.then(|| answer(&closing, spring, speed, reserve)),
+            elastic: None,
+            notes,
+        }
+    }
+}
+
+fn answer(
+    closing: &Closing<'_>,
+    spring: ClosingSpring,
+    speed: f64,
+    reserve: Reserve,
+) -> SpringAnswer {
+    let reserve = match reserve {
+        Reserve::Share(share) => share * closing.opening(speed).value,
+        Reserve::Force(force) => force,
+    };
+    let rates = closing.rates_for(spring.preload, speed, reserve);
+    let no_rate = rates.as_ref().err().map(|none| {
+        format!(
+            "with a preload of {} no rate leaves the reserve: at φ = {:.3} deg {} is lacking still",
+            shown(spring.preload, 6),
+            none.lacking.phi.to_degrees(),
+            shown(none.lacking.value, 6)
+        )
+    });
+    let widest = match &rates {
+        Ok(rates) => rates.from.max(spring.rate),
+        Err(_) => spring.rate,
+    };
+    let widest = match widest > 0.0 {
+        true => 2.0 * widest,
+        false => closing.opening(speed).value.max(1.0),
+    };
+    let boundary = (0..=BOUNDARY).map(|index| {
+        let rate = widest * index as f64 / BOUNDARY as f64;
+        [rate, closing.preload_for(rate, speed, reserve).value]
+    });
+    SpringAnswer {
+        reserve,
+        preload: closing.preload_for(spring.rate, speed, reserve),
+        boundary: boundary.collect(),
+        rates: rates.ok(),
+        no_rate,
+    }
+}

@@ -1,0 +1,301 @@
+//! What a cam must carry: the inertia and the loads of everything that moves
+//! with its follower, reduced to the follower, as if nothing gave way.
+//!
+//! With q(φ) = lever·U(φ) of the follower and r = dq_j/dq, r₂ = d²q_j/dq² of the
+//! nodes j behind it, the force that the follower's pair must give is
+//!
+//! Σ r·(J·(r·q″ + r₂·q′²)·ω² − W_j),
+//!
+//! turned into the direction in which the pair opens.
+
+use crate::dynamics::model::{
+    Closure, Law, LinearPiece, Load, LoadLaw, Model, NodeMotion, Pair, Track, TrackSource,
+};
+use crate::dynamics::trajectory::transfer;
+use crate::kinematics::cam::closing::{ClosingSpring, Demand};
+use crate::kinematics::cam::{DiscCam, FollowerMotion};
+use crate::math::jet::Jet;
+
+/// Most stretches of a turn.
+const MOST_PIECES: usize = 20_000;
+
+/// The follower with all it carries.
+#[derive(Debug)]
+pub(super) struct Reduction<'m> {
+    model: &'m Model,
+    law: &'m Law,
+    /// Nodes of the follower and behind it, drivers first.
+    nodes: Vec<usize>,
+    /// Their loads, with the place of each one's node in `nodes`.
+    loads: Vec<(usize, &'m Load)>,
+    /// First node of the follower.
+    first: usize,
+    pair: Pair,
+    /// The springs that close the pair: those on the follower itself.
+    pub(super) spring: ClosingSpring,
+    /// Names of those springs.
+    pub(super) springs: Vec<String>,
+    /// Stretches of φ on which the demand is smooth.
+    pub(super) pieces: Vec<[f64; 2]>,
+    /// What is left out, in words.
+    pub(super) notes: Vec<String>,
+}
+
+impl<'m> Reduction<'m> {
+    /// The reduction of an object (index in the model) on its cam.
+    ///
+    /// # Errors
+    /// A load that changes over time or with a motor's speed, in words.
+    pub(super) fn new(model: &'m Model, object: usize, cam: &DiscCam) -> Result<Self, String> {
+        let part = &model.objects[object];
+        let first = part.nodes[0];
+        let law = law_of(model, first).ok_or_else(|| format!("`{}` follows no law", part.id))?;
+        let mut members = vec![false; model.objects.len()];
+        members[object] = true;
+        // A follower may stand before what drives it in the list of objects.
+        for _ in 0..model.objects.len() {
+            for (index, one) in model.objects.iter().enumerate() {
+                members[index] |= one.inputs.iter().any(|input| members[input.driver]);
+            }
+        }
+        let parts = model.objects.iter().zip(&members);
+        if let Some((several, _)) = (parts.clone()).find(|(one, is)| **is && one.inputs.len() > 1) {
+            let id = &several.id;
+            return Err(format!(
+                "`{id}` has several inputs: what it loads the cam with is not told"
+            ));
+        }
+        let mut nodes: Vec<usize> = parts
+            .filter(|(_, member)| **member)
+            .flat_map(|(part, _)| part.nodes.iter().copied())
+            .collect();
+        nodes.sort_unstable();
+        let place = |node: usize| nodes.iter().position(|&other| other == node);
+        let loads = model.loads.iter();
+        let loads = loads.filter_map(|load| Some((place(load.node)?, load)));
+        let mut found = Self {
+            model,
+            law,
+            loads: loads.collect(),
+            nodes,
+            first,
+            pair: pair_of(model, object),
+            spring: ClosingSpring::default(),
+            springs: Vec::new(),
+            pieces: Vec::new(),
+            notes: Vec::new(),
+        };
+        found.sort_loads(object)?;
+        found.pieces = found.smooth_pieces(cam.motion())?;
+        Ok(found)
+    }
+
+    /// Closing springs, and loads that have no place here.
+    fn sort_loads(&mut self, object: usize) -> Result<(), String> {
+        let own = &self.model.objects[object].nodes;
+        let loads = self.loads.clone();
+        for (_, load) in loads {
+            match &load.law {
+                LoadLaw::Spring { rate, preload } if own.contains(&load.node) => {
+                    self.spring.rate += rate;
+                    self.spring.preload += self.pair.opens * preload;
+                    self.springs.push(load.name.clone());
+                }
+                LoadLaw::Friction { .. } => {
+                    self.notes
+                        .push(format!("{} (friction) is left out", load.name));
+                }
+                LoadLaw::Pieces { track, .. }
+                    if self.model.tracks[*track].source == TrackSource::Time =>
+                {
+                    return Err(format!("{} changes over time, not with the cam", load.name));
+                }
+                LoadLaw::Custom { .. } => {
+                    return Err(format!("{} is no load that this study knows", load.name));
+                }
+                LoadLaw::LinearMotor { .. } | LoadLaw::Kloss { .. } | LoadLaw::SpeedTable(_) => {
+                    return Err(format!("{} is a motor's torque", load.name));
+                }
+                _ => {}
+            }
+        }
+        Ok(())
+    }
+
+    /// The pieces of the law, cut where a load over the cam's angle has a break.
+    fn smooth_pieces(&self, motion: &FollowerMotion) -> Result<Vec<[f64; 2]>, String> {
+        let (from, to) = motion.range();
+        let mut edges: Vec<f64> = motion.pieces().iter().map(|piece| piece.from).collect();
+        edges.push(to);
+        for (_, load) in &self.loads {
+            let LoadLaw::Pieces { track, .. } = &load.law else {
+                continue;
+            };
+            let track = &self.model.tracks[*track];
+            if track.source != TrackSource::Node(self.law.driver) || track.breaks.is_empty() {
+                continue;
+            }
+            let mut segment = track.breaks.locate(from, 1.0);
+            loop {
+                let edge = track.breaks.edges(segment).1;
+                // Written so that an edge that is no number ends the search.
+                if !(edge < to) {
+                    break;
+                }
+                edges.push(edge);
+                segment += 1;
+                if edges.len() > MOST_PIECES {
+                    return Err(format!("{} changes too often within a turn", load.name));
+                }
+            }
+        }
+        edges.sort_by(f64::total_cmp);
+        let least = 1e-12 * (to - from);
+        edges.dedup_by(|b, a| *b - *a <= least);
+        Ok(edges.windows(2).map(|pair| [pair[0], pair[1]]).collect())
+    }
+
+    /// The pair.
+    pub(super) fn pair(&self) -> Pair {
+        self.pair
+    }
+
+    /// Factor from the law to the follower's displacement.
+    pub(super) fn lever(&self) -> f64 {
+        self.law.lever
+    }
+
+    /// Inertia of the follower itself with all that hangs on it by constant
+    /// ratios or not, at φ.
+    pub(super) fn inertia(&self, cam: &DiscCam, piece: usize, phi: f64) -> f64 {
+        let [q, ..] = self.follower(cam, piece, phi);
+        let ratios = self.ratios(q, 1.0);
+        let terms = self.nodes.iter().zip(&ratios);
+        terms
+            .map(|(&node, ratio)| self.model.nodes[node].inertia * ratio.first * ratio.first)
+            .sum()
+    }
+
+    /// q, q′, q″ of the follower at φ of one of [`Self::pieces`].
+    pub(super) fn follower(&self, cam: &DiscCam, piece: usize, phi: f64) -> [f64; 3] {
+        let [from, to] = self.pieces[piece];
+        let motion = cam.motion();
+        let jet = motion.jet(motion.locate(0.5 * (from + to)).0, phi);
+        let (lever, outward) = (self.law.lever, cam.geometry().outward);
+        [
+            lever * (motion.innermost() + outward * jet.value),
+            lever * outward * jet.first,
+            lever * outward * jet.second,
+        ]
+    }
+
+    /// Displacements of all nodes over the follower's, at its displacement q: values, r and
+    /// r₂. The sign of `sense` is that in which the follower moves.
+    fn ratios(&self, q: f64, sense: f64) -> Vec<Jet> {
+        let mut found: Vec<Jet> = Vec::with_capacity(self.nodes.len());
+        for &node in &self.nodes {
+            let own = Jet {
+                value: q,
+                first: 1.0,
+                ..Jet::default()
+            };
+            let ratio = match law_of(self.model, node) {
+                Some(law) if law.driver != self.law.driver || node != self.first => {
+                    match self.nodes.iter().position(|&other| other == law.driver) {
+                        Some(place) => {
+                            let driver = found[place];
+                            let sense = sense * driver.first;
+                            transfer(self.model, law, driver.value, sense).after(driver)
+                        }
+                        // Another mass of the follower itself.
+                        None => own,
+                    }
+                }
+                _ => own,
+            };
+            found.push(ratio);
+        }
+        found
+    }
+
+    /// What the pair must give at φ of one of [`Self::pieces`], without the
+    /// closing springs.
+    pub(super) fn demand(&self, cam: &DiscCam, piece: usize, phi: f64) -> Demand {
+        let [q, first, second] = self.follower(cam, piece, phi);
+        let ratios = self.ratios(q, first);
+        let mut found = Demand {
+            stretch: self.pair.opens * q,
+            ..Demand::default()
+        };
+        for (&node, ratio) in self.nodes.iter().zip(&ratios) {
+            let acceleration = ratio.first * second + ratio.second * first * first;
+            found.by_square += self.model.nodes[node].inertia * acceleration * ratio.first;
+        }
+        for &(place, load) in &self.loads {
+            let ratio = ratios[place];
+            let closing = self.springs.contains(&load.name);
+            match &load.law {
+                LoadLaw::Viscous(damping) => {
+                    found.by_speed += damping * ratio.first * ratio.first * first;
+                }
+                LoadLaw::Spring { rate, preload } if !closing => {
+                    found.fixed += (preload + rate * ratio.value) * ratio.first;
+                }
+                LoadLaw::Constant(force) => found.fixed -= force * ratio.first,
+                LoadLaw::Pieces { track, pieces } => {
+                    let track = &self.model.tracks[*track];
+                    let x = self.along(track, phi, q, &ratios);
+                    let middle = 0.5 * (self.pieces[piece][0] + self.pieces[piece][1]);
+                    let at = match track.source == TrackSource::Node(self.law.driver) {
+                        true => middle,
+                        false => x,
+                    };
+                    found.fixed -= linear(track, pieces, x, at) * ratio.first;
+                }
+                _ => {}
+            }
+        }
+        found.by_square *= self.pair.opens;
+        found.by_speed *= self.pair.opens;
+        found.fixed *= self.pair.opens;
+        found
+    }
+
+    /// The argument of a load's table.
+    fn along(&self, track: &Track, phi: f64, q: f64, ratios: &[Jet]) -> f64 {
+        match track.source {
+            TrackSource::Node(node) if node == self.law.driver => phi,
+            TrackSource::Node(node) => {
+                let place = self.nodes.iter().position(|&other| other == node);
+                place.map_or(q, |place| ratios[place].value)
+            }
+            TrackSource::Time => phi,
+        }
+    }
+}
+
+fn law_of(model: &Model, node: usize) -> Option<&Law> {
+    match &model.nodes[node].motion {
+        NodeMotion::Mass { law } | NodeMotion::Rigid { law } => Some(law),
+        NodeMotion::Prescribed { .. }
+        | NodeMotion::Rotor { .. }
+        | NodeMotion::Constrained { .. } => None,
+    }
+}
+
+fn pair_of(model: &Model, object: usize) -> Pair {
+    model.pair(&model.objects[object]).unwrap_or(Pair {
+        closure: Closure::Bilateral,
+        gap: 0.0,
+        opens: 1.0,
+        law: crate::dynamics::model::DampingLaw::KelvinVoigt,
+    })
+}
+
+/// A table's force at x, by the piece that holds `at`.
+fn linear(track: &Track, pieces: &[LinearPiece], x: f64, at: f64) -> f64 {
+    let (index, shift) = track.breaks.piece(track.breaks.locate(at, 1.0));
+    pieces.get(index).map_or(0.0, |piece| {
+        piece.value + piece.slope * (x - shift - piece.start)
+    })
+}

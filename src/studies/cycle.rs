@@ -1,0 +1,176 @@
+//! A cycle of a position function: its joints, extremes and shocks.
+
+use crate::kinematics::motion::law::{Jump, Peak};
+use crate::kinematics::position::Position;
+use crate::math::jet::Jet;
+use crate::math::optimise::greatest;
+use serde::Serialize;
+
+/// What a designer looks for in the cycle of a cam.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct CycleFigures {
+    /// Length of the cycle (rad or m of the driver).
+    pub period: f64,
+    /// The function on both sides of each place where its formula changes.
+    pub joints: Vec<Joint>,
+    /// Greatest U′.
+    pub speed: Peak,
+    /// Least U′.
+    pub return_speed: Peak,
+    /// Greatest U″.
+    pub acceleration: Peak,
+    /// Least U″.
+    pub deceleration: Peak,
+    /// Greatest |U‴|; jumps of U″ are not in it.
+    pub jerk: Peak,
+    /// Greatest |U′U″|.
+    pub product: Peak,
+    /// Jumps of the first three derivatives: of the first a hard, of the
+    /// second a soft shock.
+    pub jumps: Vec<Jump>,
+}
+
+/// A place where the formula changes.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Joint {
+    /// The driver's displacement.
+    pub at: f64,
+    /// U just before and just after.
+    pub value: [f64; 2],
+    /// U′.
+    pub first: [f64; 2],
+    /// U″.
+    pub second: [f64; 2],
+    /// U‴.
+    pub third: [f64; 2],
+}
+
+/// Jumps below this share of a derivative's greatest value are rounding.
+const ROUNDING: f64 = 1e-9;
+
+/// The cycle of a position function times `lever`.
+///
+/// # Errors
+/// The function is not given by pieces that repeat, in words.
+pub fn cycle(position: &Position, lever: f64) -> Result<CycleFigures, String> {
+    let breaks = position.breaks();
+    let (Some(period), count) = (breaks.period, breaks.points.len()) else {
+        return Err("the position function has no cycle made of pieces".to_owned());
+    };
+    let jet = |segment: i64, phi: f64| position.jet(segment, phi).scaled(lever);
+    let pieces = || (0..count).map(|piece| (piece, breaks.edges(piece as i64)));
+    let peak = |f: &dyn Fn(&Jet) -> f64| {
+        let mut ends = pieces().map(|(piece, (from, to))| (piece, from, to));
+        greatest(&mut ends, &|piece, phi| f(&jet(piece as i64, phi)))
+    };
+    let least = |f: &dyn Fn(&Jet) -> f64| {
+        let found = peak(&|jet| -f(jet));
+        Peak {
+            value: 0.0 - found.value,
+            ..found
+        }
+    };
+    let joints: Vec<Joint> = (0..count)
+        .map(|index| {
+            let at = breaks.points[index];
+            let sides = [jet(index as i64 - 1, at), jet(index as i64, at)];
+            Joint {
+                at,
+                value: sides.map(|side| side.value),
+                first: sides.map(|side| side.first),
+                second: sides.map(|side| side.second),
+                third: sides.map(|side| side.third),
+            }
+        })
+        .collect();
+    let (speed, return_speed) = (peak(&|j| j.first), least(&|j| j.first));
+    let (acceleration, deceleration) = (peak(&|j| j.second), least(&|j| j.second));
+    let jerk = peak(&|j| j.third.abs());
+    let sizes = [
+        speed.value.max(-return_speed.value),
+        acceleration.value.max(-deceleration.value),
+        jerk.value,
+    ];
+    Ok(CycleFigures {
+        period,
+        jumps: jumps(&joints, sizes),
+        joints,
+        speed,
+        return_speed,
+        acceleration,
+        deceleration,
+        jerk,
+        product: peak(&|j| (j.first * j.second).abs()),
+    })
+}
+
+fn jumps(joints: &[Joint], sizes: [f64; 3]) -> Vec<Jump> {
+    let mut found = Vec::new();
+    for joint in joints {
+        let sides = [joint.first, joint.second, joint.third];
+        for (order, ([before, after], size)) in (1..).zip(sides.into_iter().zip(sizes)) {
+            if (after - before).abs() > ROUNDING * size {
+                found.push(Jump {
+                    at: joint.at,
+                    order,
+                    before,
+                    after,
+                });
+            }
+        }
+    }
+    found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::cycle;
+    use crate::kinematics::motion::LawName;
+    use crate::kinematics::position::{CamSpec, Position, PositionSpec};
+    use std::f64::consts::{PI, TAU};
+
+    fn cam(rise_law: LawName, return_law: LawName) -> Position {
+        let spec = CamSpec {
+            lift: 0.02,
+            rise: 2.0,
+            dwell: 0.5,
+            return_angle: 1.0,
+            rise_law: rise_law.into(),
+            return_law: return_law.into(),
+            phase: 0.0,
+        };
+        Position::new(&PositionSpec::Cam(spec)).unwrap()
+    }
+
+    #[test]
+    fn extremes_are_those_of_the_laws_and_soft_shocks_are_listed() {
+        let found = cycle(&cam(LawName::Harmonic, LawName::Cycloidal), 2.0).unwrap();
+        assert_eq!(found.period, TAU);
+        let close = |one: f64, other: f64| {
+            approx::assert_relative_eq!(one, other, max_relative = 1e-13);
+        };
+        close(found.speed.value, 0.04 / 2.0 * PI / 2.0);
+        close(found.return_speed.value, -0.04 * 2.0);
+        close(found.acceleration.value, 0.04 * TAU);
+        close(found.jerk.value, 0.04 * TAU * TAU);
+        close(found.product.value, 0.0016 * 8.162097139053979);
+        let soft: Vec<f64> = found
+            .jumps
+            .iter()
+            .filter(|j| j.order < 3)
+            .map(|j| j.at)
+            .collect();
+        assert_eq!(soft, [0.0, 2.0]);
+        let smooth = cycle(&cam(LawName::Polynomial4567, LawName::Polynomial4567), 1.0).unwrap();
+        assert!(smooth.jumps.is_empty());
+    }
+
+    #[test]
+    fn functions_without_pieces_have_no_cycle() {
+        let ratio = PositionSpec::Ratio {
+            ratio: 2.0,
+            offset: 0.0,
+        };
+        assert!(cycle(&Position::new(&ratio).unwrap(), 1.0).is_err());
+    }
+}

@@ -1,0 +1,35 @@
+//! What of a run is wanted.
+
+use super::exact;
+use crate::dynamics::system::System;
+use crate::exact::{Asked, KeptLaws, Parts};
+use crate::fault::Fault;
+use std::cell::RefCell;
+
+/// What is wanted of a motion.
+#[derive(Clone, Copy)]
+pub(super) struct Demand<'d> {
+    /// Where the whole system is propagated exactly: the figures of its elastic objects
+    /// that are wanted, and no others, no samples and no energy audit; `None`:
+    /// everything.
+    pub(super) figures: Option<&'d dyn Fn(usize) -> Asked>,
+    /// Laws of systems before that move by the same ones.
+    pub(super) laws: Option<&'d RefCell<KeptLaws>>,
+}
+
+impl Demand<'_> {
+    /// Figures of all objects, samples, the energy audit.
+    pub(super) const EVERYTHING: Self = Self {
+        figures: None,
+        laws: None,
+    };
+
+    /// The parts of a system that is propagated exactly as a whole; its modes are not
+    /// tried beforehand.
+    pub(super) fn parts(&self, system: &System) -> Result<Parts, Vec<Fault>> {
+        match self.laws {
+            Some(laws) => exact::whole_with(system, &mut laws.borrow_mut()),
+            None => exact::whole(system),
+        }
+    }
+}

@@ -1,0 +1,266 @@
+//! The document of figures that a run gives, and what there is to say of it.
+
+use super::choice::Choice;
+use super::settings::RunSettings;
+use super::warning::Warning;
+use crate::dynamics::integrate::{Outcome, Stop};
+use crate::dynamics::model::{
+    Closure, Coordinate, DampingLaw, LinkBase, LinkageBody, Model, ObjectPart,
+};
+use crate::dynamics::record::{
+    EnergyAudit, Figures, JointFigures, ObjectFigures, PairFigures, Recorded, RunSummary, Units,
+};
+use crate::units::shown;
+
+/// Switches of an undamped contact from which on its figures are called undetermined.
+const MANY_SWITCHES: usize = 10;
+
+/// How the run went.
+pub(super) fn summary(
+    settings: &RunSettings,
+    outcome: &Outcome,
+    choice: &Choice,
+    recorded: &Recorded,
+    window: Result<[f64; 2], String>,
+) -> RunSummary {
+    let complete = outcome.stop == Stop::Complete;
+    let window = window.and_then(|[from, to]| {
+        if complete || outcome.time >= to {
+            Ok([from, to])
+        } else {
+            Err(format!(
+                "the run stopped at {} s, before the window ends at {} s",
+                shown(outcome.time, 7),
+                shown(to, 7)
+            ))
+        }
+    });
+    let stopped = (!complete).then(|| stop_in_words(&outcome.stop));
+    RunSummary {
+        method: choice.name.clone(),
+        why: choice.why.clone(),
+        tolerance: settings.tolerance,
+        time: outcome.time,
+        complete,
+        stopped: stopped.as_ref().map(|(name, _)| (*name).to_owned()),
+        stopped_because: stopped.map(|(_, words)| words),
+        steps: outcome.statistics.steps,
+        rejected: outcome.statistics.rejected,
+        evaluations: outcome.statistics.evaluations,
+        switches: outcome.statistics.switches,
+        energy_error: recorded.audit.error(),
+        window: window.as_ref().ok().copied(),
+        window_missing: window.err(),
+    }
+}
+
+/// Short name and words for a run that did not reach its end.
+pub(super) fn stop_in_words(stop: &Stop) -> (&'static str, String) {
+    match stop {
+        Stop::Complete => ("complete", "the end time was reached".to_owned()),
+        Stop::Physical(stop) => (stop.name, stop.message.clone()),
+        Stop::NotFinite { what } => ("not_finite", format!("{what} is no longer a finite number")),
+        Stop::StepFloor { step } => (
+            "step_floor",
+            format!(
+                "the step that the tolerance needs, {step:e} s, is below what the clock resolves"
+            ),
+        ),
+        Stop::TooManySwitches { bound } => (
+            "too_many_switches",
+            format!("more than {bound} switches; raise run.max_switches if they are meant"),
+        ),
+        Stop::TooManySteps { bound } => ("too_many_steps", format!("more than {bound} steps")),
+        Stop::WallClock { limit } => (
+            "wall_clock",
+            format!("the time limit of {} s was reached", limit.as_secs_f64()),
+        ),
+        Stop::Interrupted => ("interrupted", "interrupted".to_owned()),
+        Stop::Method { method, reason } => ("method", format!("{method}: {reason}")),
+    }
+}
+
+/// The first of what puts the numbers of a run in doubt.
+pub(super) fn spoiling(recorded: &Recorded, settings: &RunSettings) -> Option<Warning> {
+    if recorded.failure.is_some() || !recorded.audit.error().is_finite() {
+        return Some(Warning::NotFinite);
+    }
+    out_of_balance(recorded, settings)
+}
+
+fn out_of_balance(recorded: &Recorded, settings: &RunSettings) -> Option<Warning> {
+    let error = recorded.audit.error();
+    let bound = EnergyAudit::bound(settings.tolerance);
+    (error > bound).then_some(Warning::EnergyAudit { error, bound })
+}
+
+/// What the user should know beside the figures.
+pub(super) fn warnings_of(
+    model: &Model,
+    settings: &RunSettings,
+    recorded: &Recorded,
+    run: &RunSummary,
+) -> Vec<Warning> {
+    let mut warnings = Vec::new();
+    // What locks at the very start has no accelerations there, and says so.
+    let locks = run.time == 0.0 && run.stopped.as_deref() == Some("self_locking");
+    let spoiling = spoiling(recorded, settings);
+    warnings.extend(spoiling.filter(|warning| !(locks && *warning == Warning::NotFinite)));
+    warnings.extend(out_of_balance(recorded, settings));
+    warnings.dedup();
+    let has_pair = recorded
+        .figures
+        .iter()
+        .any(|figures| figures.pair.is_some());
+    if let (true, Some(reason)) = (has_pair, &run.window_missing) {
+        warnings.push(Warning::WindowMissing {
+            reason: reason.clone(),
+        });
+    }
+    for &(object, margin, time) in recorded.margins.iter().filter(|entry| entry.1 < 0.0) {
+        let part = &model.objects[object];
+        warnings.push(Warning::WouldLiftOff {
+            object: part.id.clone(),
+            margin,
+            unit: units(part.coordinate).force,
+            time,
+        });
+    }
+    for object in 0..model.objects.len() {
+        warnings.extend(pair_warnings(model, object, recorded, run.time));
+    }
+    warnings
+}
+
+/// How often a pair that has just switched switches again at the same instant, to
+/// rounding, and when first. (One that falls through a gap takes longer than that.)
+fn returns(switch_times: &[f64]) -> Option<(usize, f64)> {
+    let same = |pair: &&[f64]| pair[1] - pair[0] <= 2.0 * f64::EPSILON * pair[1];
+    let mut returned = switch_times.windows(2).filter(same).map(|pair| pair[0]);
+    let first = returned.next()?;
+    Some((1 + returned.count(), first))
+}
+
+fn pair_warnings(model: &Model, object: usize, recorded: &Recorded, time: f64) -> Vec<Warning> {
+    let mut warnings = Vec::new();
+    let part = &model.objects[object];
+    let Some(pair) = &recorded.figures[object].pair else {
+        return warnings;
+    };
+    if pair.separated_time > 0.0 {
+        warnings.push(Warning::Opens {
+            object: part.id.clone(),
+            separations: pair.separations,
+            separated_time: pair.separated_time,
+            share: pair.separated_time / time,
+        });
+    }
+    // Without a gap a pair goes from flank to flank at one instant, and rightly.
+    let of_pair = model.pair(part);
+    let through = of_pair.is_some_and(|pair| pair.closure == Closure::Form && pair.gap == 0.0);
+    if let (false, Some((returns, time))) = (through, returns(&pair.switch_times)) {
+        warnings.push(Warning::SwitchesUndetermined {
+            object: part.id.clone(),
+            returns,
+            time,
+        });
+    }
+    if is_undamped(model, part) && pair.switch_times.len() >= MANY_SWITCHES {
+        warnings.push(Warning::Undetermined {
+            object: part.id.clone(),
+            switches: pair.switch_times.len(),
+        });
+    }
+    warnings
+}
+
+/// The document of a run.
+pub(super) fn document(
+    model: &Model,
+    settings: &RunSettings,
+    figures: &[ObjectFigures],
+    run: RunSummary,
+    warnings: &[Warning],
+) -> Figures {
+    let parts = || model.objects.iter();
+    let with_id =
+        |(part, figures): (&ObjectPart, &ObjectFigures)| (part.id.clone(), figures.clone());
+    Figures {
+        dam: 1,
+        scene: settings.scene.clone(),
+        hash: settings.hash.clone(),
+        units: parts()
+            .map(|part| (part.id.clone(), units(part.coordinate)))
+            .collect(),
+        objects: parts().zip(figures).map(with_id).collect(),
+        run,
+        warnings: warnings.iter().map(ToString::to_string).collect(),
+    }
+}
+
+/// The document of a run that has not begun: every figure that a run of this
+/// model will have, at zero.
+pub(super) fn blank(model: &Model) -> Figures {
+    let figures: Vec<ObjectFigures> = model
+        .objects
+        .iter()
+        .map(|part| ObjectFigures {
+            pair: can_open(model, part).then(|| PairFigures {
+                margin: part.rigid_pair.map(|_| 0.0),
+                max_indentation: part.contact.map(|_| 0.0),
+                ..PairFigures::default()
+            }),
+            joints: rubs(model, part).then(JointFigures::default),
+            ..ObjectFigures::default()
+        })
+        .collect();
+    let settings = RunSettings::new(0.0);
+    document(model, &settings, &figures, RunSummary::default(), &[])
+}
+
+/// True when the friction of the object's joints acts on the motion.
+fn rubs(model: &Model, part: &ObjectPart) -> bool {
+    let own = |body: &&LinkageBody| part.nodes.contains(&body.node);
+    let friction = model.linkages.iter().find(own);
+    let friction = friction.and_then(|body| body.friction.as_ref());
+    friction.is_some_and(|kinetostatics| kinetostatics.has_friction())
+}
+
+/// True when the object's pair can open, or, of a rigid object, would open if it could.
+pub(super) fn can_open(model: &Model, part: &ObjectPart) -> bool {
+    let elastic = model.elastic_pair(part);
+    let elastic = elastic.is_some_and(|pair| pair.closure != Closure::Bilateral);
+    let rigid = part
+        .rigid_pair
+        .is_some_and(|pair| pair.closure == Closure::Force);
+    elastic || rigid
+}
+
+/// True when nothing takes energy out of the object's links and contact.
+fn is_undamped(model: &Model, part: &ObjectPart) -> bool {
+    let contact = part.contact.map(|contact| contact.link);
+    part.links.iter().copied().chain(contact).all(|link| {
+        let link = &model.links[link];
+        let lossy_contact = matches!(&link.base,
+        LinkBase::Law { pair } if match pair.law {
+            DampingLaw::KelvinVoigt => false,
+            DampingLaw::HuntCrossley { .. } => true,
+            DampingLaw::Hertz { dissipation, .. } => dissipation > 0.0,
+        });
+        link.damping == 0.0 && !lossy_contact
+    })
+}
+
+/// Units of an object's figures.
+fn units(coordinate: Coordinate) -> Units {
+    match coordinate {
+        Coordinate::Turning => Units {
+            displacement: "rad",
+            force: "N m",
+        },
+        Coordinate::Sliding => Units {
+            displacement: "m",
+            force: "N",
+        },
+    }
+}

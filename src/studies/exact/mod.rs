@@ -1,0 +1,351 @@
+//! Exact propagation of whole scenes, or of branches beside what is integrated.
+
+mod coupled;
+mod duet;
+mod joint;
+mod lever;
+#[cfg(test)]
+mod mixed_tests;
+mod smooth;
+#[cfg(test)]
+mod tests;
+
+use crate::dynamics::integrate::{
+    Dynamics, Limits, Modes, Outcome, Sink, Statistics, Stop, SwitchEvent,
+};
+use crate::dynamics::record::{Recorded, RecorderSettings};
+use crate::dynamics::system::{InitialState, System};
+use crate::exact::walk::{Branch, Clock, Listener, Motion, Walk, Way};
+use crate::exact::{Asked, ExactTree, KeptLaws, Part, Parts, Request, Rest};
+use crate::fault::Fault;
+use duet::Duet;
+use joint::Joint;
+
+/// The parts of a system, if all of it can be propagated exactly.
+///
+/// # Errors
+/// A fault for every object that stands against it, naming the reason.
+pub fn whole(system: &System) -> Result<Parts, Vec<Fault>> {
+    whole_with(system, &mut KeptLaws::default())
+}
+
+/// The same, with the laws of a system before that moves by the same ones.
+///
+/// # Errors
+/// The same.
+pub fn whole_with(system: &System, laws: &mut KeptLaws) -> Result<Parts, Vec<Fault>> {
+    let parts = Parts::with_laws(system, laws);
+    if parts.is_whole() {
+        return match parts.are_apart(system) {
+            true => Ok(parts),
+            false => Err(vec![fault(
+                "drives",
+                "a load on something prescribed depends on what moves elastically",
+            )]),
+        };
+    }
+    let faults: Vec<Fault> = parts
+        .refusals
+        .iter()
+        .map(|refusal| fault(&refusal.object, &refusal.reason))
+        .collect();
+    if faults.is_empty() {
+        return Err(vec![Fault::new(
+            "run.method",
+            "`exact` cannot be used: nothing is elastic",
+            "\"auto\": the motion follows from the drives",
+        )]);
+    }
+    Err(faults)
+}
+
+/// The same, with the modes tried that a run may meet.
+///
+/// # Errors
+/// As [`whole`]; or the modes of a tree cannot be separated.
+pub(super) fn tried(system: &System) -> Result<Parts, Vec<Fault>> {
+    let mut parts = whole(system)?;
+    let still = vec![0.0; 2 * system.coordinates()];
+    for part in &mut parts.trees {
+        if let Err(refusal) = part.try_modes(&still) {
+            let id = &system.model().objects[part.objects[0]].id;
+            return Err(vec![fault(id, &refusal.reason)]);
+        }
+    }
+    Ok(parts)
+}
+
+fn fault(object: &str, reason: &str) -> Fault {
+    Fault::new(
+        "run.method",
+        format!("`exact` cannot be used: {object}: {reason}"),
+        "\"auto\", or another method",
+    )
+}
+
+/// A system of which some branches are propagated exactly, and the rest is not.
+#[derive(Debug)]
+pub struct Mixed {
+    /// The branches, and why the rest is not among them.
+    pub parts: Parts,
+    /// The rest.
+    pub rest: Rest,
+}
+
+/// Takes a system apart into branches that can be propagated exactly and a
+/// rest; `None` where there is no such branch, or nothing but branches.
+pub fn mixed(system: &System) -> Option<Mixed> {
+    let parts = Parts::of(system).with_sound_trees(system);
+    let rest = Rest::of(system, &parts)?;
+    Some(Mixed { parts, rest })
+}
+
+/// What is found of a motion.
+#[derive(Clone, Debug)]
+pub(super) struct Found {
+    /// Samples, figures, audit.
+    pub(super) recorded: Recorded,
+    /// How it ended.
+    pub(super) outcome: Outcome,
+    /// Steps of the search over which a pair could not be told from its flank: there the
+    /// count of switches is not guaranteed.
+    pub(super) grazing: u64,
+}
+
+/// What is asked of a run: `None`: the figures of all objects and the energy audit;
+/// otherwise the figures that are named for each elastic object of the model, and
+/// nothing of others.
+pub(super) type Wanted<'w> = Option<&'w dyn Fn(usize) -> Asked>;
+
+fn request(part: &Part, limits: &Limits<'_>, end: f64, wanted: Wanted<'_>) -> Request {
+    let asked = wanted.and_then(|wanted| {
+        let each = part.objects.iter().map(|&object| wanted(object));
+        each.reduce(Asked::with)
+    });
+    Request {
+        switches: limits.switches,
+        all_steps: limits.steps,
+        figures: true,
+        asked: asked.unwrap_or(Asked::ALL),
+        audit: wanted.is_none(),
+        ..Request::new(end, 0)
+    }
+}
+
+/// The trees at their start.
+fn trees(parts: &Parts, initial: &InitialState) -> Vec<ExactTree> {
+    let trees = parts.trees.iter();
+    trees.map(|part| part.tree(&initial.y)).collect()
+}
+
+/// Follows a whole system to the end that `settings` name.
+pub(super) fn follow(
+    system: &System,
+    parts: &Parts,
+    initial: &InitialState,
+    settings: RecorderSettings,
+    limits: &Limits<'_>,
+    wanted: Wanted<'_>,
+    sink: &mut dyn Sink,
+) -> Found {
+    let rest = match wanted {
+        None => Rest::beside(system, parts),
+        Some(_) => None,
+    };
+    let trees = trees(parts, initial);
+    let end = settings.duration;
+    let way = Way {
+        system,
+        parts,
+        trees: &trees,
+        initial,
+        end,
+        whole: wanted.is_none() || settings.samples > 0,
+    };
+    let clock = Clock::new(limits);
+    let goes_on = || clock.goes_on();
+    let request = |number: usize| request(&parts.trees[number], limits, end, wanted);
+    let mut joint = Joint::new(way, settings, rest.as_ref().map(|rest| (rest, false)));
+    let mut walk = match Walk::new(way, &request, &clock, &goes_on) {
+        Ok(walk) => walk,
+        Err(stop) => return never_begun(joint, initial, stop),
+    };
+    walk.begin(&mut joint);
+    while walk.goes_on(end) {
+        walk.go_on_to(end, None, &mut joint);
+        sink.passes(walk.time(), walk.switches());
+    }
+    finish(walk, joint)
+}
+
+fn finish(mut walk: Walk<'_>, mut joint: Joint<'_>) -> Found {
+    let outcome = walk.outcome();
+    walk.cut(&mut joint);
+    let (y, modes) = walk.stand(None);
+    let (y, modes) = (y.to_vec(), modes.clone());
+    let grazing = walk.grazing();
+    let recorded = joint.finish(walk.time(), (&y, &modes), walk.branches());
+    Found {
+        recorded,
+        outcome,
+        grazing,
+    }
+}
+
+/// Deviations of the elastic objects of a system, and its switches.
+#[derive(Clone, Debug)]
+pub(super) struct Deviations {
+    /// Object (index in the model) and δ at the ends of equal intervals (t = 0 is not
+    /// among them), as far as the run went.
+    pub(super) samples: Vec<(usize, Vec<f64>)>,
+    /// Times of all switches (s).
+    pub(super) switches: Vec<f64>,
+    /// How it ended.
+    pub(super) outcome: Outcome,
+}
+
+/// Follows a whole system to `end` (s) for nothing but the deviations at the ends of
+/// `count` equal intervals.
+pub(super) fn deviations(
+    system: &System,
+    parts: &Parts,
+    initial: &InitialState,
+    (end, count): (f64, usize),
+    limits: &Limits<'_>,
+) -> Deviations {
+    let trees = trees(parts, initial);
+    let way = Way {
+        system,
+        parts,
+        trees: &trees,
+        initial,
+        end,
+        whole: false,
+    };
+    let clock = Clock::new(limits);
+    let goes_on = || clock.goes_on();
+    let request = |number: usize| Request {
+        switches: limits.switches,
+        all_steps: limits.steps,
+        all_masses: !last_alone(&parts.trees[number]),
+        ..Request::new(end, count)
+    };
+    let mut heard = Heard(Vec::new());
+    let mut walk = match Walk::new(way, &request, &clock, &goes_on) {
+        Ok(walk) => walk,
+        Err(stop) => {
+            return Deviations {
+                samples: Vec::new(),
+                switches: Vec::new(),
+                outcome: at_once(stop),
+            };
+        }
+    };
+    walk.begin(&mut heard);
+    walk.go_to(end, None, &mut heard);
+    let outcome = walk.outcome();
+    walk.cut(&mut heard);
+    let branches = walk.branches().iter();
+    Deviations {
+        samples: branches.flat_map(sampled).collect(),
+        switches: heard.0,
+        outcome,
+    }
+}
+
+/// True when the tree's last mass is all that is sampled.
+fn last_alone(part: &Part) -> bool {
+    let objects = &part.problem().objects;
+    let last = part.problem().masses.len() - 1;
+    matches!(&objects[..], [only] if only.last == last && only.driver.is_none())
+}
+
+/// δ of the objects of a tree, from its samples.
+fn sampled<'b>(branch: &'b Branch<'_>) -> impl Iterator<Item = (usize, Vec<f64>)> + 'b {
+    let part = branch.part;
+    let samples = branch.cursor.samples();
+    let columns = 2 * part.problem().masses.len();
+    let objects = part.objects.iter().zip(&part.problem().objects);
+    objects.map(move |(&object, place)| {
+        if last_alone(part) {
+            return (object, samples.to_vec());
+        }
+        let delta = |row: &[f64]| {
+            let base = place.driver.map_or(0.0, |(mass, ratio)| ratio * row[mass]);
+            row[place.last] - base
+        };
+        (object, samples.chunks_exact(columns).map(delta).collect())
+    })
+}
+
+/// Hears of the switches of pairs alone.
+struct Heard(Vec<f64>);
+
+impl Listener for Heard {
+    fn start(&mut self, _y: &[f64], _modes: &Modes) {}
+
+    fn again(&mut self, _number: usize) {}
+
+    fn phase(&mut self, _number: usize, _branch: &mut Branch<'_>) {}
+
+    fn stretch(&mut self, _motion: &mut Motion<'_, '_>, _span: [f64; 2], _modes: &Modes) {}
+
+    fn switch(&mut self, event: &SwitchEvent<'_>) {
+        self.0.push(event.time);
+    }
+}
+
+fn at_once(stop: Stop) -> Outcome {
+    Outcome {
+        time: 0.0,
+        stop,
+        statistics: Statistics::default(),
+    }
+}
+
+/// A run whose trees have no start.
+fn never_begun(mut joint: Joint<'_>, initial: &InitialState, stop: Stop) -> Found {
+    joint.start(&initial.y, &initial.modes);
+    Found {
+        recorded: joint.finish(0.0, (&initial.y, &initial.modes), &mut []),
+        outcome: at_once(stop),
+        grazing: 0,
+    }
+}
+
+/// Follows the branches of a system beside its rest, which `integrate` integrates from
+/// the state that it is given into the sink that it is given.
+///
+/// Ends where either does. Trees that give up are not waited for: their reason is that
+/// of the whole.
+pub(super) fn follow_beside(
+    system: &System,
+    (parts, rest): (&Parts, &Rest),
+    initial: &InitialState,
+    settings: RecorderSettings,
+    limits: &Limits<'_>,
+    sink: &mut dyn Sink,
+    integrate: impl FnOnce(&InitialState, &mut dyn Sink) -> Outcome,
+) -> Found {
+    let trees = trees(parts, initial);
+    let end = settings.duration;
+    let way = Way {
+        system,
+        parts,
+        trees: &trees,
+        initial,
+        end,
+        whole: true,
+    };
+    let clock = Clock::new(limits);
+    let goes_on = || clock.goes_on();
+    let request = |number: usize| request(&parts.trees[number], limits, end, None);
+    let joint = Joint::new(way, settings, Some((rest, true)));
+    let walk = match Walk::new(way, &request, &clock, &goes_on) {
+        Ok(walk) => walk,
+        Err(stop) => return never_begun(joint, initial, stop),
+    };
+    let mut duet = Duet::new(rest, walk, joint, sink);
+    let own = integrate(&rest.initial(initial), &mut duet);
+    duet.finish(own)
+}

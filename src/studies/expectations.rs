@@ -1,0 +1,283 @@
+//! Does a run give what its scene expects?
+
+use super::document::blank;
+use super::run::RunResult;
+use crate::dynamics::model::Model;
+use crate::dynamics::record::AddressError;
+use crate::fault::Fault;
+use crate::frontend::scene::{Expectation, Expected};
+use serde::Serialize;
+
+/// How one expectation fared.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Verdict {
+    /// What was expected: the address of a figure, or `stops: dead_position`.
+    pub what: String,
+    /// The value expected (a time for a stop).
+    pub expected: f64,
+    /// How far the value found may be off.
+    pub within: f64,
+    /// The value found; null when there is none.
+    pub found: Option<f64>,
+    /// True when it holds.
+    pub holds: bool,
+    /// True when the expectation itself is wrong: no such figure.
+    pub unknown: bool,
+    /// The verdict in words.
+    pub message: String,
+    /// Where the expected value comes from.
+    pub source: Option<String>,
+}
+
+impl Verdict {
+    /// Not judged yet.
+    fn open(what: String, expected: f64, within: f64) -> Self {
+        Self {
+            what,
+            expected,
+            within,
+            found: None,
+            holds: false,
+            unknown: false,
+            message: String::new(),
+            source: None,
+        }
+    }
+}
+
+/// First names of figures that no run has: those of the steady motion and of
+/// the studies of linkages.
+const OTHERS: [&str; 3] = ["steady.", "kinematics.", "forces."];
+
+/// True for figures that a run has.
+pub fn of_run(expectation: &Expectation) -> bool {
+    match &expectation.what {
+        Expected::Figure { figure, .. } => !OTHERS.iter().any(|other| figure.starts_with(other)),
+        Expected::Stops { .. } => true,
+    }
+}
+
+/// Judges every expectation of a run, in their order. (Those of the steady
+/// motion are judged by [`super::steady::check`], those of kinematics and forces
+/// by [`super::studied`].)
+pub fn check(expectations: &[Expectation], result: &RunResult) -> Vec<Verdict> {
+    expectations
+        .iter()
+        .filter(|expectation| of_run(expectation))
+        .map(|expectation| Verdict {
+            source: expectation.source.clone(),
+            ..match &expectation.what {
+                Expected::Figure {
+                    figure,
+                    value,
+                    within,
+                } => check_figure(figure, *value, *within, result),
+                Expected::Stops {
+                    reason,
+                    time,
+                    within,
+                } => check_stop(reason, *time, *within, result),
+            }
+        })
+        .collect()
+}
+
+/// Expectations of figures that no run of this model has, without running it.
+pub fn unknown_figures(expectations: &[Expectation], model: &Model) -> Vec<Fault> {
+    let figures = blank(model);
+    let unknown = |(index, expectation): (usize, &Expectation)| {
+        let Expected::Figure { figure, .. } = &expectation.what else {
+            return None;
+        };
+        // How many switches there will be is not known before the run.
+        if figure.contains(".pair.switch_times.") || !of_run(expectation) {
+            return None;
+        }
+        let Err(AddressError::Unknown { close }) = figures.value(figure) else {
+            return None;
+        };
+        Some(Fault::new(
+            format!("expect.{index}.figure"),
+            format!("there is no figure `{figure}`"),
+            did_you_mean(&close),
+        ))
+    };
+    expectations
+        .iter()
+        .enumerate()
+        .filter_map(unknown)
+        .collect()
+}
+
+/// A hint naming similar addresses; empty when there are none.
+pub(super) fn did_you_mean(close: &[String]) -> String {
+    if close.is_empty() {
+        String::new()
+    } else {
+        format!("did you mean `{}`?", close.join("` or `"))
+    }
+}
+
+fn check_figure(figure: &str, expected: f64, within: f64, result: &RunResult) -> Verdict {
+    let mut verdict = Verdict::open(figure.to_owned(), expected, within);
+    match result.figures.value(figure) {
+        Ok(found) => judge(&mut verdict, found),
+        Err(AddressError::NoValue) => {
+            verdict.message = format!("{figure} has no value in this run");
+        }
+        Err(AddressError::Unknown { close }) => {
+            verdict.unknown = true;
+            verdict.message = format!("there is no figure `{figure}`");
+            if !close.is_empty() {
+                verdict.message += &format!("; {}", did_you_mean(&close));
+            }
+        }
+    }
+    verdict
+}
+
+/// The verdict on a figure that was found, or has no value.
+pub(super) fn judged(figure: &str, expected: f64, within: f64, found: Option<f64>) -> Verdict {
+    let mut verdict = Verdict::open(figure.to_owned(), expected, within);
+    match found {
+        Some(found) => judge(&mut verdict, found),
+        None => verdict.message = format!("{figure} has no value in this motion"),
+    }
+    verdict
+}
+
+fn check_stop(reason: &str, time: f64, within: f64, result: &RunResult) -> Verdict {
+    let mut verdict = Verdict::open(format!("stops: {reason}"), time, within);
+    verdict.found = Some(result.outcome.time);
+    match &result.figures.run.stopped {
+        Some(stopped) if stopped == reason => judge(&mut verdict, result.outcome.time),
+        Some(stopped) => {
+            verdict.message = format!("the run stopped because of `{stopped}`, not `{reason}`");
+        }
+        None => verdict.message = "the run did not stop before its end".to_owned(),
+    }
+    verdict
+}
+
+fn judge(verdict: &mut Verdict, found: f64) {
+    verdict.found = Some(found);
+    let off = (found - verdict.expected).abs();
+    // Written so that a number that is none fails.
+    verdict.holds = off <= verdict.within;
+    let Verdict {
+        what,
+        expected,
+        within,
+        holds,
+        ..
+    } = &*verdict;
+    verdict.message = if *holds {
+        format!("{what} = {found}: {off:.1e} off, within {within:.1e}")
+    } else {
+        format!("{what} = {found}, expected {expected}: {off:.3e} off, only {within:.1e} allowed")
+    };
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Verdict, check, unknown_figures};
+    use crate::dynamics::integrate::{PhysicalStop, Stop};
+    use crate::dynamics::model::{Coordinate, Model, ObjectPart, PartInput};
+    use crate::frontend::scene::{Expectation, Expected};
+    use crate::studies::run::RunResult;
+    use crate::studies::testing::result_with;
+
+    fn judge(what: Expected, result: &RunResult) -> Verdict {
+        let expectation = Expectation {
+            what,
+            source: Some("closed form".to_owned()),
+        };
+        check(&[expectation], result).remove(0)
+    }
+
+    fn figure(figure: &str, value: f64, within: f64) -> Expected {
+        Expected::Figure {
+            figure: figure.to_owned(),
+            value,
+            within,
+        }
+    }
+
+    #[test]
+    fn a_figure_holds_within_its_bound_and_not_beyond() {
+        let result = result_with(|rocker| rocker.delta_max = 0.5);
+        for (value, holds) in [
+            (0.5, true),
+            (0.53125, true),
+            (0.46, false),
+            (f64::NAN, false),
+        ] {
+            let verdict = judge(figure("rocker.delta_max", value, 0.03125), &result);
+            assert_eq!(verdict.holds, holds, "{}", verdict.message);
+            assert_eq!(verdict.source.as_deref(), Some("closed form"));
+        }
+    }
+
+    #[test]
+    fn what_has_no_value_or_no_name_does_not_hold() {
+        let result = result_with(|_| {});
+        let verdict = judge(figure("rocker.pair", 0.0, 1e9), &result);
+        assert!(!verdict.holds && !verdict.unknown, "{}", verdict.message);
+        let verdict = judge(figure("rocker.sigme", 0.0, 1e9), &result);
+        assert!(!verdict.holds && verdict.unknown);
+        assert!(verdict.message.contains("did you mean `rocker.sigma`"));
+    }
+
+    #[test]
+    fn wrong_addresses_are_known_before_the_run() {
+        let expect = |name: &str| Expectation {
+            what: figure(name, 0.0, 0.0),
+            source: None,
+        };
+        let model = Model {
+            objects: vec![ObjectPart {
+                id: "drive".to_owned(),
+                kind: "drive",
+                coordinate: Coordinate::Turning,
+                nodes: vec![0],
+                inputs: PartInput::only(None),
+                combination: None,
+                links: Vec::new(),
+                contact: None,
+                rigid_pair: None,
+            }],
+            ..Model::default()
+        };
+        let wanted = [
+            "drive.peak_speed",
+            "run.switches",
+            "drive.pair.separations",
+            "driv.sigma",
+        ];
+        let faults = unknown_figures(&wanted.map(expect), &model);
+        let paths: Vec<&str> = faults.iter().map(|fault| fault.path.as_str()).collect();
+        assert_eq!(paths, ["expect.2.figure", "expect.3.figure"]);
+        assert!(faults[1].hint.contains("drive.sigma"));
+    }
+
+    #[test]
+    fn a_stop_must_have_the_reason_and_the_time() {
+        let stops = |reason: &str, time| Expected::Stops {
+            reason: reason.to_owned(),
+            time,
+            within: 1e-6,
+        };
+        let mut result = result_with(|_| {});
+        assert!(!judge(stops("dead_position", 0.0), &result).holds);
+        result.outcome.time = 12.6163;
+        result.outcome.stop = Stop::Physical(PhysicalStop {
+            name: "dead_position",
+            object: "rocker".to_owned(),
+            message: String::new(),
+        });
+        result.figures.run.stopped = Some("dead_position".to_owned());
+        assert!(judge(stops("dead_position", 12.616_300_5), &result).holds);
+        assert!(!judge(stops("dead_position", 12.7), &result).holds);
+        assert!(!judge(stops("not_finite", 12.6163), &result).holds);
+    }
+}

@@ -1,0 +1,229 @@
+//! From a question about a scene's linkage to a course and its positions.
+
+use super::{Course, Instant, PositionSource};
+use crate::kinematics::linkage::kinetostatics::{InputMotion, Kinetostatics};
+use crate::kinematics::linkage::{Linkage, Workspace};
+use crate::studies::kinematics::{Asked, Over};
+
+/// Positions of a linkage, solved one after another.
+#[derive(Debug)]
+pub struct LinkagePositions<'a> {
+    linkage: &'a Linkage,
+    workspace: Workspace,
+}
+
+impl<'a> LinkagePositions<'a> {
+    /// Positions of this linkage.
+    pub fn new(linkage: &'a Linkage) -> Self {
+        Self {
+            linkage,
+            workspace: linkage.workspace(),
+        }
+    }
+}
+
+impl PositionSource for LinkagePositions<'_> {
+    type At = Workspace;
+
+    fn at(&mut self, coordinate: f64) -> Result<&Workspace, String> {
+        match self.linkage.solve(coordinate, 3, &mut self.workspace) {
+            Ok(()) => Ok(&self.workspace),
+            Err(reason) => Err(reason.to_string()),
+        }
+    }
+
+    fn singular(&self) -> (Vec<f64>, Option<f64>) {
+        let range = self.linkage.range();
+        let changes = range.changes.iter().map(|change| change.at);
+        (changes.collect(), range.period.map(|period| period.length))
+    }
+}
+
+/// The course that a question asks for.
+///
+/// # Errors
+///
+/// The speed of the input is not known, in words.
+pub fn course_of(asked: &Asked<'_>) -> Result<Course, String> {
+    let [speed, acceleration] = asked.rate;
+    let timed = matches!(asked.over, Over::Time { .. });
+    if asked.unit_rate && !timed {
+        return Err(format!(
+            "the speed of the input of `{}` is not known: give it, as in --speed \"300 rpm\"",
+            asked.object
+        ));
+    }
+    let even = |from: f64, to: f64, closed: bool| Course::Even {
+        from,
+        to,
+        count: asked.positions + usize::from(!closed),
+        speed,
+        acceleration,
+        closed,
+    };
+    Ok(match asked.over {
+        Over::Turn => {
+            let period = asked
+                .linkage
+                .range()
+                .period
+                .map_or(0.0, |found| found.length);
+            let from = asked.first_input();
+            // Along the motion, as the rows of the kinematics.
+            let sense = if speed < 0.0 { -1.0 } else { 1.0 };
+            even(from, from + sense * period, true)
+        }
+        Over::Range { from, to } => even(from, to, false),
+        Over::Time { to } => {
+            let step = to / asked.positions as f64;
+            let times: Vec<f64> = (0..=asked.positions).map(|k| step * k as f64).collect();
+            let motions: Vec<InputMotion> = times.iter().map(|time| motion(asked, *time)).collect();
+            let period = asked.linkage.range().period.map(|found| found.length);
+            let closed = repeats(&motions, period);
+            let instant = |motion| Instant {
+                motion,
+                ..Instant::default()
+            };
+            Course::Instants {
+                instants: motions.into_iter().map(instant).collect(),
+                times,
+                closed,
+            }
+        }
+    })
+}
+
+fn motion(asked: &Asked<'_>, time: f64) -> InputMotion {
+    let jet = asked.input_at(time);
+    InputMotion {
+        coordinate: jet.value,
+        speed: jet.first,
+        acceleration: jet.second,
+    }
+}
+
+/// True when a motion ends as it began, whole periods of the linkage apart.
+fn repeats(motions: &[InputMotion], period: Option<f64>) -> bool {
+    let (Some(first), Some(last)) = (motions.first(), motions.last()) else {
+        return false;
+    };
+    let same = |read: fn(&InputMotion) -> f64, apart: f64| {
+        let size = motions
+            .iter()
+            .fold(0.0, |most: f64, one| most.max(read(one).abs()));
+        (read(last) - read(first) - apart).abs() <= 1e-9 * size
+    };
+    let way = last.coordinate - first.coordinate;
+    let turns = period.map_or(0.0, |period| (way / period).round() * period);
+    same(|one| one.coordinate, turns)
+        && same(|one| one.speed, 0.0)
+        && same(|one| one.acceleration, 0.0)
+}
+
+/// The output whose link carries a load, if there is exactly one.
+pub fn only_loaded_output(kinetostatics: &Kinetostatics) -> Option<usize> {
+    let outputs = 0..kinetostatics.spec().outputs.len();
+    let mut loaded = outputs.filter(|output| !kinetostatics.loads_of(*output).is_empty());
+    let first = loaded.next()?;
+    loaded.next().is_none().then_some(first)
+}
+
+/// The course of a linkage in the record of a run (the text of `record.csv`):
+/// motion of its input, and the forces of what hangs on its outputs.
+///
+/// # Errors
+///
+/// The text is no record, or has no motion of this object; in words.
+pub fn course_of_record(text: &str, object: &str, outputs: &[&str]) -> Result<Course, String> {
+    let mut reader = csv::Reader::from_reader(text.as_bytes());
+    let headers = reader.headers().map_err(|error| error.to_string())?.clone();
+    let position = |name: &str| {
+        headers.iter().position(|header| {
+            let bare = header.split_once(" [").map_or(header, |(bare, _)| bare);
+            bare == name
+        })
+    };
+    let find = |name: String| position(&name).ok_or(format!("the record has no column `{name}`"));
+    let wanted = [
+        find("time".to_owned())?,
+        find(format!("{object}.displacement"))?,
+        find(format!("{object}.speed"))?,
+        find(format!("{object}.acceleration"))?,
+    ];
+    let behind: Vec<Option<usize>> = outputs
+        .iter()
+        .map(|output| position(&format!("{object}.{output}.reaction")))
+        .collect();
+    let (mut times, mut instants): (Vec<f64>, Vec<Instant>) = (Vec::new(), Vec::new());
+    for (row, record) in reader.records().enumerate() {
+        let record = record.map_err(|error| error.to_string())?;
+        let read = |column: usize| {
+            let text = record.get(column).unwrap_or_default();
+            let value = text.parse::<f64>().ok().filter(|value| value.is_finite());
+            value.ok_or(format!(
+                "row {} of the record: `{text}` is not a number",
+                row + 1
+            ))
+        };
+        let time = read(wanted[0])?;
+        let motion = InputMotion {
+            coordinate: read(wanted[1])?,
+            speed: read(wanted[2])?,
+            acceleration: read(wanted[3])?,
+        };
+        let loads = behind.iter().map(|column| column.map_or(Ok(0.0), &read));
+        let loads = loads.collect::<Result<Vec<f64>, String>>()?;
+        // Of the two rows at a switch the later one counts.
+        if times.last().is_some_and(|last| *last == time) {
+            times.pop();
+            instants.pop();
+        }
+        if times.last().is_some_and(|last| *last > time) {
+            return Err(format!("row {} of the record: time runs back", row + 1));
+        }
+        times.push(time);
+        instants.push(Instant {
+            motion,
+            loads,
+            direction: None,
+        });
+    }
+    if times.is_empty() {
+        return Err("the record has no rows".to_owned());
+    }
+    Ok(Course::Instants {
+        times,
+        instants,
+        closed: false,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::course_of_record;
+    use crate::studies::forces::Course;
+
+    #[test]
+    fn a_record_is_read_and_what_is_wrong_is_said() {
+        let head = "time [s],a.displacement [rad],a.speed [rad/s],a.acceleration [rad/s²],a.ram.reaction [N]\n";
+        let text = format!("{head}0,1,2,3,4\n1,2,2,0,0\n1,2,2,5,6\n");
+        let course = course_of_record(&text, "a", &["lever", "ram"]).unwrap();
+        let Course::Instants {
+            times, instants, ..
+        } = &course
+        else {
+            panic!()
+        };
+        assert_eq!(times, &[0.0, 1.0]);
+        assert_eq!(instants[1].motion.acceleration, 5.0);
+        assert_eq!(instants[1].loads, [0.0, 6.0]);
+        let failure = |text: &str| course_of_record(text, "a", &[]).unwrap_err();
+        assert!(failure("time [s]\n0\n").contains("a.displacement"));
+        assert!(failure(&format!("{head}0,1,x,3,0\n")).contains("`x` is not a number"));
+        assert!(failure(&format!("{head}0,1,NaN,3,0\n")).contains("not a number"));
+        assert!(
+            failure(&format!("{head}1,1,1,1,0\n2,1,1,1,0\n0.5,1,1,1,0\n")).contains("runs back")
+        );
+        assert!(failure(head).contains("no rows"));
+    }
+}

@@ -1,0 +1,249 @@
+//! The quantities of a position by name: what tables, files and plots show.
+
+use super::row::{Forces, Row};
+use crate::kinematics::linkage::spec::{LinkageSpec, OutputKind, PairKind};
+
+/// Reads a quantity from a position; `None` where it has no value.
+type Read = Box<dyn Fn(&Row, &Forces) -> Option<f64>>;
+
+/// A quantity of every position.
+pub struct Column {
+    /// Its name: `R12.force`, `drive`, `chi`.
+    pub name: String,
+    /// Its SI unit; empty for a plain number.
+    pub unit: String,
+    /// True: its extremes are figures of the course.
+    pub figure: bool,
+    read: Read,
+}
+
+impl Column {
+    fn new(
+        name: impl Into<String>,
+        unit: &str,
+        figure: bool,
+        read: impl Fn(&Row, &Forces) -> Option<f64> + 'static,
+    ) -> Self {
+        Self {
+            name: name.into(),
+            unit: unit.to_owned(),
+            figure,
+            read: Box::new(read),
+        }
+    }
+
+    /// Its value at a position; `None` without forces or where it has none.
+    pub fn value(&self, row: &Row) -> Option<f64> {
+        let forces = row.forces.as_ref().ok()?;
+        (self.read)(row, forces)
+    }
+}
+
+/// Units of a pair's coordinate and force.
+fn units(kind: &PairKind) -> [&'static str; 2] {
+    match kind {
+        PairKind::Revolute { .. } => ["rad", "N m"],
+        PairKind::Sliding { .. } => ["m", "N"],
+    }
+}
+
+/// All quantities of a linkage, in the order of tables.
+pub fn columns(linkage: &LinkageSpec, output: Option<usize>) -> Vec<Column> {
+    let [coordinate, force] = units(&linkage.pairs[linkage.driver].kind);
+    let mut list = vec![
+        Column::new("speed", &format!("{coordinate}/s"), false, |row, _| {
+            Some(row.motion.speed)
+        }),
+        Column::new(
+            "acceleration",
+            &format!("{coordinate}/s^2"),
+            false,
+            |row, _| Some(row.motion.acceleration),
+        ),
+        Column::new("drive", force, true, |_, forces| Some(forces.drive)),
+    ];
+    if let Some(output) = output {
+        let kind = &linkage.outputs[output].kind;
+        list.extend(of_output([coordinate, force], of_kind(kind, linkage)));
+    }
+    for (index, pair) in linkage.pairs.iter().enumerate() {
+        list.extend(of_pair(index, &pair.name, &pair.kind));
+    }
+    list.extend(of_power());
+    list.extend(of_frame());
+    list.extend(of_changes(linkage, force));
+    if let Some(output) = output {
+        let kind = &linkage.outputs[output].kind;
+        let unit = over([force, of_kind(kind, linkage)[1]]);
+        list.extend(of_ratio_changes(linkage, &unit));
+    }
+    list.push(Column::new("solutions", "", false, |_, f| {
+        Some(f.solved.solutions as f64)
+    }));
+    list
+}
+
+/// Units of an output's displacement and load.
+fn of_kind(kind: &OutputKind, linkage: &LinkageSpec) -> [&'static str; 2] {
+    match kind {
+        OutputKind::Angle { .. } => ["rad", "N m"],
+        OutputKind::Point { .. } => ["m", "N"],
+        OutputKind::Pair { pair } => units(&linkage.pairs[*pair].kind),
+    }
+}
+
+/// Unit of a quotient of forces or displacements.
+fn over([above, below]: [&str; 2]) -> String {
+    match [above, below] {
+        ["N m", "N"] => "m".to_owned(),
+        ["N", "N m"] => "1/m".to_owned(),
+        _ if above == below => String::new(),
+        _ => format!("{above}/{below}"),
+    }
+}
+
+fn of_output(input: [&str; 2], output: [&str; 2]) -> [Column; 3] {
+    let ratio = over([output[0], input[0]]);
+    let chi = over([input[1], output[1]]);
+    [
+        Column::new("ratio", &ratio, true, |_, forces| {
+            forces.transmission.map(|found| found.ratio)
+        }),
+        Column::new("load", output[1], false, |_, forces| {
+            forces.transmission.and_then(|found| found.load)
+        }),
+        Column::new("chi", &chi, true, |_, forces| forces.chi),
+    ]
+}
+
+fn of_pair(index: usize, name: &str, kind: &PairKind) -> Vec<Column> {
+    let part = |what: &str| format!("{name}.{what}");
+    let mut list = vec![
+        Column::new(part("force"), "N", true, move |_, f| {
+            Some(f.pairs[index].size())
+        }),
+        Column::new(part("x"), "N", false, move |_, f| {
+            Some(f.pairs[index].force[0])
+        }),
+        Column::new(part("y"), "N", false, move |_, f| {
+            Some(f.pairs[index].force[1])
+        }),
+    ];
+    let friction = match kind {
+        PairKind::Revolute { .. } => "N m",
+        PairKind::Sliding { corners, .. } => {
+            let given = corners[0] > corners[1];
+            for corner in 0..if given { 2 } else { 0 } {
+                let name = part(&format!("n{}", corner + 1));
+                list.push(Column::new(name, "N", true, move |_, f| {
+                    f.pairs[index].corners.map(|corners| corners[corner])
+                }));
+            }
+            list.push(Column::new(part("couple"), "N m", false, move |_, f| {
+                Some(f.pairs[index].couple)
+            }));
+            "N"
+        }
+    };
+    list.push(Column::new(
+        part("friction"),
+        friction,
+        false,
+        move |_, f| Some(f.pairs[index].friction),
+    ));
+    list.push(Column::new(part("loss"), "W", false, move |_, f| {
+        Some(f.pairs[index].loss)
+    }));
+    list
+}
+
+fn of_power() -> Vec<Column> {
+    vec![
+        Column::new("power.drive", "W", true, |_, f| Some(f.balance.drive)),
+        Column::new("power.weights", "W", false, |_, f| Some(f.balance.weights)),
+        Column::new("power.forces", "W", false, |_, f| Some(f.balance.forces)),
+        Column::new("power.inertia", "W", false, |_, f| Some(f.balance.inertia)),
+        Column::new("power.loss", "W", true, |_, f| Some(f.balance.loss)),
+        Column::new("power.residual", "", false, |_, f| Some(f.balance.residual)),
+        Column::new("efficiency", "", true, |_, f| f.balance.efficiency),
+    ]
+}
+
+fn of_frame() -> Vec<Column> {
+    let mut list = Vec::new();
+    for (name, read) in [
+        ("shaking", (|f| f.shaking) as fn(&Forces) -> [f64; 3]),
+        ("frame", |f| f.on_frame),
+    ] {
+        let part = |what: &str| format!("{name}.{what}");
+        list.push(Column::new(part("force"), "N", true, move |_, f| {
+            Some(read(f)[0].hypot(read(f)[1]))
+        }));
+        list.push(Column::new(part("x"), "N", false, move |_, f| {
+            Some(read(f)[0])
+        }));
+        list.push(Column::new(part("y"), "N", false, move |_, f| {
+            Some(read(f)[1])
+        }));
+        list.push(Column::new(part("moment"), "N m", true, move |_, f| {
+            Some(read(f)[2])
+        }));
+    }
+    list
+}
+
+/// Derivatives of the driving force.
+fn of_changes(linkage: &LinkageSpec, force: &str) -> Vec<Column> {
+    let mut list = Vec::new();
+    for (index, pair) in linkage.pairs.iter().enumerate() {
+        let name = format!("drive_by.{}.friction", pair.name);
+        list.push(Column::new(name, force, false, move |_, f| {
+            f.sensitivities.as_ref().map(|found| found.friction[index])
+        }));
+    }
+    for (index, link) in linkage.links.iter().enumerate() {
+        let name = format!("drive_by.{}.mass", link.name);
+        list.push(Column::new(
+            name,
+            &format!("{force}/kg"),
+            false,
+            move |_, f| f.sensitivities.as_ref().map(|found| found.mass[index]),
+        ));
+        let name = format!("drive_by.{}.moment", link.name);
+        list.push(Column::new(
+            name,
+            &format!("{force}/(kg m^2)"),
+            false,
+            move |_, f| f.sensitivities.as_ref().map(|found| found.moment[index]),
+        ));
+    }
+    list
+}
+
+/// Derivatives of the dynamic transmission ratio: those of the driving force
+/// over the load.
+fn of_ratio_changes(linkage: &LinkageSpec, unit: &str) -> Vec<Column> {
+    let per_mass = match unit {
+        "" => "1/kg".to_owned(),
+        unit => format!("{unit}/kg"),
+    };
+    let per_drive = |f: &Forces| {
+        let found = f.transmission?;
+        // χ is proportional to the driving force.
+        found.dynamic_ratio(1.0, f.convention)
+    };
+    let mut list = Vec::new();
+    for (index, pair) in linkage.pairs.iter().enumerate() {
+        let name = format!("chi_by.{}.friction", pair.name);
+        list.push(Column::new(name, unit, false, move |_, f| {
+            Some(per_drive(f)? * f.sensitivities.as_ref()?.friction[index])
+        }));
+    }
+    for (index, link) in linkage.links.iter().enumerate() {
+        let name = format!("chi_by.{}.mass", link.name);
+        list.push(Column::new(name, &per_mass, false, move |_, f| {
+            Some(per_drive(f)? * f.sensitivities.as_ref()?.mass[index])
+        }));
+    }
+    list
+}

@@ -1,0 +1,200 @@
+//! Kinetostatics over a course of the input: reactions, driving force,
+//! transmission ratios, efficiency, self-locking, balance of the frame.
+
+mod asked;
+mod columns;
+mod counterweight;
+mod course;
+mod cycle;
+mod extremes;
+mod figures;
+mod massless;
+mod row;
+mod scan;
+mod zones;
+
+pub use asked::{LinkagePositions, course_of, course_of_record, only_loaded_output};
+pub use columns::{Column, columns};
+pub use counterweight::Counterweight;
+pub use course::{Course, Instant, PositionSource};
+pub use cycle::CycleForces;
+pub use extremes::{Extreme, Extremes};
+pub use figures::figures;
+pub use massless::{MasslessComparison, MasslessPoint, NEGLIGIBLE, compare_massless};
+pub use row::{Forces, LinkPlace, PairForces, Row, Trouble};
+pub use zones::{Zone, ZoneKind};
+
+use crate::fault::Fault;
+use crate::kinematics::linkage::kinetostatics::{
+    BAD_CONDITION, Convention, Kinetostatics, Options,
+};
+use crate::kinematics::linkage::spec::{LinkageSpec, PairKind};
+use row::Solver;
+
+/// What is asked.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ForceSettings {
+    /// How each position is solved.
+    pub options: Options,
+    /// The output whose load the dynamic transmission ratio refers to, index
+    /// into the linkage's outputs.
+    pub output: Option<usize>,
+    /// The forces that make up the load; `None`: all forces, couples and tables
+    /// on the output's link.
+    pub loads: Option<Vec<usize>>,
+    /// Sign of the dynamic transmission ratio.
+    pub convention: Convention,
+}
+
+impl Default for ForceSettings {
+    fn default() -> Self {
+        Self {
+            options: Options::default(),
+            output: None,
+            loads: None,
+            convention: Convention::Paper,
+        }
+    }
+}
+
+/// Forces over a course, with everything drawn from them.
+#[derive(Clone, Debug)]
+pub struct ForceStudy {
+    /// The course.
+    pub course: Course,
+    /// What was asked.
+    pub settings: ForceSettings,
+    /// The linkage.
+    pub linkage: LinkageSpec,
+    /// One row a position; of a turn its end as well.
+    pub rows: Vec<Row>,
+    /// Least and greatest value of each quantity, between the positions too.
+    pub extremes: Vec<Extremes>,
+    /// Derivatives of the driving force that grow without bound: the column's name and the
+    /// place towards which.
+    pub unbounded: Vec<(String, f64)>,
+    /// Work, losses and efficiency over the course; none where the input rests,
+    /// or where there are no forces on the way.
+    pub cycle: Option<CycleForces>,
+    /// Intervals of self-locking, of no solution, and out of reach.
+    pub zones: Vec<Zone>,
+    /// The counterweight on the input link that reduces the shaking force most.
+    pub counterweight: Option<Counterweight>,
+}
+
+/// Solves all positions of a course.
+///
+/// # Errors
+///
+/// Faults of the linkage's numbers. A position that cannot be solved is no
+/// error: its row says why.
+pub fn study<S: PositionSource>(
+    linkage: &LinkageSpec,
+    source: &mut S,
+    course: Course,
+    settings: ForceSettings,
+) -> Result<ForceStudy, Vec<Fault>> {
+    let kinetostatics = Kinetostatics::new(linkage)?;
+    let mut solver = Solver::new(&kinetostatics, source, &settings);
+    let rows: Vec<Row> = (0..course.rows())
+        .map(|index| {
+            let mut row = solver.row(&course.instant(index), true);
+            row.time = course.time(index);
+            row
+        })
+        .collect();
+    // The end of a turn counts once.
+    let positions = &rows[..course.len()];
+    let zones = zones::find(&mut solver, &course);
+    let (extremes, unbounded) = extremes::find(&mut solver, &course, positions, &zones);
+    let cycle = cycle::sum(&mut solver, &course, positions);
+    let counterweight = counterweight::fit(linkage, positions);
+    Ok(ForceStudy {
+        course,
+        settings,
+        linkage: linkage.clone(),
+        rows,
+        extremes,
+        unbounded,
+        cycle,
+        zones,
+        counterweight,
+    })
+}
+
+impl ForceStudy {
+    /// Rows that were solved.
+    pub fn solved(&self) -> impl Iterator<Item = (&Row, &Forces)> {
+        let rows = self.rows.iter();
+        rows.filter_map(|row| row.forces.as_ref().ok().map(|forces| (row, forces)))
+    }
+
+    /// Unit of the input coordinate.
+    pub fn coordinate_unit(&self) -> &'static str {
+        match self.linkage.pairs[self.linkage.driver].kind {
+            PairKind::Revolute { .. } => "rad",
+            PairKind::Sliding { .. } => "m",
+        }
+    }
+
+    /// Unit of the driving force.
+    pub fn drive_unit(&self) -> &'static str {
+        match self.linkage.pairs[self.linkage.driver].kind {
+            PairKind::Revolute { .. } => "N m",
+            PairKind::Sliding { .. } => "N",
+        }
+    }
+
+    /// The greatest residual of the power balance over all positions.
+    pub fn worst_balance(&self) -> f64 {
+        let residuals = self.solved().map(|(_, forces)| forces.balance.residual);
+        residuals.fold(0.0, f64::max)
+    }
+
+    /// The greatest deviation of the influence coefficients from the transfer
+    /// functions.
+    pub fn worst_influence(&self) -> f64 {
+        let errors = self.solved().map(|(_, forces)| forces.influence_error);
+        errors.fold(0.0, f64::max)
+    }
+
+    /// Everything that the user should know besides the figures.
+    pub fn warnings(&self) -> Vec<String> {
+        let mut warnings = Vec::new();
+        let count = |f: &dyn Fn(&Forces) -> bool| self.solved().filter(|(_, x)| f(x)).count();
+        let several = count(&|forces| forces.solved.solutions > 1);
+        if several > 0 {
+            warnings.push(format!(
+                "friction is so strong that {several} positions have more than one solution; the one reached from no friction is given, or, where that way leads to none, the one with the least friction"
+            ));
+        }
+        let bad = count(&|forces| forces.solved.condition.is_some_and(|c| c > BAD_CONDITION));
+        if bad > 0 {
+            warnings.push(format!(
+                "{bad} positions are so near to a dead position that the condition number is above {BAD_CONDITION:.0e}"
+            ));
+        }
+        if self.worst_balance() > 1e-8 {
+            warnings.push(format!(
+                "the power balance is missed by {:.1e}: reactions are not to be trusted",
+                self.worst_balance()
+            ));
+        }
+        let missing = self.rows.len() - self.solved().count();
+        if missing == 0 && self.cycle.is_none() && self.course.panels().is_some() {
+            warnings.push(
+                "between two positions there are no forces: work, losses and efficiency of the course are left out; more positions show where"
+                    .to_owned(),
+            );
+        }
+        if missing > 0 {
+            let first = self.rows.iter().find_map(|row| row.forces.as_ref().err());
+            let reason = first.map(ToString::to_string).unwrap_or_default();
+            warnings.push(format!(
+                "{missing} of {} positions have no forces; the first: {reason}",
+                self.rows.len()
+            ));
+        }
+        warnings
+    }
+}

@@ -1,0 +1,217 @@
+//! One position, solved and reduced to plain numbers.
+
+use super::{ForceSettings, Instant, PositionSource};
+use crate::kinematics::linkage::kinetostatics::{
+    Balance, Convention, ForceFailure, ForceWorkspace, InputMotion, Kinetostatics, Positions,
+    Reaction, Sensitivities, Solved, Transmission,
+};
+use std::fmt;
+
+/// One position of the course.
+#[derive(Clone, Debug)]
+pub struct Row {
+    /// Time, where the course has one (s).
+    pub time: Option<f64>,
+    /// Motion of the input.
+    pub motion: InputMotion,
+    /// The forces, or why there are none.
+    pub forces: Result<Forces, Trouble>,
+}
+
+/// Why a position has no forces.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Trouble {
+    /// The linkage cannot be assembled.
+    OutOfReach(String),
+    /// Kinetostatics found none.
+    Failure(ForceFailure),
+}
+
+impl fmt::Display for Trouble {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::OutOfReach(reason) => write!(f, "out of reach: {reason}"),
+            Self::Failure(failure) => write!(f, "{failure}"),
+        }
+    }
+}
+
+/// Forces at a position.
+#[derive(Clone, Debug)]
+pub struct Forces {
+    /// The driving moment or force M₁ (N·m or N).
+    pub drive: f64,
+    /// How it was found.
+    pub solved: Solved,
+    /// Driving forces of further solutions.
+    pub others: Vec<f64>,
+    /// The pairs, in the linkage's order.
+    pub pairs: Vec<PairForces>,
+    /// The power balance.
+    pub balance: Balance,
+    /// Ratio and load of the output asked for.
+    pub transmission: Option<Transmission>,
+    /// Dynamic transmission ratio χ.
+    pub chi: Option<f64>,
+    /// The sign it is given.
+    pub convention: Convention,
+    /// Force and moment about the ground's origin of the links' inertia on the
+    /// frame (N, N, N·m).
+    pub shaking: [f64; 3],
+    /// Force and moment of all pairs on the frame (N, N, N·m).
+    pub on_frame: [f64; 3],
+    /// Derivatives of the driving force; `None` where it has none.
+    pub sensitivities: Option<Sensitivities>,
+    /// Deviation of influence coefficients from transfer functions.
+    pub influence_error: f64,
+    /// Where the links are.
+    pub links: Vec<LinkPlace>,
+}
+
+/// What a pair carries; on link j from link i.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PairForces {
+    /// Where it is (m).
+    pub point: [f64; 2],
+    /// Total force, friction included (N).
+    pub force: [f64; 2],
+    /// Couple about the point (N·m).
+    pub couple: f64,
+    /// Normal forces at the corners of a block (N).
+    pub corners: Option<[f64; 2]>,
+    /// Friction: couple of a pin (N·m) or force along a guide (N).
+    pub friction: f64,
+    /// Power lost (W).
+    pub loss: f64,
+}
+
+impl PairForces {
+    /// Size of the total force (N).
+    pub fn size(&self) -> f64 {
+        self.force[0].hypot(self.force[1])
+    }
+}
+
+/// Place of a link's frame: origin (m), cosine and sine.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct LinkPlace {
+    /// The origin (m).
+    pub origin: [f64; 2],
+    /// Cosine and sine of its angle.
+    pub direction: [f64; 2],
+}
+
+/// Solves positions one after another.
+pub(super) struct Solver<'a, S> {
+    kinetostatics: &'a Kinetostatics,
+    source: &'a mut S,
+    settings: ForceSettings,
+    loads: Vec<usize>,
+    workspace: ForceWorkspace,
+}
+
+impl<'a, S: PositionSource> Solver<'a, S> {
+    pub(super) fn new(
+        kinetostatics: &'a Kinetostatics,
+        source: &'a mut S,
+        settings: &ForceSettings,
+    ) -> Self {
+        let of_output = || settings.output.map(|output| kinetostatics.loads_of(output));
+        Self {
+            kinetostatics,
+            source,
+            settings: settings.clone(),
+            loads: settings
+                .loads
+                .clone()
+                .or_else(of_output)
+                .unwrap_or_default(),
+            workspace: kinetostatics.workspace(),
+        }
+    }
+
+    /// The linkage.
+    pub(super) fn kinetostatics(&self) -> &Kinetostatics {
+        self.kinetostatics
+    }
+
+    /// Singular positions that the linkage passes, with their period.
+    pub(super) fn singular(&self) -> (Vec<f64>, Option<f64>) {
+        self.source.singular()
+    }
+
+    /// The output asked for.
+    pub(super) fn output(&self) -> Option<usize> {
+        self.settings.output
+    }
+
+    /// Solves a position; sensitivities and checks only in `full`.
+    pub(super) fn row(&mut self, instant: &Instant, full: bool) -> Row {
+        Row {
+            time: None,
+            motion: instant.motion,
+            forces: self.forces(instant, full),
+        }
+    }
+
+    fn forces(&mut self, instant: &Instant, full: bool) -> Result<Forces, Trouble> {
+        let (solver, w) = (self.kinetostatics, &mut self.workspace);
+        let motion = instant.motion;
+        w.set_output_loads(&instant.loads);
+        let positions = self
+            .source
+            .at(motion.coordinate)
+            .map_err(Trouble::OutOfReach)?;
+        let mut options = self.settings.options;
+        options.search &= full;
+        if motion.acceleration == 0.0 {
+            options.direction = options.direction.or(instant.direction);
+        }
+        let solved = solver
+            .solve(positions, motion, &options, w)
+            .map_err(Trouble::Failure)?;
+        let output = self.settings.output;
+        let transmission =
+            output.map(|output| solver.transmission(output, &self.loads, motion.coordinate, w));
+        let ratio = |found: Transmission| found.dynamic_ratio(w.drive(), self.settings.convention);
+        let links = solver.spec().links.iter().enumerate().map(|(index, _)| {
+            let link = positions.link(index);
+            LinkPlace {
+                origin: link.origin,
+                direction: [link.cos, link.sin],
+            }
+        });
+        Ok(Forces {
+            drive: w.drive(),
+            solved,
+            others: w.other_drives().to_vec(),
+            pairs: (0..solver.spec().pairs.len())
+                .map(|pair| of_pair(solver, pair, w))
+                .collect(),
+            balance: solver.balance(w),
+            chi: transmission.and_then(ratio),
+            convention: self.settings.convention,
+            transmission,
+            shaking: solver.shaking(w),
+            on_frame: solver.on_frame(w),
+            links: links.collect(),
+            sensitivities: if full { solver.sensitivities(w) } else { None },
+            influence_error: if full { solver.influence_error(w) } else { 0.0 },
+        })
+    }
+}
+
+fn of_pair(solver: &Kinetostatics, pair: usize, w: &ForceWorkspace) -> PairForces {
+    let friction = solver.friction(pair, w);
+    PairForces {
+        point: w.pair_point(pair),
+        force: solver.force(pair, w),
+        couple: solver.couple(pair, w),
+        corners: match solver.reaction(pair, w) {
+            Reaction::Pin(_) => None,
+            Reaction::Guide(corners) => Some(corners),
+        },
+        friction: friction.size,
+        loss: friction.loss,
+    }
+}

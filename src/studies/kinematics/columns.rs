@@ -1,0 +1,480 @@
+//! The quantities of a linkage at a position.
+
+use super::ask::Asked;
+use crate::dynamics::model::Coordinate;
+use crate::kinematics::linkage::Workspace;
+use crate::kinematics::linkage::spec::{PairKind, PointOf};
+use crate::math::jet::Jet;
+
+/// First transfer function, in parts of the second, at which something stands still, and sine
+/// of the angle between them at which a path is straight.
+const AT_REST: f64 = 1e-12;
+
+/// What a column shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Quantity {
+    /// q, or the displacement of an output or pair.
+    Displacement,
+    /// Its speed.
+    Speed,
+    /// Its acceleration.
+    Acceleration,
+    /// First transfer function, d/dq.
+    First,
+    /// Second transfer function, d²/dq².
+    Second,
+    /// Third transfer function, d³/dq³.
+    Third,
+    /// Angle of a link's frame, continuous.
+    Angle,
+    /// Angular speed.
+    AngularSpeed,
+    /// Angular acceleration.
+    AngularAcceleration,
+    /// Coordinates of a point.
+    X,
+    /// Coordinates of a point.
+    Y,
+    /// Components of its speed.
+    SpeedX,
+    /// Components of its speed.
+    SpeedY,
+    /// Size of its speed.
+    SpeedSize,
+    /// Components of its acceleration.
+    AccelerationX,
+    /// Components of its acceleration.
+    AccelerationY,
+    /// Size of its acceleration.
+    AccelerationSize,
+    /// Component of its acceleration along its path, positive where it becomes faster.
+    AccelerationAlong,
+    /// Component of its acceleration across its path, positive to the left of the way it goes.
+    AccelerationAcross,
+    /// Radius of curvature of its path, positive where the path bends to the left as the
+    /// input grows; none where the path is straight or has a cusp.
+    CurvatureRadius,
+    /// The point of the plane about which the link turns at the moment; none where it does not turn.
+    InstantCentreX,
+    /// The point of the plane about which the link turns at the moment; none where it does not turn.
+    InstantCentreY,
+    /// First transfer function of x.
+    FirstX,
+    /// First transfer function of y.
+    FirstY,
+    /// Second transfer function of x.
+    SecondX,
+    /// Second transfer function of y.
+    SecondY,
+    /// Third transfer function of x.
+    ThirdX,
+    /// Third transfer function of y.
+    ThirdY,
+    /// Direction of a guide in the plane.
+    GuideDirection,
+    /// Speed of the block along its guide.
+    RelativeSpeed,
+    /// Acceleration of the block along its guide.
+    RelativeAcceleration,
+    /// Speed of the guide's point under the block, along the guide.
+    TransportSpeedAlong,
+    /// Speed of the guide's point under the block, 90° to the left of the guide.
+    TransportSpeedAcross,
+    /// Acceleration of the guide's point under the block, along the guide.
+    TransportAccelerationAlong,
+    /// The same, 90° to the left of the guide.
+    TransportAccelerationAcross,
+    /// Coriolis acceleration 2·ω·v_r, 90° to the left of the guide.
+    CoriolisAcceleration,
+}
+
+/// Shape of a column's unit: length or angle over powers of input and time.
+#[derive(Clone, Copy, Debug)]
+enum Unit {
+    Time(u8),
+    Transfer(u8),
+}
+
+impl Quantity {
+    /// Its name in addresses and headers.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Displacement => "displacement",
+            Self::Speed => "speed",
+            Self::Acceleration => "acceleration",
+            Self::First => "first_transfer",
+            Self::Second => "second_transfer",
+            Self::Third => "third_transfer",
+            Self::Angle => "angle",
+            Self::AngularSpeed => "angular_speed",
+            Self::AngularAcceleration => "angular_acceleration",
+            Self::X => "x",
+            Self::Y => "y",
+            Self::SpeedX => "speed_x",
+            Self::SpeedY => "speed_y",
+            Self::SpeedSize => "speed",
+            Self::AccelerationX => "acceleration_x",
+            Self::AccelerationY => "acceleration_y",
+            Self::AccelerationSize => "acceleration",
+            Self::AccelerationAlong => "acceleration_along_path",
+            Self::AccelerationAcross => "acceleration_across_path",
+            Self::CurvatureRadius => "radius_of_curvature",
+            Self::InstantCentreX => "instant_centre_x",
+            Self::InstantCentreY => "instant_centre_y",
+            Self::FirstX => "first_transfer_x",
+            Self::FirstY => "first_transfer_y",
+            Self::SecondX => "second_transfer_x",
+            Self::SecondY => "second_transfer_y",
+            Self::ThirdX => "third_transfer_x",
+            Self::ThirdY => "third_transfer_y",
+            Self::GuideDirection => "guide_direction",
+            Self::RelativeSpeed => "relative_speed",
+            Self::RelativeAcceleration => "relative_acceleration",
+            Self::TransportSpeedAlong => "transport_speed_along",
+            Self::TransportSpeedAcross => "transport_speed_across",
+            Self::TransportAccelerationAlong => "transport_acceleration_along",
+            Self::TransportAccelerationAcross => "transport_acceleration_across",
+            Self::CoriolisAcceleration => "coriolis_acceleration",
+        }
+    }
+
+    fn shape(self) -> Unit {
+        match self {
+            Self::Displacement
+            | Self::Angle
+            | Self::X
+            | Self::Y
+            | Self::GuideDirection
+            | Self::CurvatureRadius
+            | Self::InstantCentreX
+            | Self::InstantCentreY => Unit::Time(0),
+            Self::Speed
+            | Self::AngularSpeed
+            | Self::SpeedX
+            | Self::SpeedY
+            | Self::SpeedSize
+            | Self::RelativeSpeed
+            | Self::TransportSpeedAlong
+            | Self::TransportSpeedAcross => Unit::Time(1),
+            Self::Acceleration
+            | Self::AngularAcceleration
+            | Self::AccelerationX
+            | Self::AccelerationY
+            | Self::AccelerationSize
+            | Self::AccelerationAlong
+            | Self::AccelerationAcross
+            | Self::RelativeAcceleration
+            | Self::TransportAccelerationAlong
+            | Self::TransportAccelerationAcross
+            | Self::CoriolisAcceleration => Unit::Time(2),
+            Self::First | Self::FirstX | Self::FirstY => Unit::Transfer(1),
+            Self::Second | Self::SecondX | Self::SecondY => Unit::Transfer(2),
+            Self::Third | Self::ThirdX | Self::ThirdY => Unit::Transfer(3),
+        }
+    }
+}
+
+impl Quantity {
+    /// True for a quantity that goes through infinity in ordinary motion.
+    pub fn passes_infinity(self) -> bool {
+        matches!(
+            self,
+            Self::CurvatureRadius | Self::InstantCentreX | Self::InstantCentreY
+        )
+    }
+
+    /// What counts as of ordinary size, for a quantity of something of size `own` (1 rad, or
+    /// the size of the linkage) behind an input of size `input` with the motion `q`.
+    pub(super) fn scale(self, own: f64, input: f64, q: Jet) -> f64 {
+        let rate = q.first.abs() / input;
+        match self.shape() {
+            Unit::Time(0) => own,
+            Unit::Time(1) => own * rate,
+            Unit::Time(_) => own * (rate * rate + q.second.abs() / input),
+            Unit::Transfer(order) => own / input.powi(i32::from(order)),
+        }
+    }
+}
+
+/// SI unit of a coordinate.
+pub(super) fn unit_of(coordinate: Coordinate) -> &'static str {
+    match coordinate {
+        Coordinate::Turning => "rad",
+        Coordinate::Sliding => "m",
+    }
+}
+
+/// A column without its values.
+pub(super) struct Heading {
+    pub(super) owner: String,
+    pub(super) quantity: Quantity,
+    pub(super) unit: String,
+    /// True for an angle and its derivatives.
+    pub(super) turning: bool,
+}
+
+fn heading(owner: &str, quantity: Quantity, own: &str, input: &str) -> Heading {
+    let unit = match quantity.shape() {
+        Unit::Time(0) => own.to_owned(),
+        Unit::Time(1) => format!("{own}/s"),
+        Unit::Time(_) => format!("{own}/s²"),
+        Unit::Transfer(order) => transfer_unit(own, input, order),
+    };
+    Heading {
+        owner: owner.to_owned(),
+        quantity,
+        unit,
+        turning: own == "rad",
+    }
+}
+
+/// `m/rad²`, `1` of m/m.
+fn transfer_unit(own: &str, input: &str, order: u8) -> String {
+    let power = |order: u8| ["", "", "²", "³"][order as usize];
+    match (own == input, order) {
+        (true, 1) => "1".to_owned(),
+        (true, order) => format!("1/{input}{}", power(order - 1)),
+        (false, order) => format!("{own}/{input}{}", power(order)),
+    }
+}
+
+const LINK: [Quantity; 6] = [
+    Quantity::Angle,
+    Quantity::AngularSpeed,
+    Quantity::AngularAcceleration,
+    Quantity::First,
+    Quantity::Second,
+    Quantity::Third,
+];
+const CENTRE: [Quantity; 2] = [Quantity::InstantCentreX, Quantity::InstantCentreY];
+const POINT: [Quantity; 17] = [
+    Quantity::X,
+    Quantity::Y,
+    Quantity::SpeedX,
+    Quantity::SpeedY,
+    Quantity::SpeedSize,
+    Quantity::AccelerationX,
+    Quantity::AccelerationY,
+    Quantity::AccelerationSize,
+    Quantity::FirstX,
+    Quantity::FirstY,
+    Quantity::SecondX,
+    Quantity::SecondY,
+    Quantity::ThirdX,
+    Quantity::ThirdY,
+    Quantity::AccelerationAlong,
+    Quantity::AccelerationAcross,
+    Quantity::CurvatureRadius,
+];
+const OUTPUT: [Quantity; 6] = [
+    Quantity::Displacement,
+    Quantity::Speed,
+    Quantity::Acceleration,
+    Quantity::First,
+    Quantity::Second,
+    Quantity::Third,
+];
+const SLIDE: [Quantity; 12] = [
+    Quantity::Displacement,
+    Quantity::RelativeSpeed,
+    Quantity::RelativeAcceleration,
+    Quantity::First,
+    Quantity::Second,
+    Quantity::Third,
+    Quantity::GuideDirection,
+    Quantity::TransportSpeedAlong,
+    Quantity::TransportSpeedAcross,
+    Quantity::TransportAccelerationAlong,
+    Quantity::TransportAccelerationAcross,
+    Quantity::CoriolisAcceleration,
+];
+
+/// The columns of a linkage, in the order in which [`values`] fills them:
+/// input, links, their named points, sliding pairs, outputs.
+pub(super) fn headings(asked: &Asked<'_>) -> Vec<Heading> {
+    let spec = asked.linkage.spec();
+    let input = unit_of(asked.input);
+    let mut out = Vec::new();
+    for quantity in &OUTPUT[..3] {
+        out.push(heading("input", *quantity, input, input));
+    }
+    for link in &spec.links {
+        let name = format!("links.{}", link.name);
+        out.extend(LINK.map(|quantity| heading(&name, quantity, "rad", input)));
+        out.extend(CENTRE.map(|quantity| heading(&name, quantity, "m", input)));
+        for point in &link.points {
+            let owner = format!("{name}.{}", point.name);
+            out.extend(POINT.map(|quantity| heading(&owner, quantity, "m", input)));
+        }
+    }
+    for pair in &spec.pairs {
+        if matches!(pair.kind, PairKind::Sliding { .. }) {
+            let name = format!("pairs.{}", pair.name);
+            let slide = |quantity| {
+                let angle = quantity == Quantity::GuideDirection;
+                let own = if angle { "rad" } else { "m" };
+                heading(&name, quantity, own, input)
+            };
+            out.extend(SLIDE.map(slide));
+        }
+    }
+    for (index, output) in spec.outputs.iter().enumerate() {
+        let own = unit_of(asked.outputs[index]);
+        out.extend(OUTPUT.map(|quantity| heading(&output.name, quantity, own, input)));
+    }
+    out
+}
+
+/// Derivatives over time of something with these transfer functions.
+fn moved(along: Jet, q: Jet) -> [f64; 2] {
+    [
+        along.first * q.first,
+        along.second * q.first * q.first + along.first * q.second,
+    ]
+}
+
+/// All columns at the position in `work`, with the input's motion `q`.
+pub(super) fn values(asked: &Asked<'_>, work: &Workspace, q: Jet, out: &mut Vec<f64>) {
+    let spec = asked.linkage.spec();
+    out.clear();
+    out.extend([q.value, q.first, q.second]);
+    for (index, link) in spec.links.iter().enumerate() {
+        let [first, second, third] = [1, 2, 3].map(|order| work.transfer(index, order)[2]);
+        let angle = Jet {
+            value: work.angle(index),
+            first,
+            second,
+            third,
+        };
+        let [speed, acceleration] = moved(angle, q);
+        out.extend([angle.value, speed, acceleration, first, second, third]);
+        out.extend(instant_centre(work, index));
+        for point in &link.points {
+            let at = PointOf {
+                link: Some(index),
+                at: point.at,
+            };
+            point_values(work.point(at), q, out);
+        }
+    }
+    for (index, pair) in spec.pairs.iter().enumerate() {
+        if matches!(pair.kind, PairKind::Sliding { .. }) {
+            slide_values(asked, work, index, q, out);
+        }
+    }
+    for index in 0..spec.outputs.len() {
+        let along = asked.linkage.output(index, work);
+        let [speed, acceleration] = moved(along, q);
+        out.extend([along.value, speed, acceleration]);
+        out.extend([along.first, along.second, along.third]);
+    }
+}
+
+fn point_values([x, y]: [Jet; 2], q: Jet, out: &mut Vec<f64>) {
+    let ([vx, ax], [vy, ay]) = (moved(x, q), moved(y, q));
+    out.extend([x.value, y.value, vx, vy, vx.hypot(vy), ax, ay, ax.hypot(ay)]);
+    out.extend([x.first, y.first, x.second, y.second, x.third, y.third]);
+    let [along, across] = path_acceleration([x, y], q);
+    out.extend([along, across, curvature_radius([x, y])]);
+}
+
+/// The point that a link turns about: its velocity is θ′ times the quarter turn of the
+/// distance from there. Not a number where θ′ = 0.
+fn instant_centre(work: &Workspace, link: usize) -> [f64; 2] {
+    let pose = work.pose(link);
+    let [x, y, turning] = work.transfer(link, 1);
+    [pose.x - y / turning, pose.y + x / turning].map(|place| match place.is_finite() {
+        true => place,
+        false => f64::NAN,
+    })
+}
+
+/// Acceleration of a point along and across its path, which at a reversal is taken as
+/// just after it.
+fn path_acceleration([x, y]: [Jet; 2], q: Jet) -> [f64; 2] {
+    let ([vx, ax], [vy, ay]) = (moved(x, q), moved(y, q));
+    let sense = if q.first < 0.0 { -1.0 } else { 1.0 };
+    let (tangent, bend) = ([x.first, y.first], [x.second, y.second]);
+    let rest = AT_REST * bend[0].hypot(bend[1]);
+    let [tx, ty] = match () {
+        () if tangent[0].hypot(tangent[1]) <= rest => bend,
+        () if vx != 0.0 || vy != 0.0 => [vx, vy],
+        () => tangent.map(|t| sense * t),
+    };
+    let length = tx.hypot(ty);
+    if length == 0.0 {
+        // A point that does not move has no path.
+        return [0.0; 2];
+    }
+    [(tx * ax + ty * ay) / length, (tx * ay - ty * ax) / length]
+}
+
+/// |r′|³/(r′ × r″); not a number where the path is straight or has a cusp.
+fn curvature_radius([x, y]: [Jet; 2]) -> f64 {
+    let speed = x.first.hypot(y.first);
+    let bend = x.second.hypot(y.second);
+    let cross = x.first * y.second - y.first * x.second;
+    match cross.abs() > AT_REST * speed * bend && speed > AT_REST * bend {
+        true => speed.powi(3) / cross,
+        false => f64::NAN,
+    }
+}
+
+/// The composition of a block's motion: with the guide (transport), along the
+/// guide (relative), and Coriolis.
+fn slide_values(asked: &Asked<'_>, work: &Workspace, index: usize, q: Jet, out: &mut Vec<f64>) {
+    let pair = &asked.linkage.spec().pairs[index];
+    let PairKind::Sliding { direction, .. } = pair.kind else {
+        return;
+    };
+    let along = work.pair(index);
+    let [relative_speed, relative_acceleration] = moved(along, q);
+    out.extend([along.value, relative_speed, relative_acceleration]);
+    out.extend([along.first, along.second, along.third]);
+    let guide = match pair.on.link {
+        Some(link) => Guide::moving(work, link, direction, q),
+        None => Guide::fixed(direction),
+    };
+    // The point of the guide that lies under the block now.
+    let under = PointOf {
+        link: pair.on.link,
+        at: [
+            pair.on.at[0] + along.value * direction.cos(),
+            pair.on.at[1] + along.value * direction.sin(),
+        ],
+    };
+    let ([vx, ax], [vy, ay]) = match pair.on.link {
+        Some(_) => {
+            let [x, y] = work.point(under);
+            (moved(x, q), moved(y, q))
+        }
+        None => ([0.0; 2], [0.0; 2]),
+    };
+    let (c, s) = (guide.angle.cos(), guide.angle.sin());
+    out.push(guide.angle);
+    out.extend([c * vx + s * vy, c * vy - s * vx]);
+    out.extend([c * ax + s * ay, c * ay - s * ax]);
+    out.push(2.0 * guide.speed * relative_speed);
+}
+
+/// Direction of a guide in the plane and its angular speed.
+struct Guide {
+    angle: f64,
+    speed: f64,
+}
+
+impl Guide {
+    fn moving(work: &Workspace, link: usize, direction: f64, q: Jet) -> Self {
+        Self {
+            angle: work.angle(link) + direction,
+            speed: work.transfer(link, 1)[2] * q.first,
+        }
+    }
+
+    fn fixed(direction: f64) -> Self {
+        Self {
+            angle: direction,
+            speed: 0.0,
+        }
+    }
+}

@@ -1,0 +1,216 @@
+//! Strokes and transmission angles.
+
+use super::ask::Asked;
+use super::columns::unit_of;
+use super::extremes::{greatest_row, located};
+use super::{Stroke, Transmission};
+use crate::dynamics::model::Coordinate;
+use crate::kinematics::linkage::spec::{PairKind, PairSpec, PointOf};
+use crate::kinematics::linkage::{Group, GroupKind, Workspace};
+use crate::math::roots::{bisect, middle};
+use std::f64::consts::FRAC_PI_2;
+
+/// Positions in a period at which the sense of an output is looked at.
+const LOOKS: usize = 1440;
+
+/// Strokes of outputs and sliding pairs that go to and fro once in a period.
+pub(super) fn strokes(asked: &Asked<'_>) -> Vec<Stroke> {
+    let Some(period) = asked.linkage.range().period else {
+        return Vec::new();
+    };
+    let spec = asked.linkage.spec();
+    let outputs = (0..spec.outputs.len()).map(|index| {
+        let unit = unit_of(asked.outputs[index]);
+        (
+            Moving::Output(index),
+            spec.outputs[index].name.clone(),
+            unit,
+        )
+    });
+    let slides = spec.pairs.iter().enumerate().filter_map(|(index, pair)| {
+        let slides = matches!(pair.kind, PairKind::Sliding { .. });
+        slides.then(|| {
+            (
+                Moving::Pair(index),
+                format!("pairs.{}", pair.name),
+                unit_of(Coordinate::Sliding),
+            )
+        })
+    });
+    let mut work = asked.linkage.workspace();
+    let all = outputs.chain(slides);
+    all.filter_map(|(moving, owner, unit)| {
+        let mut look = |q: f64, value: bool| {
+            if asked.linkage.solve(q, 1, &mut work).is_err() {
+                return f64::NAN;
+            }
+            let jet = match moving {
+                Moving::Output(index) => asked.linkage.output(index, &work),
+                Moving::Pair(index) => work.pair(index),
+            };
+            if value { jet.value } else { jet.first }
+        };
+        stroke(&mut look, asked.first_input(), period.length).map(|(ends, rise_and_return)| {
+            let [rise, fall] = rise_and_return;
+            Stroke {
+                owner,
+                unit,
+                ends,
+                rise_and_return,
+                time_ratio: rise.max(fall) / rise.min(fall),
+            }
+        })
+    })
+    .collect()
+}
+
+#[derive(Clone, Copy)]
+enum Moving {
+    Output(usize),
+    Pair(usize),
+}
+
+type Ends = ([(f64, f64); 2], [f64; 2]);
+
+/// The two turning points of something that has just two in a period.
+fn stroke(look: &mut dyn FnMut(f64, bool) -> f64, from: f64, period: f64) -> Option<Ends> {
+    let place = |index: usize| from + period * index as f64 / LOOKS as f64;
+    let senses: Vec<f64> = (0..LOOKS).map(|index| look(place(index), false)).collect();
+    let largest = senses
+        .iter()
+        .fold(0.0, |best: f64, value| best.max(value.abs()));
+    if !largest.is_finite() || largest == 0.0 {
+        return None;
+    }
+    let mut turns = Vec::new();
+    for index in 0..LOOKS {
+        // The last place is the first one again: where the sense is zero but for
+        // rounding there, it must not count differently at both ends.
+        let (one, other) = (senses[index], senses[(index + 1) % LOOKS]);
+        if (one > 0.0) != (other > 0.0) {
+            turns.push((
+                root(look, place(index), place(index + 1), one > 0.0),
+                one > 0.0,
+            ));
+        }
+    }
+    let &[(first, first_is_top), (second, second_is_top)] = turns.as_slice() else {
+        return None;
+    };
+    if first_is_top == second_is_top {
+        return None;
+    }
+    let (top, foot) = if first_is_top {
+        (first, second)
+    } else {
+        (second, first)
+    };
+    let rise = (top - foot).rem_euclid(period);
+    let ends = [(foot, look(foot, true)), (top, look(top, true))];
+    Some((ends, [rise, period - rise]))
+}
+
+/// Where the derivative changes sign between two places.
+fn root(look: &mut dyn FnMut(f64, bool) -> f64, low: f64, high: f64, rises: bool) -> f64 {
+    middle(bisect([low, high], 80, |place| {
+        (look(place, false) > 0.0) == rises
+    }))
+}
+
+/// Transmission angles of the dyads that have one, over the places.
+pub(super) fn transmission(asked: &Asked<'_>, places: &[f64]) -> Vec<Transmission> {
+    let mut work = asked.linkage.workspace();
+    let groups = asked.linkage.structure().groups.iter();
+    groups
+        .filter_map(|group| {
+            let dyad = Dyad::of(asked, group)?;
+            let mut angle = |place: f64| {
+                let q = asked.input_at(place);
+                match asked.linkage.solve(q.value, 0, &mut work) {
+                    Ok(()) => dyad.angle(&work),
+                    Err(_) => f64::NAN,
+                }
+            };
+            let values: Vec<f64> = places.iter().map(|&place| angle(place)).collect();
+            let mut end = |sign: f64| {
+                let row = greatest_row(&values, sign)?;
+                Some(located(places, &values, row, sign, &mut angle))
+            };
+            let (least, greatest) = (end(-1.0)?, end(1.0)?);
+            let owner = |link: usize| asked.linkage.spec().links[link].name.clone();
+            let names: Vec<String> = group.links.iter().map(|&link| owner(link)).collect();
+            Some(Transmission {
+                owner: names.join(" and "),
+                least,
+                greatest,
+            })
+        })
+        .collect()
+}
+
+/// A dyad of which a transmission angle can be told.
+enum Dyad {
+    /// Inner pin and the two outer ones.
+    Pins([PointOf; 3]),
+    /// Inner pin, outer pin, guide.
+    Slider([PointOf; 2], PairSpec),
+}
+
+impl Dyad {
+    fn of(asked: &Asked<'_>, group: &Group) -> Option<Self> {
+        let spec = asked.linkage.spec();
+        let within = |point: &PointOf| point.link.is_some_and(|link| group.links.contains(&link));
+        let mut inner = None;
+        let mut outer = Vec::new();
+        let mut guide = None;
+        for &pair in &group.pairs {
+            let pair = &spec.pairs[pair];
+            let both = within(&pair.on) && within(&pair.link);
+            match (pair.kind, both) {
+                (PairKind::Revolute { .. }, true) => inner = Some(pair.link),
+                (PairKind::Revolute { .. }, false) => outer.push(pair.link),
+                (PairKind::Sliding { .. }, false) => guide = Some(pair.clone()),
+                (PairKind::Sliding { .. }, true) => return None,
+            }
+        }
+        match (group.kind, inner, outer.as_slice(), guide) {
+            (GroupKind::Rrr, Some(inner), &[one, other], None) => {
+                Some(Self::Pins([inner, one, other]))
+            }
+            (GroupKind::Rrp, Some(inner), &[one], Some(guide)) => {
+                Some(Self::Slider([inner, one], guide))
+            }
+            _ => None,
+        }
+    }
+
+    /// The angle (rad), between 0 and 90°.
+    fn angle(&self, work: &Workspace) -> f64 {
+        let at = |point: PointOf| work.point(point).map(|jet| jet.value);
+        match self {
+            Self::Pins([inner, one, other]) => {
+                let (inner, one, other) = (at(*inner), at(*one), at(*other));
+                acute(minus(one, inner), minus(other, inner))
+            }
+            Self::Slider([inner, one], guide) => {
+                let PairKind::Sliding { direction, .. } = guide.kind else {
+                    return f64::NAN;
+                };
+                let direction = direction + guide.on.link.map_or(0.0, |link| work.angle(link));
+                let rod = minus(at(*one), at(*inner));
+                FRAC_PI_2 - acute(rod, [direction.cos(), direction.sin()])
+            }
+        }
+    }
+}
+
+fn minus(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+    [a[0] - b[0], a[1] - b[1]]
+}
+
+/// Angle between two lines, 0 … 90°.
+fn acute(a: [f64; 2], b: [f64; 2]) -> f64 {
+    let cross = a[0] * b[1] - a[1] * b[0];
+    let dot = a[0] * b[0] + a[1] * b[1];
+    cross.abs().atan2(dot.abs())
+}

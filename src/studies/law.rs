@@ -1,0 +1,367 @@
+//! Laws of motion compared by what an elastic mechanism makes of them.
+
+use super::run::RunResult;
+use crate::dynamics::model::{Law, Model, NodeMotion};
+use crate::dynamics::record::Quantity;
+use crate::kinematics::motion::law::LawConstants;
+use crate::math::jet::Jet;
+use crate::math::roots::{middle, try_bisect};
+use serde::Serialize;
+
+/// A law in a comparison.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ComparedLaw {
+    /// Its name.
+    pub name: String,
+    /// Its constants.
+    pub constants: LawConstants,
+    /// The mechanism's response.
+    pub response: LawResponse,
+}
+
+/// How a mechanism responds to a law, in the window of steady figures.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct LawResponse {
+    /// Residual vibration: half the range of δ over a dwell, the greatest over
+    /// the dwells of the window; null without a dwell.
+    pub residual: Option<f64>,
+    /// Greatest |δ| of the whole run.
+    pub deviation: f64,
+    /// Greatest contact force of the whole run (reaction of link 1, without a pair).
+    pub contact_force: f64,
+    /// Greatest |U′·F|: torque (force) that the object asks of its driver,
+    /// from the samples of the window.
+    pub driver_torque: f64,
+    /// Separations of the pair in the whole run; null without a pair.
+    pub separations: Option<u64>,
+    /// Lowest speed of the drive at which the pair opens in the window; null
+    /// when it was not asked for.
+    pub lift_off: Option<LiftOff>,
+}
+
+/// Where a pair begins to open as the drive turns faster.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum LiftOff {
+    /// At this speed (rad/s), to one part in a thousand.
+    At(f64),
+    /// Not up to this speed.
+    Above(f64),
+    /// Even at this speed, the lowest tried.
+    Below(f64),
+}
+
+/// Share of the greatest U′ and U″ below which a law stands still.
+const STILL: f64 = 1e-12;
+
+/// The law that an object follows, and the index of its driver.
+fn followed(model: &Model, object: usize) -> Option<(&Law, usize)> {
+    let part = &model.objects[object];
+    let driver = part.driver()?;
+    match &model.nodes[*part.nodes.first()?].motion {
+        NodeMotion::Mass { law } | NodeMotion::Rigid { law } => Some((law, driver)),
+        _ => None,
+    }
+}
+
+/// The response of an object from a finished run. The record is to be dense:
+/// residual vibration and torque are taken from its samples.
+///
+/// # Errors
+/// The object is a drive, or the run has no window of steady figures, in words.
+pub fn response(model: &Model, object: usize, result: &RunResult) -> Result<LawResponse, String> {
+    let part = &model.objects[object];
+    let (law, driver) =
+        followed(model, object).ok_or_else(|| format!("`{}` follows no law", part.id))?;
+    let run = &result.figures.run;
+    let window = run.window.ok_or_else(|| {
+        let reason = run.window_missing.as_deref().unwrap_or("no reason given");
+        format!("there is no window of steady figures: {reason}")
+    })?;
+    let column = |object: &str, quantity: Quantity| {
+        let found = result.record.column(object, quantity);
+        found.map(|column| column.values.as_slice()).unwrap_or(&[])
+    };
+    let angles = column(&model.objects[driver].id, Quantity::Displacement);
+    let (deltas, reactions) = (
+        column(&part.id, Quantity::Delta),
+        column(&part.id, Quantity::Reaction),
+    );
+    let breaks = law.position.breaks();
+    let rows = result.record.times.iter().enumerate();
+    let samples: Vec<Sample> = rows
+        .filter(|(_, time)| (window[0]..=window[1]).contains(*time))
+        .filter_map(|(row, _)| {
+            let phi = *angles.get(row)?;
+            let segment = breaks.locate(phi, 1.0);
+            Some(Sample {
+                jet: law.position.jet(segment, phi).scaled(law.lever),
+                delta: *deltas.get(row)?,
+                reaction: *reactions.get(row)?,
+            })
+        })
+        .collect();
+    let figures = result.figures.objects.get(&part.id);
+    let figures = figures.ok_or_else(|| format!("`{}` has no figures", part.id))?;
+    let torques = samples.iter().map(|s| (s.jet.first * s.reaction).abs());
+    Ok(LawResponse {
+        residual: residual(&samples),
+        deviation: figures.delta_abs,
+        contact_force: match &figures.pair {
+            Some(pair) => pair.max_contact_force,
+            None => figures.peak_reaction,
+        },
+        driver_torque: torques.fold(0.0, f64::max),
+        separations: figures.pair.as_ref().map(|pair| pair.separations),
+        lift_off: None,
+    })
+}
+
+/// A row of the record with the law there.
+struct Sample {
+    jet: Jet,
+    delta: f64,
+    reaction: f64,
+}
+
+/// Half the range of δ over each stretch in which the law stands still; the greatest.
+fn residual(samples: &[Sample]) -> Option<f64> {
+    let greatest = |f: fn(&Jet) -> f64| {
+        let values = samples.iter().map(|sample| f(&sample.jet).abs());
+        STILL * values.fold(0.0, f64::max)
+    };
+    let (speed, acceleration) = (greatest(|j| j.first), greatest(|j| j.second));
+    let still = |s: &Sample| s.jet.first.abs() <= speed && s.jet.second.abs() <= acceleration;
+    let mut found: Option<f64> = None;
+    for stretch in samples.chunk_by(|a, b| still(a) == still(b)) {
+        if stretch.len() > 2 && still(&stretch[0]) {
+            let start = (f64::INFINITY, f64::NEG_INFINITY);
+            let (low, high) = stretch.iter().fold(start, |(low, high), sample| {
+                (low.min(sample.delta), high.max(sample.delta))
+            });
+            let half = 0.5 * (high - low);
+            found = Some(found.map_or(half, |other| other.max(half)));
+        }
+    }
+    found
+}
+
+/// Ratio of neighbouring speeds tried in the search for lift-off.
+const STEP: f64 = 1.2;
+/// Most speeds tried upwards and downwards.
+const MOST_STEPS: usize = 16;
+/// Relative width to which lift-off is found.
+const WIDTH: f64 = 1e-3;
+/// More halvings than that width ever takes.
+const HALVINGS: u32 = 100;
+
+/// The speed at which a pair begins to open, near `start` > 0: from there in
+/// steps of 20 % down to the first speed at which it stays closed, or up to
+/// the first at which it opens, then bisection. `opens` is asked for single speeds.
+///
+/// Elastic mechanisms may close again beyond; what is found is one edge, the
+/// nearest to `start`.
+///
+/// # Errors
+/// The first error of `opens`.
+pub fn lift_off<E>(
+    start: f64,
+    mut opens: impl FnMut(f64) -> Result<bool, E>,
+) -> Result<LiftOff, E> {
+    let begin = opens(start)?;
+    let factor = if begin { 1.0 / STEP } else { STEP };
+    let (mut near, mut far) = (start, start);
+    let mut found = false;
+    for _ in 0..MOST_STEPS {
+        far = near * factor;
+        if opens(far)? != begin {
+            found = true;
+            break;
+        }
+        near = far;
+    }
+    if !found {
+        return Ok(match begin {
+            true => LiftOff::Below(far),
+            false => LiftOff::Above(far),
+        });
+    }
+    let ends = if begin { [far, near] } else { [near, far] };
+    let mut error = None;
+    let found = try_bisect(ends, HALVINGS, WIDTH, |speed| match opens(speed) {
+        Ok(opens) => Some(!opens),
+        Err(first) => {
+            error = Some(first);
+            None
+        }
+    });
+    match (found, error) {
+        (_, Some(error)) => Err(error),
+        (Ok(ends) | Err(ends), None) => Ok(LiftOff::At(middle(ends))),
+    }
+}
+
+/// What laws are ranked by.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Figure {
+    /// C_v.
+    Speed,
+    /// C_a.
+    Acceleration,
+    /// C_j.
+    Jerk,
+    /// C_m.
+    Torque,
+    /// Residual vibration.
+    Residual,
+    /// Greatest |δ|.
+    Deviation,
+    /// Greatest contact force.
+    ContactForce,
+    /// Greatest torque asked of the driver.
+    DriverTorque,
+    /// Lift-off speed: the higher the better.
+    LiftOff,
+}
+
+impl Figure {
+    /// All of them: first the constants, then the response.
+    pub const ALL: [Self; 9] = [
+        Self::Speed,
+        Self::Acceleration,
+        Self::Jerk,
+        Self::Torque,
+        Self::Residual,
+        Self::Deviation,
+        Self::ContactForce,
+        Self::DriverTorque,
+        Self::LiftOff,
+    ];
+
+    /// Its name in tables and arguments.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Speed => "C_v",
+            Self::Acceleration => "C_a",
+            Self::Jerk => "C_j",
+            Self::Torque => "C_m",
+            Self::Residual => "residual",
+            Self::Deviation => "deviation",
+            Self::ContactForce => "contact_force",
+            Self::DriverTorque => "driver_torque",
+            Self::LiftOff => "lift_off",
+        }
+    }
+
+    /// True of the law's own constants.
+    pub fn is_constant(self) -> bool {
+        matches!(
+            self,
+            Self::Speed | Self::Acceleration | Self::Jerk | Self::Torque
+        )
+    }
+
+    /// Its value for a law; `None`: it has none.
+    pub fn of(self, law: &ComparedLaw) -> Option<f64> {
+        let (constants, response) = (&law.constants, &law.response);
+        match self {
+            Self::Speed => Some(constants.speed.value),
+            Self::Acceleration => {
+                let least = -constants.deceleration.value;
+                Some(constants.acceleration.value.max(least))
+            }
+            Self::Jerk => Some(constants.jerk.value),
+            Self::Torque => Some(constants.torque_factor),
+            Self::Residual => response.residual,
+            Self::Deviation => Some(response.deviation),
+            Self::ContactForce => Some(response.contact_force),
+            Self::DriverTorque => Some(response.driver_torque),
+            Self::LiftOff => match response.lift_off? {
+                LiftOff::At(speed) | LiftOff::Above(speed) | LiftOff::Below(speed) => Some(speed),
+            },
+        }
+    }
+
+    /// Places of the laws by this figure, 1 the best, equal values (to 1e-9)
+    /// sharing one; `None` where a law has no value.
+    pub fn ranks(self, laws: &[ComparedLaw]) -> Vec<Option<usize>> {
+        let sign = if self == Self::LiftOff { -1.0 } else { 1.0 };
+        let values: Vec<Option<f64>> = laws
+            .iter()
+            .map(|law| self.of(law).map(|value| sign * value))
+            .collect();
+        let better = |one: f64, than: f64| one < than - 1e-9 * than.abs();
+        let place = |value: f64| {
+            let known = values.iter().flatten();
+            1 + known.filter(|&&other| better(other, value)).count()
+        };
+        values.iter().map(|value| value.map(place)).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{ComparedLaw, Figure, LawResponse, LiftOff, Sample, lift_off, residual};
+    use crate::kinematics::motion::{Law, LawName};
+    use crate::math::jet::Jet;
+
+    #[test]
+    fn lift_off_is_found_above_and_below_and_its_limits_are_said() {
+        let edge = 52.3;
+        for start in [10.0, 52.0, 300.0] {
+            let found = lift_off(start, |speed| Ok::<bool, ()>(speed > edge)).unwrap();
+            let LiftOff::At(speed) = found else {
+                panic!("{found:?}");
+            };
+            assert!((speed / edge - 1.0).abs() < 1e-3, "{speed}");
+        }
+        let never = lift_off(1.0, |_| Ok::<bool, ()>(false)).unwrap();
+        assert!(matches!(never, LiftOff::Above(speed) if speed > 15.0));
+        let always = lift_off(1.0, |_| Ok::<bool, ()>(true)).unwrap();
+        assert!(matches!(always, LiftOff::Below(speed) if speed < 0.1));
+        assert_eq!(lift_off(1.0, |_| Err("stopped")), Err("stopped"));
+    }
+
+    #[test]
+    fn residual_vibration_is_half_the_range_in_the_worst_dwell() {
+        let sample = |first: f64, delta: f64| Sample {
+            jet: Jet {
+                first,
+                ..Jet::default()
+            },
+            delta,
+            reaction: 0.0,
+        };
+        let mut samples = vec![sample(1.0, 9.0)];
+        samples.extend([1.0, 3.0, 2.0].map(|delta| sample(0.0, delta)));
+        samples.push(sample(1.0, -9.0));
+        samples.extend([-1.0, 4.0, 2.0].map(|delta| sample(0.0, delta)));
+        assert_eq!(residual(&samples), Some(2.5));
+        assert_eq!(residual(&samples[..1]), None);
+    }
+
+    #[test]
+    fn ranks_share_places_and_lift_off_is_better_the_higher() {
+        let law = |name: LawName, force: f64, speed: f64| ComparedLaw {
+            name: name.name().to_owned(),
+            constants: Law::of_stroke(&name.into()).unwrap().constants(),
+            response: LawResponse {
+                contact_force: force,
+                lift_off: Some(LiftOff::At(speed)),
+                ..LawResponse::default()
+            },
+        };
+        let laws = [
+            law(LawName::Parabolic, 3.0, 10.0),
+            law(LawName::Cycloidal, 2.0, 20.0),
+            law(LawName::ModifiedTrapezoid, 2.0, 15.0),
+        ];
+        let places =
+            |figure: Figure| -> Vec<usize> { figure.ranks(&laws).into_iter().flatten().collect() };
+        assert_eq!(places(Figure::Acceleration), [1, 3, 2]);
+        assert_eq!(places(Figure::Speed), [1, 1, 1]);
+        assert_eq!(places(Figure::ContactForce), [3, 1, 1]);
+        assert_eq!(places(Figure::LiftOff), [3, 1, 2]);
+        assert!(places(Figure::Residual).is_empty());
+    }
+}

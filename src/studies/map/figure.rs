@@ -1,0 +1,213 @@
+//! The figure that a map shows.
+
+use crate::dynamics::model::{Closure, Model, ObjectPart, owner_of};
+use crate::dynamics::record::{AddressError, Figures, ObjectFigures};
+use crate::exact::Asked;
+use crate::fault::Fault;
+use crate::studies::RunSettings;
+use crate::studies::document::{blank, document, summary};
+use crate::studies::run::Motion;
+
+/// The figure of a map when none is asked for: the greatest |δ| of the last elastic
+/// object, drivers before what they drive; `None` when nothing is elastic.
+pub(super) fn default_figure(model: &Model, order: &[String]) -> Option<String> {
+    let elastic = |id: &&String| {
+        let part = model.objects.iter().find(|part| part.id == **id);
+        part.is_some_and(|part| !part.links.is_empty())
+    };
+    let last = order.iter().rev().find(elastic)?;
+    Some(format!("{last}.delta_abs"))
+}
+
+/// Why there is no figure to begin with, and which there are in every cell: those
+/// of an object's whole motion, which rigid objects and drives have as well.
+pub(super) fn nothing_elastic(model: &Model) -> String {
+    let driven = model.objects.iter().rev().find(|part| !part.is_drive());
+    let id = driven.or(model.objects.last());
+    let id = id.map_or("object", |part| part.id.as_str());
+    let all = ["peak_speed", "peak_acceleration", "peak_reaction"];
+    let all = all.map(|name| format!("{id}.{name}")).join(", ");
+    format!(
+        "nothing in this scene is elastic at the corners and in the middle of the map, so that \
+         there is no δ to map; name a figure with --figure, every cell has for example {all}"
+    )
+}
+
+/// Checks that a run of a model has a figure.
+pub(super) fn check_figure(figure: &str, model: &Model) -> Result<(), Fault> {
+    let Err(AddressError::Unknown { close }) = blank(model).value(figure) else {
+        return Ok(());
+    };
+    // How many switches there will be is not known before a run.
+    if figure.contains(".pair.switch_times.") {
+        return Ok(());
+    }
+    let hint = match close.is_empty() {
+        true => String::new(),
+        false => format!("did you mean {}?", close.join(" or ")),
+    };
+    Err(Fault::new(
+        "",
+        format!("there is no figure `{figure}`"),
+        hint,
+    ))
+}
+
+/// A figure of an object by its name, where it is a number in every run.
+fn of_object(figures: &ObjectFigures, name: &str) -> Option<f64> {
+    let pair = figures.pair.as_ref();
+    Some(match name {
+        "delta_abs" => figures.delta_abs,
+        "delta_max" => figures.delta_max,
+        "delta_min" => figures.delta_min,
+        "sigma" => figures.sigma,
+        "peak_speed" => figures.peak_speed,
+        "peak_acceleration" => figures.peak_acceleration,
+        "peak_reaction" => figures.peak_reaction,
+        "final.displacement" => figures.end.displacement,
+        "final.speed" => figures.end.speed,
+        "pair.separations" => pair?.separations as f64,
+        "pair.closures" => pair?.closures as f64,
+        "pair.separated_time" => pair?.separated_time,
+        "pair.longest_separation" => pair?.longest_separation,
+        "pair.max_lift" => pair?.max_lift,
+        "pair.max_approach_speed" => pair?.max_approach_speed,
+        "pair.max_contact_force" => pair?.max_contact_force,
+        _ => return None,
+    })
+}
+
+/// The object of a figure (index in the model), if it is elastic, with what a run has to
+/// find for the figure and its scale (extremes of δ in any case); `None` where a run has
+/// to find everything: for other figures, or with rigid pairs, whose margins a mechanism
+/// is judged by.
+pub(super) fn wanted(figure: &str, model: &Model) -> Option<(usize, Asked)> {
+    let (object, name) = parts(figure, model)?;
+    let margins = |part: &ObjectPart| {
+        let pair = part.rigid_pair;
+        pair.is_some_and(|pair| pair.closure == Closure::Force)
+    };
+    if model.objects[object].links.is_empty() || model.objects.iter().any(margins) {
+        return None;
+    }
+    let known = ObjectFigures {
+        pair: Some(Default::default()),
+        ..ObjectFigures::default()
+    };
+    of_object(&known, name)?;
+    let mut asked = Asked::DEVIATION;
+    match name {
+        "sigma" => asked.mean = true,
+        "peak_speed" | "final.speed" => asked.speed = true,
+        "peak_acceleration" => asked.acceleration = true,
+        "peak_reaction" | "pair.max_contact_force" => asked.force = true,
+        "pair.max_lift" => asked.lift = true,
+        _ => {}
+    }
+    Some((object, asked))
+}
+
+/// Object (index in the model) and name of a figure.
+fn parts<'f>(figure: &'f str, model: &Model) -> Option<(usize, &'f str)> {
+    let (id, name) = owner_of(figure, |id| model.objects.iter().any(|part| part.id == id));
+    let object = model.objects.iter().position(|part| part.id == id)?;
+    Some((object, name))
+}
+
+/// What a difference in a figure is measured against: see [`Figures::scale`].
+pub(super) fn scale(figure: &str, model: &Model, settings: &RunSettings, found: &Motion) -> f64 {
+    let own = parts(figure, model);
+    let own = own.and_then(|(object, name)| {
+        scale_of_object(&found.recorded.figures[object], name, found.outcome.time)
+    });
+    own.unwrap_or_else(|| whole(model, settings, found).scale(figure))
+}
+
+/// The same of a figure that [`of_object`] knows; `time` is that of the run (s).
+fn scale_of_object(figures: &ObjectFigures, name: &str, time: f64) -> Option<f64> {
+    let own = of_object(figures, name)?;
+    let delta = figures.delta_abs;
+    Some(match name {
+        "delta_abs" | "delta_max" | "delta_min" | "sigma" | "pair.max_lift" => delta,
+        "final.displacement" if delta > 0.0 => delta,
+        "final.speed" => figures.peak_speed,
+        "pair.separations" | "pair.closures" => 1.0,
+        "pair.separated_time" | "pair.longest_separation" => time,
+        _ => own.abs(),
+    })
+}
+
+/// The value of a figure; `None` when it has none in this run.
+pub(super) fn read(
+    figure: &str,
+    model: &Model,
+    settings: &RunSettings,
+    found: &Motion,
+) -> Option<f64> {
+    let own = parts(figure, model);
+    let own = own.and_then(|(object, name)| of_object(&found.recorded.figures[object], name));
+    // (Most figures need no document to be read.)
+    own.or_else(|| whole(model, settings, found).value(figure).ok())
+}
+
+/// The document of a run.
+fn whole(model: &Model, settings: &RunSettings, found: &Motion) -> Figures {
+    let (outcome, recorded) = (&found.outcome, &found.recorded);
+    let window = found.window.clone();
+    let run = summary(settings, outcome, &found.choice, recorded, window);
+    document(model, settings, &recorded.figures, run, &[])
+}
+
+/// SI unit of a figure; empty for counts and answers.
+pub(super) fn unit(figure: &str, model: &Model) -> String {
+    blank(model).unit(figure)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{of_object, scale_of_object};
+    use crate::dynamics::record::{FinalState, PairFigures};
+    use crate::studies::testing::result_with;
+
+    #[test]
+    fn figures_read_without_a_document_are_those_of_the_document() {
+        let figures = result_with(|rocker| {
+            rocker.delta_abs = 2.0;
+            rocker.delta_max = 1.0;
+            rocker.delta_min = -2.0;
+            rocker.sigma = 3.0;
+            rocker.peak_speed = 4.0;
+            rocker.peak_acceleration = 5.0;
+            rocker.peak_reaction = 6.0;
+            rocker.end = FinalState {
+                displacement: 7.0,
+                speed: 8.0,
+            };
+            rocker.pair = Some(PairFigures {
+                separations: 9,
+                closures: 10,
+                separated_time: 11.0,
+                longest_separation: 12.0,
+                max_lift: 13.0,
+                max_approach_speed: 14.0,
+                max_contact_force: 15.0,
+                ..PairFigures::default()
+            });
+        })
+        .figures;
+        let rocker = &figures.objects["rocker"];
+        let mut known = 0;
+        for (address, value) in figures.addresses() {
+            let name = address.split_once('.').unwrap().1;
+            let Some(own) = of_object(rocker, name).filter(|_| address.starts_with("rocker"))
+            else {
+                continue;
+            };
+            known += 1;
+            assert_eq!(Some(own), value, "{address}");
+            let scale = scale_of_object(rocker, name, figures.run.time);
+            assert_eq!(scale, Some(figures.scale(&address)), "{address}");
+        }
+        assert_eq!(known, 16);
+    }
+}

@@ -1,0 +1,357 @@
+//! What is asked: a scene, axes, panels and a figure, checked before any run.
+
+use super::figure::{check_figure, default_figure, nothing_elastic, unit};
+use super::panels::Panels;
+use crate::dynamics::system::System;
+use crate::frontend::diagnostics::Diagnostics;
+use crate::frontend::lower::lower;
+use crate::frontend::scene::{Catalogue, Document, Overrides, Reading, Variation};
+use crate::studies::RunSettings;
+use crate::studies::axis::Axis;
+use serde_json::json;
+use sha2::{Digest, Sha256};
+use std::fmt::Write as _;
+
+/// Most cells of a study, all panels together.
+pub const MOST_CELLS: usize = 1_000_000;
+
+/// Cells of a row when there is one axis only.
+const STRETCH: usize = 8;
+
+/// What is asked of a scene.
+#[derive(Clone, Debug)]
+pub struct Question {
+    /// Settings made before everything else.
+    pub overrides: Vec<String>,
+    /// The parameter along the map.
+    pub x: Axis,
+    /// The parameter up the map; `None`: a curve.
+    pub y: Option<Axis>,
+    /// The maps.
+    pub panels: Panels,
+    /// Address of the figure; `None`: the greatest |δ| of the last elastic object.
+    pub figure: Option<String>,
+    /// True: every cell is run a second time with its loads changed by one part
+    /// in 10¹⁰, to see whether its figure is determined.
+    pub check_determined: bool,
+    /// Digits to which a figure is to be known, so as to count as determined.
+    pub digits: u8,
+}
+
+/// A question about a scene, found to make sense.
+pub struct Study<'a> {
+    document: &'a Document,
+    /// The document without what cells do not need.
+    bare: Document,
+    catalogue: &'a (dyn Catalogue + Sync),
+    overrides: Vec<String>,
+    x_values: Vec<f64>,
+    y_values: Vec<f64>,
+    /// Name of the scene.
+    pub scene: String,
+    /// The parameter along the map.
+    pub x: Axis,
+    /// The parameter up the map; `None`: a curve.
+    pub y: Option<Axis>,
+    /// The maps.
+    pub panels: Panels,
+    /// Address of the figure.
+    pub figure: String,
+    /// Its SI unit; empty for counts and answers.
+    pub unit: String,
+    /// Units in which the x and the y parameter are written: those of the axes,
+    /// else the SI unit where it is known, else empty.
+    pub parameter_units: [String; 2],
+    /// See [`Question::check_determined`].
+    pub check_determined: bool,
+    /// See [`Question::digits`].
+    pub digits: u8,
+    /// SHA-256 (hex) of everything that the results depend on: version of the
+    /// program, text of the scene, what its `from` copies, and the question.
+    pub hash: String,
+}
+
+/// Why a question makes no sense.
+#[derive(Debug)]
+pub enum StudyFault {
+    /// The scene is wrong, at every point of a map that was tried.
+    Scene(Box<Diagnostics>),
+    /// The question is wrong.
+    Question(String),
+}
+
+impl<'a> Study<'a> {
+    /// Checks a question: a panel must be a mechanism at one of its corners or
+    /// in its middle, and the figure must exist. Points inside may still be
+    /// refused, each by itself.
+    ///
+    /// # Errors
+    /// A scene that is wrong at all those points, a figure that does not
+    /// exist, a parameter on both axes, too many cells.
+    pub fn new(
+        document: &'a Document,
+        catalogue: &'a (dyn Catalogue + Sync),
+        question: Question,
+    ) -> Result<Self, StudyFault> {
+        check(&question).map_err(StudyFault::Question)?;
+        let mut study = Self {
+            document,
+            bare: document.bare(),
+            catalogue,
+            overrides: question.overrides,
+            x_values: question.x.values(),
+            y_values: question.y.as_ref().map(Axis::values).unwrap_or_default(),
+            scene: String::new(),
+            x: question.x,
+            y: question.y,
+            panels: question.panels,
+            figure: question.figure.unwrap_or_default(),
+            unit: String::new(),
+            parameter_units: Default::default(),
+            check_determined: question.check_determined,
+            digits: question.digits,
+            hash: String::new(),
+        };
+        let mut hashes = Vec::new();
+        for panel in 0..study.panels.panels.len() {
+            let (reading, system) = study.probe(panel)?;
+            if study.figure.is_empty() {
+                study.figure = study.default_figure(panel, &reading, &system)?;
+            }
+            study.check_figure(&system)?;
+            study.scene.clone_from(&reading.scene.name);
+            hashes.push(reading.scene.hash);
+        }
+        study.hash = study.digest(&hashes);
+        Ok(study)
+    }
+
+    /// Cells of a panel that are tried beforehand: its corners and its middle.
+    fn points(&self) -> [usize; 5] {
+        let (columns, rows) = (self.columns(), self.cells_in_panel() / self.columns());
+        let (last, top) = (columns - 1, rows - 1);
+        let points = [
+            (0, 0),
+            (last, top),
+            (last, 0),
+            (0, top),
+            (last / 2, top / 2),
+        ];
+        points.map(|(column, row)| row * columns + column)
+    }
+
+    /// The first of a panel's corners and its middle that is a mechanism.
+    fn probe(&self, panel: usize) -> Result<(Reading, System), StudyFault> {
+        let mut first = None;
+        for cell in self.points() {
+            match self.try_cell(panel, cell) {
+                Ok(found) => return Ok(found),
+                Err(diagnostics) => first = first.or(Some(diagnostics)),
+            }
+        }
+        Err(StudyFault::Scene(Box::new(first.unwrap_or_default())))
+    }
+
+    /// δ_max of the last elastic object, at the first of a panel's points where
+    /// something is elastic: the number of masses may be on an axis, from 0 on.
+    fn default_figure(
+        &self,
+        panel: usize,
+        reading: &Reading,
+        system: &System,
+    ) -> Result<String, StudyFault> {
+        let of = |reading: &Reading, system: &System| {
+            default_figure(system.model(), &reading.scene.order())
+        };
+        if let Some(found) = of(reading, system) {
+            return Ok(found);
+        }
+        let others = self.points().into_iter();
+        let mut others = others.filter_map(|cell| self.try_cell(panel, cell).ok());
+        others
+            .find_map(|(reading, system)| of(&reading, &system))
+            .ok_or_else(|| StudyFault::Question(nothing_elastic(system.model())))
+    }
+
+    fn try_cell(&self, panel: usize, cell: usize) -> Result<(Reading, System), Diagnostics> {
+        let settings = self.settings(panel, cell);
+        let all = self.overrides.iter().cloned().chain(settings);
+        let reading = self.document.scene(self.catalogue, &Overrides::new(all))?;
+        let diagnose = |faults: Vec<crate::fault::Fault>| reading.places.diagnose(&faults);
+        let model = lower(&reading.scene).map_err(diagnose)?;
+        let system = System::new(model).map_err(diagnose)?;
+        RunSettings::of(&reading.scene).map_err(|fault| diagnose(vec![fault]))?;
+        Ok((reading, system))
+    }
+
+    fn check_figure(&mut self, system: &System) -> Result<(), StudyFault> {
+        let model = system.model();
+        check_figure(&self.figure, model).map_err(|fault| {
+            let hint = match fault.hint.is_empty() {
+                true => "write object.figure, for example rocker.delta_abs",
+                false => fault.hint.as_str(),
+            };
+            StudyFault::Question(format!("{}; {hint}", fault.message))
+        })?;
+        self.unit = unit(&self.figure, model);
+        let written = |axis: &Axis| axis.shown_unit(model);
+        self.parameter_units = [
+            written(&self.x),
+            self.y.as_ref().map(written).unwrap_or_default(),
+        ];
+        Ok(())
+    }
+
+    fn digest(&self, hashes: &[String]) -> String {
+        let all = json!({
+            "version": env!("CARGO_PKG_VERSION"),
+            "text": self.document.text(),
+            "scenes": hashes,
+            "overrides": self.overrides,
+            "x": self.x,
+            "y": self.y,
+            "panels": self.panels,
+            "figure": self.figure,
+            "check_determined": self.check_determined,
+            "digits": self.digits,
+        });
+        let mut hash = String::new();
+        for byte in Sha256::digest(all.to_string().as_bytes()) {
+            // Writing to a string cannot fail.
+            let _ = write!(hash, "{byte:02x}");
+        }
+        hash
+    }
+
+    /// How far a figure may move, as a share of its scale, and still be known to
+    /// the digits asked for.
+    pub(super) fn precision(&self) -> f64 {
+        10f64.powi(-i32::from(self.digits))
+    }
+
+    /// Decodes a cell's scene.
+    pub(super) fn read(&self, panel: usize, cell: usize) -> Result<Reading, Diagnostics> {
+        let settings = self.settings(panel, cell);
+        let all = self.overrides.iter().cloned().chain(settings);
+        self.bare.scene(self.catalogue, &Overrides::new(all))
+    }
+
+    /// Settings of a cell, counted along the x axis first.
+    pub fn settings(&self, panel: usize, cell: usize) -> Vec<String> {
+        let mut settings = self.panels.panels[panel].settings.clone();
+        settings.extend(self.varied(cell));
+        settings
+    }
+
+    /// Those of them that vary from cell to cell.
+    pub(super) fn varied(&self, cell: usize) -> Vec<String> {
+        let (x, y) = self.place(cell);
+        let second = self.y.as_ref().zip(y);
+        let second = second.map(|(axis, y)| axis.setting(y));
+        std::iter::once(self.x.setting(x)).chain(second).collect()
+    }
+
+    /// A panel's scene with the first settings of what varies.
+    pub(super) fn variation(
+        &self,
+        panel: usize,
+        settings: &[String],
+    ) -> Result<Variation, Diagnostics> {
+        let own = &self.panels.panels[panel].settings;
+        let fixed: Vec<String> = self.overrides.iter().chain(own).cloned().collect();
+        Variation::new(&self.bare, self.catalogue, &fixed, settings)
+    }
+
+    /// Values of the parameters at a cell, in the units of the axes.
+    pub fn place(&self, cell: usize) -> (f64, Option<f64>) {
+        let columns = self.columns();
+        (
+            self.x_values[cell % columns],
+            self.y_values.get(cell / columns).copied(),
+        )
+    }
+
+    /// Cells along the x axis.
+    pub fn columns(&self) -> usize {
+        self.x_values.len()
+    }
+
+    /// Cells of a panel.
+    pub fn cells_in_panel(&self) -> usize {
+        self.columns() * self.y_values.len().max(1)
+    }
+
+    /// Cells of all panels.
+    pub fn cells(&self) -> usize {
+        self.cells_in_panel() * self.panels.panels.len()
+    }
+
+    /// Cells of a row, the unit of work that is finished and kept as a whole.
+    pub fn cells_in_row(&self) -> usize {
+        match self.y {
+            Some(_) => self.columns(),
+            None => STRETCH.min(self.columns()),
+        }
+    }
+
+    /// Rows of a panel.
+    pub fn rows_in_panel(&self) -> usize {
+        self.cells_in_panel().div_ceil(self.cells_in_row())
+    }
+
+    /// Rows of all panels.
+    pub fn rows(&self) -> usize {
+        self.rows_in_panel() * self.panels.panels.len()
+    }
+
+    /// Panel of a row, and its cells in that panel.
+    pub fn row(&self, row: usize) -> (usize, std::ops::Range<usize>) {
+        let (panel, row) = (row / self.rows_in_panel(), row % self.rows_in_panel());
+        let from = row * self.cells_in_row();
+        let to = (from + self.cells_in_row()).min(self.cells_in_panel());
+        (panel, from..to)
+    }
+}
+
+impl std::fmt::Debug for Study<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Study")
+            .field("scene", &self.scene)
+            .field("figure", &self.figure)
+            .field("x", &self.x)
+            .field("y", &self.y)
+            .field("panels", &self.panels)
+            .finish_non_exhaustive()
+    }
+}
+
+fn check(question: &Question) -> Result<(), String> {
+    let rows = question.y.as_ref().map_or(1, |axis| axis.count);
+    let panels = question.panels.panels.len();
+    let cells = question.x.count as u128 * rows as u128 * panels as u128;
+    if cells > MOST_CELLS as u128 {
+        return Err(format!(
+            "{cells} cells are wanted, and at most {MOST_CELLS} are worked out at a time; \
+             take fewer values on the axes"
+        ));
+    }
+    let path = &question.x.path;
+    if question.y.as_ref().is_some_and(|axis| axis.path == *path) {
+        return Err(format!(
+            "`{path}` is on both axes; take another parameter for one of them"
+        ));
+    }
+    let fixed = |setting: &&String| {
+        let own = setting.split('=').next().unwrap_or("").trim();
+        own == path || question.y.as_ref().is_some_and(|axis| axis.path == own)
+    };
+    let mut settings = question
+        .panels
+        .panels
+        .iter()
+        .flat_map(|panel| &panel.settings);
+    match settings.find(fixed) {
+        Some(setting) => Err(format!("the panels set `{setting}`, which is on an axis")),
+        None => Ok(()),
+    }
+}

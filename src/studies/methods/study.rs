@@ -1,0 +1,287 @@
+//! All methods at all their settings.
+
+use super::attempt::{Attempt, Effort, Problem};
+use super::light::tracks;
+use super::limit::{StabilityLimit, too_long};
+use super::line::MethodLine;
+use super::point::Point;
+use super::recommend::{Recommendation, recommend};
+use super::reference::{Distance, Reference, Truth, find};
+use super::setting::{Setting, all_methods, is_fixed_step, ladder};
+use super::stability::{Spectrum, degree, remark};
+use super::verdict::judge;
+use crate::dynamics::integrate::Method;
+use crate::dynamics::system::{InitialState, System};
+use crate::fault::Fault;
+use crate::studies::{Control, RunSettings};
+use serde::Serialize;
+use std::time::Duration;
+
+/// What to try.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Plan {
+    /// Error of δ wanted, relative to max|δ|.
+    pub accuracy: f64,
+    /// The methods.
+    pub methods: Vec<Method>,
+    /// True: errors are taken against `exact` where it applies, even if it is
+    /// not among the methods; false: against one of them only.
+    pub exact_beside: bool,
+    /// Tolerances, the coarsest first.
+    pub tolerances: Vec<f64>,
+    /// Steps of methods of fixed step (s), the longest first; `None`: from just
+    /// beyond the greatest stable step downwards.
+    pub steps: Option<Vec<f64>>,
+    /// Timed runs of a point at most.
+    pub repeats: usize,
+    /// Longest time of a point.
+    pub point_limit: Duration,
+}
+
+impl Plan {
+    /// All methods at tolerances from 1e-3 to 1e-13, five repetitions, at most
+    /// five seconds a point.
+    pub fn new(accuracy: f64) -> Self {
+        Self {
+            accuracy,
+            methods: all_methods(),
+            exact_beside: true,
+            tolerances: (3..=13).map(|digits| 10f64.powi(-digits)).collect(),
+            steps: None,
+            repeats: 5,
+            point_limit: Duration::from_secs(5),
+        }
+    }
+}
+
+/// What is being done, for whoever waits.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Now {
+    /// Points done.
+    pub done: usize,
+    /// Points in all, at most.
+    pub total: usize,
+    /// The method under way.
+    pub method: Method,
+    /// Its setting.
+    pub setting: Setting,
+}
+
+/// Speed against accuracy of all methods on one scene.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Study {
+    /// Version of the document: 1.
+    pub dam: u32,
+    /// Name of the scene.
+    pub scene: String,
+    /// Hash of the canonical scene.
+    pub hash: String,
+    /// Error of δ wanted, relative to max|δ|.
+    pub accuracy: f64,
+    /// False when interrupted: what is there was done until then.
+    pub complete: bool,
+    /// Simulated time (s).
+    pub duration: f64,
+    /// Samples of δ in a run.
+    pub samples: usize,
+    /// Greatest rate |λ| of the system (1/s), all pairs engaged.
+    pub fastest_rate: f64,
+    /// What errors are taken against; null when it cannot be known.
+    pub reference: Option<Reference>,
+    /// Where there is no reference: how far the finest points are apart.
+    pub mutual_distances: Vec<Distance>,
+    /// One entry a method.
+    pub methods: Vec<MethodLine>,
+    /// Which to take.
+    pub recommendation: Recommendation,
+}
+
+/// Tries every method of a plan on a system; `progress` hears of every point.
+///
+/// # Errors
+/// The start cannot be found, or there is nothing to integrate.
+pub fn study(
+    system: &System,
+    settings: &RunSettings,
+    plan: &Plan,
+    control: &Control<'_>,
+    progress: &mut dyn FnMut(&Now),
+) -> Result<Study, Vec<Fault>> {
+    let tracks = tracks(system);
+    let initial = start(system)?;
+    let problem = Problem {
+        system,
+        initial: &initial,
+        tracks: &tracks,
+        settings,
+    };
+    let effort = Effort {
+        repeats: plan.repeats,
+        limit: plan.point_limit,
+        control: *control,
+    };
+    let coordinates = crate::dynamics::integrate::Dynamics::coordinates(system);
+    let spectrum = Spectrum::of(system, coordinates);
+    let beside = beside(&problem, plan, &effort);
+    let (own, complete) = attempts(&problem, plan, &spectrum, &effort, progress);
+    let attempts: Vec<Attempt> = beside.into_iter().chain(own).collect();
+    // What was done before an interrupt is still judged; no limits are measured.
+    let control = match complete {
+        true => *control,
+        false => Control::FREE,
+    };
+    let effort = Effort { control, ..effort };
+    let found = find(&problem, &attempts, &effort);
+    let mut methods = lines(system, plan, &spectrum, &attempts, found.as_ref().ok());
+    if let (Ok(truth), true) = (&found, complete) {
+        measure_limits(&problem, &spectrum, truth, &mut methods, &effort);
+    }
+    let (reference, mutual_distances) = match found {
+        Ok(truth) => (Some(truth.public), Vec::new()),
+        Err(distances) => (None, distances),
+    };
+    Ok(Study {
+        dam: 1,
+        scene: settings.scene.clone(),
+        hash: settings.hash.clone(),
+        accuracy: plan.accuracy,
+        complete,
+        duration: settings.duration,
+        samples: settings.samples,
+        fastest_rate: spectrum.fastest,
+        reference,
+        mutual_distances,
+        recommendation: recommend(&methods, plan.accuracy),
+        methods,
+    })
+}
+
+/// The start of a system that there is something to study in.
+///
+/// # Errors
+/// The same as those of [`study`].
+pub(super) fn start(system: &System) -> Result<InitialState, Vec<Fault>> {
+    match tracks(system).is_empty() {
+        true => Err(vec![nothing_to_choose()]),
+        false => system.initial_state(),
+    }
+}
+
+fn nothing_to_choose() -> Fault {
+    Fault::new(
+        "objects",
+        "nothing in the scene is elastic or driven by a motor: the motion follows from the \
+         drives, and there is no method to choose",
+        "give an object `masses` and a `stiffness`",
+    )
+}
+
+/// The exact motion beside the methods of a plan that does not name it.
+fn beside(problem: &Problem<'_>, plan: &Plan, effort: &Effort<'_>) -> Option<Attempt> {
+    let wanted = plan.exact_beside && !plan.methods.contains(&Method::Exact);
+    wanted.then(|| Attempt::untimed(problem, Method::Exact, Setting::Exact, effort))
+}
+
+/// Runs all points; false: interrupted.
+fn attempts(
+    problem: &Problem<'_>,
+    plan: &Plan,
+    spectrum: &Spectrum,
+    effort: &Effort<'_>,
+    progress: &mut dyn FnMut(&Now),
+) -> (Vec<Attempt>, bool) {
+    let duration = problem.settings.duration;
+    let steps = plan.steps.as_deref();
+    let ladders: Vec<(Method, Vec<Setting>)> = plan
+        .methods
+        .iter()
+        .map(|&method| {
+            (
+                method,
+                ladder(method, &plan.tolerances, steps, spectrum, duration),
+            )
+        })
+        .collect();
+    let total = ladders.iter().map(|(_, ladder)| ladder.len()).sum();
+    let mut attempts = Vec::new();
+    let mut done = 0;
+    for (method, ladder) in ladders {
+        let rungs = ladder.len();
+        for (rung, setting) in ladder.into_iter().enumerate() {
+            progress(&Now {
+                done: done + rung,
+                total,
+                method,
+                setting,
+            });
+            let attempt = Attempt::new(problem, method, setting, effort);
+            if attempt.was_interrupted() || effort.control.is_spent() {
+                return (attempts, false);
+            }
+            let last = attempt.ends_ladder();
+            attempts.push(attempt);
+            if last {
+                break;
+            }
+        }
+        done += rungs;
+    }
+    (attempts, true)
+}
+
+/// Judges all points.
+fn lines(
+    system: &System,
+    plan: &Plan,
+    spectrum: &Spectrum,
+    attempts: &[Attempt],
+    truth: Option<&Truth>,
+) -> Vec<MethodLine> {
+    let line = |&method: &Method| {
+        let bound = spectrum.bound_at(method, plan.accuracy);
+        let stability = match degree(method, plan.accuracy) {
+            Some(degree) => StabilityLimit::of_series(system, bound.as_ref(), degree),
+            None => StabilityLimit::by_theory(bound.as_ref(), remark(method)),
+        };
+        let point = |(index, attempt): (usize, &Attempt)| {
+            let tolerance = attempt.setting.tolerance().unwrap_or(plan.accuracy);
+            let bound = spectrum.bound_at(method, tolerance);
+            let bound = bound.as_ref();
+            let judged = judge(attempt, truth, plan.accuracy, bound);
+            let is_reference = truth.is_some_and(|truth| truth.index == index);
+            Point::new(attempt, judged, truth, bound, is_reference)
+        };
+        let own = attempts.iter().enumerate();
+        MethodLine {
+            method,
+            fixed_step: is_fixed_step(method),
+            stability,
+            points: own
+                .filter(|(_, attempt)| attempt.method == method)
+                .map(point)
+                .collect(),
+        }
+    };
+    let lines = plan.methods.iter().map(line);
+    lines.filter(|line| !line.points.is_empty()).collect()
+}
+
+/// Measures the greatest stable steps of the methods of fixed step.
+fn measure_limits(
+    problem: &Problem<'_>,
+    spectrum: &Spectrum,
+    truth: &Truth,
+    lines: &mut [MethodLine],
+    effort: &Effort<'_>,
+) {
+    for line in lines.iter_mut().filter(|line| line.fixed_step) {
+        let tried: Vec<(f64, bool)> = line
+            .points
+            .iter()
+            .filter_map(|point| Some((point.longest_step?, too_long(point.verdict))))
+            .collect();
+        let bound = spectrum.bound(line.method);
+        let (method, stability) = (line.method, &mut line.stability);
+        stability.measure(problem, method, truth, bound.as_ref(), &tried, effort);
+    }
+}

@@ -1,0 +1,290 @@
+//! Stiffnesses and masses out of proportion to what is beside them, speeds beyond sense.
+
+use super::short;
+use super::way::Way;
+use crate::dynamics::model::{Coordinate, Link, LoadLaw, Model, NodeMotion, ObjectPart};
+
+/// From which factor on a stiffness, reduced to the motion of its neighbours, is
+/// called out of proportion: machines have some hundreds, mm for m makes a thousand
+/// and more. An inertia may be smaller than a flywheel's by more than that.
+const STIFFNESS_OUT_OF_PROPORTION: f64 = 1e4;
+const INERTIA_OUT_OF_PROPORTION: f64 = 1e5;
+
+/// The same between links and masses of one chain, which are pieces of one body.
+const OUT_OF_PROPORTION_WITHIN: f64 = 1e3;
+
+/// The square of an object's own frequency, of that of its motion, below which it
+/// does not follow its law at all.
+const TOO_SOFT: f64 = 1e-3;
+
+/// Speeds of turning (rad/s, some 190 000 rpm) and of sliding (m/s, the speed of
+/// sound) beyond which no mechanism works.
+const FASTEST_TURNING: f64 = 2e4;
+const FASTEST_SLIDING: f64 = 340.0;
+
+/// Objects whose stiffness or inertia differs from that of every neighbour, and
+/// chains with such links or masses; a motor may be taken to turn evenly.
+pub(super) fn out_of_proportion(model: &Model, ways: &[Option<Way>]) -> Vec<String> {
+    let mut found = Vec::new();
+    for (index, part) in model.objects.iter().enumerate() {
+        found.extend(within(model, part));
+        for size in [Size::Stiffness, Size::Inertia] {
+            found.extend(beside_neighbours(model, ways, index, size));
+        }
+    }
+    found
+}
+
+/// The links of an object without the one that its contact element is, or is part of:
+/// that may be of any stiffness.
+fn own_links(part: &ObjectPart) -> impl Iterator<Item = &usize> {
+    let contact = part.contact.map(|contact| contact.link);
+    (part.links.iter()).filter(move |&&link| Some(link) != contact)
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Size {
+    Stiffness,
+    Inertia,
+}
+
+impl Size {
+    /// Stiffness of the links in series, inertia of all masses; `None` where there is none.
+    fn of(self, model: &Model, part: &ObjectPart) -> Option<f64> {
+        let size = match self {
+            Self::Stiffness => {
+                let compliance = |&link: &usize| 1.0 / model.links[link].stiffness;
+                1.0 / own_links(part).map(compliance).sum::<f64>()
+            }
+            Self::Inertia => {
+                let inertia = |&node: &usize| model.nodes[node].inertia;
+                part.nodes.iter().map(inertia).sum()
+            }
+        };
+        (size.is_finite() && size > 0.0).then_some(size)
+    }
+
+    fn out_of_proportion(self) -> f64 {
+        match self {
+            Self::Stiffness => STIFFNESS_OUT_OF_PROPORTION,
+            Self::Inertia => INERTIA_OUT_OF_PROPORTION,
+        }
+    }
+
+    fn name(self) -> &'static str {
+        match self {
+            Self::Stiffness => "stiffness",
+            Self::Inertia => "inertia",
+        }
+    }
+
+    fn unit(self, coordinate: Coordinate) -> &'static str {
+        match (self, coordinate) {
+            (Self::Stiffness, Coordinate::Turning) => "N m/rad",
+            (Self::Stiffness, Coordinate::Sliding) => "N/m",
+            (Self::Inertia, Coordinate::Turning) => "kg m²",
+            (Self::Inertia, Coordinate::Sliding) => "kg",
+        }
+    }
+}
+
+/// A size with the mean square of the speed with which its object moves: their
+/// product is what it amounts to on any coordinate of the mechanism.
+fn reduced(model: &Model, ways: &[Option<Way>], part: &ObjectPart, size: Size) -> Option<f64> {
+    let way = ways[*part.nodes.last()?].as_ref()?;
+    let all = size.of(model, part)? * way.mean_square_speed;
+    (all.is_finite() && all > 0.0).then_some(all)
+}
+
+/// An object that is out of proportion to all its neighbours, and to one side.
+fn beside_neighbours(
+    model: &Model,
+    ways: &[Option<Way>],
+    index: usize,
+    size: Size,
+) -> Option<String> {
+    let part = &model.objects[index];
+    let own = reduced(model, ways, part, size)?;
+    let neighbours = (model.objects.iter().enumerate())
+        .filter(|(other, neighbour)| part.is_driven_by(*other) || neighbour.is_driven_by(index));
+    let ratio = |(_, neighbour)| Some((neighbour, own / reduced(model, ways, neighbour, size)?));
+    let ratios: Vec<(&ObjectPart, f64)> = neighbours.filter_map(ratio).collect();
+    let nearest = ratios.iter().min_by(|a, b| {
+        let distance = |ratio: f64| ratio.ln().abs();
+        distance(a.1).total_cmp(&distance(b.1))
+    })?;
+    let (neighbour, ratio) = *nearest;
+    let one_side = ratios
+        .iter()
+        .all(|(_, other)| (*other > 1.0) == (ratio > 1.0));
+    // Of two neighbours that have none but each other the driven one is named.
+    let other_is_named = ratios.len() == 1
+        && neighbour.is_driven_by(index)
+        && alone_with(model, ways, neighbour, size);
+    if !one_side || other_is_named || ratio.max(1.0 / ratio) < size.out_of_proportion() {
+        return None;
+    }
+    let (times, than) = match ratio > 1.0 {
+        true => (ratio, "times"),
+        false => (1.0 / ratio, "times less than"),
+    };
+    let value = |part: &ObjectPart| {
+        let value = size.of(model, part).map_or_else(String::new, short);
+        format!("{value} {}", size.unit(part.coordinate))
+    };
+    Some(format!(
+        "the {name} of `{id}`, {own}, is 10^{power:.0} {than} that of `{other}` beside it, {theirs}, \
+         both taken on one motion: is one of them in another unit?",
+        name = size.name(),
+        id = part.id,
+        own = value(part),
+        power = times.log10(),
+        other = neighbour.id,
+        theirs = value(neighbour),
+    ))
+}
+
+/// True when an object's only neighbour with that size is its driver.
+fn alone_with(model: &Model, ways: &[Option<Way>], part: &ObjectPart, size: Size) -> bool {
+    let id = &part.id;
+    let mut driven = model.objects.iter().filter(|other| {
+        let driver = other.driver().map(|driver| &model.objects[driver].id);
+        driver == Some(id)
+    });
+    driven.all(|other| reduced(model, ways, other, size).is_none())
+}
+
+/// Links and masses of one chain.
+fn within(model: &Model, part: &ObjectPart) -> Vec<String> {
+    let stiffness = |&link: &usize| {
+        let Link { stiffness, .. } = model.links[link];
+        stiffness
+    };
+    let stiffnesses: Vec<f64> = own_links(part).map(stiffness).collect();
+    let inertia = |&node: &usize| model.nodes[node].inertia;
+    let inertias: Vec<f64> = match part.links.is_empty() {
+        true => Vec::new(),
+        false => part.nodes.iter().map(inertia).collect(),
+    };
+    let mut found = Vec::new();
+    for (what, sizes, unit) in [
+        ("link", stiffnesses, Size::Stiffness.unit(part.coordinate)),
+        ("mass", inertias, Size::Inertia.unit(part.coordinate)),
+    ] {
+        let Some(at) = odd_one(&sizes) else { continue };
+        let beside = if at > 0 { at - 1 } else { at + 1 };
+        found.push(format!(
+            "{what} {} of `{}` has {} {unit} and {what} {} beside it {} {unit}: is one of them in \
+             another unit?",
+            at + 1,
+            part.id,
+            short(sizes[at]),
+            beside + 1,
+            short(sizes[beside]),
+        ));
+    }
+    found
+}
+
+/// The first of a row that differs from both beside it.
+fn odd_one(sizes: &[f64]) -> Option<usize> {
+    let far = |a: f64, b: f64| (a / b).max(b / a) >= OUT_OF_PROPORTION_WITHIN;
+    (0..sizes.len()).find(|&at| {
+        let before = at.checked_sub(1).map(|before| sizes[before]);
+        let after = sizes.get(at + 1).copied();
+        let beside: Vec<f64> = before.into_iter().chain(after).collect();
+        !beside.is_empty() && beside.iter().all(|&other| far(sizes[at], other))
+    })
+}
+
+/// An object whose own vibration is slower by orders of magnitude than the motion
+/// that it is to follow.
+fn too_soft(model: &Model, ways: &[Option<Way>], part: &ObjectPart) -> Option<String> {
+    let way = ways[*part.nodes.last()?].as_ref()?;
+    let stiffness = Size::Stiffness
+        .of(model, part)
+        .filter(|_| !part.links.is_empty())?;
+    let own = stiffness / Size::Inertia.of(model, part)?;
+    let motion = way.mean_square_acceleration / way.mean_square_speed;
+    let soft = motion.is_finite() && own < TOO_SOFT * motion;
+    soft.then(|| {
+        let hertz = |square: f64| short(square.sqrt() / std::f64::consts::TAU);
+        format!(
+            "`{}` does not follow its law: its own vibration of some {} Hz is slower by orders of \
+             magnitude than its motion of some {} Hz; look at its stiffness, {} {}, and inertia, \
+             {} {}",
+            part.id,
+            hertz(own),
+            hertz(motion),
+            short(stiffness),
+            Size::Stiffness.unit(part.coordinate),
+            Size::Inertia
+                .of(model, part)
+                .map_or_else(String::new, short),
+            Size::Inertia.unit(part.coordinate),
+        )
+    })
+}
+
+/// Objects that cannot follow their law at all.
+pub(super) fn unable_to_follow(model: &Model, ways: &[Option<Way>]) -> Vec<String> {
+    let objects = model.objects.iter();
+    objects
+        .filter_map(|part| too_soft(model, ways, part))
+        .collect()
+}
+
+/// Objects that turn or slide faster than anything does.
+pub(super) fn beyond_sense(model: &Model, ways: &[Option<Way>]) -> Vec<String> {
+    let told = |part: &ObjectPart| {
+        let node = *part.nodes.last()?;
+        let speed = match &ways[node] {
+            Some(way) => way.fastest,
+            None => motor_speed(model, node)?,
+        };
+        let (limit, unit) = match part.coordinate {
+            Coordinate::Turning => (FASTEST_TURNING, "rad/s"),
+            Coordinate::Sliding => (FASTEST_SLIDING, "m/s"),
+        };
+        // What merely follows says nothing new: the first on the way is named.
+        let driver = part.driver().map(|driver| &model.objects[driver]);
+        let driver_too = driver.is_some_and(|driver| {
+            driver.coordinate == part.coordinate
+                && driver
+                    .nodes
+                    .last()
+                    .is_some_and(|&node| ways[node].as_ref().is_some_and(|way| way.fastest > limit))
+        });
+        (speed > limit && !driver_too).then(|| {
+            let rpm = match part.coordinate {
+                Coordinate::Turning => {
+                    format!(" ({} rpm)", short(speed * 60.0 / std::f64::consts::TAU))
+                }
+                Coordinate::Sliding => String::new(),
+            };
+            format!(
+                "`{}` reaches {} {unit}{rpm}: no mechanism moves as fast; look at the unit of \
+                 the speed",
+                part.id,
+                short(speed)
+            )
+        })
+    };
+    model.objects.iter().filter_map(told).collect()
+}
+
+/// The greatest speed that a motor's rotor starts with or is made for.
+fn motor_speed(model: &Model, node: usize) -> Option<f64> {
+    let NodeMotion::Rotor { speed, .. } = model.nodes[node].motion else {
+        return None;
+    };
+    let own = model.loads.iter().filter(|load| load.node == node);
+    let made_for = own.map(|load| match load.law {
+        LoadLaw::LinearMotor { no_load_speed, .. } => no_load_speed.abs(),
+        LoadLaw::Kloss {
+            synchronous_speed, ..
+        } => synchronous_speed.abs(),
+        _ => 0.0,
+    });
+    Some(made_for.fold(speed.abs(), f64::max))
+}

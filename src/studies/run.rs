@@ -1,0 +1,299 @@
+//! One run: the motion of a mechanism and its figures.
+
+use super::choice::Choice;
+use super::demand::Demand;
+use super::document::{document, summary, warnings_of};
+use super::exact;
+use super::method::{choose_general, choose_method};
+use super::plausible;
+use super::settings::{Control, RunSettings};
+use super::warning::Warning;
+use crate::dynamics::integrate::{
+    Dynamics, Limits, Method, Outcome, Settings, Sink, Stop, integrate,
+};
+use crate::dynamics::record::{
+    EnergyAudit, Figures, Record, Recorded, Recorder, RecorderSettings, Tee, choose_window,
+    drive_cycle,
+};
+use crate::dynamics::system::{InitialState, System};
+use crate::exact::Asked;
+use crate::fault::Fault;
+
+/// What a run leaves.
+#[derive(Clone, Debug)]
+pub struct RunResult {
+    /// Samples, switches, separations.
+    pub record: Record,
+    /// The figures.
+    pub figures: Figures,
+    /// How it ended.
+    pub outcome: Outcome,
+    /// The method used.
+    pub method: Method,
+    /// The tolerance it was given: with `auto` finer than the one asked for.
+    pub tolerance: f64,
+    /// The energy balance.
+    pub audit: EnergyAudit,
+    /// What the user should know; also, as text, in the figures.
+    pub warnings: Vec<Warning>,
+}
+
+impl RunResult {
+    /// True when the run reached its end.
+    pub fn is_complete(&self) -> bool {
+        self.outcome.stop == Stop::Complete
+    }
+
+    /// False when the numbers themselves are in doubt: the energies do not
+    /// balance, a number was not finite, or the method gave up. A mechanism that
+    /// lifts off or reaches a dead position has perfectly good figures.
+    pub fn is_trusted(&self) -> bool {
+        let gave_up = matches!(
+            self.outcome.stop,
+            Stop::NotFinite { .. }
+                | Stop::StepFloor { .. }
+                | Stop::TooManySwitches { .. }
+                | Stop::TooManySteps { .. }
+                | Stop::Method { .. }
+        );
+        !gave_up && !self.warnings.iter().any(Warning::spoils_figures)
+    }
+}
+
+/// Runs a system from its start and works out its figures. `sinks` listen
+/// beside the recorder.
+///
+/// Where the choice of the method is left to the program and exact propagation
+/// gives up on the way, or its energies do not balance, the run is made anew
+/// by a general method; the sinks then hear of a second start.
+///
+/// # Errors
+/// The start cannot be found: no static balance, a position out of reach, …;
+/// `exact` is asked for and cannot be used.
+pub fn run(
+    system: &System,
+    settings: &RunSettings,
+    control: &Control<'_>,
+    sinks: &mut [&mut dyn Sink],
+) -> Result<RunResult, Vec<Fault>> {
+    let motion = motion(system, settings, Demand::EVERYTHING, control, sinks)?;
+    let Motion {
+        recorded,
+        outcome,
+        choice,
+        window,
+        ..
+    } = motion;
+    let run = summary(settings, &outcome, &choice, &recorded, window);
+    let known_before = system.model().warnings.iter().cloned();
+    let mut warnings: Vec<Warning> = known_before
+        .chain(motion.warnings)
+        .map(Warning::Start)
+        .collect();
+    if outcome.stop == Stop::Complete {
+        let unused = plausible::warnings_after(system.model(), &recorded.record);
+        warnings.extend(unused.into_iter().map(Warning::Meaning));
+    }
+    warnings.extend(warnings_of(system.model(), settings, &recorded, &run));
+    let figures = document(system.model(), settings, &recorded.figures, run, &warnings);
+    Ok(RunResult {
+        record: recorded.record,
+        figures,
+        outcome,
+        method: choice.method,
+        tolerance: choice.tolerance,
+        audit: recorded.audit,
+        warnings,
+    })
+}
+
+/// A motion and what was found of it.
+pub(super) struct Motion {
+    /// Samples, figures, audit.
+    pub(super) recorded: Recorded,
+    /// How it ended.
+    pub(super) outcome: Outcome,
+    /// How it was found.
+    pub(super) choice: Choice,
+    /// The window of steady figures.
+    pub(super) window: Result<[f64; 2], String>,
+    /// What is to be said of its start.
+    pub(super) warnings: Vec<String>,
+    /// Steps of the search for switches over which a pair could not be told from its
+    /// flank.
+    pub(super) grazing: u64,
+}
+
+impl Motion {
+    /// True when it came to its end.
+    pub(super) fn is_complete(&self) -> bool {
+        self.outcome.stop == Stop::Complete
+    }
+
+    /// Why its numbers are not to be had, or in doubt.
+    fn doubt(&self, settings: &RunSettings) -> Option<String> {
+        let audit = &self.recorded.audit;
+        match &self.outcome.stop {
+            Stop::Method { reason, .. } => Some(format!(
+                "exact propagation gave up at t = {} s ({reason})",
+                self.outcome.time
+            )),
+            Stop::NotFinite { what } => Some(format!(
+                "exact propagation met what is no finite number at t = {} s ({what})",
+                self.outcome.time
+            )),
+            Stop::Complete if !(audit.error() <= EnergyAudit::bound(settings.tolerance)) => {
+                Some("the energies of exact propagation do not balance".to_owned())
+            }
+            _ => None,
+        }
+    }
+}
+
+/// Runs a system from its start for what is wanted of its motion; see [`run`].
+///
+/// # Errors
+/// Those of [`run`].
+pub(super) fn motion(
+    system: &System,
+    settings: &RunSettings,
+    demand: Demand<'_>,
+    control: &Control<'_>,
+    sinks: &mut [&mut dyn Sink],
+) -> Result<Motion, Vec<Fault>> {
+    let choice = choose_method(system, settings, &demand)?;
+    let was_exact = choice.parts.is_some();
+    let found = attempt(system, settings, demand.figures, control, sinks, choice)?;
+    match found.doubt(settings) {
+        Some(why) if was_exact && settings.method.is_none() => {
+            let general = choose_general(system, settings, &why);
+            attempt(system, settings, None, control, sinks, general)
+        }
+        _ => Ok(found),
+    }
+}
+
+/// One run by a method.
+fn attempt(
+    system: &System,
+    settings: &RunSettings,
+    figures: Option<&dyn Fn(usize) -> Asked>,
+    control: &Control<'_>,
+    sinks: &mut [&mut dyn Sink],
+    choice: Choice,
+) -> Result<Motion, Vec<Fault>> {
+    let whole = choice.parts.is_some() && choice.rest.is_none();
+    let initial = match whole {
+        true => system.initial_place()?,
+        false => system.initial_state()?,
+    };
+    let window = choose_window(system.model(), settings.duration, settings.window);
+    let light = whole && figures.is_some();
+    let recording = RecorderSettings {
+        duration: settings.duration,
+        samples: if light { 0 } else { settings.samples },
+        switch_rows: settings.switch_rows && !light,
+        masses: settings.masses && !light,
+        closeups: settings.closeups && !light,
+        window: window.as_ref().ok().copied(),
+        long_steps: matches!(choice.method, Method::Taylor | Method::Radau),
+        tolerance: settings.tolerance,
+    };
+    let plan = Settings {
+        method: choice.method,
+        tolerance: choice.tolerance,
+        step: settings.step,
+    };
+    let limits = control.limits(settings);
+    let duration = settings.duration;
+    let found = match (&choice.parts, &choice.rest) {
+        (Some(parts), Some(rest)) => {
+            let own = |initial: &InitialState, sink: &mut dyn Sink| {
+                follow(&rest.system, initial, duration, &plan, &limits, sink)
+            };
+            let (both, sink) = ((parts, rest), &mut Tee(sinks));
+            exact::follow_beside(system, both, &initial, recording, &limits, sink, own)
+        }
+        (Some(parts), None) => {
+            let sink = &mut Tee(sinks);
+            exact::follow(system, parts, &initial, recording, &limits, figures, sink)
+        }
+        (None, _) => {
+            let mut recorder = Recorder::new(system, recording);
+            let mut all: Vec<&mut dyn Sink> = vec![&mut recorder];
+            for sink in sinks.iter_mut() {
+                all.push(*sink);
+            }
+            let sink = &mut Tee(&mut all);
+            let outcome = follow(system, &initial, duration, &plan, &limits, sink);
+            exact::Found {
+                recorded: recorder.finish(),
+                outcome,
+                grazing: 0,
+            }
+        }
+    };
+    let mut recorded = found.recorded;
+    Ok(Motion {
+        outcome: stopped_at_failure(found.outcome, &mut recorded),
+        recorded,
+        choice,
+        window,
+        warnings: initial.warnings,
+        grazing: found.grazing,
+    })
+}
+
+/// A run ends where its forces stop being numbers, though its motion goes on:
+/// of a given motion they are only looked at. A mechanism that stops by itself,
+/// or a method that gave up, has its own reason.
+fn stopped_at_failure(outcome: Outcome, recorded: &mut Recorded) -> Outcome {
+    let Some(failure) = &recorded.failure else {
+        return outcome;
+    };
+    if failure.time == 0.0 && !matches!(outcome.stop, Stop::Physical(_)) {
+        // The motion at the start is known, what it takes is not.
+        for figures in &mut recorded.figures {
+            (figures.peak_acceleration, figures.peak_reaction) = (f64::NAN, f64::NAN);
+        }
+    }
+    match outcome.stop {
+        Stop::Complete
+        | Stop::WallClock { .. }
+        | Stop::Interrupted
+        | Stop::TooManySteps { .. }
+        | Stop::TooManySwitches { .. } => Outcome {
+            time: failure.time,
+            stop: Stop::NotFinite {
+                what: failure.what.clone(),
+            },
+            ..outcome
+        },
+        _ => outcome,
+    }
+}
+
+/// Steps in a turn of the drive where every motion is given: continuous output of
+/// order 6 is then exact to rounding for smooth laws.
+const STEPS_IN_CYCLE: f64 = 256.0;
+/// Steps in such a run at least.
+const STEPS_IN_RUN: f64 = 1024.0;
+
+/// Integrates; follows the drives, finely enough, when there is nothing to integrate.
+fn follow(
+    system: &System,
+    initial: &InitialState,
+    duration: f64,
+    plan: &Settings,
+    limits: &Limits<'_>,
+    sink: &mut dyn Sink,
+) -> Outcome {
+    let mut plan = plan.clone();
+    if system.coordinates() == 0 {
+        let cycle = drive_cycle(system.model()).map_or(f64::INFINITY, |c| c / STEPS_IN_CYCLE);
+        let greatest = cycle.min(duration / STEPS_IN_RUN);
+        plan.step = Some(plan.step.map_or(greatest, |step| step.min(greatest)));
+    }
+    let InitialState { y, modes, .. } = initial;
+    integrate(system, 0.0, duration, y, modes, &plan, limits, sink)
+}

@@ -1,0 +1,212 @@
+//! How far do the figures move under a tiny change of what should not matter?
+
+use super::run::{RunResult, run};
+use super::settings::{Control, RunSettings};
+use crate::dynamics::integrate::Method;
+use crate::dynamics::model::{LinkBase, LoadLaw, Model};
+use crate::dynamics::system::System;
+use crate::fault::Fault;
+use serde::Serialize;
+
+/// Relative change of all loads and gaps.
+pub const CHANGE: f64 = 1e-10;
+
+/// A figure that moves by more than this share of its scale is not determined
+/// to the digits that are printed.
+pub const DETERMINED: f64 = 1e-7;
+
+/// The spread of all figures.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Spread {
+    /// Relative change of loads and gaps in the first repetition.
+    pub change: f64,
+    /// Factor on the tolerance (on the step of a fixed-step method) in the second.
+    pub tolerance_factor: f64,
+    /// One entry a figure, by address.
+    pub figures: Vec<FigureSpread>,
+}
+
+/// The spread of one figure.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct FigureSpread {
+    /// Address.
+    pub figure: String,
+    /// Its value in the run itself.
+    pub value: f64,
+    /// What a difference is measured against (see [`crate::dynamics::record::Figures::scale`]).
+    pub scale: f64,
+    /// How far it moves when loads and gaps change; null: the figure is gone.
+    pub by_loads: Option<f64>,
+    /// How far it moves when the tolerance is halved.
+    pub by_tolerance: Option<f64>,
+    /// True when neither moves it by more than 1e-7 of its scale.
+    pub determined: bool,
+}
+
+impl Spread {
+    /// Figures that are not determined to the printed digits.
+    pub fn undetermined(&self) -> impl Iterator<Item = &FigureSpread> {
+        self.figures.iter().filter(|figure| !figure.determined)
+    }
+}
+
+/// Repeats a run twice, with all loads and gaps changed by one part in 10¹⁰
+/// and with the tolerance halved, by the same method, and reports how far each
+/// figure moves.
+///
+/// # Errors
+/// The changed system cannot be built or started.
+pub fn spread(
+    system: &System,
+    settings: &RunSettings,
+    base: &RunResult,
+    control: &Control<'_>,
+) -> Result<Spread, Vec<Fault>> {
+    let same_method = RunSettings {
+        method: Some(base.method),
+        ..settings.clone()
+    };
+    let mut closer = same_method.clone();
+    if base.method == Method::Rk4 {
+        closer.step = closer.step.map(|step| 0.5 * step);
+    }
+    closer.tolerance *= 0.5;
+    let changed = System::new(changed_loads(system.model().clone(), 1.0 + CHANGE))?;
+    let by_loads = run(&changed, &same_method, control, &mut [])?;
+    let by_tolerance = run(system, &closer, control, &mut [])?;
+    Ok(Spread {
+        change: CHANGE,
+        tolerance_factor: 0.5,
+        figures: differences(base, &by_loads, &by_tolerance),
+    })
+}
+
+fn differences(base: &RunResult, loads: &RunResult, tolerance: &RunResult) -> Vec<FigureSpread> {
+    let others = [loads.figures.addresses(), tolerance.figures.addresses()];
+    base.figures
+        .addresses()
+        .into_iter()
+        .filter(|(figure, _)| is_result(figure))
+        .filter_map(|(figure, value)| {
+            let value = value?;
+            let scale = base.figures.scale(&figure);
+            let [by_loads, by_tolerance] = others
+                .each_ref()
+                .map(|other| Some((other.get(&figure).copied().flatten()? - value).abs()));
+            let small = |moved: Option<f64>| moved.is_some_and(|moved| moved <= DETERMINED * scale);
+            Some(FigureSpread {
+                determined: small(by_loads) && small(by_tolerance),
+                figure,
+                value,
+                scale,
+                by_loads,
+                by_tolerance,
+            })
+        })
+        .collect()
+}
+
+/// Figures of the mechanism, not of the computation.
+pub(super) fn is_result(figure: &str) -> bool {
+    let of_run = figure.starts_with("run.");
+    matches!(figure, "run.time" | "run.switches" | "run.complete")
+        || !(of_run || figure.contains(".switch_times."))
+}
+
+/// The model with all loads and gaps multiplied by `factor`.
+pub(super) fn changed_loads(mut model: Model, factor: f64) -> Model {
+    for load in &mut model.loads {
+        change_load(&mut load.law, factor);
+    }
+    for link in &mut model.links {
+        if let LinkBase::Law { pair } = &mut link.base {
+            pair.gap *= factor;
+        }
+    }
+    model
+}
+
+fn change_load(law: &mut LoadLaw, factor: f64) {
+    match law {
+        LoadLaw::Constant(force) | LoadLaw::Viscous(force) => *force *= factor,
+        LoadLaw::Pieces { pieces, .. } => {
+            for piece in pieces {
+                piece.value *= factor;
+                piece.slope *= factor;
+            }
+        }
+        LoadLaw::Spring { rate, preload } => {
+            *rate *= factor;
+            *preload *= factor;
+        }
+        LoadLaw::Friction { force, .. } => *force *= factor,
+        LoadLaw::Custom { factor: own, .. } => *own *= factor,
+        LoadLaw::LinearMotor { stall_torque, .. } => *stall_torque *= factor,
+        LoadLaw::Kloss {
+            breakdown_torque, ..
+        } => *breakdown_torque *= factor,
+        LoadLaw::SpeedTable(points) => {
+            for (_, torque) in points {
+                *torque *= factor;
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{changed_loads, differences};
+    use crate::dynamics::model::{Load, LoadLaw, Model};
+    use crate::studies::testing::result_with;
+
+    #[test]
+    fn a_figure_that_moves_too_far_either_way_is_marked() {
+        let with = |delta_max: f64, sigma: f64| {
+            result_with(|rocker| {
+                (rocker.delta_max, rocker.delta_abs) = (delta_max, delta_max);
+                rocker.sigma = sigma;
+            })
+        };
+        let base = with(1.0, 0.5);
+        let figures = differences(&base, &with(1.0 + 5e-8, 0.5), &with(1.0, 0.5 + 2e-7));
+        let of = |name: &str| figures.iter().find(|entry| entry.figure == name).unwrap();
+        assert!(of("rocker.delta_max").determined);
+        assert!(!of("rocker.sigma").determined);
+        approx::assert_relative_eq!(
+            of("rocker.sigma").by_tolerance.unwrap(),
+            2e-7,
+            max_relative = 1e-8
+        );
+        assert!(figures.iter().all(|entry| entry.figure != "run.steps"));
+    }
+
+    #[test]
+    fn every_load_is_changed_in_proportion() {
+        let model = Model {
+            loads: vec![
+                Load {
+                    node: 0,
+                    name: "a".to_owned(),
+                    law: LoadLaw::Constant(-600.0),
+                },
+                Load {
+                    node: 0,
+                    name: "b".to_owned(),
+                    law: LoadLaw::Spring {
+                        rate: 4.0,
+                        preload: 8.0,
+                    },
+                },
+            ],
+            ..Model::default()
+        };
+        let changed = changed_loads(model, 1.5);
+        let LoadLaw::Constant(force) = changed.loads[0].law else {
+            panic!("the law stays");
+        };
+        let LoadLaw::Spring { rate, preload } = changed.loads[1].law else {
+            panic!("the law stays");
+        };
+        assert_eq!((force, rate, preload), (-900.0, 6.0, 12.0));
+    }
+}

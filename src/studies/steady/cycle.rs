@@ -1,0 +1,162 @@
+//! After which angle of its drives a machine repeats: its ratios tell.
+
+use crate::dynamics::model::{Load, LoadLaw, Model, NodeIndex, NodeMotion, TrackSource};
+use crate::dynamics::steady::MOST_TURNS;
+use crate::exact::{Course, Rhythm};
+use crate::fault::Fault;
+use crate::kinematics::motion::DriveMotion;
+use crate::kinematics::position::Position;
+use crate::math::fraction::Fraction;
+use std::f64::consts::TAU;
+
+/// How everything goes on while a drive turns evenly: what repeats after which angle,
+/// and what never does.
+#[derive(Debug, Default)]
+pub(super) struct Rhythms {
+    /// Angles after which something repeats (rad).
+    periods: Vec<f64>,
+    /// What goes on without ever coming back.
+    pub(super) growing: Vec<Fault>,
+}
+
+/// The angle, counted in turns of a drive of unit speed, as a course over time.
+fn turning(speed: f64) -> Course {
+    Course::new(&DriveMotion::Constant { speed, angle: 0.0 })
+}
+
+/// Where a node is while the drives turn evenly; deviations of masses from their laws
+/// come and go with what causes them.
+fn courses(model: &Model, drive: Option<NodeIndex>, speed: f64) -> Vec<Option<Course>> {
+    let mut found: Vec<Option<Course>> = Vec::with_capacity(model.nodes.len());
+    for (index, node) in model.nodes.iter().enumerate() {
+        let course = match &node.motion {
+            _ if drive == Some(index) => Some(turning(1.0)),
+            NodeMotion::Prescribed {
+                motion: DriveMotion::Constant { speed: own, .. },
+                ..
+            } if drive.is_none() => Some(turning(own / speed)),
+            NodeMotion::Mass { law } | NodeMotion::Rigid { law } => {
+                let driver = found[law.driver].as_ref();
+                driver.map(|driver| driver.through(&law.position, law.lever))
+            }
+            _ => None,
+        };
+        found.push(course);
+    }
+    found
+}
+
+/// Something that repeats with a period over a node's displacement.
+fn over(course: &Course, period: f64) -> Rhythm {
+    let wave = Position::Sine {
+        amplitude: 1.0,
+        harmonic: TAU / period,
+        phase: 0.0,
+        offset: 0.0,
+    };
+    course.through(&wave, 1.0).rhythm()
+}
+
+/// True when a displacement goes on and on.
+fn grows(rhythm: Rhythm) -> bool {
+    match rhythm {
+        Rhythm::Uniform(advance) | Rhythm::Periodic(_, advance) => advance != 0.0,
+        Rhythm::None => false,
+    }
+}
+
+impl Rhythms {
+    /// Those of everything behind a drive that turns as it likes, `moved` by node.
+    pub(super) fn behind(model: &Model, drive: NodeIndex, moved: &[bool]) -> Self {
+        Self::of(model, &courses(model, Some(drive), 1.0), moved, None)
+    }
+
+    /// Those of everything behind drives of constant speed; the angle is that of a drive
+    /// with `speed` (rad/s, > 0).
+    pub(super) fn of_all(model: &Model, speed: f64) -> Self {
+        let moved = vec![true; model.nodes.len()];
+        Self::of(model, &courses(model, None, speed), &moved, Some(speed))
+    }
+
+    fn of(model: &Model, courses: &[Option<Course>], moved: &[bool], speed: Option<f64>) -> Self {
+        let mut rhythms = Self::default();
+        let known = |node: NodeIndex| courses[node].as_ref().filter(|_| moved[node]);
+        for part in &model.objects {
+            if let Some(course) = known(part.nodes[0]) {
+                rhythms.add(course.rhythm());
+            }
+        }
+        for body in &model.linkages {
+            if let (Some(course), Some(period)) =
+                (known(body.node), body.linkage.range().period.as_ref())
+            {
+                rhythms.add(over(course, period.length));
+            }
+        }
+        for load in model.loads.iter().filter(|load| moved[load.node]) {
+            rhythms.load(model, load, &known, speed);
+        }
+        rhythms
+    }
+
+    fn add(&mut self, rhythm: Rhythm) {
+        if let Rhythm::Periodic(period, _) = rhythm {
+            self.periods.push(period);
+        }
+    }
+
+    fn load<'c>(
+        &mut self,
+        model: &Model,
+        load: &Load,
+        known: &dyn Fn(NodeIndex) -> Option<&'c Course>,
+        speed: Option<f64>,
+    ) {
+        let never = |what: &str, hint: &str| Fault::new(&load.name, what, hint);
+        match &load.law {
+            LoadLaw::Pieces { track, .. } => {
+                let track = &model.tracks[*track];
+                match (track.source, track.breaks.period) {
+                    (TrackSource::Time, Some(period)) => {
+                        self.periods.extend(speed.map(|speed| period * speed));
+                    }
+                    (TrackSource::Node(node), Some(period)) => {
+                        if let Some(course) = known(node) {
+                            self.add(over(course, period));
+                        }
+                    }
+                    (TrackSource::Node(node), None) => {
+                        if known(node).is_some_and(|course| grows(course.rhythm())) {
+                            let what = "a table that does not repeat, over a displacement that \
+                                        grows with every turn: the machine leaves it behind";
+                            self.growing.push(never(what, "a `period`"));
+                        }
+                    }
+                    (TrackSource::Time, None) => {}
+                }
+            }
+            LoadLaw::Spring { rate, .. } if *rate != 0.0 => {
+                if known(load.node).is_some_and(|course| grows(course.rhythm())) {
+                    let what = "a spring on what turns on and on is wound up with every turn";
+                    self.growing.push(never(what, "a spring on what swings"));
+                }
+            }
+            _ => {}
+        }
+    }
+
+    /// The least angle after which everything that is known here repeats, and that is a
+    /// whole multiple of `least` (rad); `None`: there is none up to [`MOST_TURNS`].
+    pub(super) fn cycle(&self, least: f64) -> Option<f64> {
+        let turns = |angle: f64| Fraction::of(angle / TAU);
+        let mut cycle = turns(least)?;
+        for &period in &self.periods {
+            cycle = cycle.common_multiple(turns(period)?)?;
+        }
+        let angle = TAU * cycle.value();
+        match cycle.value() {
+            value if (value * TAU - least).abs() <= 1e-12 * least => Some(least),
+            value => (value <= MOST_TURNS).then_some(angle),
+        }
+    }
+}

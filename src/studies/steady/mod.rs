@@ -1,0 +1,132 @@
+//! The steady motion of a scene.
+//!
+//! Rigid objects behind a motor or a prescribed drive: the energy-mass method
+//! where forces depend on the position alone, the cycle map where a moment
+//! depends on the speed. Elastic objects: the periodic motion, by shooting, over time
+//! behind prescribed drives, over the drive's angle behind a motor.
+
+mod answer;
+pub mod csv;
+mod cycle;
+mod expectations;
+mod machine;
+mod map;
+mod motor;
+mod periodic;
+mod phase;
+mod portrait;
+mod rigid;
+mod shooting;
+mod simulate;
+mod sink;
+
+pub use answer::Forces;
+pub use answer::Simulation;
+pub use answer::{Agreement, RigidAnswer};
+pub use expectations::{check, figure};
+pub use machine::{Machine, constant_speed, drive_of, is_elastic};
+pub use motor::{DriveFigures, DriveRow, StartOf};
+pub use periodic::{LongRun, Multiplier, Orbit, PartMotion, PeriodicAnswer, Stability};
+pub use rigid::{ROWS, by_energy};
+
+use crate::dynamics::model::{Model, Node, NodeMotion};
+use crate::dynamics::system::System;
+use crate::fault::Fault;
+use crate::frontend::scene::SteadySpec;
+use crate::studies::{Control, RunSettings};
+use serde::Serialize;
+
+/// The steady motion of a scene.
+#[derive(Clone, Debug, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Answer {
+    /// Of a machine with rigid objects.
+    Rigid(Box<RigidAnswer>),
+    /// Of elastic objects.
+    Periodic(Box<PeriodicAnswer>),
+}
+
+/// Finds the steady motion that a scene asks for.
+///
+/// # Errors
+/// Every fault of the question, or why there is no steady motion, in words and
+/// numbers.
+pub fn steady_motion(
+    system: &System,
+    settings: &RunSettings,
+    spec: &SteadySpec,
+) -> Result<Answer, Vec<Fault>> {
+    steady_motion_within(system, settings, spec, &Control::default())
+}
+
+/// The same, ended from outside: by a flag, or after a time.
+///
+/// # Errors
+/// As [`steady_motion`]; ended before there was an answer.
+pub fn steady_motion_within(
+    system: &System,
+    settings: &RunSettings,
+    spec: &SteadySpec,
+    control: &Control<'_>,
+) -> Result<Answer, Vec<Fault>> {
+    found(system, settings, spec, control).map_err(|faults| match control.spent() {
+        // What it came to by then is no word on the machine.
+        Some(spent) => {
+            let message = format!("ended before a steady motion was found: {spent}");
+            vec![Fault::new("steady", message, "")]
+        }
+        None => faults,
+    })
+}
+
+fn found(
+    system: &System,
+    settings: &RunSettings,
+    spec: &SteadySpec,
+    control: &Control<'_>,
+) -> Result<Answer, Vec<Fault>> {
+    let model = system.model();
+    let rubs = rubbing(model);
+    if !rubs.is_empty() {
+        return Err(rubs);
+    }
+    // Where every drive is prescribed, all that is elastic moves with them.
+    let is_free = |node: &Node| matches!(node.motion, NodeMotion::Rotor { .. });
+    let is_mass = |node: &Node| matches!(node.motion, NodeMotion::Mass { .. });
+    let elastic = model.nodes.iter().any(is_mass) && !model.nodes.iter().any(is_free);
+    if spec.drive.is_none() && elastic {
+        let answer = periodic::answer(system, settings, spec, control)?;
+        return Ok(Answer::Periodic(Box::new(answer)));
+    }
+    let drive = drive_of(model, spec.drive.as_deref())?;
+    let speed = constant_speed(model, drive);
+    if is_elastic(model, drive) && system.last_coordinate(drive).is_none() {
+        let answer = periodic::answer(system, settings, spec, control)?;
+        return Ok(Answer::Periodic(Box::new(answer)));
+    }
+    if let (true, Some(rotor)) = (is_elastic(model, drive), system.last_coordinate(drive)) {
+        let answer = motor::answer(system, drive, rotor, settings, spec, control)?;
+        return Ok(Answer::Periodic(Box::new(answer)));
+    }
+    let answer = rigid::answer(model, drive, spec, speed, control)?;
+    Ok(Answer::Rigid(Box::new(answer)))
+}
+
+/// The linkages whose friction would act on the motion.
+fn rubbing(model: &Model) -> Vec<Fault> {
+    let bodies = model.linkages.iter();
+    let rubs = bodies.filter(|body| body.friction.as_ref().is_some_and(|k| k.has_friction()));
+    rubs.map(|body| {
+        let id = &model.objects[body.object].id;
+        let message = format!(
+            "the joints of `{id}` have friction, which depends on the reactions: a steady \
+             motion is found of machines without"
+        );
+        let hint = format!(
+            "`--set {id}.joint_friction=false`; `dam run` runs it with its friction, `dam \
+             forces` tells what friction costs over a turn"
+        );
+        Fault::new(format!("{id}.joint_friction"), message, hint)
+    })
+    .collect()
+}

@@ -1,0 +1,346 @@
+//! The periodic motion of an elastic scene behind prescribed drives: shooting.
+
+use super::cycle::Rhythms;
+use super::map::{Map, SystemMap, TreeMap};
+use super::motor::DriveFigures;
+use super::shooting::{Fixed, distance, shoot};
+use crate::dynamics::integrate::Dynamics;
+use crate::dynamics::model::Coordinate;
+use crate::dynamics::record::drive_cycle;
+use crate::dynamics::system::System;
+use crate::exact::Parts;
+use crate::fault::Fault;
+use crate::frontend::scene::SteadySpec;
+use crate::math::order::Total;
+use crate::studies::method::choose_general;
+use crate::studies::{Control, RunSettings};
+use nalgebra::DMatrix;
+use serde::Serialize;
+use std::f64::consts::TAU;
+
+/// The periodic motion of an elastic scene.
+#[derive(Clone, Debug, Serialize)]
+pub struct PeriodicAnswer {
+    /// The angle of the drive after which the machine repeats, by its ratios (rad).
+    pub cycle: f64,
+    /// How long that takes (s).
+    pub turn: f64,
+    /// How the drive turns, where a motor drives.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub drive: Option<DriveFigures>,
+    /// The parts that move independently of each other.
+    pub parts: Vec<PartMotion>,
+    /// State y = [u, u̇] of the whole system at t = 0 of the periodic motion.
+    pub state: Vec<f64>,
+    /// What is in `state`.
+    pub state_names: Vec<String>,
+}
+
+/// The periodic motion of one part.
+#[derive(Clone, Debug, Serialize)]
+pub struct PartMotion {
+    /// Its objects.
+    pub objects: Vec<String>,
+    /// Cycles of the drive in a period.
+    pub periods: usize,
+    /// The period (s).
+    pub period: f64,
+    /// |y(T) − y(0)| relative to the sizes of the state's entries.
+    pub miss: f64,
+    /// Floquet multipliers, the greatest modulus first.
+    pub multipliers: Vec<Multiplier>,
+    /// What becomes of small disturbances.
+    pub stability: Stability,
+    /// Periods followed in finding it.
+    pub iterations: u32,
+    /// How the derivative of the motion was found.
+    pub how: String,
+    /// Unit of the deviations.
+    pub unit: String,
+    /// Deviations from the law over the period: name and (t, value).
+    pub orbit: Vec<Orbit>,
+    /// Whether a long run from the scene's own start settles on it.
+    pub long_run: LongRun,
+}
+
+/// The name of a coordinate and its (t, value) over a period.
+pub type Orbit = (String, Vec<(f64, f64)>);
+
+/// What becomes of small disturbances of a periodic motion.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Stability {
+    /// All die away.
+    Attracts,
+    /// None grows, but some stay: nothing damps them.
+    Neutral,
+    /// Some grow.
+    Repels,
+}
+
+/// Moduli of multipliers this near to 1 are 1.
+const UNIT: f64 = 1e-8;
+
+impl Stability {
+    fn of(multipliers: &[Multiplier]) -> Self {
+        match multipliers
+            .first()
+            .map_or(0.0, |multiplier| multiplier.modulus)
+        {
+            greatest if greatest < 1.0 - UNIT => Self::Attracts,
+            greatest if greatest <= 1.0 + UNIT => Self::Neutral,
+            _ => Self::Repels,
+        }
+    }
+}
+
+/// A Floquet multiplier: what becomes of a small disturbance in a period.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Multiplier {
+    /// Real part.
+    pub re: f64,
+    /// Imaginary part.
+    pub im: f64,
+    /// Modulus.
+    pub modulus: f64,
+}
+
+/// A run of many periods from the scene's start.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct LongRun {
+    /// Turns of the drive.
+    pub turns: usize,
+    /// Distance of its end from the periodic motion, relative to the sizes of
+    /// the state's entries.
+    pub distance: f64,
+    /// True when it has settled on it.
+    pub settles: bool,
+    /// Why it could not be made.
+    pub missing: Option<String>,
+}
+
+/// A long run has settled within this distance.
+const SETTLED: f64 = 1e-6;
+/// Turns of a long run, at least and at most.
+const LONG: [usize; 2] = [50, 1000];
+
+/// Eigenvalues, the greatest modulus first.
+fn multipliers(monodromy: &DMatrix<f64>) -> Vec<Multiplier> {
+    let mut found: Vec<Multiplier> = monodromy
+        .complex_eigenvalues()
+        .iter()
+        .map(|value| Multiplier {
+            re: value.re,
+            im: value.im,
+            modulus: value.re.hypot(value.im),
+        })
+        .collect();
+    found.sort_by_cached_key(|one| [one.modulus, one.im].map(|x| Total(-x)));
+    found
+}
+
+/// A long run from the scene's start, against the periodic motion.
+fn long_run(map: &dyn Map, start: &[f64], fixed: &Fixed, turn: f64, periods: usize) -> LongRun {
+    let slowest = multipliers(&fixed.monodromy)
+        .first()
+        .map_or(0.0, |multiplier| multiplier.modulus);
+    let needed = if slowest > 0.0 && slowest < 1.0 {
+        (1e-13f64.ln() / slowest.ln()).ceil() * periods as f64
+    } else {
+        0.0
+    };
+    let turns = (needed.min(1e6) as usize)
+        .clamp(LONG[0], LONG[1])
+        .div_ceil(periods)
+        * periods;
+    let found = map.apply(start, turns as f64 * turn).and_then(|end| {
+        // It may have settled on the same motion some turns later.
+        let mut state = fixed.state.clone();
+        let mut nearest = f64::INFINITY;
+        for _ in 0..periods {
+            nearest = nearest.min(distance(&end, &state, map.scales()));
+            state = map.apply(&state, turn)?;
+        }
+        Ok(nearest)
+    });
+    match found {
+        Ok(distance) => LongRun {
+            turns,
+            distance,
+            settles: distance <= SETTLED,
+            missing: None,
+        },
+        Err(why) => LongRun {
+            turns,
+            distance: f64::NAN,
+            settles: false,
+            missing: Some(why),
+        },
+    }
+}
+
+/// Points of an orbit.
+pub(super) const ORBIT: usize = 720;
+
+/// Deviations over the period.
+fn orbit(map: &dyn Map, state: &[f64], period: f64, about: &About) -> Result<Vec<Orbit>, String> {
+    let found = map.orbit(state, period, ORBIT)?;
+    let named = about.names.iter().zip(found.columns).enumerate();
+    Ok(named
+        .map(|(index, (name, values))| {
+            let rest = found.times.iter().copied().zip(values);
+            let points = std::iter::once((0.0, state[index])).chain(rest);
+            (name.clone(), points.collect())
+        })
+        .collect())
+}
+
+/// What a part is called.
+pub(super) struct About {
+    objects: Vec<String>,
+    /// Of its coordinates.
+    names: Vec<String>,
+    unit: String,
+}
+
+impl About {
+    /// Of some of a system's objects and coordinates.
+    pub(super) fn new(system: &System, objects: &[usize], coordinates: &[usize]) -> Self {
+        let part = |&object: &usize| &system.model().objects[object];
+        let any = |coordinate: Coordinate| {
+            let mut parts = objects.iter().map(part);
+            parts.any(|part| part.coordinate == coordinate)
+        };
+        let unit = match (any(Coordinate::Turning), any(Coordinate::Sliding)) {
+            (true, true) => "",
+            (false, true) => "m",
+            _ => "rad",
+        };
+        let name = |&index: &usize| system.state_name(index).replace(": displacement", "");
+        Self {
+            objects: objects
+                .iter()
+                .map(|object| part(object).id.clone())
+                .collect(),
+            names: coordinates.iter().map(name).collect(),
+            unit: unit.to_owned(),
+        }
+    }
+
+    /// Of everything elastic, without the coordinate of a drive.
+    pub(super) fn of_all(system: &System, drive: Option<usize>) -> Self {
+        let elastic = |&object: &usize| system.first_coordinate(object).is_some();
+        let objects: Vec<usize> = (0..system.model().objects.len()).filter(elastic).collect();
+        let others = (0..system.coordinates()).filter(|&one| Some(one) != drive);
+        Self::new(system, &objects, &others.collect::<Vec<_>>())
+    }
+}
+
+/// No periodic motion was found.
+pub(super) fn none(why: &str) -> Vec<Fault> {
+    let message = format!("no periodic motion was found: {why}");
+    let hint = "allow more turns of the drive in a period with `periods`";
+    vec![Fault::new("steady", message, hint)]
+}
+
+/// The periodic motion of a part, of as few cycles as possible.
+pub(super) fn part(
+    map: &dyn Map,
+    start: &[f64],
+    turn: f64,
+    most: usize,
+    about: &About,
+) -> Result<(PartMotion, Vec<f64>), String> {
+    let mut reasons = Vec::new();
+    let mut unstable = None;
+    for periods in 1..=most {
+        let period = turn * periods as f64;
+        match shoot(map, start, turn, periods) {
+            Ok(fixed) => {
+                let multipliers = multipliers(&fixed.monodromy);
+                let stability = Stability::of(&multipliers);
+                let motion = PartMotion {
+                    objects: about.objects.clone(),
+                    unit: about.unit.clone(),
+                    orbit: orbit(map, &fixed.state, period, about)?,
+                    periods,
+                    period: map.duration(&fixed.state, period)?,
+                    miss: fixed.miss,
+                    multipliers,
+                    stability,
+                    iterations: fixed.iterations,
+                    how: map.how().to_owned(),
+                    long_run: long_run(map, start, &fixed, turn, periods),
+                };
+                if stability != Stability::Repels {
+                    return Ok((motion, fixed.state));
+                }
+                unstable = unstable.or(Some((motion, fixed.state)));
+            }
+            Err(why) => reasons.push(format!("period {periods}: {why}")),
+        }
+    }
+    unstable.ok_or_else(|| reasons.join("; "))
+}
+
+/// The periodic motion of an elastic scene behind prescribed drives.
+///
+/// # Errors
+/// The drives do not repeat, there is no start, or no periodic motion was found.
+pub(super) fn answer(
+    system: &System,
+    settings: &RunSettings,
+    spec: &SteadySpec,
+    control: &Control<'_>,
+) -> Result<PeriodicAnswer, Vec<Fault>> {
+    let none = |why: String| none(&why);
+    let once = drive_cycle(system.model()).map_err(|why| {
+        let message = format!("the motion of the drives does not repeat: {why}");
+        vec![Fault::new(
+            "steady",
+            message,
+            "a drive with a constant `speed`",
+        )]
+    })?;
+    let rhythms = Rhythms::of_all(system.model(), TAU / once);
+    // Where no common angle is known the one asked for is taken at its word.
+    let cycle = rhythms.cycle(spec.cycle).unwrap_or(spec.cycle);
+    let turn = once * cycle / TAU;
+    let initial = system.initial_state()?;
+    let parts = Parts::of(system);
+    let mut state = initial.y.clone();
+    let mut motions = Vec::new();
+    if parts.is_whole() {
+        for tree in &parts.trees {
+            let (q, v) = tree.own_state(&initial.y);
+            let (masses, start) = (q.len(), [q, v].concat());
+            let map = TreeMap::new(tree, &start, turn, *control).map_err(none)?;
+            let coordinates: Vec<usize> = tree.coordinates().collect();
+            let about = About::new(system, &tree.objects, &coordinates);
+            let (motion, found) = part(&map, &start, turn, spec.periods, &about).map_err(none)?;
+            motions.push(motion);
+            tree.put_state(&found[..masses], &found[masses..], &mut state);
+        }
+    } else {
+        let choice = choose_general(system, settings, "");
+        let map = SystemMap::new(system, choice.method, *control);
+        let about = About::of_all(system, None);
+        let (motion, found) = part(&map, &initial.y, turn, spec.periods, &about).map_err(none)?;
+        motions.push(motion);
+        state = found;
+    }
+    Ok(PeriodicAnswer {
+        cycle,
+        turn,
+        drive: None,
+        parts: motions,
+        state_names: state_names(system),
+        state,
+    })
+}
+
+/// What is in a state.
+pub(super) fn state_names(system: &System) -> Vec<String> {
+    let entries = 0..2 * system.coordinates();
+    entries.map(|index| system.state_name(index)).collect()
+}

@@ -1,0 +1,303 @@
+//! The map of the state over an angle of a drive that turns as its motor and its load
+//! let it: the angle takes the place of time.
+
+use super::map::{Map, Orbit, differences, follow};
+use super::portrait::Portrait;
+use super::sink::Last;
+use crate::budget::Budget;
+use crate::dynamics::integrate::{Dynamics, Method, Modes, Sink, SwitchEvent};
+use crate::dynamics::system::System;
+use crate::math::polynomial::Step;
+use nalgebra::DMatrix;
+use std::cell::Cell;
+
+/// Carries a state from where the drive stands at φ = 0 over an angle. Its state is that
+/// of the system, [u, u̇], without the drive's angle.
+#[derive(Debug)]
+pub(super) struct PhaseMap<'a> {
+    system: &'a System,
+    method: Method,
+    budget: Budget<'a>,
+    /// The drive's coordinate.
+    rotor: usize,
+    scales: Vec<f64>,
+    /// Time for a radian, as it was last (s).
+    pace: Cell<f64>,
+}
+
+/// Where and how a motion passes an angle of the drive.
+#[derive(Clone, Debug)]
+pub(super) struct Arrival {
+    /// Time since the start (s).
+    pub(super) time: f64,
+    /// The state [u, u̇] of the system.
+    y: Vec<f64>,
+}
+
+/// The drive is looked at after so much more than the time it took last.
+const AHEAD: f64 = 1.01;
+/// Looks without arriving, each at least as long as a turn at full speed.
+const LOOKS: u32 = 400;
+/// A drive that gains less than this in a look stands still (rad).
+const STILL: f64 = 1e-9;
+/// Corrections of the time of arrival.
+const CORRECTIONS: u32 = 8;
+
+impl<'a> PhaseMap<'a> {
+    /// The map behind the drive with the coordinate `rotor`.
+    pub(super) fn new(
+        system: &'a System,
+        rotor: usize,
+        method: Method,
+        budget: Budget<'a>,
+    ) -> Self {
+        let mut scales = system.scales().to_vec();
+        let nominal = scales[system.coordinates() + rotor];
+        scales.remove(rotor);
+        Self {
+            system,
+            method,
+            budget,
+            rotor,
+            scales,
+            pace: Cell::new(1.0 / nominal),
+        }
+    }
+
+    /// A speed that the drive has about (rad/s).
+    pub(super) fn nominal(&self) -> f64 {
+        self.scales[self.system.coordinates() - 1 + self.rotor]
+    }
+
+    /// The system's state with the drive at an angle.
+    pub(super) fn whole(&self, state: &[f64], angle: f64) -> Vec<f64> {
+        let mut y = state.to_vec();
+        y.insert(self.rotor, angle);
+        y
+    }
+
+    fn without_angle(&self, mut y: Vec<f64>) -> Vec<f64> {
+        y.remove(self.rotor);
+        y
+    }
+
+    fn integrate(
+        &self,
+        y: &[f64],
+        modes: &Modes,
+        time: f64,
+        sink: &mut dyn Sink,
+    ) -> Result<(), String> {
+        follow(self.system, self.method, self.budget, y, modes, time, sink)
+    }
+
+    /// From a state of the system to where the drive passes `target` (rad).
+    fn arrive(&self, y: &[f64], target: f64) -> Result<Arrival, String> {
+        let start = y[self.rotor];
+        let mut at = y.to_vec();
+        let mut modes = self.system.modes_at_start(y);
+        let mut time = 0.0;
+        for _ in 0..LOOKS {
+            let rest = target - at[self.rotor];
+            if rest <= 0.0 {
+                return Ok(Arrival { time, y: at });
+            }
+            let leg = AHEAD * rest * self.pace.get().max(1.0 / self.nominal());
+            let mut sink = Crossing::new(self.rotor, target);
+            self.integrate(&at, &modes, leg, &mut sink)?;
+            if let Some(caught) = sink.caught {
+                let arrival = self.narrow(caught, target, time)?;
+                self.pace.set(arrival.time / (target - start));
+                return Ok(arrival);
+            }
+            time += leg;
+            let gained = sink.last.y[self.rotor] - at[self.rotor];
+            (at, modes) = (sink.last.y, sink.modes);
+            let speed = at[self.system.coordinates() + self.rotor];
+            if gained < STILL && speed.abs() < STILL * self.nominal() {
+                let place = at[self.rotor];
+                return Err(format!(
+                    "the drive comes to rest at φ = {place:.6} rad: what drives it is too weak \
+                     for what it carries"
+                ));
+            }
+            if gained < 0.0 && speed < 0.0 {
+                return Err("the drive turns backwards".to_owned());
+            }
+            self.pace.set(if speed > 0.0 {
+                1.0 / speed
+            } else {
+                1.0 / self.nominal()
+            });
+        }
+        Err(format!(
+            "the drive does not get from φ = {start:.6} to {target:.6} rad: after {time:.3e} s it \
+             stands at {:.6} rad",
+            at[self.rotor]
+        ))
+    }
+
+    /// The arrival on a step that passes the target: integrated anew from the start of
+    /// the step to just the time that the angle takes.
+    fn narrow(&self, caught: Caught, target: f64, before: f64) -> Result<Arrival, String> {
+        let speed = self.system.coordinates() + self.rotor;
+        let mut length = caught.length;
+        let mut best: Option<(f64, Arrival)> = None;
+        for _ in 0..CORRECTIONS {
+            let mut last = Last::default();
+            if !(length > 0.0) {
+                break;
+            }
+            self.integrate(&caught.y, &caught.modes, length, &mut last)?;
+            let miss = target - last.y[self.rotor];
+            if best
+                .as_ref()
+                .is_some_and(|(least, _)| !(miss.abs() < *least))
+            {
+                break;
+            }
+            let arrival = Arrival {
+                time: before + caught.time + length,
+                y: last.y,
+            };
+            length += miss / arrival.y[speed];
+            best = Some((miss.abs(), arrival));
+            if miss == 0.0 {
+                break;
+            }
+        }
+        let standing = || Arrival {
+            time: before + caught.time,
+            y: caught.y.clone(),
+        };
+        Ok(best.map_or_else(standing, |(_, arrival)| arrival))
+    }
+
+    /// From any state of the system to the next place at which the drive has turned
+    /// through whole cycles (rad); the state there.
+    pub(super) fn to_section(&self, y: &[f64], cycle: f64) -> Result<Vec<f64>, String> {
+        let target = cycle * (y[self.rotor] / cycle).ceil();
+        let arrival = self.arrive(y, target)?;
+        Ok(self.without_angle(arrival.y))
+    }
+
+    /// The motion over an angle, looked at in `count` equal steps of it.
+    pub(super) fn portrait(
+        &self,
+        state: &[f64],
+        angle: f64,
+        count: usize,
+    ) -> Result<Portrait<'a>, String> {
+        let y = self.whole(state, 0.0);
+        let Arrival { time, y: end } = self.arrive(&y, angle)?;
+        let modes = self.system.modes_at_start(&y);
+        let mut portrait = Portrait::new(self.system, self.rotor, angle, count);
+        self.integrate(&y, &modes, time, &mut portrait)?;
+        portrait.finish(time, &end);
+        Ok(portrait)
+    }
+}
+
+impl Map for PhaseMap<'_> {
+    fn apply(&self, state: &[f64], angle: f64) -> Result<Vec<f64>, String> {
+        let arrival = self.arrive(&self.whole(state, 0.0), angle)?;
+        Ok(self.without_angle(arrival.y))
+    }
+
+    fn monodromy(&self, state: &[f64], angle: f64) -> Result<DMatrix<f64>, String> {
+        differences(self, state, angle)
+    }
+
+    fn orbit(&self, state: &[f64], angle: f64, count: usize) -> Result<Orbit, String> {
+        let portrait = self.portrait(state, angle, count)?;
+        let rows = &portrait.rows;
+        let others = (0..self.system.coordinates()).filter(|&one| one != self.rotor);
+        let column = |one: usize| rows.iter().skip(1).map(|row| row.y[one]).collect();
+        Ok(Orbit {
+            times: rows.iter().skip(1).map(|row| row.time).collect(),
+            columns: others.map(column).collect(),
+        })
+    }
+
+    fn duration(&self, state: &[f64], angle: f64) -> Result<f64, String> {
+        Ok(self.arrive(&self.whole(state, 0.0), angle)?.time)
+    }
+
+    fn scales(&self) -> &[f64] {
+        &self.scales
+    }
+
+    fn how(&self) -> &'static str {
+        "central differences of the motion integrated over a cycle of the drive's angle, \
+         extrapolated from two steps"
+    }
+}
+
+/// The start of the step on which the drive passes an angle.
+#[derive(Debug)]
+struct Caught {
+    time: f64,
+    y: Vec<f64>,
+    modes: Modes,
+    /// From there to the angle, about (s).
+    length: f64,
+}
+
+/// Waits for the drive to pass an angle.
+#[derive(Debug)]
+struct Crossing {
+    rotor: usize,
+    target: f64,
+    last: Last,
+    modes: Modes,
+    caught: Option<Caught>,
+}
+
+impl Crossing {
+    fn new(rotor: usize, target: f64) -> Self {
+        Self {
+            rotor,
+            target,
+            last: Last::default(),
+            modes: Modes::default(),
+            caught: None,
+        }
+    }
+}
+
+impl Sink for Crossing {
+    fn start(&mut self, time: f64, y: &[f64], modes: &Modes) {
+        self.last.start(time, y, modes);
+        self.modes = modes.clone();
+    }
+
+    fn step(&mut self, step: &Step<'_>, modes: &Modes) {
+        if self.caught.is_some() {
+            return;
+        }
+        let passes = step.value(self.rotor, step.end).0 >= self.target;
+        let before = passes.then(|| self.last.y.clone());
+        self.last.step(step, modes);
+        if let Some(y) = before {
+            let [from, to] = [y[self.rotor], self.last.y[self.rotor]];
+            let share = (self.target - from) / (to - from);
+            self.caught = Some(Caught {
+                time: step.start,
+                y,
+                modes: modes.clone(),
+                length: share * step.end * step.length,
+            });
+        }
+    }
+
+    fn switch(&mut self, event: &SwitchEvent<'_>) {
+        if self.caught.is_none() {
+            self.last.switch(event);
+            self.modes = event.after.clone();
+        }
+    }
+
+    fn looks_within(&self, _: f64) -> bool {
+        false
+    }
+}

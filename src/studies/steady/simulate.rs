@@ -1,0 +1,92 @@
+//! A simulation in time of what was found: does the machine keep it?
+
+use super::answer::RigidAnswer;
+use super::answer::Simulation;
+use super::machine::freed;
+use super::sink::Last;
+use crate::dynamics::integrate::{Dynamics, Limits, Method, Settings, Stop, integrate};
+use crate::dynamics::model::Model;
+use crate::dynamics::system::System;
+use crate::studies::Control;
+
+/// Cycles at least, and at most.
+const CYCLES: [u32; 2] = [5, 400];
+/// Disturbance of ω(0) where the motion attracts.
+const DISTURBED: f64 = 0.02;
+/// What is left of it at the end.
+const LEFT: f64 = 1e-9;
+const TOLERANCE: f64 = 1e-12;
+
+/// Simulates the scene with the drive freed, a moment and inertia added, for as
+/// many cycles as a disturbance needs to die away.
+///
+/// # Errors
+/// Why there is none, in words.
+pub(super) fn simulate(
+    model: &Model,
+    drive: usize,
+    answer: &RigidAnswer,
+    added: [f64; 2],
+    control: &Control<'_>,
+) -> Result<Simulation, String> {
+    let drives = model.objects.iter().filter(|part| part.is_drive());
+    if drives.count() > 1 {
+        return Err("the scene has other drives".to_owned());
+    }
+    let (cycles, disturbed) = match &answer.regime {
+        Some(regime) if regime.attracts => {
+            let needed = (LEFT.ln() / regime.multiplier.ln()).ceil();
+            if needed > f64::from(CYCLES[1]) {
+                return Err(format!("a disturbance takes {needed} cycles to die away"));
+            }
+            ((needed as u32).max(CYCLES[0]), DISTURBED)
+        }
+        _ => (CYCLES[0], 0.0),
+    };
+    let start = answer.motion.speed(0.0);
+    let model = freed(model, drive, 0.0, start * (1.0 + disturbed), added);
+    let failed = |faults: Vec<crate::fault::Fault>| {
+        faults
+            .first()
+            .map_or_else(String::new, |fault| fault.message.clone())
+    };
+    let system = System::new(model).map_err(failed)?;
+    let initial = system.initial_state().map_err(failed)?;
+    let mut last = Last::default();
+    let settings = Settings {
+        method: Method::Dop853,
+        tolerance: TOLERANCE,
+        step: Some(answer.figures.period / 32.0),
+    };
+    let limits = Limits {
+        switches: 1_000_000,
+        steps: 1_000_000,
+        budget: *control,
+    };
+    // Not at the end of a cycle, where tables like to have their points.
+    let end = (f64::from(cycles) - 0.382) * answer.figures.period;
+    let outcome = integrate(
+        &system,
+        0.0,
+        end,
+        &initial.y,
+        &initial.modes,
+        &settings,
+        &limits,
+        &mut last,
+    );
+    if let (true, Some(spent)) = (outcome.stop.is_from_outside(), control.spent()) {
+        return Err(spent.to_string());
+    }
+    if outcome.stop != Stop::Complete {
+        return Err(format!("it stopped at t = {} s", outcome.time));
+    }
+    let coordinate = system.last_coordinate(drive).unwrap_or(0);
+    let position = last.y[coordinate].rem_euclid(answer.cycle);
+    let speed = last.y[system.coordinates() + coordinate];
+    Ok(Simulation {
+        cycles,
+        disturbed,
+        speed: speed / answer.motion.speed(position) - 1.0,
+    })
+}

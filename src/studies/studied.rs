@@ -1,0 +1,211 @@
+//! Does a linkage have the kinematics and the forces that its scene expects?
+//!
+//! Figures are addressed `kinematics.OBJECT.FIGURE` and `forces.OBJECT.FIGURE`
+//! ([`Kinematics::figure`], [`ForceStudy::figure`]); they are those that `dam
+//! kinematics` and `dam forces` find when nothing further is asked.
+
+use super::expectations::{Verdict, did_you_mean, judged};
+use super::forces::{
+    ForceSettings, ForceStudy, LinkagePositions, course_of, figures, only_loaded_output, study,
+};
+use super::kinematics::{Asked, Kinematics, Question, kinematics, linkage_of};
+use crate::dynamics::model::Model;
+use crate::fault::Fault;
+use crate::frontend::read::closest;
+use crate::frontend::scene::{Expectation, Expected};
+use crate::kinematics::linkage::kinetostatics::Kinetostatics;
+
+pub use super::kinematics::POSITIONS;
+
+/// Address of a figure.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Address<'a> {
+    study: &'static str,
+    object: &'a str,
+    figure: &'a str,
+}
+
+impl<'a> Address<'a> {
+    fn of(figure: &'a str) -> Option<Self> {
+        let studies = ["kinematics", "forces"];
+        let (study, rest) = figure.split_once('.')?;
+        let study = studies.into_iter().find(|known| *known == study)?;
+        let (object, figure) = rest.split_once('.')?;
+        Some(Self {
+            study,
+            object,
+            figure,
+        })
+    }
+}
+
+/// The question that is put when nothing is said but the object.
+fn question(object: &str, duration: f64) -> Question {
+    Question {
+        object: Some(object.to_owned()),
+        over: None,
+        positions: POSITIONS,
+        speed: None,
+        acceleration: None,
+        duration,
+        also: None,
+    }
+}
+
+/// Kinematics of an object as its scene has it.
+///
+/// # Errors
+/// What cannot be answered, in words.
+pub fn kinematics_of(model: &Model, object: &str, duration: f64) -> Result<Kinematics, String> {
+    let asked = Asked::new(model, &question(object, duration))?;
+    Ok(kinematics(&asked))
+}
+
+/// Forces of a linkage as its scene has them.
+///
+/// # Errors
+/// What cannot be answered, in words.
+pub fn forces_of(model: &Model, object: &str, duration: f64) -> Result<ForceStudy, String> {
+    let linkage = &linkage_of(model, Some(object))?.linkage;
+    let asked = Asked::new(model, &question(object, duration))?;
+    let course = course_of(&asked)?;
+    let settings = ForceSettings {
+        output: only_loaded_output(&Kinetostatics::new(linkage.spec()).map_err(in_words)?),
+        ..ForceSettings::default()
+    };
+    let mut positions = LinkagePositions::new(linkage);
+    study(linkage.spec(), &mut positions, course, settings).map_err(in_words)
+}
+
+fn in_words(faults: Vec<Fault>) -> String {
+    let messages: Vec<String> = faults.into_iter().map(|fault| fault.message).collect();
+    messages.join("; ")
+}
+
+/// Judges what is expected of the kinematics that were found, in its order.
+pub fn check_kinematics(expectations: &[Expectation], found: &Kinematics) -> Vec<Verdict> {
+    check(expectations, "kinematics", &found.object, |figure| {
+        found.figure(figure)
+    })
+}
+
+/// Judges what is expected of the forces that were found, in its order.
+pub fn check_forces(
+    expectations: &[Expectation],
+    object: &str,
+    found: &ForceStudy,
+) -> Vec<Verdict> {
+    check(expectations, "forces", object, |figure| {
+        found.figure(figure)
+    })
+}
+
+fn check(
+    expectations: &[Expectation],
+    study: &str,
+    object: &str,
+    figure: impl Fn(&str) -> Option<f64>,
+) -> Vec<Verdict> {
+    let judge = |expectation: &Expectation| {
+        let Expected::Figure {
+            figure: address,
+            value,
+            within,
+        } = &expectation.what
+        else {
+            return None;
+        };
+        let at = Address::of(address)?;
+        (at.study == study && at.object == object).then(|| Verdict {
+            source: expectation.source.clone(),
+            ..judged(address, *value, *within, figure(at.figure))
+        })
+    };
+    expectations.iter().filter_map(judge).collect()
+}
+
+/// Makes the studies that a scene has expectations of, and judges them all.
+///
+/// # Errors
+/// A study cannot be made, in words.
+pub fn check_all(
+    expectations: &[Expectation],
+    model: &Model,
+    duration: f64,
+) -> Result<Vec<Verdict>, String> {
+    let mut verdicts = Vec::new();
+    let mut made: Vec<[&str; 2]> = Vec::new();
+    for expectation in expectations {
+        let Expected::Figure { figure, .. } = &expectation.what else {
+            continue;
+        };
+        let Some(at) = Address::of(figure) else {
+            continue;
+        };
+        if made.contains(&[at.study, at.object]) {
+            continue;
+        }
+        made.push([at.study, at.object]);
+        verdicts.extend(match at.study {
+            "kinematics" => {
+                check_kinematics(expectations, &kinematics_of(model, at.object, duration)?)
+            }
+            _ => {
+                let found = forces_of(model, at.object, duration)?;
+                check_forces(expectations, at.object, &found)
+            }
+        });
+    }
+    Ok(verdicts)
+}
+
+/// Expectations of figures that no study of this model has, without making it.
+pub fn unknown_figures(expectations: &[Expectation], model: &Model) -> Vec<Fault> {
+    let unknown = |(index, expectation): (usize, &Expectation)| {
+        let Expected::Figure { figure, .. } = &expectation.what else {
+            return None;
+        };
+        let at = Address::of(figure)?;
+        let path = format!("expect.{index}.figure");
+        let names = match names(model, at) {
+            Ok(names) => names,
+            Err(reason) => return Some(Fault::new(path, reason, "")),
+        };
+        let of_zone = at.study == "forces" && is_zone(at.figure);
+        if of_zone || names.iter().any(|name| name == at.figure) {
+            return None;
+        }
+        let close = closest(at.figure, names.iter().map(String::as_str));
+        let close = close.map(|name| format!("{}.{}.{name}", at.study, at.object));
+        Some(Fault::new(
+            path,
+            format!("there is no figure `{figure}`"),
+            did_you_mean(close.as_slice()),
+        ))
+    };
+    expectations
+        .iter()
+        .enumerate()
+        .filter_map(unknown)
+        .collect()
+}
+
+/// `zones.3.from`: how many zones there will be is not known beforehand.
+fn is_zone(figure: &str) -> bool {
+    let Some((index, end)) = figure
+        .strip_prefix("zones.")
+        .and_then(|rest| rest.split_once('.'))
+    else {
+        return false;
+    };
+    index.parse::<usize>().is_ok() && ["from", "to"].contains(&end)
+}
+
+fn names(model: &Model, at: Address<'_>) -> Result<Vec<String>, String> {
+    if at.study == "forces" {
+        let spec = linkage_of(model, Some(at.object))?.linkage.spec();
+        let solver = Kinetostatics::new(spec).map_err(in_words)?;
+        return Ok(figures(spec, only_loaded_output(&solver)));
+    }
+    Ok(Asked::new(model, &question(at.object, 1.0))?.figures())
+}
