@@ -103,6 +103,7 @@ mod cluster;
 mod cursor;
 mod dense;
 mod eigenvalues;
+mod event_function;
 mod fading;
 mod from_model;
 mod functional;
@@ -129,13 +130,12 @@ mod start;
 mod tests;
 mod track;
 pub(crate) mod walk;
-mod watch;
 mod workspace;
 
 pub use asked::Asked;
 pub use cursor::Cursor;
-pub(crate) use from_model::{Course, Rhythm};
 pub use from_model::{KeptLaws, Part, Parts, Rest};
+pub(crate) use from_model::{PrescribedMotion, Rhythm};
 pub(crate) use hermite::{End, Piece};
 pub use law::{LAW_DEGREE, Law, PolynomialSpan, Sine, SpanSource};
 pub use problem::{

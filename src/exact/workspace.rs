@@ -1,6 +1,7 @@
 //! Working memory of a run.
 
 use super::audit::Ledger;
+use super::event_function::EventFunction;
 use super::functional::Functional;
 use super::lanes::WIDTH;
 use super::observe::tracks;
@@ -13,7 +14,6 @@ use super::search::Search;
 use super::signal::Signal;
 use super::start;
 use super::track::Track;
-use super::watch::Watch;
 use super::{ExactTree, Modes};
 
 /// Working memory of a run.
@@ -26,7 +26,7 @@ pub(super) struct Workspace<'a> {
     pub(super) regimes: Vec<Regime>,
     pub(super) states: Vec<PairState>,
     pub(super) key: Vec<PairState>,
-    pub(super) watches: Vec<Watch>,
+    pub(super) watches: Vec<EventFunction>,
     pub(super) watched: Vec<usize>,
     pub(super) signals: Vec<Signal>,
     pub(super) phase: Phase,

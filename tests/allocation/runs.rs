@@ -168,7 +168,7 @@ fn nothing_that_a_step_calls_allocates() {
         system.extra_signals(time, &y, &dy, &modes, &mut scratch, &mut extra);
         system.tangent(time, &y, &modes, &direction, &mut scratch, &mut dy);
         system.observe(time, &y, &modes, &mut scratch, &mut states);
-        system.watches(&modes, watches);
+        system.event_functions(&modes, watches);
         sum += system.power(time, &y, &modes, &mut scratch).loads;
         sum += system.energy(time, &y, &modes, &mut scratch).kinetic;
         sum += system.next_break(time, &modes);

@@ -1,6 +1,6 @@
 //! The scene: `scenarios/press/ejector.json`, with any number of masses.
 
-use dam::integrate::{Dynamics, Modes, Watch};
+use dam::integrate::{Dynamics, EventFunction, Modes};
 use dam::lower::lower;
 use dam::scene::{BuiltIn, Document, Overrides};
 use dam::system::System;
@@ -19,7 +19,7 @@ pub(crate) struct Press {
     /// What is watched: while the pair is engaged, while it is open. Both hold
     /// the same two functions of the state; their lesser one is positive
     /// exactly while the pair is engaged.
-    pub(crate) watches: [Watch; 2],
+    pub(crate) watches: [EventFunction; 2],
     /// Which coordinate is δ.
     pub(crate) delta: usize,
     /// Time to be simulated (s).
@@ -51,7 +51,7 @@ impl Press {
         let pair = system.pair_component(object).ok_or("a bilateral pair")?;
         let watched = |modes: &Modes| {
             let mut watches = Vec::new();
-            system.watches(modes, &mut watches);
+            system.event_functions(modes, &mut watches);
             match watches.as_slice() {
                 [only] if only.component == pair => Ok(*only),
                 other => Err(format!("{} switches to look for", other.len())),

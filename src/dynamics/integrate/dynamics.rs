@@ -28,7 +28,7 @@ pub struct Guard {
 /// sign asked for. Time intervals are half-open: a switch at the start of an
 /// interval has been dealt with, one at its end belongs to it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Watch {
+pub struct EventFunction {
     /// The two guards; the second may repeat the first.
     pub guards: [Guard; 2],
     /// True: the switch comes when w becomes positive (both guards positive);
@@ -70,7 +70,7 @@ impl Probe {
 /// shares of the span), with the time at which the place itself is reached.
 /// What would turn back within that last bit counts as having reached it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Edge {
+pub struct Singularity {
     /// Which signal.
     pub signal: usize,
     /// Its value there.
@@ -106,7 +106,7 @@ pub trait Dynamics: Sync {
     fn coordinates(&self) -> usize;
 
     /// Number of signals: the n coordinates first, then whatever else the
-    /// watches look at.
+    /// event_functions look at.
     fn signals(&self) -> usize;
 
     /// dy/dt = [u′, u″]. Must not allocate.
@@ -228,16 +228,16 @@ pub trait Dynamics: Sync {
     /// Name of a state entry, for messages: "rocker, mass 2: speed".
     fn state_name(&self, index: usize) -> String;
 
-    /// All watches for the present modes; clears `out` first.
-    fn watches(&self, modes: &Modes, out: &mut Vec<Watch>);
+    /// All event_functions for the present modes; clears `out` first.
+    fn event_functions(&self, modes: &Modes, out: &mut Vec<EventFunction>);
 
     /// All edges for the present modes; clears `out` first. Default: none.
-    fn edges(&self, _modes: &Modes, out: &mut Vec<Edge>) {
+    fn singularities(&self, _modes: &Modes, out: &mut Vec<Singularity>) {
         out.clear();
     }
 
     /// What happens at an edge, reached at `time`.
-    fn stop_at(&self, time: f64, edge: &Edge) -> PhysicalStop {
+    fn stop_at(&self, time: f64, edge: &Singularity) -> PhysicalStop {
         PhysicalStop {
             name: "dead_position",
             object: String::new(),
@@ -263,7 +263,7 @@ pub trait Dynamics: Sync {
         &self,
         time: f64,
         y: &mut [f64],
-        watch: &Watch,
+        watch: &EventFunction,
         modes: &mut Modes,
     ) -> Result<(), PhysicalStop>;
 

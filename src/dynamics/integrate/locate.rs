@@ -1,7 +1,7 @@
 //! The earliest switch on a step: every guard is a polynomial, and none of its
 //! roots is skipped (see [`crate::math::polynomial`]).
 
-use super::{Guard, Watch, continuous::End};
+use super::{EventFunction, Guard, continuous::End};
 use crate::math::polynomial::{
     Coefficients, MAX_DEGREE, Step, evaluate, first_both_positive, first_positive,
 };
@@ -27,12 +27,12 @@ pub(super) struct Stretch<'a> {
 impl Stretch<'_> {
     /// The earliest switch; at the same instant the one of the lowest
     /// component, then the first in the list.
-    pub(super) fn earliest(&self, watches: &[Watch]) -> Option<Located> {
+    pub(super) fn earliest(&self, event_functions: &[EventFunction]) -> Option<Located> {
         let mut best: Option<Located> = None;
-        for (index, watch) in watches.iter().enumerate() {
+        for (index, watch) in event_functions.iter().enumerate() {
             let Some(s) = self.fires(watch) else { continue };
             let sooner = best.is_none_or(|b| {
-                s < b.s || (s == b.s && watch.component < watches[b.watch].component)
+                s < b.s || (s == b.s && watch.component < event_functions[b.watch].component)
             });
             if sooner {
                 best = Some(Located { s, watch: index });
@@ -42,7 +42,7 @@ impl Stretch<'_> {
     }
 
     /// Guards of a watch that are zero, up to rounding, where it fired.
-    pub(super) fn causes(&self, watch: &Watch, s: f64) -> impl Iterator<Item = Guard> {
+    pub(super) fn causes(&self, watch: &EventFunction, s: f64) -> impl Iterator<Item = Guard> {
         let degree = self.step.degree;
         watch.guards.into_iter().filter(move |guard| {
             let coefficients = self.guard(guard, 1.0);
@@ -51,7 +51,7 @@ impl Stretch<'_> {
         })
     }
 
-    fn fires(&self, watch: &Watch) -> Option<f64> {
+    fn fires(&self, watch: &EventFunction) -> Option<f64> {
         let degree = self.step.degree;
         let sign = if watch.rising { 1.0 } else { -1.0 };
         let first = self.guard(&watch.guards[0], sign);

@@ -10,7 +10,6 @@ mod continuous;
 #[cfg(feature = "diffsol")]
 mod diffsol_adapter;
 mod dynamics;
-mod edges;
 mod evaluator;
 mod given_motion;
 mod jacobian;
@@ -23,13 +22,14 @@ pub(crate) mod problems;
 mod radau;
 mod rosenbrock;
 mod run;
+mod singularities;
 mod stopping;
 mod taylor;
 #[cfg(test)]
 mod tests;
 
 pub use auto::{Chosen, Situation, Vibration, choose, fastest_rate};
-pub use dynamics::{Dynamics, Edge, Guard, Modes, PhysicalStop, Probe, Watch};
+pub use dynamics::{Dynamics, EventFunction, Guard, Modes, PhysicalStop, Probe, Singularity};
 pub use taylor::degree as series_degree;
 
 pub use outcome::{Limits, Method, Outcome, Settings, Sink, Statistics, Stop, SwitchEvent};
@@ -70,7 +70,7 @@ pub fn integrate<D: Dynamics>(
 ) -> Outcome {
     let evaluator = Evaluator::new(dynamics, modes);
     let mut run = Run::new(&evaluator, settings, limits, sink);
-    run.edges.end = end;
+    run.singularities.end = end;
     if y0.len() != 2 * dynamics.coordinates() {
         let reason = format!("the initial state has {} entries", y0.len());
         run.refuse(start, reason);

@@ -1,6 +1,6 @@
 //! Settings of a run, its end, and who listens to it.
 
-use super::{Modes, PhysicalStop, Watch};
+use super::{EventFunction, Modes, PhysicalStop};
 use crate::budget::{Budget, Spent};
 use crate::math::polynomial::Step;
 use serde::Serialize;
@@ -196,7 +196,7 @@ pub struct SwitchEvent<'a> {
     /// State then (continuous through the switch).
     pub y: &'a [f64],
     /// What was watched; `None` for a break in time.
-    pub watch: Option<&'a Watch>,
+    pub watch: Option<&'a EventFunction>,
     /// Modes before.
     pub before: &'a Modes,
     /// Modes after.

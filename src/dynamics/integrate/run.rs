@@ -4,14 +4,16 @@ mod probing;
 mod switching;
 
 use super::continuous::{End, Output};
-use super::edges::Edges;
 use super::evaluator::Evaluator;
 use super::locate::{Located, Stretch};
 use super::pace::Pace;
 use super::radau;
 use super::rosenbrock::Stepper;
+use super::singularities::Singularities;
 use super::taylor::Series;
-use super::{Dynamics, Edge, Guard, Limits, Method, Probe, Settings, Sink, Stop, Watch};
+use super::{
+    Dynamics, EventFunction, Guard, Limits, Method, Probe, Settings, Singularity, Sink, Stop,
+};
 
 /// A switch at these places of a step is located on a step that ends just behind
 /// it, by this share of it: the polynomial is best near the ends of the step.
@@ -63,13 +65,13 @@ pub(super) struct Run<'a, D: Dynamics> {
     pub(super) rejected: u64,
     pub(super) switches: u64,
     /// Places that signals cannot pass.
-    pub(super) edges: Edges,
+    pub(super) singularities: Singularities,
     /// End of the step under way.
     pub(super) to: End,
     pub(super) output: Output,
     middle: Vec<f64>,
     shorter_middle: Vec<f64>,
-    watches: Vec<Watch>,
+    event_functions: Vec<EventFunction>,
     probes: Vec<Probe>,
     /// Memory of the probes.
     probed: Vec<f64>,
@@ -110,12 +112,12 @@ impl<'a, D: Dynamics> Run<'a, D> {
             steps: 0,
             rejected: 0,
             switches: 0,
-            edges: Edges::default(),
+            singularities: Singularities::default(),
             to: End::new(coordinates, signals),
             output: Output::new(coordinates, signals),
             middle: vec![0.0; 2 * coordinates],
             shorter_middle: vec![0.0; 2 * coordinates],
-            watches: Vec::new(),
+            event_functions: Vec::new(),
             probes: Vec::new(),
             probed: vec![0.0; 2 * coordinates],
             fresh: true,
@@ -132,9 +134,11 @@ impl<'a, D: Dynamics> Run<'a, D> {
     /// Puts the run to its start.
     pub(super) fn start(&mut self, time: f64, y: &[f64]) {
         self.move_to(time, y);
-        self.find_edges();
+        self.find_singularities();
         let modes = self.evaluator.modes.borrow();
-        self.evaluator.dynamics.watches(&modes, &mut self.watches);
+        self.evaluator
+            .dynamics
+            .event_functions(&modes, &mut self.event_functions);
         self.evaluator.dynamics.probes(&modes, &mut self.probes);
         self.sink.start(time, y, &modes);
     }
@@ -174,7 +178,7 @@ impl<'a, D: Dynamics> Run<'a, D> {
             return self.end_not_finite(index);
         }
         let mut shorter = std::mem::take(&mut self.shorter_middle);
-        let edge = self.look_at_edges(&mut shorter);
+        let edge = self.look_at_singularities(&mut shorter);
         let verdict = edge.map(|edge| match (given, edge) {
             (Given::Middle(_) | Given::Polynomial(..), Some(edge)) => {
                 self.take_step(time, Given::Middle(&shorter), Some(edge))
@@ -187,7 +191,7 @@ impl<'a, D: Dynamics> Run<'a, D> {
     }
 
     /// The step from `from` to `to`, which ends at an `edge` or at `time`.
-    fn take_step(&mut self, time: f64, given: Given<'_>, edge: Option<Edge>) -> Verdict {
+    fn take_step(&mut self, time: f64, given: Given<'_>, edge: Option<Singularity>) -> Verdict {
         if let Some(index) = self.to.not_finite() {
             return self.fail(self.not_finite(index));
         }
@@ -253,7 +257,7 @@ impl<'a, D: Dynamics> Run<'a, D> {
     /// The earliest switch on an output built with the right-hand side.
     fn earliest_of_smooth(&mut self) -> Option<Located> {
         self.output.quintic(&self.from, &self.to);
-        let unseen = self.watches.is_empty() && self.probes.is_empty();
+        let unseen = self.event_functions.is_empty() && self.probes.is_empty();
         if unseen && !self.sink.looks_within(self.to.time) {
             return None;
         }
@@ -270,7 +274,7 @@ impl<'a, D: Dynamics> Run<'a, D> {
     /// What a probe has found on an output that only a method of low order has, once
     /// more on a better one: the run restarts from there.
     fn look_again(&mut self, found: Option<Located>) -> Option<Located> {
-        let probed = found.is_some_and(|found| found.watch >= self.watches.len());
+        let probed = found.is_some_and(|found| found.watch >= self.event_functions.len());
         if !probed || self.settings.method == Method::Dop853 {
             return found;
         }
@@ -314,7 +318,7 @@ impl<'a, D: Dynamics> Run<'a, D> {
             to: &self.to,
             zero_at_start: &self.zero_at_start,
         };
-        stretch.earliest(&self.watches)
+        stretch.earliest(&self.event_functions)
     }
 
     /// The whole step without a switch.

@@ -4,7 +4,9 @@ use super::frozen::{Frozen, Step};
 use super::passes::{Extent, Work};
 use super::taylor::{Start, Taylor};
 use super::{Bundle, DIRECTIONS, Scratch, System};
-use crate::dynamics::integrate::{Dynamics, Edge, Modes, PhysicalStop, Probe, Watch};
+use crate::dynamics::integrate::{
+    Dynamics, EventFunction, Modes, PhysicalStop, Probe, Singularity,
+};
 use crate::math::number::{Dual, Duals};
 
 impl Scratch {
@@ -233,15 +235,15 @@ impl Dynamics for System {
         self.entry_name(index)
     }
 
-    fn watches(&self, modes: &Modes, out: &mut Vec<Watch>) {
-        self.frozen.watches(&modes.0, out);
+    fn event_functions(&self, modes: &Modes, out: &mut Vec<EventFunction>) {
+        self.frozen.event_functions(&modes.0, out);
     }
 
     fn switch(
         &self,
         time: f64,
         y: &mut [f64],
-        watch: &Watch,
+        watch: &EventFunction,
         modes: &mut Modes,
     ) -> Result<(), PhysicalStop> {
         self.pass_switch(time, y, watch, modes)
@@ -268,11 +270,11 @@ impl Dynamics for System {
         self.friction_obstacle(&scratch.work)
     }
 
-    fn edges(&self, modes: &Modes, out: &mut Vec<Edge>) {
-        self.frozen.edges(&modes.0, out);
+    fn singularities(&self, modes: &Modes, out: &mut Vec<Singularity>) {
+        self.frozen.singularities(&modes.0, out);
     }
 
-    fn stop_at(&self, time: f64, edge: &Edge) -> PhysicalStop {
+    fn stop_at(&self, time: f64, edge: &Singularity) -> PhysicalStop {
         self.end_of_reach(time, edge)
     }
 

@@ -6,7 +6,7 @@
 //! both p > 0 and the flank presses, N > 0.
 
 use super::hertz::Hertz;
-use crate::dynamics::integrate::{Guard, Watch};
+use crate::dynamics::integrate::{EventFunction, Guard};
 use crate::dynamics::model::{Closure, DampingLaw, Pair};
 use crate::fault::Fault;
 use crate::math::number::Number;
@@ -195,15 +195,15 @@ impl Contact {
     }
 
     /// The switches to look for in a mode.
-    pub(super) fn watches(
+    pub(super) fn event_functions(
         &self,
         mode: i64,
         coordinate: usize,
         component: usize,
-        out: &mut Vec<Watch>,
+        out: &mut Vec<EventFunction>,
     ) {
         if mode != OPEN {
-            out.push(Watch {
+            out.push(EventFunction {
                 guards: self.guards(mode, coordinate),
                 rising: false,
                 component,
@@ -212,7 +212,7 @@ impl Contact {
             return;
         }
         for &side in self.sides() {
-            out.push(Watch {
+            out.push(EventFunction {
                 guards: self.guards(side, coordinate),
                 rising: true,
                 component,

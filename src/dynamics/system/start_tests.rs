@@ -362,8 +362,8 @@ fn random_mechanisms_start_or_say_why_not() {
             Ok(start) => {
                 count += 1;
                 assert!(start.y.iter().all(|entry| entry.is_finite()));
-                let mut watches = Vec::new();
-                system.watches(&start.modes, &mut watches);
+                let mut event_functions = Vec::new();
+                system.event_functions(&start.modes, &mut event_functions);
             }
             Err(faults) => assert!(faults.iter().all(|fault| !fault.message.is_empty())),
         }

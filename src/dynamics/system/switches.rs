@@ -2,7 +2,7 @@
 
 use super::System;
 use super::frozen::Frozen;
-use crate::dynamics::integrate::{Edge, Guard, Modes, PhysicalStop, Watch};
+use crate::dynamics::integrate::{EventFunction, Guard, Modes, PhysicalStop, Singularity};
 use crate::dynamics::model::{Coordinate, NodeMotion};
 use crate::kinematics::linkage::{Cause, Reach};
 use crate::units::shown;
@@ -12,13 +12,13 @@ const ONE_SIDED_SPAN: f64 = 1.0;
 
 impl Frozen {
     /// All switches to look for in the present modes.
-    pub(super) fn watches(&self, modes: &[i64], out: &mut Vec<Watch>) {
+    pub(super) fn event_functions(&self, modes: &[i64], out: &mut Vec<EventFunction>) {
         out.clear();
         for (component, &chain) in self.pairs.iter().enumerate() {
             let chain = &self.chains[chain];
             chain
                 .contact
-                .watches(modes[component], chain.first_coordinate, component, out);
+                .event_functions(modes[component], chain.first_coordinate, component, out);
         }
         for (index, track) in self.tracks.iter().enumerate() {
             let Some(signal) = track.signal.filter(|_| !track.stops) else {
@@ -37,7 +37,7 @@ impl Frozen {
     }
 
     /// The places that the drivers of linkages cannot pass.
-    pub(super) fn edges(&self, modes: &[i64], out: &mut Vec<Edge>) {
+    pub(super) fn singularities(&self, modes: &[i64], out: &mut Vec<Singularity>) {
         out.clear();
         for (index, track) in self.tracks.iter().enumerate() {
             let Some(signal) = track.signal.filter(|_| track.stops) else {
@@ -52,7 +52,7 @@ impl Frozen {
             };
             for (place, side) in [(low, -1.0), (high, 1.0)] {
                 if place.is_finite() {
-                    out.push(Edge {
+                    out.push(Singularity {
                         signal,
                         place,
                         side,
@@ -97,14 +97,14 @@ impl Frozen {
 }
 
 /// The watch on an edge of a segment: the distance to it falls through zero.
-fn leaving(signal: usize, edge: f64, side: i64, component: usize, segment: i64) -> Watch {
+fn leaving(signal: usize, edge: f64, side: i64, component: usize, segment: i64) -> EventFunction {
     let guard = Guard {
         signal,
         offset: side as f64 * edge,
         displacement: -(side as f64),
         speed: 0.0,
     };
-    Watch {
+    EventFunction {
         guards: [guard, guard],
         rising: false,
         component,
@@ -121,7 +121,7 @@ impl System {
         &self,
         time: f64,
         y: &mut [f64],
-        watch: &Watch,
+        watch: &EventFunction,
         modes: &mut Modes,
     ) -> Result<(), PhysicalStop> {
         let frozen = &self.frozen;
@@ -139,7 +139,7 @@ impl System {
     }
 
     /// A pair comes into contact or leaves it.
-    fn pass_flank(&self, y: &[f64], watch: &Watch, modes: &mut Modes) {
+    fn pass_flank(&self, y: &[f64], watch: &EventFunction, modes: &mut Modes) {
         let chain = &self.frozen.chains[self.frozen.pairs[watch.component]];
         let before = modes.0[watch.component];
         modes.0[watch.component] = if watch.target == super::pairs::OPEN {
@@ -152,7 +152,7 @@ impl System {
     }
 
     /// The end of a run at an edge: a dead position, or the end of a travel.
-    pub(super) fn end_of_reach(&self, time: f64, edge: &Edge) -> PhysicalStop {
+    pub(super) fn end_of_reach(&self, time: f64, edge: &Singularity) -> PhysicalStop {
         let track = &self.frozen.tracks[edge.component - self.frozen.pairs.len()];
         let part = &self.model.objects[track.object];
         let driver = part.driver().map(|driver| &self.model.objects[driver]);

@@ -2,7 +2,7 @@
 
 mod loads;
 
-use super::course::{Course, straight};
+use super::prescribed::{PrescribedMotion, straight};
 use super::{Holder, KeptLaws, MassPlace, Part, Parts, law, load};
 use crate::dynamics::model::{
     Closure, DampingLaw, Law as ModelLaw, LinkBase, Model, NodeMotion, ObjectPart, Pair,
@@ -16,7 +16,7 @@ use crate::kinematics::constraint::Constraint;
 #[derive(Clone, Debug)]
 enum Role<'m> {
     /// Its motion is known: the course and the position functions on the way.
-    Prescribed(Course, Vec<&'m ModelLaw>),
+    Prescribed(PrescribedMotion, Vec<&'m ModelLaw>),
     /// φ = ratio·φ_mass + offset, of a mass of a tree.
     Moved(Moved),
     /// Behind something that cannot be propagated exactly.
@@ -103,7 +103,7 @@ impl<'m> Builder<'m> {
         }
         match &self.model.nodes[node].motion {
             NodeMotion::Prescribed { motion, .. } => {
-                self.roles[node] = Role::Prescribed(Course::new(motion), Vec::new());
+                self.roles[node] = Role::Prescribed(PrescribedMotion::new(motion), Vec::new());
             }
             NodeMotion::Rotor { .. } => self.refuse(
                 object,
@@ -142,7 +142,7 @@ impl<'m> Builder<'m> {
             match constraint {
                 Constraint::Linear { ratios, offset } => {
                     let terms = ratios.iter().copied().zip(courses).collect();
-                    let sum = Course::sum(terms, *offset);
+                    let sum = PrescribedMotion::sum(terms, *offset);
                     self.roles[node] = Role::Prescribed(sum, Vec::new());
                     return;
                 }
@@ -385,7 +385,7 @@ impl<'m> Builder<'m> {
     }
 }
 
-fn follow<'m>(course: &Course, laws: &[&'m ModelLaw], law: &'m ModelLaw) -> Role<'m> {
+fn follow<'m>(course: &PrescribedMotion, laws: &[&'m ModelLaw], law: &'m ModelLaw) -> Role<'m> {
     let mut all = laws.to_vec();
     all.push(law);
     Role::Prescribed(course.through(&law.position, law.lever), all)

@@ -5,7 +5,7 @@
 //! kept, are below rounding of the function, and until the coefficients in
 //! powers of the time from its start do not cancel either.
 
-use super::course::{Course, Formulas, Instant, ROUNDING};
+use super::prescribed::{Formulas, Instant, PrescribedMotion, ROUNDING};
 use crate::exact::LAW_DEGREE;
 use crate::math::chebyshev::{Nodes, combined, in_powers};
 use crate::math::polynomial::{MAX_DEGREE, first_positive, raise};
@@ -106,7 +106,7 @@ enum Trial {
 /// within its formulas there; `axis` holds further places of the displacement
 /// at which the fit ends. `None`: the motion cannot be fitted.
 pub(crate) fn fit(
-    course: &Course,
+    course: &PrescribedMotion,
     time: f64,
     longest: f64,
     target: Target,
@@ -142,7 +142,7 @@ pub(crate) fn fit(
 }
 
 fn attempt(
-    course: &Course,
+    course: &PrescribedMotion,
     formulas: &Formulas,
     last: (f64, f64),
     (time, length): (f64, f64),
@@ -198,7 +198,7 @@ fn attempt(
 /// When the motion, or a term of it, leaves the limits of one of its formulas within
 /// `length`, or its displacement leaves `last`; `Err`: the interval is too long to tell.
 fn leaves_any(
-    course: &Course,
+    course: &PrescribedMotion,
     formulas: &Formulas,
     last: (f64, f64),
     time: f64,
@@ -228,7 +228,7 @@ fn leaves_any(
 /// When the displacement after `depth` stages leaves `limits` within `length`;
 /// `Err`: the interval is too long to tell.
 fn leaves(
-    course: &Course,
+    course: &PrescribedMotion,
     formulas: &Formulas,
     depth: usize,
     (low, high): (f64, f64),

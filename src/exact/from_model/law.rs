@@ -1,8 +1,8 @@
 //! The law that a course prescribes: in closed form where it is a straight
 //! line or a pure harmonic, in polynomial spans otherwise.
 
-use super::course::{Course, Rhythm, straight};
 use super::fit::{Fit, Target, fit};
+use super::prescribed::{PrescribedMotion, Rhythm, straight};
 use crate::dynamics::model::Law as ModelLaw;
 use crate::exact::law::product;
 use crate::exact::{LAW_DEGREE, Law, PolynomialSpan, Sine, SpanSource};
@@ -21,7 +21,7 @@ struct Line {
 }
 
 /// The law of a course through the given position functions, drive first.
-pub(super) fn law(course: &Course, laws: &[&ModelLaw]) -> Law {
+pub(super) fn law(course: &PrescribedMotion, laws: &[&ModelLaw]) -> Law {
     (course.drive().and_then(|motion| closed_form(motion, laws)))
         .unwrap_or_else(|| Law::Spans(Arc::new(CourseLaw::new(course.clone()))))
 }
@@ -96,7 +96,7 @@ struct Cycle {
 /// A law in spans fitted to a course; the spans of a cycle are made once.
 #[derive(Debug)]
 pub(super) struct CourseLaw {
-    course: Course,
+    course: PrescribedMotion,
     cycle: Option<Cycle>,
     /// Speed for ever after the drive has settled, when it is constant.
     uniform: Option<f64>,
@@ -105,7 +105,7 @@ pub(super) struct CourseLaw {
 }
 
 impl CourseLaw {
-    pub(super) fn new(course: Course) -> Self {
+    pub(super) fn new(course: PrescribedMotion) -> Self {
         let from = course.settled();
         let (mut cycle, mut uniform) = (None, None);
         match course.rhythm() {

@@ -1,7 +1,7 @@
 //! Loads that are tables over time, or over a displacement that is prescribed.
 
-use super::course::{Course, within};
 use super::fit::{Target, fit};
+use super::prescribed::{PrescribedMotion, within};
 use crate::dynamics::model::LinearPiece;
 use crate::exact::{ForcePiece, ForceSource, LAW_DEGREE, TimeLoad};
 use crate::kinematics::breaks::Breaks;
@@ -10,7 +10,7 @@ use std::sync::Arc;
 /// A table over a prescribed displacement, times a factor.
 #[derive(Debug)]
 struct CourseLoad {
-    course: Course,
+    course: PrescribedMotion,
     breaks: Breaks,
     pieces: Vec<LinearPiece>,
     factor: f64,
@@ -18,7 +18,7 @@ struct CourseLoad {
 
 /// The load `factor`·table(course) over time.
 pub(super) fn load(
-    course: Course,
+    course: PrescribedMotion,
     breaks: &Breaks,
     pieces: &[LinearPiece],
     factor: f64,

@@ -10,16 +10,16 @@
 //! function of time, is refused with the object and the reason.
 
 mod builder;
-mod course;
 mod fit;
 mod law;
 mod load;
+mod prescribed;
 mod rest;
 #[cfg(test)]
 mod tests;
 
-pub(crate) use course::{Course, Rhythm, within};
 pub(crate) use fit::{Target, fit};
+pub(crate) use prescribed::{PrescribedMotion, Rhythm, within};
 pub use rest::Rest;
 
 use super::{ExactTree, Law, Modes, PairState, Refusal, SpanSource, TreeProblem};
@@ -35,7 +35,7 @@ pub struct Parts {
     /// Objects that stand against it, with the reason.
     pub refusals: Vec<Refusal>,
     /// The prescribed motions, by node of the model.
-    pub(crate) courses: Vec<Option<Course>>,
+    pub(crate) courses: Vec<Option<PrescribedMotion>>,
     /// Prescribed motions of rigid objects that are made of spans.
     pub(crate) spans: Vec<Arc<dyn SpanSource>>,
     /// What each object of the model is.

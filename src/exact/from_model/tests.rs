@@ -1,8 +1,8 @@
 //! Fitted laws and loads against the motions that they follow.
 
-use super::course::Course;
 use super::law::{CourseLaw, law};
 use super::load::load;
+use super::prescribed::PrescribedMotion;
 use crate::dynamics::model::{Law as ModelLaw, LinearPiece};
 use crate::exact::{LAW_DEGREE, Law, PolynomialSpan, SpanSource, TimeLoad};
 use crate::kinematics::breaks::Breaks;
@@ -159,10 +159,10 @@ fn plan() -> Position {
 }
 
 /// All motions through one position function, and through two.
-fn courses() -> Vec<Course> {
+fn courses() -> Vec<PrescribedMotion> {
     let mut all = Vec::new();
     for motion in motions() {
-        let drive = Course::new(&motion);
+        let drive = PrescribedMotion::new(&motion);
         for first in positions() {
             let one = drive.through(&first, 1.3);
             for second in [&positions()[1], &positions()[7]] {
@@ -264,7 +264,7 @@ fn a_pure_sine_is_a_harmonic_and_agrees_with_its_spans() {
         track: None,
     };
     let laws = [of(ratio, 1.5), of(sine, -2.0), of(ratio, 0.5)];
-    let mut course = Course::new(motion);
+    let mut course = PrescribedMotion::new(motion);
     for law in &laws {
         course = course.through(&law.position, law.lever);
     }
@@ -298,7 +298,7 @@ fn loads_over_a_displacement_follow_their_table() {
         let (index, shift) = breaks.piece(breaks.locate(x, 1.0));
         pieces[index].value + pieces[index].slope * (x - shift - pieces[index].start)
     };
-    for course in courses().into_iter().chain([Course::time()]) {
+    for course in courses().into_iter().chain([PrescribedMotion::time()]) {
         let TimeLoad::Pieces(source) = load(course.clone(), &breaks, &pieces, 2.0) else {
             panic!("pieces");
         };

@@ -5,12 +5,12 @@ use crate::dynamics::integrate::{Dynamics, Modes};
 use crate::dynamics::model::TrackSource;
 use crate::dynamics::system::System;
 use crate::exact::Parts;
-use crate::exact::from_model::{Course, Target, fit, within};
+use crate::exact::from_model::{PrescribedMotion, Target, fit, within};
 use crate::kinematics::breaks::Breaks;
 
 /// A track over a prescribed displacement.
 struct Follower<'a> {
-    course: &'a Course,
+    course: &'a PrescribedMotion,
     breaks: &'a Breaks,
     component: usize,
     /// When it next changes, and to which segment; +∞: not before the end.

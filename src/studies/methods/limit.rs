@@ -1,7 +1,7 @@
 //! The greatest stable step of a method of fixed step, measured.
 
 use super::attempt::{Attempt, Effort, Problem};
-use super::reference::Truth;
+use super::reference::ReferenceInUse;
 use super::setting::Setting;
 use super::stability::{Bound, SERIES_SLACK};
 use super::verdict::{Verdict, axis, judge};
@@ -98,7 +98,7 @@ impl StabilityLimit {
         &mut self,
         problem: &Problem<'_>,
         method: Method,
-        truth: &Truth,
+        truth: &ReferenceInUse,
         bound: Option<&Bound>,
         tried: &[(f64, bool)],
         effort: &Effort<'_>,
@@ -173,7 +173,7 @@ fn stable_leap(system: &System, degree: usize, rate: f64) -> Option<f64> {
 fn try_step(
     problem: &Problem<'_>,
     method: Method,
-    truth: &Truth,
+    truth: &ReferenceInUse,
     bound: Option<&Bound>,
     step: f64,
     effort: &Effort<'_>,

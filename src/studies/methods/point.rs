@@ -1,7 +1,7 @@
 //! One point of the chart: a method at one setting.
 
 use super::attempt::Attempt;
-use super::reference::Truth;
+use super::reference::ReferenceInUse;
 use super::stability::Bound;
 use super::verdict::{Judgement, Verdict};
 use crate::dynamics::record::Figures;
@@ -76,7 +76,7 @@ impl Point {
     pub(super) fn new(
         attempt: &Attempt,
         judged: Judgement,
-        truth: Option<&Truth>,
+        truth: Option<&ReferenceInUse>,
         bound: Option<&Bound>,
         is_reference: bool,
     ) -> Self {
@@ -130,7 +130,11 @@ fn worst(figures: &[FigureError]) -> Option<String> {
 }
 
 /// Errors of the figures that are determined.
-fn figure_errors(attempt: &Attempt, reference: &Figures, truth: &Truth) -> Vec<FigureError> {
+fn figure_errors(
+    attempt: &Attempt,
+    reference: &Figures,
+    truth: &ReferenceInUse,
+) -> Vec<FigureError> {
     let Some(own) = &attempt.figures else {
         return Vec::new();
     };

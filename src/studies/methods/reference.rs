@@ -70,7 +70,7 @@ pub struct Distance {
 }
 
 /// A reference in use.
-pub(super) struct Truth {
+pub(super) struct ReferenceInUse {
     pub(super) public: Reference,
     pub(super) trace: Trace,
     /// Index of the point that it is among all, shown or not.
@@ -112,7 +112,7 @@ pub(super) fn find(
     problem: &Problem<'_>,
     attempts: &[Attempt],
     effort: &Effort<'_>,
-) -> Result<Truth, Vec<Distance>> {
+) -> Result<ReferenceInUse, Vec<Distance>> {
     let finest = finest_of_each(attempts);
     let exact = finest.iter().position(|&i| is_exact(attempts[i].method));
     let Some(guess) = exact.or_else(|| nearest(attempts, &finest, None).map(|best| best.0)) else {
@@ -139,7 +139,7 @@ pub(super) fn find(
         false => problem.settings.duration * until as f64 / problem.settings.samples as f64,
     };
     let trace = trace(attempt).clone();
-    Ok(Truth {
+    Ok(ReferenceInUse {
         public: Reference {
             method: attempt.method,
             tolerance: attempt.setting.tolerance(),

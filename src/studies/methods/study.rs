@@ -6,7 +6,7 @@ use super::limit::{StabilityLimit, too_long};
 use super::line::MethodLine;
 use super::point::Point;
 use super::recommend::{Recommendation, recommend};
-use super::reference::{Distance, Reference, Truth, find};
+use super::reference::{Distance, Reference, ReferenceInUse, find};
 use super::setting::{Setting, all_methods, is_fixed_step, ladder};
 use super::stability::{Spectrum, degree, remark};
 use super::verdict::judge;
@@ -235,7 +235,7 @@ fn lines(
     plan: &Plan,
     spectrum: &Spectrum,
     attempts: &[Attempt],
-    truth: Option<&Truth>,
+    truth: Option<&ReferenceInUse>,
 ) -> Vec<MethodLine> {
     let line = |&method: &Method| {
         let bound = spectrum.bound_at(method, plan.accuracy);
@@ -270,7 +270,7 @@ fn lines(
 fn measure_limits(
     problem: &Problem<'_>,
     spectrum: &Spectrum,
-    truth: &Truth,
+    truth: &ReferenceInUse,
     lines: &mut [MethodLine],
     effort: &Effort<'_>,
 ) {

@@ -2,7 +2,7 @@
 
 use super::attempt::Attempt;
 use super::light::{Timed, Trace};
-use super::reference::{Truth, distance};
+use super::reference::{ReferenceInUse, distance};
 use super::stability::Bound;
 use crate::dynamics::integrate::Stop;
 use crate::studies::spread::CHANGE;
@@ -100,7 +100,7 @@ impl Judgement {
 /// tolerance; `bound`: what theory says of the method's step.
 pub(super) fn judge(
     attempt: &Attempt,
-    truth: Option<&Truth>,
+    truth: Option<&ReferenceInUse>,
     accuracy: f64,
     bound: Option<&Bound>,
 ) -> Judgement {
@@ -137,7 +137,7 @@ pub(super) fn judge(
 /// The verdict on a run that was out of time after it had failed already.
 fn broken_off(
     timed: &Timed,
-    truth: &Truth,
+    truth: &ReferenceInUse,
     growth: Option<f64>,
     bound: Option<&Bound>,
 ) -> Option<(Verdict, String)> {
@@ -219,7 +219,7 @@ fn at_once(trace: &Trace) -> bool {
 fn ended(
     attempt: &Attempt,
     timed: &Timed,
-    truth: &Truth,
+    truth: &ReferenceInUse,
     error: Option<f64>,
     growth: Option<f64>,
     accuracy: f64,
@@ -303,7 +303,7 @@ fn count(trace: &Trace, horizon: f64) -> usize {
 }
 
 /// Greatest |δ| over that of the reference, the worst track.
-fn growth(timed: &Timed, truth: &Truth) -> Option<f64> {
+fn growth(timed: &Timed, truth: &ReferenceInUse) -> Option<f64> {
     let whole = truth.throughout || !matches!(timed.outcome.stop, Stop::Complete);
     let mut worst: Option<f64> = None;
     for (index, &size) in truth.sizes.iter().enumerate().filter(|(_, s)| **s > 0.0) {

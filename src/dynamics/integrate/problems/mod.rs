@@ -10,7 +10,7 @@ pub(crate) use other::{Collapsing, Ending, Stepped, Swinging};
 pub(crate) use rocker::Rocker;
 pub(crate) use thrown::{Bouncing, Follow, Thrown};
 
-use super::{Dynamics, Guard, Modes, Watch};
+use super::{Dynamics, EventFunction, Guard, Modes};
 
 /// The part of a motion's power series that the Jacobian at its start does not
 /// give: what depends on time, and what is not linear.
@@ -107,7 +107,7 @@ macro_rules! plain_system {
             &self,
             _: f64,
             _: &mut [f64],
-            watch: &Watch,
+            watch: &EventFunction,
             modes: &mut Modes,
         ) -> Result<(), crate::dynamics::integrate::PhysicalStop> {
             modes.0[watch.component] = watch.target;
@@ -139,8 +139,8 @@ macro_rules! plain_system {
 pub(crate) use plain_system;
 
 /// A watch on one guard.
-pub(crate) fn watch(guard: Guard, rising: bool, component: usize, target: i64) -> Watch {
-    Watch {
+pub(crate) fn watch(guard: Guard, rising: bool, component: usize, target: i64) -> EventFunction {
+    EventFunction {
         guards: [guard, guard],
         rising,
         component,

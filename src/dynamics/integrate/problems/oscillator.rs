@@ -1,7 +1,7 @@
 //! The oscillator with one mass.
 
 use super::{Forced, plain_system, sine};
-use crate::dynamics::integrate::{Dynamics, Modes, Watch};
+use crate::dynamics::integrate::{Dynamics, EventFunction, Modes};
 use std::f64::consts::TAU;
 
 /// u″ = −ω²u − 2ζω·u′ + amplitude·sin(Ωt), one mass, no switches.
@@ -76,7 +76,7 @@ impl Dynamics for Oscillator {
         out[1] = self.amplitude * self.driving * (self.driving * t).cos();
     }
 
-    fn watches(&self, _: &Modes, out: &mut Vec<Watch>) {
+    fn event_functions(&self, _: &Modes, out: &mut Vec<EventFunction>) {
         out.clear();
     }
 

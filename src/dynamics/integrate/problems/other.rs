@@ -2,7 +2,7 @@
 //! that ends, a mechanism that stops, a signal that is no coordinate.
 
 use super::{Forced, plain_system, watch};
-use crate::dynamics::integrate::{Dynamics, Guard, Modes, PhysicalStop, Watch};
+use crate::dynamics::integrate::{Dynamics, EventFunction, Guard, Modes, PhysicalStop};
 
 /// u″ jumps at given times: piece k holds from `breaks[k−1]` to `breaks[k]`.
 pub(crate) struct Stepped {
@@ -47,7 +47,7 @@ impl Dynamics for Stepped {
         out.fill(0.0);
     }
 
-    fn watches(&self, _: &Modes, out: &mut Vec<Watch>) {
+    fn event_functions(&self, _: &Modes, out: &mut Vec<EventFunction>) {
         out.clear();
     }
 
@@ -89,7 +89,7 @@ impl Dynamics for Ending {
         out[1] = -0.5 / (self.end - t).sqrt();
     }
 
-    fn watches(&self, _: &Modes, out: &mut Vec<Watch>) {
+    fn event_functions(&self, _: &Modes, out: &mut Vec<EventFunction>) {
         out.clear();
     }
 
@@ -126,7 +126,7 @@ impl Dynamics for Collapsing {
         out.fill(0.0);
     }
 
-    fn watches(&self, _: &Modes, out: &mut Vec<Watch>) {
+    fn event_functions(&self, _: &Modes, out: &mut Vec<EventFunction>) {
         out.clear();
     }
 
@@ -204,7 +204,7 @@ impl Dynamics for Swinging {
         ["swing: displacement", "swing: speed"][index].to_owned()
     }
 
-    fn watches(&self, _: &Modes, out: &mut Vec<Watch>) {
+    fn event_functions(&self, _: &Modes, out: &mut Vec<EventFunction>) {
         out.clear();
         let square = Guard {
             signal: 1,
@@ -219,7 +219,7 @@ impl Dynamics for Swinging {
         &self,
         time: f64,
         _: &mut [f64],
-        _: &Watch,
+        _: &EventFunction,
         _: &mut Modes,
     ) -> Result<(), PhysicalStop> {
         Err(PhysicalStop {

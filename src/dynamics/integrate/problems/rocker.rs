@@ -1,7 +1,7 @@
 //! The published test lever as a chain of n masses.
 
 use super::{Forced, plain_system, sine};
-use crate::dynamics::integrate::{Dynamics, Guard, Modes, Watch};
+use crate::dynamics::integrate::{Dynamics, EventFunction, Guard, Modes};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// The rocker of n masses with force closure: coordinates u = φ_m − U, position
@@ -102,7 +102,7 @@ impl Dynamics for Rocker {
         out[n..].fill(FRAC_PI_2 * self.omega.powi(3) * (self.omega * t).cos());
     }
 
-    fn watches(&self, modes: &Modes, out: &mut Vec<Watch>) {
+    fn event_functions(&self, modes: &Modes, out: &mut Vec<EventFunction>) {
         out.clear();
         let touching = Guard {
             displacement: -1.0,
@@ -114,7 +114,7 @@ impl Dynamics for Rocker {
             ..Guard::default()
         };
         let engaged = modes.0[0] != 0;
-        out.push(Watch {
+        out.push(EventFunction {
             guards: [touching, pressing],
             rising: !engaged,
             component: 0,

@@ -1,7 +1,7 @@
 //! Masses in free flight: every crossing in closed form.
 
 use super::{Forced, plain_system, watch};
-use crate::dynamics::integrate::{Dynamics, Guard, Modes, Watch};
+use crate::dynamics::integrate::{Dynamics, EventFunction, Guard, Modes};
 
 /// One mass thrown upwards, u″ = −gravity, and a level: component 0 is 1 above
 /// the level, 0 below. What follows a switch can be chosen, for the tests of
@@ -56,7 +56,7 @@ impl Dynamics for Thrown {
         out.fill(0.0);
     }
 
-    fn watches(&self, modes: &Modes, out: &mut Vec<Watch>) {
+    fn event_functions(&self, modes: &Modes, out: &mut Vec<EventFunction>) {
         out.clear();
         let above = Guard {
             offset: -self.level,
@@ -156,7 +156,7 @@ impl Dynamics for Bouncing {
         out.fill(0.0);
     }
 
-    fn watches(&self, modes: &Modes, out: &mut Vec<Watch>) {
+    fn event_functions(&self, modes: &Modes, out: &mut Vec<EventFunction>) {
         out.clear();
         for (k, &mode) in modes.0.iter().enumerate().rev() {
             let touching = Guard {

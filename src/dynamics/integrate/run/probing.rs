@@ -3,7 +3,7 @@
 
 use super::Run;
 use crate::dynamics::integrate::locate::Located;
-use crate::dynamics::integrate::{Dynamics, Guard, Probe, Watch};
+use crate::dynamics::integrate::{Dynamics, EventFunction, Guard, Probe};
 use crate::math::optimise::vertex;
 use crate::math::roots::bisect;
 
@@ -14,13 +14,13 @@ const UNLIKE: f64 = 0.25;
 
 impl<D: Dynamics> Run<'_, D> {
     /// The watch that was found; one made up for a probe.
-    pub(super) fn watch(&self, found: Located) -> Watch {
-        let watches = self.watches.len();
-        if found.watch < watches {
-            return self.watches[found.watch];
+    pub(super) fn watch(&self, found: Located) -> EventFunction {
+        let event_functions = self.event_functions.len();
+        if found.watch < event_functions {
+            return self.event_functions[found.watch];
         }
-        let probe = self.probes[found.watch - watches];
-        Watch {
+        let probe = self.probes[found.watch - event_functions];
+        EventFunction {
             guards: [Guard::default(); 2],
             rising: true,
             component: probe.component,
@@ -42,7 +42,7 @@ impl<D: Dynamics> Run<'_, D> {
                 continue;
             };
             if best.is_none_or(|best| s < best.s) {
-                let watch = self.watches.len() + index;
+                let watch = self.event_functions.len() + index;
                 best = Some(Located { s, watch });
             }
         }

@@ -2,7 +2,7 @@
 
 use super::{Run, Verdict};
 use crate::dynamics::integrate::locate::{Located, Stretch};
-use crate::dynamics::integrate::{Dynamics, Guard, Modes, Stop, SwitchEvent, Watch};
+use crate::dynamics::integrate::{Dynamics, EventFunction, Guard, Modes, Stop, SwitchEvent};
 
 /// Switches at one and the same instant after which a run is given up.
 const MOST_AT_ONCE: u32 = 64;
@@ -21,7 +21,7 @@ impl<D: Dynamics> Run<'_, D> {
             to: &self.to,
             zero_at_start: &self.zero_at_start,
         };
-        let causes: Vec<Guard> = match found.watch < self.watches.len() {
+        let causes: Vec<Guard> = match found.watch < self.event_functions.len() {
             true => stretch.causes(&watch, found.s).collect(),
             false => Vec::new(),
         };
@@ -60,7 +60,7 @@ impl<D: Dynamics> Run<'_, D> {
         }
     }
 
-    fn switch(&mut self, time: f64, y: &mut [f64], watch: &Watch) -> Verdict {
+    fn switch(&mut self, time: f64, y: &mut [f64], watch: &EventFunction) -> Verdict {
         self.remember_length();
         let before = self.evaluator.modes.borrow().clone();
         let mut after = before.clone();
@@ -96,12 +96,21 @@ impl<D: Dynamics> Run<'_, D> {
     }
 
     /// Puts new modes in force at (`time`, `y`) and tells the sink.
-    fn enter(&mut self, time: f64, y: &[f64], before: Modes, after: Modes, watch: Option<&Watch>) {
+    fn enter(
+        &mut self,
+        time: f64,
+        y: &[f64],
+        before: Modes,
+        after: Modes,
+        watch: Option<&EventFunction>,
+    ) {
         self.fresh = true;
         *self.evaluator.modes.borrow_mut() = after.clone();
-        self.evaluator.dynamics.watches(&after, &mut self.watches);
+        self.evaluator
+            .dynamics
+            .event_functions(&after, &mut self.event_functions);
         self.evaluator.dynamics.probes(&after, &mut self.probes);
-        self.find_edges();
+        self.find_singularities();
         self.move_to(time, y);
         self.sink.switch(&SwitchEvent {
             time,

@@ -152,7 +152,7 @@ fn switch_times_of_a_bouncing_mass_agree_with_the_closed_form() {
 }
 
 /// Two equal masses dropped together: each switch comes twice at one time, the
-/// lower component first although the watches are listed the other way round.
+/// lower component first although the event_functions are listed the other way round.
 #[test]
 fn simultaneous_switches_come_in_order_of_component() {
     let system = Bouncing::new(2, 9.81, 2e3);

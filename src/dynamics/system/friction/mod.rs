@@ -26,7 +26,7 @@ mod unsolved;
 pub(crate) use stick_slip::StickSlip;
 
 use super::frozen::{Frozen, FrozenTrack};
-use crate::dynamics::integrate::{Guard, Watch};
+use crate::dynamics::integrate::{EventFunction, Guard};
 use crate::dynamics::model::LinkageBody;
 use crate::kinematics::linkage::Workspace;
 use crate::kinematics::linkage::kinetostatics::{
@@ -249,7 +249,7 @@ impl Frozen {
     }
 
     /// The switches of directions to look for.
-    pub(super) fn watch_directions(&self, modes: &[i64], out: &mut Vec<Watch>) {
+    pub(super) fn watch_directions(&self, modes: &[i64], out: &mut Vec<EventFunction>) {
         let mut turning = |signal: usize, component: usize, target: i64| {
             let guard = Guard {
                 signal,
@@ -257,7 +257,7 @@ impl Frozen {
                 displacement: 0.0,
                 speed: modes[component] as f64,
             };
-            out.push(Watch {
+            out.push(EventFunction {
                 guards: [guard, guard],
                 rising: false,
                 component,

@@ -22,7 +22,7 @@ const LOOKS: usize = 8;
 const SIDES: usize = 4;
 
 impl Frozen {
-    /// What to look for besides the watches: starts of what rests, and motions with
+    /// What to look for besides the event_functions: starts of what rests, and motions with
     /// no solution or several.
     pub(in crate::dynamics::system) fn probes(&self, modes: &[i64], out: &mut Vec<Probe>) {
         for (index, group) in self.groups.iter().enumerate() {

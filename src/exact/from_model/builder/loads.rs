@@ -2,7 +2,7 @@
 
 use super::{Builder, Moved, Role, load};
 use crate::dynamics::model::{Load, LoadLaw, ObjectPart, TrackSource};
-use crate::exact::from_model::course::Course;
+use crate::exact::from_model::prescribed::PrescribedMotion;
 use crate::exact::{TimeLoad, TreeMass};
 
 impl<'m> Builder<'m> {
@@ -27,7 +27,7 @@ impl<'m> Builder<'m> {
                 let breaks = &track.breaks;
                 let made = match track.source {
                     TrackSource::Time => load::table(breaks, pieces, r)
-                        .or_else(|| Some(load::load(Course::time(), breaks, pieces, r))),
+                        .or_else(|| Some(load::load(PrescribedMotion::time(), breaks, pieces, r))),
                     TrackSource::Node(node) => match &self.roles[node] {
                         Role::Prescribed(course, _) => {
                             Some(load::load(course.clone(), breaks, pieces, r))

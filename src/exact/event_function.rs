@@ -8,7 +8,7 @@ use super::workspace::Workspace;
 
 /// A watched pair function.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Watch {
+pub(super) struct EventFunction {
     pub(super) mass: usize,
     pub(super) functional: usize,
     pub(super) sign: f64,
@@ -36,7 +36,7 @@ impl Workspace<'_> {
                     PairState::Engaged(_) => continue,
                     _ => (clear, 1.0, PairState::Engaged(flank)),
                 };
-                self.watches.push(Watch {
+                self.watches.push(EventFunction {
                     mass: i,
                     functional,
                     sign,

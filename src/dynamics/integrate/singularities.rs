@@ -1,4 +1,4 @@
-//! Edges: places that a signal cannot pass because the equations end there (a
+//! Singularities: places that a signal cannot pass because the equations end there (a
 //! dead position of a linkage).
 //!
 //! With z the distance left to an edge, the equations hold √z: their right-hand
@@ -20,7 +20,7 @@ use super::continuous::End;
 use super::evaluator::Evaluator;
 use super::locate::Stretch;
 use super::run::{Run, Verdict};
-use super::{Dynamics, Edge, Guard, Method, Stop, Watch};
+use super::{Dynamics, EventFunction, Guard, Method, Singularity, Stop};
 
 /// A run ends at this share of the span before the edge, or at
 /// [`TOLERANCES`] times the tolerance if that is more, at most [`MOST`].
@@ -62,7 +62,7 @@ struct Approach {
 }
 
 impl Approach {
-    fn of(edge: &Edge, end: &End) -> Self {
+    fn of(edge: &Singularity, end: &End) -> Self {
         let [s, rate, acceleration] = end.signals[edge.signal];
         Self {
             distance: edge.side * (edge.place - s),
@@ -126,14 +126,14 @@ enum Meeting {
     /// It comes too near in one go: to be taken anew, at most this long (s).
     TooLong(f64),
     /// It reaches one at this place of the step.
-    Reached(Edge, f64),
+    Reached(Singularity, f64),
 }
 
 /// The edges of a run, and how it goes about them.
 #[derive(Debug, Default)]
-pub(super) struct Edges {
+pub(super) struct Singularities {
     /// The edges in the present modes.
-    list: Vec<Edge>,
+    list: Vec<Singularity>,
     /// Longest next leg after one that failed or went too far (s).
     longest: Option<f64>,
     /// Failures since the last step.
@@ -150,28 +150,30 @@ pub(super) struct Edges {
 
 impl<D: Dynamics> Run<'_, D> {
     /// Asks for the edges anew: the modes have changed.
-    pub(super) fn find_edges(&mut self) {
+    pub(super) fn find_singularities(&mut self) {
         let modes = self.evaluator.modes.borrow();
-        self.evaluator.dynamics.edges(&modes, &mut self.edges.list);
+        self.evaluator
+            .dynamics
+            .singularities(&modes, &mut self.singularities.list);
     }
 
     /// The tolerance of the present leg.
     pub(super) fn tolerance(&self) -> f64 {
-        let sharp = self.settings.tolerance * self.edges.sharpness;
+        let sharp = self.settings.tolerance * self.singularities.sharpness;
         sharp.max(super::FINEST_TOLERANCE.min(self.settings.tolerance))
     }
 
     /// Steps that a method of fixed step takes in the present leg at least.
     pub(super) fn fewest_steps(&self) -> f64 {
-        if self.edges.near { FEWEST } else { 1.0 }
+        if self.singularities.near { FEWEST } else { 1.0 }
     }
 
     /// Ends the coming leg before it gets much nearer to an edge.
     pub(super) fn aim(&mut self) {
-        let mut longest = self.edges.longest.take().unwrap_or(f64::INFINITY);
-        self.edges.near = longest.is_finite();
-        self.edges.sharpness = 1.0;
-        for edge in &self.edges.list {
+        let mut longest = self.singularities.longest.take().unwrap_or(f64::INFINITY);
+        self.singularities.near = longest.is_finite();
+        self.singularities.sharpness = 1.0;
+        for edge in &self.singularities.list {
             let approach = Approach::of(edge, &self.from);
             let near = NEAR * edge.span;
             let far = approach.distance >= near || approach.distance <= self.close(edge);
@@ -179,9 +181,9 @@ impl<D: Dynamics> Run<'_, D> {
                 continue; // or so close that the first step will end the run
             }
             let share = (approach.distance / near).max(SHARPEST);
-            self.edges.sharpness = self.edges.sharpness.min(share);
+            self.singularities.sharpness = self.singularities.sharpness.min(share);
             let aim = (approach.distance / RATIO).max(0.9 * self.close(edge));
-            self.edges.near = true;
+            self.singularities.near = true;
             longest = longest.min(approach.time_or_less(aim));
         }
         // Shorter than that, the clock would not move.
@@ -190,15 +192,18 @@ impl<D: Dynamics> Run<'_, D> {
     }
 
     /// Distance from an edge at which the run ends.
-    fn close(&self, edge: &Edge) -> f64 {
+    fn close(&self, edge: &Singularity) -> f64 {
         edge.span * (TOLERANCES * self.settings.tolerance).clamp(LEAST, MOST)
     }
 
     /// Looks at the edges on the step between `from` and `to`, before anything
     /// else does. Where one is reached, `to` is drawn in to that place, with the
     /// state in the `middle` of what is left.
-    pub(super) fn look_at_edges(&mut self, middle: &mut [f64]) -> Result<Option<Edge>, Verdict> {
-        if self.edges.list.is_empty() {
+    pub(super) fn look_at_singularities(
+        &mut self,
+        middle: &mut [f64],
+    ) -> Result<Option<Singularity>, Verdict> {
+        if self.singularities.list.is_empty() {
             return Ok(None);
         }
         self.output.quintic(&self.from, &self.to);
@@ -219,12 +224,12 @@ impl<D: Dynamics> Run<'_, D> {
 
     /// The step is taken anew, at most `longest` long, unless that is no longer a step.
     fn take_shorter(&mut self, longest: f64) -> Verdict {
-        self.edges.longest = Some(longest);
-        self.edges.shortened += 1;
+        self.singularities.longest = Some(longest);
+        self.singularities.shortened += 1;
         self.rejected += 1;
         self.evaluator.take_not_finite();
         let moves = longest > CLOCK * f64::EPSILON * self.from.time.abs();
-        if !moves || self.edges.shortened > SHORTENED {
+        if !moves || self.singularities.shortened > SHORTENED {
             return self.end_at_floor(longest);
         }
         match self.check_limits() {
@@ -237,7 +242,7 @@ impl<D: Dynamics> Run<'_, D> {
         let length = self.to.time - self.from.time;
         let mut reached = Meeting::None;
         let mut first = 1.0;
-        for edge in &self.edges.list {
+        for edge in &self.singularities.list {
             let start = Approach::of(edge, &self.from);
             let close = self.close(edge);
             let aim = (CLOSER * start.distance).min(NEAR * edge.span).max(close);
@@ -255,7 +260,7 @@ impl<D: Dynamics> Run<'_, D> {
                 }
             } else if let Some(s) = below.filter(|&s| s <= first) {
                 // An edge that comes after the end of the run is none.
-                let within = |time: f64| self.from.time + time <= self.edges.end;
+                let within = |time: f64| self.from.time + time <= self.singularities.end;
                 if start.distance > close || start.time_to(0.0).is_none_or(within) {
                     (reached, first) = (Meeting::Reached(*edge, s), s);
                 }
@@ -265,7 +270,7 @@ impl<D: Dynamics> Run<'_, D> {
     }
 
     /// Where on the step the distance to an edge is below `aim`, and falling.
-    fn falls_below(&self, edge: &Edge, aim: f64) -> Option<f64> {
+    fn falls_below(&self, edge: &Singularity, aim: f64) -> Option<f64> {
         let guard = |offset, displacement, speed| Guard {
             signal: edge.signal,
             offset,
@@ -273,7 +278,7 @@ impl<D: Dynamics> Run<'_, D> {
             speed,
         };
         let nearer = guard(aim - edge.side * edge.place, edge.side, 0.0);
-        let watch = Watch {
+        let watch = EventFunction {
             guards: [nearer, guard(0.0, 0.0, edge.side)],
             rising: true,
             component: edge.component,
@@ -289,19 +294,19 @@ impl<D: Dynamics> Run<'_, D> {
     }
 
     /// The run stands close to an edge, which ends it.
-    pub(super) fn end_at(&mut self, edge: &Edge) -> Verdict {
+    pub(super) fn end_at(&mut self, edge: &Singularity) -> Verdict {
         let approach = Approach::of(edge, &self.from);
         let even = -2.0 * approach.distance / approach.rate;
         let expected = approach.time_to(0.0).unwrap_or(even);
         let far = 2.0 * self.close(edge).max(approach.distance);
-        let span = [self.from.time, self.edges.end];
+        let span = [self.from.time, self.singularities.end];
         let given = self
             .left_on_law(edge)
             .and_then(|left| given::arrival(left, span, expected, far));
         let time = given.unwrap_or(self.from.time + expected);
-        if time > self.edges.end {
+        if time > self.singularities.end {
             // It is not reached any more.
-            self.edges.list.retain(|other| other != edge);
+            self.singularities.list.retain(|other| other != edge);
             return Verdict::Restart;
         }
         self.from.time = time;
@@ -312,8 +317,8 @@ impl<D: Dynamics> Run<'_, D> {
     /// A method cannot go on, for the reason `stop`. Before an edge, that is
     /// why: the rest of the way is taken in shorter legs.
     pub(super) fn fail(&mut self, stop: Stop) -> Verdict {
-        let mut next: Option<(f64, Edge)> = None;
-        for edge in &self.edges.list {
+        let mut next: Option<(f64, Singularity)> = None;
+        for edge in &self.singularities.list {
             let approach = Approach::of(edge, &self.from);
             let time = approach.time_or_less(0.0);
             if approach.is_approaching() && next.is_none_or(|(soonest, _)| time < soonest) {
@@ -336,27 +341,28 @@ impl<D: Dynamics> Run<'_, D> {
         if approach.distance <= self.close(&edge) || time <= clock {
             return self.end_at(&edge);
         }
-        self.edges.failures += 1;
-        if self.edges.failures > ATTEMPTS {
+        self.singularities.failures += 1;
+        if self.singularities.failures > ATTEMPTS {
             return self.end(stop);
         }
-        self.edges.longest = Some(time * 0.5f64.powi(self.edges.failures as i32 + 1));
+        self.singularities.longest =
+            Some(time * 0.5f64.powi(self.singularities.failures as i32 + 1));
         self.rejected += 1;
         Verdict::Restart
     }
 
     /// After a step: a leg that has led near an edge ends, to go on with care.
     pub(super) fn is_to_slow_down(&self) -> bool {
-        let near = |edge: &Edge| {
+        let near = |edge: &Singularity| {
             let approach = Approach::of(edge, &self.from);
             approach.is_approaching() && approach.distance < NEAR * edge.span
         };
-        !self.edges.near && self.edges.list.iter().any(near)
+        !self.singularities.near && self.singularities.list.iter().any(near)
     }
 
     /// A step has been taken.
     pub(super) fn forget_failures(&mut self) {
-        (self.edges.failures, self.edges.shortened) = (0, 0);
+        (self.singularities.failures, self.singularities.shortened) = (0, 0);
     }
 }
 

@@ -37,7 +37,7 @@ impl Stage {
 
 /// The prescribed motion of a node.
 #[derive(Clone, Debug)]
-pub(crate) struct Course {
+pub(crate) struct PrescribedMotion {
     source: Source,
     pub(crate) stages: Vec<Stage>,
 }
@@ -54,7 +54,7 @@ enum Source {
     },
     /// Σ ratio·φ + offset of several prescribed motions.
     Sum {
-        terms: Vec<(f64, Course)>,
+        terms: Vec<(f64, PrescribedMotion)>,
         offset: f64,
     },
 }
@@ -96,7 +96,7 @@ pub(crate) enum Rhythm {
     None,
 }
 
-impl Course {
+impl PrescribedMotion {
     /// A drive's own motion.
     pub(crate) fn new(motion: &DriveMotion) -> Self {
         let breaks = motion.breaks();

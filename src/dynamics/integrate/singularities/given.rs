@@ -2,7 +2,7 @@
 //! with hardly any speed, where no parabola says when.
 
 use crate::dynamics::integrate::run::Run;
-use crate::dynamics::integrate::{Dynamics, Edge};
+use crate::dynamics::integrate::{Dynamics, Singularity};
 use crate::math::roots::bisect;
 
 /// Share of the expected way that the first look takes, and growth of the next.
@@ -17,7 +17,10 @@ type Left = [f64; 2];
 impl<D: Dynamics> Run<'_, D> {
     /// What is left to an edge, with its rate, at an instant, where the signal is
     /// a given function of time.
-    pub(super) fn left_on_law(&self, edge: &Edge) -> Option<impl Fn(f64) -> [f64; 2] + use<'_, D>> {
+    pub(super) fn left_on_law(
+        &self,
+        edge: &Singularity,
+    ) -> Option<impl Fn(f64) -> [f64; 2] + use<'_, D>> {
         let (dynamics, edge) = (self.evaluator.dynamics, *edge);
         dynamics.given_signal(edge.signal, self.from.time)?;
         Some(move |time| {
