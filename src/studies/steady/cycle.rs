@@ -2,7 +2,7 @@
 
 use crate::dynamics::model::{Load, LoadLaw, Model, NodeIndex, NodeMotion, TrackSource};
 use crate::dynamics::steady::MOST_TURNS;
-use crate::exact::{Course, Rhythm};
+use crate::exact::{PrescribedMotion, Rhythm};
 use crate::fault::Fault;
 use crate::kinematics::motion::DriveMotion;
 use crate::kinematics::position::Position;
@@ -20,14 +20,14 @@ pub(super) struct Rhythms {
 }
 
 /// The angle, counted in turns of a drive of unit speed, as a course over time.
-fn turning(speed: f64) -> Course {
-    Course::new(&DriveMotion::Constant { speed, angle: 0.0 })
+fn turning(speed: f64) -> PrescribedMotion {
+    PrescribedMotion::new(&DriveMotion::Constant { speed, angle: 0.0 })
 }
 
 /// Where a node is while the drives turn evenly; deviations of masses from their laws
 /// come and go with what causes them.
-fn courses(model: &Model, drive: Option<NodeIndex>, speed: f64) -> Vec<Option<Course>> {
-    let mut found: Vec<Option<Course>> = Vec::with_capacity(model.nodes.len());
+fn courses(model: &Model, drive: Option<NodeIndex>, speed: f64) -> Vec<Option<PrescribedMotion>> {
+    let mut found: Vec<Option<PrescribedMotion>> = Vec::with_capacity(model.nodes.len());
     for (index, node) in model.nodes.iter().enumerate() {
         let course = match &node.motion {
             _ if drive == Some(index) => Some(turning(1.0)),
@@ -47,7 +47,7 @@ fn courses(model: &Model, drive: Option<NodeIndex>, speed: f64) -> Vec<Option<Co
 }
 
 /// Something that repeats with a period over a node's displacement.
-fn over(course: &Course, period: f64) -> Rhythm {
+fn over(course: &PrescribedMotion, period: f64) -> Rhythm {
     let wave = Position::Sine {
         amplitude: 1.0,
         harmonic: TAU / period,
@@ -78,7 +78,12 @@ impl Rhythms {
         Self::of(model, &courses(model, None, speed), &moved, Some(speed))
     }
 
-    fn of(model: &Model, courses: &[Option<Course>], moved: &[bool], speed: Option<f64>) -> Self {
+    fn of(
+        model: &Model,
+        courses: &[Option<PrescribedMotion>],
+        moved: &[bool],
+        speed: Option<f64>,
+    ) -> Self {
         let mut rhythms = Self::default();
         let known = |node: NodeIndex| courses[node].as_ref().filter(|_| moved[node]);
         for part in &model.objects {
@@ -109,7 +114,7 @@ impl Rhythms {
         &mut self,
         model: &Model,
         load: &Load,
-        known: &dyn Fn(NodeIndex) -> Option<&'c Course>,
+        known: &dyn Fn(NodeIndex) -> Option<&'c PrescribedMotion>,
         speed: Option<f64>,
     ) {
         let never = |what: &str, hint: &str| Fault::new(&load.name, what, hint);
