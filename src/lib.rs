@@ -111,7 +111,7 @@
 //! | [`ask`] | [`Scene`], [`Mechanism`], runs and maps as arrays |
 //! | [`build`] | builders of everything a scene holds |
 //! | [`record`] | the samples and figures of a run, and their keys |
-//! | [`analysis`] | the questions and all that their answers hold |
+//! | [`studies`] | the questions and all that their answers hold |
 //! | [`report`] | results as text, JSON, CSV, pages and pictures |
 //! | [`diagnostics`] | faults with their places |
 //!

@@ -1,9 +1,10 @@
-//! What the steady motion of a rigid machine is, and how well independent ways to it agree.
+//! What the steady motion of a machine is, and how well independent ways to it agree.
 
 use crate::dynamics::steady::cycle_map::Regime;
 use crate::dynamics::steady::flywheel::Flywheel;
-use crate::dynamics::steady::{Check, SteadyFigures, SteadyMotion};
+use crate::dynamics::steady::{Check, Extreme, Means, SteadyFigures, SteadyMotion};
 use serde::Serialize;
+use std::collections::BTreeMap;
 
 /// The steady motion of a machine with rigid objects.
 #[derive(Clone, Debug, Serialize)]
@@ -61,4 +62,50 @@ pub enum Forces {
     Position,
     /// A moment depends on the speed: the mean speed is a result.
     Speed,
+}
+
+/// How a drive turns in a steady motion.
+#[derive(Clone, Debug, Serialize)]
+pub struct DriveFigures {
+    /// The drive.
+    pub id: String,
+    /// Means of its speed (rad/s).
+    pub means: Means,
+    /// Least ω (rad/s) and where, φ counted from a whole cycle.
+    pub least_speed: Extreme,
+    /// Greatest ω (rad/s) and where.
+    pub greatest_speed: Extreme,
+    /// ω at φ = 0 (rad/s).
+    pub speed_at_start: f64,
+    /// δ = (ω_max − ω_min)/ω_av, the mean over time.
+    pub fluctuation: f64,
+    /// The state at φ = 0 as `run.start` of a scene takes it.
+    pub start: BTreeMap<String, StartOf>,
+    /// The motion in equal steps of φ, both ends of the period included.
+    #[serde(skip)]
+    pub rows: Vec<DriveRow>,
+}
+
+/// The motion where the drive stands at an angle.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct DriveRow {
+    /// φ (rad).
+    pub position: f64,
+    /// t since φ = 0 (s).
+    pub time: f64,
+    /// ω (rad/s).
+    pub speed: f64,
+    /// ε (rad/s²).
+    pub acceleration: f64,
+    /// Deviations from the law, in the order of the coordinates of the orbit.
+    pub deviations: Vec<f64>,
+}
+
+/// Absolute displacements and speeds of an object, mass by mass.
+#[derive(Clone, Debug, Serialize)]
+pub struct StartOf {
+    /// φ (rad or m).
+    pub displacement: Vec<f64>,
+    /// φ̇ (rad/s or m/s).
+    pub speed: Vec<f64>,
 }

@@ -20,12 +20,14 @@ mod shooting;
 mod simulate;
 mod sink;
 
+pub use answer::DriveFigures;
+pub use answer::DriveRow;
 pub use answer::Forces;
 pub use answer::Simulation;
+pub use answer::StartOf;
 pub use answer::{Agreement, RigidAnswer};
 pub use expectations::{check, figure};
 pub use machine::{Machine, constant_speed, drive_of, is_elastic};
-pub use motor::{DriveFigures, DriveRow, StartOf};
 pub use periodic::{LongRun, Multiplier, Orbit, PartMotion, PeriodicAnswer, Stability};
 pub use rigid::{ROWS, by_energy};
 

@@ -4,6 +4,9 @@
 //! it is a steady motion, and the time for the cycle a result. Nothing in such a machine
 //! may depend on time itself.
 
+use super::answer::DriveFigures;
+use super::answer::DriveRow;
+use super::answer::StartOf;
 use super::cycle::Rhythms;
 use super::machine::{behind, over_time, several_inputs};
 use super::map::Map;
@@ -12,61 +15,14 @@ use super::phase::PhaseMap;
 use super::portrait::{Portrait, Row};
 use crate::dynamics::integrate::Dynamics;
 use crate::dynamics::model::{Model, NodeMotion};
-use crate::dynamics::steady::{Extreme, Means};
+use crate::dynamics::steady::Means;
 use crate::dynamics::system::System;
 use crate::fault::Fault;
 use crate::frontend::scene::SteadySpec;
 use crate::studies::method::choose_general;
 use crate::studies::{Control, RunSettings};
-use serde::Serialize;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
-
-/// How a drive turns in a steady motion.
-#[derive(Clone, Debug, Serialize)]
-pub struct DriveFigures {
-    /// The drive.
-    pub id: String,
-    /// Means of its speed (rad/s).
-    pub means: Means,
-    /// Least ω (rad/s) and where, φ counted from a whole cycle.
-    pub least_speed: Extreme,
-    /// Greatest ω (rad/s) and where.
-    pub greatest_speed: Extreme,
-    /// ω at φ = 0 (rad/s).
-    pub speed_at_start: f64,
-    /// δ = (ω_max − ω_min)/ω_av, the mean over time.
-    pub fluctuation: f64,
-    /// The state at φ = 0 as `run.start` of a scene takes it.
-    pub start: BTreeMap<String, StartOf>,
-    /// The motion in equal steps of φ, both ends of the period included.
-    #[serde(skip)]
-    pub rows: Vec<DriveRow>,
-}
-
-/// Absolute displacements and speeds of an object, mass by mass.
-#[derive(Clone, Debug, Serialize)]
-pub struct StartOf {
-    /// φ (rad or m).
-    pub displacement: Vec<f64>,
-    /// φ̇ (rad/s or m/s).
-    pub speed: Vec<f64>,
-}
-
-/// The motion where the drive stands at an angle.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct DriveRow {
-    /// φ (rad).
-    pub position: f64,
-    /// t since φ = 0 (s).
-    pub time: f64,
-    /// ω (rad/s).
-    pub speed: f64,
-    /// ε (rad/s²).
-    pub acceleration: f64,
-    /// Deviations from the law, in the order of the coordinates of the orbit.
-    pub deviations: Vec<f64>,
-}
 
 /// Relative difference of accelerations a cycle later that is rounding.
 const SAME: f64 = 1e-8;

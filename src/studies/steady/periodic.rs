@@ -1,8 +1,8 @@
 //! The periodic motion of an elastic scene behind prescribed drives: shooting.
 
+use super::answer::DriveFigures;
 use super::cycle::Rhythms;
 use super::map::{Map, SystemMap, TreeMap};
-use super::motor::DriveFigures;
 use super::shooting::{Fixed, distance, shoot};
 use crate::dynamics::integrate::Dynamics;
 use crate::dynamics::model::Coordinate;
