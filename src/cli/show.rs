@@ -6,11 +6,12 @@ use super::failure::{Failure, Status};
 use super::input::Input;
 use crate::analysis::exact::{Mixed, mixed};
 use crate::exact::{Parts, Refusal};
-use crate::model::{Coordinate, LinkageBody, Model};
+use crate::model::{Coordinate, LinkageBody, Model, Reduced};
 use crate::report::diagram::Diagram;
 use crate::report::show::equations::{equations, latex, text};
 use crate::report::show::graph;
 use crate::report::show::masses::{self, Frequencies};
+use crate::report::show::reduced::modes;
 use crate::report::svg::graph::svg;
 use crate::system::{Regime, System};
 use serde_json::json;
@@ -147,7 +148,7 @@ fn document(scene: &str, system: &System) -> serde_json::Value {
             })
         })
         .collect();
-    json!({
+    let mut document = json!({
         "dam": 1,
         "scene": scene,
         "objects": objects,
@@ -155,6 +156,28 @@ fn document(scene: &str, system: &System) -> serde_json::Value {
         "natural_frequencies": { "unit": "rad/s", "engaged": found.engaged, "open": found.open },
         "exact": exact_document(system),
         "equations": { "text": text(&equations(model)), "latex": latex(&equations(model)) },
+    });
+    if !model.reduced.is_empty() {
+        document["reduced"] = model
+            .reduced
+            .iter()
+            .map(|one| reduced(model, one))
+            .collect();
+    }
+    document
+}
+
+/// What an object is reduced to: modes with their shares of the output, and what the
+/// others give way by.
+fn reduced(model: &Model, reduced: &Reduced) -> serde_json::Value {
+    let modes = modes(model, reduced).map(|(part, share, frequency)| {
+        json!({ "id": part.id, "share": share, "natural_frequency": frequency })
+    });
+    json!({
+        "id": model.objects[reduced.object].id,
+        "modes": modes.collect::<Vec<_>>(),
+        "under_acceleration": reduced.under_acceleration,
+        "offset": reduced.offset,
     })
 }
 

@@ -9,6 +9,7 @@
 use super::body;
 use super::cam_geometry;
 use super::geometry::Beam;
+use super::level;
 use super::load::{self, On};
 use super::measures::Measures;
 use super::pair;
@@ -174,6 +175,7 @@ pub fn read_behind(
         loads: loads?,
     };
     warn_never_closed(fields, &chain);
+    level::check(fields, &chain)?;
     Some(chain)
 }
 

@@ -18,6 +18,7 @@ mod drive;
 pub mod geometry;
 mod kind;
 pub mod law;
+mod level;
 mod linkage;
 mod load;
 mod measures;

@@ -35,6 +35,7 @@ mod passes;
 mod pattern;
 mod placing;
 mod reduce;
+mod reduced;
 mod scales;
 mod separate;
 mod start;
@@ -63,6 +64,7 @@ use frozen::{Frozen, Step};
 pub use masses::MassState;
 use observe::{Body, ObjectPlace};
 use passes::Work;
+use reduced::Modal;
 pub(crate) use scales::Sampled;
 use std::sync::{Arc, OnceLock};
 use taylor::Taylor;
@@ -177,7 +179,10 @@ impl System {
     pub fn new(model: Model) -> Result<Self, Vec<Fault>> {
         let frozen = build::freeze(&model)?;
         let find = |part| ObjectPlace::find(&frozen, &model, part);
-        let places = model.objects.iter().map(find).collect();
+        let mut places: Vec<ObjectPlace> = model.objects.iter().map(find).collect();
+        for reduced in &model.reduced {
+            places[reduced.object].modal = Some(Modal::of(&frozen, &model, reduced));
+        }
         let mut system = Self {
             model,
             frozen,

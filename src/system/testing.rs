@@ -144,6 +144,7 @@ fn add_part(
         inputs: PartInput::only(driver),
         links,
         combination: None,
+        driven_end: None,
         rigid_pair: None,
     });
     model.objects.len() - 1

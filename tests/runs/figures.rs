@@ -52,6 +52,7 @@ fn one_object(position: Position, motion: fn(Law) -> NodeMotion, load: f64) -> M
         inputs: PartInput::only(driver),
         links: Vec::new(),
         combination: None,
+        driven_end: None,
         rigid_pair: None,
     };
     Model {

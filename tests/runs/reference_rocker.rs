@@ -155,6 +155,7 @@ fn objects(masses: usize) -> Vec<ObjectPart> {
         inputs: PartInput::only(driver),
         links,
         combination: None,
+        driven_end: None,
         rigid_pair: None,
     };
     vec![
