@@ -37,6 +37,11 @@ impl Faults {
         self.0.push(Fault::new(path, message, hint));
     }
 
+    /// How many there are.
+    pub(crate) fn len(&self) -> usize {
+        self.0.len()
+    }
+
     /// Requires a finite number.
     pub(crate) fn finite(&mut self, path: &str, value: f64) {
         if !value.is_finite() {

@@ -5,13 +5,14 @@ use super::console;
 use super::failure::Failure;
 use super::input::Input;
 use super::status::Status;
-use crate::dynamics::model::{Coordinate, LinkageBody, Model};
+use crate::dynamics::model::{Coordinate, LinkageBody, Model, Reduced};
 use crate::dynamics::system::{Regime, System};
 use crate::exact::{Parts, Refusal};
 use crate::report::diagram::Diagram;
 use crate::report::show::equations::{equations, latex, text};
 use crate::report::show::graph;
 use crate::report::show::masses::{self, Frequencies};
+use crate::report::show::reduced::modes;
 use crate::report::svg::graph::svg;
 use crate::studies::exact::{Mixed, mixed};
 use serde_json::json;
@@ -148,7 +149,7 @@ fn document(scene: &str, system: &System) -> serde_json::Value {
             })
         })
         .collect();
-    json!({
+    let mut document = json!({
         "dam": 1,
         "scene": scene,
         "objects": objects,
@@ -156,6 +157,28 @@ fn document(scene: &str, system: &System) -> serde_json::Value {
         "natural_frequencies": { "unit": "rad/s", "engaged": found.engaged, "open": found.open },
         "exact": exact_document(system),
         "equations": { "text": text(&equations(model)), "latex": latex(&equations(model)) },
+    });
+    if !model.reduced.is_empty() {
+        document["reduced"] = model
+            .reduced
+            .iter()
+            .map(|one| reduced(model, one))
+            .collect();
+    }
+    document
+}
+
+/// What an object is reduced to: modes with their shares of the output, and what the
+/// others give way by.
+fn reduced(model: &Model, reduced: &Reduced) -> serde_json::Value {
+    let modes = modes(model, reduced).map(|(part, share, frequency)| {
+        json!({ "id": part.id, "share": share, "natural_frequency": frequency })
+    });
+    json!({
+        "id": model.objects[reduced.object].id,
+        "modes": modes.collect::<Vec<_>>(),
+        "under_acceleration": reduced.under_acceleration,
+        "offset": reduced.offset,
     })
 }
 

@@ -38,7 +38,10 @@ pub struct Model {
     /// Piecewise axes: which piece of a law, table or window is in force is a
     /// discrete state that changes at located events.
     pub tracks: Vec<Track>,
-    /// The scene's objects, in the order of their ids.
+    /// Elastic objects that are reduced to vibration modes.
+    pub reduced: Vec<Reduced>,
+    /// The scene's objects and their outputs, in the order of their ids; then the inner
+    /// parts of objects ([`ObjectPart::is_inner`]).
     pub objects: Vec<ObjectPart>,
     /// State at t = 0.
     pub start: Start,
@@ -47,6 +50,11 @@ pub struct Model {
 }
 
 impl Model {
+    /// What an object is reduced to, if it is reduced to modes.
+    pub fn reduced(&self, object: usize) -> Option<&Reduced> {
+        self.reduced.iter().find(|reduced| reduced.object == object)
+    }
+
     /// The pair in link 1 of an elastic object.
     pub fn elastic_pair(&self, object: &ObjectPart) -> Option<Pair> {
         match self.links[self.pair_link(object)?].base {
@@ -387,6 +395,22 @@ pub struct LinkageBody {
     pub object: usize,
 }
 
+/// An elastic object reduced to vibration modes. Its part has one node, a massless
+/// output; modes and the inertia at the driven end are parts of their own.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Reduced {
+    /// The object concerned, index into [`Model::objects`].
+    pub object: usize,
+    /// The masses of the modes, each an oscillator on the object's law, with the share of
+    /// their deviation that the output gets.
+    pub modes: Vec<(NodeIndex, f64)>,
+    /// What the modes that are left out give way by under the acceleration φ̈ of the
+    /// driven end: the output deviates by −`under_acceleration`·φ̈ besides (s²).
+    pub under_acceleration: f64,
+    /// What they give way by under constant loads.
+    pub offset: f64,
+}
+
 /// An axis with break points; its current segment is discrete state.
 #[derive(Clone, Debug)]
 pub struct Track {
@@ -430,7 +454,8 @@ pub fn owner_of(address: &str, known: impl Fn(&str) -> bool) -> (&str, &str) {
 pub struct ObjectPart {
     /// Id in the scene; of an output `object.output`.
     pub id: String,
-    /// Kind in the scene; [`OUTPUT`] of an output.
+    /// Kind in the scene; [`OUTPUT`] of an output, [`DRIVEN_END`] of the inertia of an
+    /// elastic object that moves with its law, [`MODE`] of one of its vibration modes.
     pub kind: &'static str,
     /// Turning or sliding.
     pub coordinate: Coordinate,
@@ -438,6 +463,9 @@ pub struct ObjectPart {
     pub nodes: Vec<NodeIndex>,
     /// The node on which several inputs are combined, which its law follows.
     pub combination: Option<NodeIndex>,
+    /// Of an elastic object the node of the inertia that moves with its law, if it has
+    /// one: it stands in the model as a part of its own, of the kind [`DRIVEN_END`].
+    pub driven_end: Option<NodeIndex>,
     /// What drives it, in the order of its inputs; nothing drives a drive.
     pub inputs: Vec<PartInput>,
     /// Its links, link 1 first; empty for a drive or a rigid object. A contact element
@@ -484,6 +512,11 @@ impl ObjectPart {
         }
     }
 
+    /// True of a part of an object that nothing can hang on and that no scene names.
+    pub fn is_inner(&self) -> bool {
+        self.kind == DRIVEN_END || self.kind == MODE
+    }
+
     /// True when one of the inputs hangs on that object part.
     pub fn is_driven_by(&self, other: usize) -> bool {
         self.inputs.iter().any(|input| input.driver == other)
@@ -492,6 +525,14 @@ impl ObjectPart {
 
 /// The kind of an object part that is an output of another one.
 pub const OUTPUT: &str = "output";
+
+/// The kind of an object part that is the share of an elastic object's inertia at its
+/// driven end, which follows the law: `object.driven_end`.
+pub const DRIVEN_END: &str = "driven_end";
+
+/// The kind of an object part that is a vibration mode of an elastic object:
+/// `object.mode_1`, `object.residual`.
+pub const MODE: &str = "mode";
 
 /// State at t = 0.
 #[derive(Clone, Debug, Default, PartialEq)]

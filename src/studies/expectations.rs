@@ -242,6 +242,7 @@ mod tests {
                 nodes: vec![0],
                 inputs: PartInput::only(None),
                 combination: None,
+                driven_end: None,
                 links: Vec::new(),
                 contact: None,
                 rigid_pair: None,

@@ -53,6 +53,7 @@ fn one_object(position: Position, motion: fn(Law) -> NodeMotion, load: f64) -> M
         links: Vec::new(),
         combination: None,
         contact: None,
+        driven_end: None,
         rigid_pair: None,
     };
     Model {

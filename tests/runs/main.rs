@@ -7,6 +7,7 @@ mod dead_positions;
 mod examples;
 mod figures;
 mod lagrange;
+mod levels;
 mod library;
 mod long_chains;
 mod methods;

@@ -1,7 +1,7 @@
 //! Correct scenes are read into the right numbers.
 
 use dam::model::{Closure, Coordinate, DampingLaw};
-use dam::object::spec::{BodySpec, ChainSpec, InertiaSplit, LoadLawSpec, MassChoice};
+use dam::object::spec::{BodySpec, ChainSpec, InertiaSplit, LoadLawSpec, Lumping, MassChoice};
 use dam::position::PositionSpec;
 use dam::scene::{BuiltIn, Document, Expected, Overrides, Reading, StartSpec};
 use std::f64::consts::{FRAC_PI_2, TAU};
@@ -44,7 +44,8 @@ fn the_two_mass_rocker_is_read() {
             stiffness: 1e7,
             damping_capacity: 0.4,
             masses: 2,
-            split: InertiaSplit::Cubes
+            split: InertiaSplit::Cubes,
+            lumping: Lumping::Ends,
         }
     );
     assert_eq!(

@@ -156,6 +156,7 @@ fn objects(masses: usize) -> Vec<ObjectPart> {
         links,
         combination: None,
         contact: None,
+        driven_end: None,
         rigid_pair: None,
     };
     vec![

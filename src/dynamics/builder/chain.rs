@@ -1,6 +1,8 @@
 //! Chains of masses, and rigid objects.
 
-use super::spec::{BodySpec, ChainSpec, InertiaSplit, PairSpec};
+use super::driven_end::{balanced_shares, loaded};
+use super::modes::Modal;
+use super::spec::{BodySpec, ChainSpec, InertiaSplit, Lumping, PairSpec};
 use super::{Connected, ModelBuilder, Place};
 use crate::dynamics::model::{Closure, Coordinate, DampingLaw, Law, Pair};
 use crate::fault::{Fault, Faults};
@@ -17,6 +19,8 @@ pub struct ChainParameters {
     pub stiffnesses: Vec<f64>,
     /// b_m (N·m·s/rad or N·s/m).
     pub dampings: Vec<f64>,
+    /// Inertia at the driven end, which moves with the law (kg·m² or kg).
+    pub driven_end: f64,
 }
 
 impl ChainParameters {
@@ -24,7 +28,8 @@ impl ChainParameters {
     ///
     /// From few data: J_m by the split; c_m = n·c, so that the series
     /// stiffness is c; b_m = ψ·c_m/(2π·ω₀) with ω₀ = √(c/J), so that the
-    /// series damper is ψ·√(cJ)/(2π), for every n.
+    /// series damper is ψ·√(cJ)/(2π), for every n. Balanced, the inertia of each cell is
+    /// split over its two ends.
     ///
     /// # Errors
     /// Numbers out of range and lists that do not match; paths relative to
@@ -42,6 +47,7 @@ impl ChainParameters {
                 damping_capacity,
                 masses,
                 split,
+                lumping,
             } => {
                 faults.positive("inertia", *inertia);
                 faults.positive("stiffness", *stiffness);
@@ -49,7 +55,10 @@ impl ChainParameters {
                 if *masses == 0 {
                     faults.add("masses", "an elastic object has masses", "give at least 1");
                 }
-                let shares = shares(&mut faults, split, *masses);
+                let (end, shares) = match lumping {
+                    Lumping::Ends => (0.0, shares(&mut faults, split, *masses)),
+                    Lumping::Balanced => balanced(&mut faults, split, *masses),
+                };
                 let chain_stiffness = *masses as f64 * stiffness;
                 let base_frequency = (stiffness / inertia).sqrt();
                 let damping = damping_capacity * chain_stiffness / (TAU * base_frequency);
@@ -57,8 +66,11 @@ impl ChainParameters {
                     inertias: shares.iter().map(|share| share * inertia).collect(),
                     stiffnesses: vec![chain_stiffness; *masses],
                     dampings: vec![damping; *masses],
+                    driven_end: end * inertia,
                 }
             }
+            // Its oscillators have parameters of their own.
+            BodySpec::Modes { .. } => Self::default(),
             BodySpec::Lists {
                 inertias,
                 stiffnesses,
@@ -67,10 +79,11 @@ impl ChainParameters {
                 inertias: inertias.clone(),
                 stiffnesses: stiffnesses.clone(),
                 dampings: dampings.clone(),
+                driven_end: 0.0,
             },
         };
         faults.check()?;
-        if !matches!(body, BodySpec::Rigid { .. }) {
+        if !matches!(body, BodySpec::Rigid { .. } | BodySpec::Modes { .. }) {
             parameters.check(&mut faults);
         }
         faults.check()?;
@@ -101,6 +114,20 @@ impl ChainParameters {
             faults.not_negative(&format!("dampings[{index}]"), damping);
         }
     }
+}
+
+/// Share of the inertia at the driven end and at each mass of a balanced chain.
+fn balanced(faults: &mut Faults, split: &InertiaSplit, masses: usize) -> (f64, Vec<f64>) {
+    if let Some(found) = balanced_shares(split, masses) {
+        return found;
+    }
+    let message = "shares of one's own are no continuum that could be balanced";
+    faults.add(
+        "lumping",
+        message,
+        "give `ends`, or the split `equal` or `cubes`",
+    );
+    (0.0, shares(faults, split, masses))
 }
 
 /// Share of the inertia in each fragment.
@@ -143,15 +170,39 @@ impl ModelBuilder {
             _ => return,
         };
         let driver = law.driver;
+        if let BodySpec::Modes {
+            inertia,
+            stiffness,
+            damping_capacity,
+            modes,
+            ref split,
+        } = spec.body
+        {
+            let body = Modal {
+                inertia,
+                stiffness,
+                damping_capacity,
+                modes,
+                split,
+            };
+            return self.modal(at, &law, spec, body);
+        }
         let nodes = match (&spec.body, &spec.pair.contact) {
             (_, Some(contact)) => {
                 self.touching(at, &law, &spec.body, &parameters, (pair, *contact))
             }
-            (BodySpec::Rigid { inertia }, None) => vec![self.rigid(at, law, *inertia, pair)],
+            (BodySpec::Rigid { inertia }, None) => {
+                vec![self.rigid(at, law.clone(), *inertia, pair)]
+            }
             _ => self.masses(at, &law, &parameters, pair),
         };
+        self.check_driven_end(at, spec);
+        let end = match spec.body.has_driven_end() {
+            true => Some(self.driven_end(at, &law, parameters.driven_end).1),
+            false => None,
+        };
         for load in &spec.loads {
-            self.load(at, load, &nodes, driver);
+            self.load(at, load, &loaded(load, &nodes, end), driver);
         }
     }
 

@@ -1,5 +1,5 @@
 use super::ChainParameters;
-use crate::dynamics::builder::spec::{BodySpec, InertiaSplit};
+use crate::dynamics::builder::spec::{BodySpec, InertiaSplit, Lumping};
 use std::f64::consts::{PI, TAU};
 
 fn body(masses: usize, split: InertiaSplit) -> BodySpec {
@@ -9,6 +9,7 @@ fn body(masses: usize, split: InertiaSplit) -> BodySpec {
         damping_capacity: 0.4,
         masses,
         split,
+        lumping: Lumping::Ends,
     }
 }
 

@@ -65,6 +65,7 @@ impl ModelBuilder {
         let (parameters, pair) = match body {
             BodySpec::Rigid { inertia } => {
                 let alone = ChainParameters {
+                    driven_end: 0.0,
                     inertias: vec![*inertia],
                     stiffnesses: vec![stiffness],
                     dampings: vec![contact_damping(contact.law)],

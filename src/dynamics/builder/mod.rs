@@ -14,9 +14,12 @@
 
 mod chain;
 mod contact;
+mod continuum;
 mod drive;
+mod driven_end;
 mod linkage;
 mod load;
+mod modes;
 mod nodes;
 mod pieces;
 mod place;
@@ -24,12 +27,13 @@ mod reach;
 pub mod spec;
 
 pub use chain::ChainParameters;
+pub(crate) use driven_end::{BALANCED_BEHIND_AN_OPENING_PAIR, INSTEAD_OF_BALANCED};
 pub use place::{Connected, Place};
 
 use crate::dynamics::model::{Model, NodeIndex, ObjectPart, Track, TrackSource};
 use crate::fault::{Fault, Faults};
 use crate::kinematics::breaks::Breaks;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Standard acceleration of free fall (m/s²), for weights.
 pub const FREE_FALL: f64 = 9.80665;
@@ -50,6 +54,8 @@ pub struct ModelBuilder {
     outputs: BTreeMap<String, NodeIndex>,
     /// For each node the object part that it belongs to, and where it will be.
     known: Vec<Known>,
+    /// Outputs that others hang on.
+    followed: BTreeSet<String>,
 }
 
 /// What is known of a node.
@@ -83,7 +89,13 @@ impl ModelBuilder {
             explicit,
             outputs: BTreeMap::new(),
             known: Vec::new(),
+            followed: BTreeSet::new(),
         }
+    }
+
+    /// Says which outputs others hang on.
+    pub(crate) fn with_followed(self, followed: BTreeSet<String>) -> Self {
+        Self { followed, ..self }
     }
 
     /// The place of an object, its inputs given as (port, output) pairs. Outputs of

@@ -121,6 +121,22 @@ pub enum BodySpec {
         masses: usize,
         /// How J is split.
         split: InertiaSplit,
+        /// Where the inertia of each cell is put.
+        lumping: Lumping,
+    },
+    /// The lowest vibration modes of the uniform object, held at its driven end; the
+    /// others as far as they give way under slow forces.
+    Modes {
+        /// Total inertia J.
+        inertia: f64,
+        /// Stiffness c seen at the output.
+        stiffness: f64,
+        /// Specific damping capacity ψ.
+        damping_capacity: f64,
+        /// Number of modes, ≥ 1.
+        modes: usize,
+        /// How J lies along the object: `Equal`, a rod; `Cubes`, a lever.
+        split: InertiaSplit,
     },
     /// Explicit lists, all of the same length n ≥ 1.
     Lists {
@@ -134,11 +150,13 @@ pub enum BodySpec {
 }
 
 impl BodySpec {
-    /// Number of masses; 0 of a rigid object.
+    /// Number of masses; 0 of a rigid object, 1 of one that is reduced to modes: its
+    /// output.
     pub fn masses(&self) -> usize {
         match self {
             Self::Rigid { .. } => 0,
             Self::Uniform { masses, .. } => *masses,
+            Self::Modes { .. } => 1,
             Self::Lists { inertias, .. } => inertias.len(),
         }
     }
@@ -153,6 +171,17 @@ pub enum InertiaSplit {
     Equal,
     /// Shares, summing to 1.
     Shares(Vec<f64>),
+}
+
+/// Where the inertia of each of the n cells of a chain is put.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Lumping {
+    /// `"ends"`: all of it at the end of the cell that is away from the driver.
+    #[default]
+    Ends,
+    /// `"balanced"`: at both ends of the cell, so that its first moment of compliance
+    /// is kept. What lies at the driven end moves with the law.
+    Balanced,
 }
 
 /// The kinematic pair of link 1 (or of a rigid object).

@@ -1,6 +1,7 @@
 //! What a run leaves behind: columns of samples, switches, figures.
 
 mod addresses;
+mod area;
 mod audit;
 mod contact;
 pub(crate) mod failure;

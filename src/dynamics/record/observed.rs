@@ -1,6 +1,7 @@
 //! A step of an integration as a segment: coordinates are polynomials, everything
 //! else is observed at a few places and looked for between them.
 
+use super::area::area;
 use super::contact::Opening;
 use super::observer::Observer;
 use super::peaks::PLACES;
@@ -94,7 +95,7 @@ impl Segment for Observed<'_, '_> {
         let mut room = [0.0; MAX_DEGREE + 1];
         let own = self.coordinates[object];
         let found = match signal {
-            Signal::Deviation => own.deviation.and_then(|coordinate| {
+            Signal::Deviation if own.deviation.is_some() => own.deviation.and_then(|coordinate| {
                 let delta = step.signal(coordinate, &mut room);
                 if sign > 0.0 {
                     maximum(delta, end, peak.value)
@@ -137,7 +138,10 @@ impl Segment for Observed<'_, '_> {
 
     fn area(&mut self, object: usize) -> f64 {
         let Some(coordinate) = self.coordinates[object].deviation else {
-            return 0.0;
+            // The sum of several coordinates and a prescribed motion.
+            let objects = self.coordinates.len();
+            let values = at_places(self.states, objects, object, Signal::Deviation);
+            return self.step.length * self.step.end * area(&values);
         };
         let mut room = [0.0; MAX_DEGREE + 1];
         let delta = self.step.signal(coordinate, &mut room);

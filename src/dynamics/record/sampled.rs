@@ -1,5 +1,6 @@
 //! A stretch of a motion of which nothing is known but what is observed at places.
 
+use super::area::area;
 use super::peaks::PLACES;
 use super::tally::read;
 use crate::dynamics::energy::EnergyAudit;
@@ -52,9 +53,10 @@ impl Segment for Sampled<'_> {
         peak.follow(&PLACES, &values, time, look);
     }
 
-    /// Nothing here is elastic.
-    fn area(&mut self, _object: usize) -> f64 {
-        0.0
+    fn area(&mut self, object: usize) -> f64 {
+        let objects = self.states.len() / PLACES.len();
+        let values = std::array::from_fn(|k| self.states[k * objects + object].delta);
+        (self.span[1] - self.span[0]) * area(&values)
     }
 
     /// No works are known.

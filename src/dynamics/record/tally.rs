@@ -92,13 +92,12 @@ impl Tally {
     /// A tally for object `object` of the system; `window`: that of the margins.
     pub(crate) fn new(system: &System, object: usize, window: Option<[f64; 2]>) -> Self {
         let part = &system.model().objects[object];
-        let elastic = system.last_coordinate(object).filter(|_| !part.is_drive());
         let lifts_off = part
             .rigid_pair
             .is_some_and(|pair| pair.closure == Closure::Force);
         let never = [f64::INFINITY, f64::NEG_INFINITY];
         Self {
-            deviation: elastic.map(|_| Deviation {
+            deviation: system.deviates(object).then_some(Deviation {
                 greatest: Peak::NONE,
                 least: Peak::NONE,
                 area: 0.0,

@@ -117,6 +117,7 @@ mod tests {
                 nodes: vec![index],
                 inputs: PartInput::only(None),
                 combination: None,
+                driven_end: None,
                 links: Vec::new(),
                 contact: None,
                 rigid_pair: None,

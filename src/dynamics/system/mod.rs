@@ -37,6 +37,7 @@ mod pattern;
 mod placing;
 mod points;
 mod reduce;
+mod reduced;
 mod scales;
 mod separate;
 mod start;
@@ -66,6 +67,7 @@ use frozen::{Frozen, Step};
 pub use masses::MassState;
 use observe::{Body, ObjectPlace};
 use passes::Work;
+use reduced::Modal;
 pub(crate) use scales::Sampled;
 use std::sync::{Arc, OnceLock};
 use taylor::Taylor;
@@ -182,7 +184,10 @@ impl System {
     pub fn new(model: Model) -> Result<Self, Vec<Fault>> {
         let frozen = build::freeze(&model)?;
         let find = |part| ObjectPlace::find(&frozen, &model, part);
-        let places = model.objects.iter().map(find).collect();
+        let mut places: Vec<ObjectPlace> = model.objects.iter().map(find).collect();
+        for reduced in &model.reduced {
+            places[reduced.object].modal = Some(Modal::of(&frozen, &model, reduced));
+        }
         let mut system = Self {
             model,
             frozen,

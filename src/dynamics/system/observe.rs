@@ -3,6 +3,7 @@
 use super::frozen::{Chain, Frozen, Rigid, Step};
 use super::loads::is_motor;
 use super::passes::{Extent, Work};
+use super::reduced::Modal;
 use super::{Energy, ObjectState, Power, Scratch, System};
 use crate::dynamics::integrate::Modes;
 use crate::dynamics::model::{Closure, LoadLaw, Model, ObjectPart, Pair};
@@ -14,6 +15,10 @@ pub(super) struct ObjectPlace {
     pub(super) node: usize,
     /// What it is.
     pub(super) body: Body,
+    /// The inertia of an elastic object that moves with its law.
+    driven_end: Option<Rigid>,
+    /// Of an object that is reduced to modes what it is the sum of.
+    pub(super) modal: Option<Modal>,
 }
 
 /// What an object is.
@@ -32,6 +37,13 @@ pub(super) enum Body {
     Rigid(Rigid, Pair),
     /// A chain, index into [`Frozen::chains`].
     Chain(usize),
+}
+
+impl Rigid {
+    /// The force with which it pulls at its law.
+    fn pull(&self, work: &Work<f64>) -> f64 {
+        work.force[self.node] - work.mass[self.node] * work.acceleration[self.node]
+    }
 }
 
 impl ObjectPlace {
@@ -55,7 +67,14 @@ impl ObjectPlace {
             })
             // Every node has its step.
             .unwrap_or(Body::Prescribed);
-        Self { node, body }
+        let rigid = |node: usize| frozen.rigids.iter().find(|rigid| rigid.node == node);
+        let end = part.driven_end.map(|node| frozen.internal[node]);
+        Self {
+            node,
+            body,
+            driven_end: end.and_then(rigid).copied(),
+            modal: None,
+        }
     }
 }
 
@@ -155,8 +174,7 @@ impl System {
                     out.reaction = constant + loads.iter().map(torque).sum::<f64>();
                 }
                 Body::Rigid(rigid, pair) => {
-                    let force = work.force[rigid.node]
-                        - work.mass[rigid.node] * work.acceleration[rigid.node];
+                    let force = rigid.pull(work);
                     out.reaction = force;
                     out.contact_force = match pair.closure {
                         Closure::Bilateral => 0.0,
@@ -168,6 +186,12 @@ impl System {
                     let reaction = work.reaction[*chain];
                     self.observe_chain(&self.frozen.chains[*chain], y, modes, reaction, out);
                 }
+            }
+            if let (Some(modal), Some(end)) = (&place.modal, &place.driven_end) {
+                self.observe_modal(modal, end.node, (time, y), &modes.0, work, out);
+            }
+            if let Some(end) = &place.driven_end {
+                out.reaction += end.pull(work);
             }
         }
     }

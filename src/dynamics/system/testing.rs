@@ -145,6 +145,7 @@ fn add_part(
         links,
         combination: None,
         contact: None,
+        driven_end: None,
         rigid_pair: None,
     });
     model.objects.len() - 1

@@ -136,6 +136,9 @@ impl<'m> Builder<'m> {
                 Role::Moved(_) => {}
             }
         }
+        if self.model.reduced(object).is_some() {
+            return self.sum_of_modes(object, &roles);
+        }
         let reason = if courses.len() < drivers.len() {
             "one of its inputs moves elastically"
         } else {
@@ -155,6 +158,30 @@ impl<'m> Builder<'m> {
             }
         }
         self.refuse(object, reason);
+    }
+
+    /// An object that is reduced to modes is looked at, if nothing else sees it: its
+    /// modes are trees.
+    fn sum_of_modes(&mut self, object: usize, roles: &[Role<'_>]) {
+        let part = &self.model.objects[object];
+        let followed = self
+            .model
+            .objects
+            .iter()
+            .any(|other| other.is_driven_by(object));
+        let mut loads = self.model.loads.iter();
+        let reason = if followed {
+            "what hangs on it couples the modes that it is reduced to"
+        } else if loads.any(|load| part.nodes.contains(&load.node)) {
+            "a load that depends on its motion couples the modes that it is reduced to"
+        } else {
+            return;
+        };
+        for role in roles {
+            self.refuse_behind(object, role, reason);
+        }
+        let first = self.refusals.len() - roles.len();
+        self.refusals.truncate(first + 1);
     }
 
     /// What drives an object, with its id.
@@ -381,7 +408,16 @@ impl<'m> Builder<'m> {
             Role::Moved(on) if !self.spoiled[on.tree] => Holder::Tree(number(on.tree)),
             Role::Moved(_) | Role::Unfit => Holder::Other,
         };
-        self.model.objects.iter().map(holder).collect()
+        let mut holders: Vec<Holder> = self.model.objects.iter().map(holder).collect();
+        // The sum of modes moves with the first of them.
+        for reduced in &self.model.reduced {
+            let mode = reduced.modes.first().map(|(node, _)| node);
+            let mut parts = self.model.objects.iter();
+            let first = mode.and_then(|mode| parts.position(|part| part.nodes.contains(mode)));
+            let first = first.map(|first| holders[first]);
+            holders[reduced.object] = first.unwrap_or(holders[reduced.object]);
+        }
+        holders
     }
 }
 

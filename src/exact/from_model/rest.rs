@@ -4,7 +4,7 @@ use super::{Holder, Parts};
 use crate::dynamics::integrate::{Dynamics, Modes};
 use crate::dynamics::model::{
     Law, Link, LinkBase, LinkageBody, Load, LoadLaw, Model, Node, NodeIndex, NodeMotion,
-    ObjectPart, Start, TrackSource,
+    ObjectPart, Reduced, Start, TrackSource,
 };
 use crate::dynamics::system::{InitialState, System};
 
@@ -170,6 +170,11 @@ fn cut_out(model: &Model, kept: &[usize]) -> Option<(Model, Vec<usize>)> {
         out.objects
             .push(numbers.object(&model.objects[object], kept)?);
     }
+    let reduced = model.reduced.iter();
+    let reduced = reduced.filter(|one| kept.contains(&one.object));
+    out.reduced = reduced
+        .map(|one| numbers.reduced(one, kept))
+        .collect::<Option<_>>()?;
     out.start = start(&model.start, kept);
     Some((out, tracks))
 }
@@ -204,6 +209,15 @@ fn tracks(model: &Model, kept: &[usize], nodes: &[usize], loads: &[&Load]) -> Ve
 }
 
 impl Numbers {
+    fn reduced(&self, reduced: &Reduced, kept: &[usize]) -> Option<Reduced> {
+        let mut copy = reduced.clone();
+        copy.object = kept.iter().position(|&own| own == copy.object)?;
+        for (node, _) in &mut copy.modes {
+            *node = self.nodes[*node]?;
+        }
+        Some(copy)
+    }
+
     fn node(&self, node: &Node) -> Option<Node> {
         let motion = match &node.motion {
             NodeMotion::Prescribed { motion, track } => NodeMotion::Prescribed {
@@ -279,7 +293,8 @@ impl Numbers {
 
     fn object(&self, part: &ObjectPart, kept: &[usize]) -> Option<ObjectPart> {
         let mut copy = part.clone();
-        for node in copy.nodes.iter_mut().chain(&mut copy.combination) {
+        let ends = copy.combination.iter_mut().chain(&mut copy.driven_end);
+        for node in copy.nodes.iter_mut().chain(ends) {
             *node = self.nodes[*node]?;
         }
         for link in &mut copy.links {

@@ -30,6 +30,10 @@ macro_rules! chain {
                 /// How the inertia is split: `"cubes"` (a uniform lever), `"equal"`, or a
                 /// list of shares.
                 split;
+                /// Where the inertia of each cell is put: `"ends"` (default) or `"balanced"`.
+                lumping;
+                /// Number of vibration modes, in place of `masses`.
+                modes;
                 /// Inertia of each mass, in place of `inertia`.
                 inertias;
                 /// Stiffness of each link, in place of `stiffness`.

@@ -28,6 +28,10 @@ builder! {
         damping;
         /// How the inertia is split: `"cubes"`, `"equal"`, or a list of shares.
         split;
+        /// Where the inertia of each cell is put: `"ends"` (default) or `"balanced"`.
+        lumping;
+        /// Number of vibration modes, in place of `masses`.
+        modes;
         /// Inertia of each mass, in place of `inertia`.
         inertias;
         /// Stiffness of each link, in place of `stiffness`.

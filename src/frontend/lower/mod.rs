@@ -33,7 +33,10 @@ pub fn lower(scene: &TypedScene) -> Result<Model, Vec<Fault>> {
     let graph = scene.graph();
     let order = order::drivers_first(scene, &graph)?;
     let explicit = start::displacements(scene);
-    let mut builder = ModelBuilder::new(parts(&graph), scene.run.duration, explicit);
+    let connections = scene.objects.values().flat_map(|one| &one.connections);
+    let followed = connections.map(|one| one.output.clone()).collect();
+    let builder = ModelBuilder::new(parts(&graph), scene.run.duration, explicit);
+    let mut builder = builder.with_followed(followed);
     for id in order {
         let entry = &scene.objects[id];
         let inputs = entry.connections.iter();
@@ -72,6 +75,7 @@ fn parts(graph: &MechanismGraph<'_>) -> Vec<ObjectPart> {
         nodes: Vec::new(),
         inputs: Vec::new(),
         combination: None,
+        driven_end: None,
         links: Vec::new(),
         contact: None,
         rigid_pair: None,

@@ -36,6 +36,11 @@ fn explicit(states: &BTreeMap<String, (Vec<f64>, Vec<f64>)>, builder: &mut Model
             builder.other_faults().add(path, message, "");
             continue;
         };
+        if let Some(reduced) = builder.model().reduced(object) {
+            let modes: Vec<NodeIndex> = reduced.modes.iter().map(|mode| mode.0).collect();
+            whole_body(builder, &modes, &path, [displacement, speed], &mut explicit);
+            continue;
+        }
         check(builder, object, &path, [displacement, speed]);
         explicit.push(ExplicitStart {
             object,
@@ -44,6 +49,35 @@ fn explicit(states: &BTreeMap<String, (Vec<f64>, Vec<f64>)>, builder: &mut Model
         });
     }
     Start::Explicit(explicit)
+}
+
+/// An object that is reduced to modes starts as a whole: every mode at its displacement
+/// and its speed.
+fn whole_body(
+    builder: &mut ModelBuilder,
+    modes: &[NodeIndex],
+    path: &str,
+    state: [&[f64]; 2],
+    explicit: &mut Vec<ExplicitStart>,
+) {
+    let [Some(_), Some(_)] = state.map(|values| (values.len() == 1).then_some(values)) else {
+        let message = "an object that is reduced to modes starts with one displacement and one \
+                       speed, those of the whole body";
+        let faults = builder.other_faults();
+        faults.add(path, message, "give one value each");
+        return;
+    };
+    for (name, values) in ["displacement", "speed"].into_iter().zip(state) {
+        let faults = builder.other_faults();
+        faults.finite(&format!("{path}.{name}[0]"), values[0]);
+    }
+    let objects = &builder.model().objects;
+    let parts = (0..objects.len()).filter(|&o| objects[o].nodes.iter().any(|n| modes.contains(n)));
+    explicit.extend(parts.map(|object| ExplicitStart {
+        object,
+        displacement: state[0].to_vec(),
+        speed: state[1].to_vec(),
+    }));
 }
 
 fn check(builder: &mut ModelBuilder, object: usize, path: &str, state: [&[f64]; 2]) {

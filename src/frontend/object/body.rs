@@ -1,6 +1,7 @@
 //! Inertia, stiffness, damping and number of masses of a chain.
 
 use super::geometry::{self, Beam, Elastic};
+use super::level::{self, Lumped};
 use super::measures::Measures;
 use super::spec::{BodySpec, InertiaSplit};
 use crate::frontend::read::{Bounds, Fields, Slot};
@@ -21,6 +22,8 @@ struct Written {
     damping: Option<f64>,
     dampings: Option<Vec<f64>>,
     split: Option<InertiaSplit>,
+    lumping: Lumped,
+    modes: Option<usize>,
     geometry: Option<Elastic>,
 }
 
@@ -36,6 +39,11 @@ const CLASHES: &[(&str, &str)] = &[
     ("damping_capacity", "dampings"),
     ("damping", "dampings"),
     ("split", "inertias"),
+    ("modes", "inertias"),
+    ("modes", "stiffnesses"),
+    ("modes", "dampings"),
+    ("modes", "lumping"),
+    ("modes", "masses"),
 ];
 
 /// Reads the body of a chain.
@@ -51,6 +59,9 @@ pub(super) fn read(
         clash |= fields.clash(one, other, "they give the same parameter in two ways");
     }
     let written = written.filter(|_| !clash)?;
+    if let Some(modes) = written.modes {
+        return modal(fields, written, modes, default_split);
+    }
     let masses = number_of_masses(fields, &written)?;
     fields.fill_in("masses", json!(masses));
     if masses == 0 {
@@ -84,6 +95,8 @@ fn written(fields: &mut Fields<'_>, own: Measures, beam: Beam) -> Option<Written
         "How the inertia is split: `cubes` (uniform lever), `equal`, or a list of shares.",
         split,
     );
+    let lumping = level::read_lumping(fields);
+    let modes = level::read_modes(fields);
     let list = |wanted, bounds| {
         move |slot: Slot<'_>| {
             slot.list(1..=MOST_MASSES as usize, |slot| {
@@ -121,6 +134,8 @@ fn written(fields: &mut Fields<'_>, own: Measures, beam: Beam) -> Option<Written
         damping: damping?,
         dampings: dampings?,
         split: split?,
+        lumping: lumping?,
+        modes: modes?,
         geometry: geometry?,
     })
 }
@@ -209,6 +224,44 @@ fn rigid(fields: &mut Fields<'_>, written: &Written) -> Option<BodySpec> {
     }
 }
 
+/// An object that is reduced to its lowest modes.
+fn modal(
+    fields: &mut Fields<'_>,
+    written: Written,
+    modes: usize,
+    default_split: InertiaSplit,
+) -> Option<BodySpec> {
+    let geometry = written.geometry;
+    let inertia = written.inertia.or(geometry.map(|elastic| elastic.inertia));
+    let stiffness = written
+        .stiffness
+        .or(geometry.map(|elastic| elastic.stiffness));
+    check_elastic(fields, &written, inertia, stiffness)?;
+    let split = written.split.unwrap_or(default_split);
+    if matches!(split, InertiaSplit::Shares(_)) {
+        let message = "shares of one's own are no uniform object that has modes";
+        let fault = fields.refuse("split", "contradiction", message);
+        let hint = "give `equal` or `cubes`, or `masses` in place of `modes`";
+        fault.hints.push(hint.to_owned());
+        return None;
+    }
+    fields.fill_in("split", split_json(&split));
+    if written.damping.is_none() {
+        fields.fill_in("damping_capacity", json!(written.capacity.unwrap_or(0.0)));
+    }
+    let (inertia, stiffness) = (inertia?, stiffness?);
+    let from_damping = |damping: f64| damping * TAU / (stiffness * inertia).sqrt();
+    let capacity = written.capacity.or(written.damping.map(from_damping));
+    let body = BodySpec::Modes {
+        inertia,
+        stiffness,
+        damping_capacity: capacity.unwrap_or(0.0),
+        modes,
+        split,
+    };
+    sound(fields, body)
+}
+
 fn elastic(
     fields: &mut Fields<'_>,
     written: Written,
@@ -221,7 +274,11 @@ fn elastic(
         .stiffness
         .or(geometry.map(|elastic| elastic.stiffness));
     check_elastic(fields, &written, inertia, stiffness)?;
-    let split = written.split.unwrap_or(default_split);
+    let split = written.split.clone().unwrap_or(default_split);
+    let lumping = match continuum_lacks(&written, &split) {
+        None => written.lumping.asked(),
+        Some(why) => written.lumping.without_continuum(fields, why)?,
+    };
     if written.inertias.is_none() {
         fields.fill_in("split", split_json(&split));
     }
@@ -237,6 +294,7 @@ fn elastic(
             damping_capacity: capacity.unwrap_or(0.0),
             masses,
             split,
+            lumping,
         };
         return sound(fields, body);
     }
@@ -258,6 +316,19 @@ fn elastic(
         dampings,
     };
     sound(fields, body)
+}
+
+/// Why what is written is no continuum, cut into cells.
+fn continuum_lacks(written: &Written, split: &InertiaSplit) -> Option<&'static str> {
+    let lists = [
+        (written.inertias.is_some(), "inertias"),
+        (written.stiffnesses.is_some(), "stiffnesses"),
+        (written.dampings.is_some(), "dampings"),
+        (matches!(split, InertiaSplit::Shares(_)), "split"),
+    ];
+    lists
+        .into_iter()
+        .find_map(|(given, name)| given.then_some(name))
 }
 
 /// An elastic object needs an inertia and a stiffness, both greater than 0.
@@ -343,6 +414,18 @@ pub(super) fn is_sound(body: &BodySpec) -> bool {
             let frequency = (chain * *masses as f64 / inertia).sqrt();
             let damping = damping_capacity * chain / frequency;
             frequency.is_finite() && frequency > 0.0 && damping.is_finite()
+        }
+        BodySpec::Modes {
+            inertia,
+            stiffness,
+            damping_capacity,
+            modes,
+            ..
+        } => {
+            let frequency = (stiffness / inertia).sqrt();
+            let fastest = 8.0 * *modes as f64 * frequency;
+            let damping = damping_capacity * stiffness / frequency;
+            (fastest * fastest).is_finite() && frequency > 0.0 && damping.is_finite()
         }
         BodySpec::Lists {
             inertias,

@@ -9,6 +9,7 @@
 use super::body;
 use super::cam_geometry;
 use super::geometry::Beam;
+use super::level;
 use super::load::{self, On};
 use super::measures::Ends;
 use super::measures::Measures;
@@ -175,6 +176,7 @@ pub fn read_behind(
         loads: loads?,
     };
     warn_never_closed(fields, &chain);
+    level::check(fields, &chain)?;
     Some(chain)
 }
 

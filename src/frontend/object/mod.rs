@@ -19,6 +19,7 @@ mod drive;
 pub mod geometry;
 mod kind;
 pub mod law;
+mod level;
 mod linkage;
 mod load;
 mod measures;

@@ -45,10 +45,17 @@ fn set_body(body: &mut BodySpec, property: &str, value: f64) -> bool {
     // Whether zero is allowed: a massless object is rigid.
     let (place, zero) = match (&mut *body, property) {
         (BodySpec::Rigid { inertia }, "inertia") => (inertia, true),
-        (BodySpec::Uniform { inertia, .. }, "inertia") => (inertia, false),
-        (BodySpec::Uniform { stiffness, .. }, "stiffness") => (stiffness, false),
+        (BodySpec::Uniform { inertia, .. } | BodySpec::Modes { inertia, .. }, "inertia") => {
+            (inertia, false)
+        }
+        (BodySpec::Uniform { stiffness, .. } | BodySpec::Modes { stiffness, .. }, "stiffness") => {
+            (stiffness, false)
+        }
         (
             BodySpec::Uniform {
+                damping_capacity, ..
+            }
+            | BodySpec::Modes {
                 damping_capacity, ..
             },
             "damping_capacity",

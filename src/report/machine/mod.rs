@@ -93,7 +93,8 @@ impl Machine<'_> {
     /// The scene's objects, drivers before what they drive; outputs belong to
     /// their linkage.
     fn drivers_first(&self) -> Vec<&ObjectPart> {
-        let own = |part: &&ObjectPart| part.kind != OUTPUT && !part.nodes.is_empty();
+        let own =
+            |part: &&ObjectPart| part.kind != OUTPUT && !part.is_inner() && !part.nodes.is_empty();
         let mut parts: Vec<&ObjectPart> = self.model.objects.iter().filter(own).collect();
         parts.sort_by_key(|part| part.nodes[0]);
         parts

@@ -25,6 +25,7 @@ pub fn text(model: &Model, frequencies: &Frequencies) -> String {
     let mut out = String::new();
     section(&mut out, "Masses", &masses(model));
     section(&mut out, "Links", &links(model));
+    section(&mut out, "Reduced to modes", &super::reduced::table(model));
     out.push_str(&linkages(model));
     section(&mut out, "Driving pairs", &pairs(model));
     section(&mut out, "Loads", &loads(model));

@@ -7,6 +7,7 @@ pub mod graph;
 pub mod masses;
 pub mod motion;
 pub mod position;
+pub(crate) mod reduced;
 mod table;
 
 use crate::dynamics::model::Coordinate;

@@ -67,7 +67,7 @@ pub(super) struct Joint<'a> {
     /// By tree, then by object of the tree.
     trees: Vec<Vec<Tally>>,
     beside: Option<Beside<'a>>,
-    /// Rigid objects that masses carry, with the tree.
+    /// What is looked at in trees, with the tree: see [`carried`].
     carried: Vec<(usize, usize, Tally)>,
     /// Length of a stretch (s).
     length: f64,
@@ -211,7 +211,12 @@ impl<'a> Joint<'a> {
 
     fn look_at_carried(&mut self, motion: &mut Motion<'_, '_>, span: [f64; 2], modes: &Modes) {
         let [from, to] = span;
+        let model = self.route.system.model();
+        let summed = |object: usize| model.objects[object].combination.is_some();
+        // The sum of modes is in several trees.
+        let all = self.carried.iter().any(|carried| summed(carried.1));
         let trees = self.carried.iter().map(|carried| carried.0);
+        let trees = trees.chain(0..if all { motion.branches.len() } else { 0 });
         let rates = trees.map(|tree| motion.branches[tree].rate_ahead(span));
         let Some(rate) = rates.reduce(f64::max) else {
             return;
@@ -267,8 +272,12 @@ impl<'a> Joint<'a> {
                 tallies[object] = tally;
             }
         }
-        for (_, object, tally) in self.carried {
-            tallies[object] = tally;
+        for (tree, object, tally) in self.carried {
+            match self.route.parts.trees[tree].objects.contains(&object) {
+                // All but what its driven end adds is known in closed form.
+                true => tallies[object].replace_forces(&tally),
+                false => tallies[object] = tally,
+            }
         }
         let last = self.log.observe(time, y, modes);
         for (tally, state) in tallies.iter_mut().zip(last) {
@@ -463,14 +472,16 @@ fn is_uniform(model: &Model) -> bool {
         && model.loads.iter().all(|load| steady(&load.law))
 }
 
-/// Rigid objects that masses of trees carry.
+/// What is looked at in a tree: rigid objects that its masses carry, sums of modes, and
+/// elastic objects with inertia at their driven end, for the force there.
 fn carried(route: Route<'_>, window: Option<[f64; 2]>) -> Vec<(usize, usize, Tally)> {
     let Route { system, parts, .. } = route;
     let objects = 0..system.model().objects.len();
     let own = |object: usize| {
         let tree = parts.tree_of(object)?;
         let elastic = parts.trees[tree].objects.contains(&object);
-        (!elastic).then(|| (tree, object, Tally::new(system, object, window)))
+        let end = system.model().objects[object].driven_end.is_some();
+        (!elastic || end).then(|| (tree, object, Tally::new(system, object, window)))
     };
     objects.filter_map(own).collect()
 }

@@ -13,7 +13,7 @@ use crate::studies::run::Motion;
 pub(super) fn default_figure(model: &Model, order: &[String]) -> Option<String> {
     let elastic = |id: &&String| {
         let part = model.objects.iter().find(|part| part.id == **id);
-        part.is_some_and(|part| !part.links.is_empty())
+        part.is_some_and(|part| !part.links.is_empty() || part.driven_end.is_some())
     };
     let last = order.iter().rev().find(elastic)?;
     Some(format!("{last}.delta_abs"))
@@ -88,6 +88,9 @@ pub(super) fn wanted(figure: &str, model: &Model) -> Option<(usize, Asked)> {
         pair.is_some_and(|pair| pair.closure == Closure::Force)
     };
     if model.objects[object].links.is_empty() || model.objects.iter().any(margins) {
+        return None;
+    }
+    if name == "peak_reaction" && model.objects[object].driven_end.is_some() {
         return None;
     }
     let known = ObjectFigures {

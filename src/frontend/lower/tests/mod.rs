@@ -120,6 +120,7 @@ fn uniform(masses: usize) -> BodySpec {
         damping_capacity: 0.4,
         masses,
         split: InertiaSplit::Cubes,
+        lumping: Lumping::Ends,
     }
 }
 

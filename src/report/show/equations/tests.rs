@@ -109,6 +109,7 @@ fn rigid_chain() -> Model {
             nodes: vec![index],
             inputs: PartInput::only(index.checked_sub(1)),
             combination: None,
+            driven_end: None,
             links: vec![],
             contact: None,
             rigid_pair: None,

@@ -1,0 +1,140 @@
+//! Balanced chains: inertia at both ends of every cell, and thus at the driven end.
+//!
+//! A uniform elastic object is cut into n cells. A force in it at the share s of its
+//! length (0: the driven end, 1: the output) makes the output give way by s/c: what the
+//! output does when the object is moved slowly follows from ∫s dJ, the first moment of
+//! compliance of its inertia. Here the inertia of each cell is split over the two ends of
+//! the cell so that this moment is kept: the quasi-static deviation is right for every n.
+
+use super::spec::{ChainSpec, InertiaSplit, LoadLawSpec, LoadSpec, Lumping, MassChoice};
+use super::{ModelBuilder, Place};
+use crate::dynamics::builder::spec::BodySpec;
+use crate::dynamics::model::{Closure, DRIVEN_END, Law, NodeIndex, Pair};
+
+/// What a balanced chain cannot be behind, and why.
+pub(crate) const BALANCED_BEHIND_AN_OPENING_PAIR: &str = "the inertia at the driven end would \
+     stay on the driver when the pair opens";
+
+/// What to give in its place.
+pub(crate) const INSTEAD_OF_BALANCED: &str =
+    "\"ends\", where all inertia is behind the pair; or closure `bilateral`";
+
+/// Shares of the inertia at the driven end and at the masses 1 to n of a balanced chain;
+/// `None`: of a split that no continuum has.
+///
+/// Cell m = k + 1 of a uniform rod has 1/n, half of it at each end. That of a lever, whose
+/// inertia up to the share s of its length is s³, has (k + x)² at the share x of the cell,
+/// times 3/n³: (3k²/2 + 2k + ¾)/n³ at the far end, (3k²/2 + k + ¼)/n³ at the near one.
+pub(super) fn balanced_shares(split: &InertiaSplit, masses: usize) -> Option<(f64, Vec<f64>)> {
+    let n = masses as f64;
+    let (near, far): (fn(f64) -> f64, fn(f64) -> f64) = match split {
+        InertiaSplit::Equal => (|_| 0.5, |_| 0.5),
+        InertiaSplit::Cubes => (
+            |k| (1.5 * k + 1.0) * k + 0.25,
+            |k| (1.5 * k + 2.0) * k + 0.75,
+        ),
+        InertiaSplit::Shares(_) => return None,
+    };
+    let whole = match split {
+        InertiaSplit::Equal => n,
+        _ => n * n * n,
+    };
+    let at = |m: usize| {
+        let above = if m < masses { near(m as f64) } else { 0.0 };
+        (far(m as f64 - 1.0) + above) / whole
+    };
+    Some((near(0.0) / whole, (1..=masses).map(at).collect()))
+}
+
+impl BodySpec {
+    /// True when some of its inertia moves with the law.
+    pub fn has_driven_end(&self) -> bool {
+        let balanced = Lumping::Balanced;
+        matches!(self, Self::Uniform { lumping, .. } if *lumping == balanced)
+    }
+}
+
+impl ModelBuilder {
+    /// The node of the inertia at the driven end of an elastic object, behind the law
+    /// that its masses follow: the part that it is, and the node.
+    pub(super) fn driven_end(&mut self, at: &Place, law: &Law, inertia: f64) -> (usize, NodeIndex) {
+        let part = self.add_part(at, DRIVEN_END, DRIVEN_END);
+        let node = self.add_rigid(part, law.clone(), inertia, Pair::default());
+        self.model.objects[at.object].driven_end = Some(node);
+        (part, node)
+    }
+
+    /// A balanced chain stands behind a pair that cannot open.
+    pub(super) fn check_driven_end(&mut self, at: &Place, spec: &ChainSpec) {
+        if spec.body.has_driven_end() && spec.pair.closure != Closure::Bilateral {
+            let message = format!(
+                "`balanced` needs a pair that cannot open: {BALANCED_BEHIND_AN_OPENING_PAIR}"
+            );
+            self.fault(at, "lumping", message, INSTEAD_OF_BALANCED);
+        }
+    }
+}
+
+/// The nodes that a load may choose from: a weight of all masses acts on the inertia at
+/// the driven end too.
+pub(super) fn loaded(
+    load: &LoadSpec,
+    masses: &[NodeIndex],
+    end: Option<NodeIndex>,
+) -> Vec<NodeIndex> {
+    let weight = matches!(load.law, LoadLawSpec::Weight { .. }) && load.mass == MassChoice::All;
+    let end = end.filter(|_| weight);
+    masses.iter().copied().chain(end).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::balanced_shares;
+    use crate::dynamics::builder::spec::InertiaSplit;
+
+    /// Σ J_m·s_m/J and Σ J_m/J.
+    fn moments(split: &InertiaSplit, masses: usize) -> [f64; 2] {
+        let (end, shares) = balanced_shares(split, masses).unwrap();
+        let place = |m: usize| (m + 1) as f64 / masses as f64;
+        let moments = shares.iter().enumerate().map(|(m, share)| share * place(m));
+        [moments.sum(), end + shares.iter().sum::<f64>()]
+    }
+
+    #[test]
+    fn inertia_and_its_first_moment_of_compliance_are_those_of_the_continuum() {
+        for masses in [1, 2, 3, 8, 100] {
+            for (split, moment) in [(InertiaSplit::Equal, 0.5), (InertiaSplit::Cubes, 0.75)] {
+                let [first, whole] = moments(&split, masses);
+                approx::assert_relative_eq!(first, moment, max_relative = 1e-13);
+                approx::assert_relative_eq!(whole, 1.0, max_relative = 1e-13);
+            }
+        }
+        assert_eq!(
+            balanced_shares(&InertiaSplit::Cubes, 1),
+            Some((0.25, vec![0.75]))
+        );
+        assert_eq!(
+            balanced_shares(&InertiaSplit::Equal, 1),
+            Some((0.5, vec![0.5]))
+        );
+        assert_eq!(balanced_shares(&InertiaSplit::Shares(vec![1.0]), 1), None);
+    }
+
+    #[test]
+    fn each_cell_keeps_its_own_moment() {
+        // By a sum over a fine division of the cell, in place of the closed form.
+        let (n, fine) = (5, 4000);
+        let (end, shares) = balanced_shares(&InertiaSplit::Cubes, n).unwrap();
+        let mut expected = vec![0.0; n + 1];
+        for piece in 0..n * fine {
+            let s = (piece as f64 + 0.5) / (n * fine) as f64;
+            let (cell, inertia) = (piece / fine, 3.0 * s * s / (n * fine) as f64);
+            let x = s * n as f64 - cell as f64;
+            expected[cell] += inertia * (1.0 - x);
+            expected[cell + 1] += inertia * x;
+        }
+        for (found, expected) in std::iter::once(&end).chain(&shares).zip(&expected) {
+            approx::assert_abs_diff_eq!(found, expected, epsilon = 1e-8);
+        }
+    }
+}

@@ -1,0 +1,283 @@
+//! Elastic objects reduced to their lowest vibration modes.
+//!
+//! What the scene calls one object becomes one oscillator a mode behind its law, the
+//! inertia of the modes that are left out at the driven end, and a massless output that
+//! sums them ([`continuum`](super::continuum)). What those modes do under slow forces is
+//! read off the acceleration of the driven end where that is known and nothing else
+//! depends on it; otherwise it is one more oscillator.
+
+use super::continuum::{Continuum, Oscillator};
+use super::spec::{ChainSpec, InertiaSplit, LoadLawSpec, LoadSpec, MassChoice};
+use super::{ChainParameters, Connected, FREE_FALL, ModelBuilder, Place};
+use crate::dynamics::model::{
+    Closure, Law, Load, LoadLaw, MODE, NodeIndex, NodeMotion, ObjectPart, Pair, PartInput, Reduced,
+};
+use crate::kinematics::breaks::Breaks;
+use crate::kinematics::constraint::Constraint;
+use crate::kinematics::position::Position;
+use crate::math::jet::Jet;
+use std::f64::consts::TAU;
+
+/// A uniform elastic object and how many of its modes are kept.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Modal<'s> {
+    pub(super) inertia: f64,
+    pub(super) stiffness: f64,
+    pub(super) damping_capacity: f64,
+    pub(super) modes: usize,
+    pub(super) split: &'s InertiaSplit,
+}
+
+/// What an inner node gets of a force at the output.
+type Shares = Vec<(NodeIndex, f64)>;
+
+impl ModelBuilder {
+    /// Lowers an object that is reduced to modes behind its law.
+    pub(super) fn modal(&mut self, at: &Place, law: &Law, spec: &ChainSpec, body: Modal<'_>) {
+        let Some(continuum) = self.check_modal(at, spec, body) else {
+            return;
+        };
+        let still = !self.followed.contains(&at.id)
+            && spec.loads.iter().all(is_constant)
+            && self.is_smooth(law);
+        let reduction = continuum.reduce(body.modes);
+        let (residual, reduction) = match still {
+            true => (None, reduction),
+            false => (Some(body.modes), reduction.with_residual()),
+        };
+        let mut inputs = Vec::new();
+        let mut shares: Shares = Vec::new();
+        for (number, mode) in reduction.oscillators.iter().enumerate() {
+            let name = match residual {
+                Some(last) if last == number => "residual".to_owned(),
+                _ => format!("mode_{}", number + 1),
+            };
+            let part = self.add_part(at, &name, MODE);
+            let place = Place {
+                id: at.path(&name),
+                object: part,
+                inputs: Vec::new(),
+            };
+            let nodes = self.masses(&place, law, &parameters(body, mode), Pair::default());
+            inputs.push((name, part));
+            shares.extend(nodes.first().map(|&node| (node, mode.share)));
+        }
+        let (part, end) = self.driven_end(at, law, reduction.driven_end * body.inertia);
+        let rest = 1.0 - shares.iter().map(|(_, share)| share).sum::<f64>();
+        inputs.push((crate::dynamics::model::DRIVEN_END.to_owned(), part));
+        let modes = shares.clone();
+        shares.push((end, rest));
+        let Some(output) = self.summed(at, &shares) else {
+            return;
+        };
+        let input = |(port, driver): (String, usize)| PartInput { port, driver };
+        self.model.objects[at.object].inputs = inputs.into_iter().map(input).collect();
+        let under_force = reduction.under_force / body.stiffness;
+        let under_acceleration = reduction.under_acceleration * body.inertia / body.stiffness;
+        let mut offset = 0.0;
+        for load in &spec.loads {
+            let constant = self.modal_load(at, load, &shares, output, law.driver);
+            offset += match load.law {
+                // Gravity is an acceleration of the whole.
+                LoadLawSpec::Weight { inclination } => {
+                    -under_acceleration * FREE_FALL * inclination.sin()
+                }
+                _ => under_force * constant,
+            };
+        }
+        self.model.reduced.push(Reduced {
+            object: at.object,
+            modes,
+            under_acceleration,
+            offset,
+        });
+    }
+
+    /// What stands against modes; the continuum otherwise.
+    fn check_modal(&mut self, at: &Place, spec: &ChainSpec, body: Modal<'_>) -> Option<Continuum> {
+        let before = self.faults.len();
+        self.faults.positive(&at.path("inertia"), body.inertia);
+        self.faults.positive(&at.path("stiffness"), body.stiffness);
+        let path = at.path("damping_capacity");
+        self.faults.not_negative(&path, body.damping_capacity);
+        if body.modes == 0 {
+            self.fault(
+                at,
+                "modes",
+                "an object of modes has modes",
+                "give at least 1",
+            );
+        }
+        if spec.pair.closure != Closure::Bilateral {
+            let message = "modes need a pair that cannot open: they are those of the object held \
+                           at its driven end";
+            let hint = "give `masses`, or closure `bilateral`";
+            self.fault(at, "modes", message, hint);
+        }
+        for load in &spec.loads {
+            let weight = matches!(load.law, LoadLawSpec::Weight { .. });
+            let wanted = match weight {
+                true => MassChoice::All,
+                false => MassChoice::Last,
+            };
+            if load.mass != wanted {
+                let message = "an object of modes has no masses: weights act on all of it, other \
+                               loads on its output";
+                let hint = "leave `mass` out, or give `masses` in place of `modes`";
+                self.fault(at, &format!("loads.{}.mass", load.name), message, hint);
+            }
+        }
+        let continuum = Continuum::of(body.split);
+        if continuum.is_none() {
+            let message = "shares of one's own are no continuum that has modes";
+            self.fault(at, "modes", message, "give the split `equal` or `cubes`");
+        }
+        continuum.filter(|_| self.faults.len() == before)
+    }
+
+    /// A part of an object, driven as the object is.
+    pub(super) fn add_part(&mut self, at: &Place, name: &str, kind: &'static str) -> usize {
+        let own = &self.model.objects[at.object];
+        let part = ObjectPart {
+            id: at.path(name),
+            kind,
+            coordinate: own.coordinate,
+            inputs: own.inputs.clone(),
+            combination: own.combination,
+            ..ObjectPart::default()
+        };
+        let index = self.model.objects.len();
+        self.indices.insert(part.id.clone(), index);
+        self.model.objects.push(part);
+        index
+    }
+
+    /// The node of the output: the sum of the nodes by their shares.
+    fn summed(&mut self, at: &Place, shares: &Shares) -> Option<NodeIndex> {
+        let connected = |node| Connected {
+            port: String::new(),
+            output: at.id.clone(),
+            coordinate: self.model.objects[at.object].coordinate,
+            node,
+        };
+        let all: Vec<Connected> = shares.iter().map(|share| connected(share.0)).collect();
+        let ratios = shares.iter().map(|share| share.1).collect();
+        let sum = match Constraint::linear(ratios, 0.0) {
+            Ok(constraint) => self.combine(at, &all.iter().collect::<Vec<_>>(), constraint),
+            Err(faults) => {
+                self.faults(at, "modes", faults);
+                return None;
+            }
+        };
+        let same = Position::Ratio {
+            ratio: 1.0,
+            offset: 0.0,
+        };
+        let law = self.law(at, "position", &sum, same, 1.0)?;
+        Some(self.rigid(at, law, 0.0, Pair::default()))
+    }
+
+    /// A load on an object of modes: what does not depend on the motion of the output is
+    /// shared out to the modes. The constant force that it is, if it is one.
+    fn modal_load(
+        &mut self,
+        at: &Place,
+        spec: &LoadSpec,
+        shares: &Shares,
+        output: NodeIndex,
+        driver: NodeIndex,
+    ) -> f64 {
+        if matches!(spec.law, LoadLawSpec::Weight { .. }) {
+            let nodes: Vec<NodeIndex> = shares.iter().map(|share| share.0).collect();
+            self.load(at, spec, &nodes, driver);
+            return 0.0;
+        }
+        self.load(at, spec, &[output], driver);
+        let known = |load: &Load| {
+            matches!(load.law, LoadLaw::Constant(_) | LoadLaw::Pieces { .. }) && load.node == output
+        };
+        let Some(load) = self.model.loads.pop_if(|load| known(load)) else {
+            return 0.0;
+        };
+        for &(node, share) in shares {
+            let law = match &load.law {
+                LoadLaw::Pieces { track, pieces } => {
+                    let mut pieces = pieces.clone();
+                    for piece in &mut pieces {
+                        (piece.value, piece.slope) = (share * piece.value, share * piece.slope);
+                    }
+                    let track = *track;
+                    LoadLaw::Pieces { track, pieces }
+                }
+                LoadLaw::Constant(force) => LoadLaw::Constant(share * force),
+                other => other.clone(),
+            };
+            let name = load.name.clone();
+            self.model.loads.push(Load { node, name, law });
+        }
+        match load.law {
+            LoadLaw::Constant(force) => force,
+            _ => 0.0,
+        }
+    }
+
+    /// True when what a law asks for is known beforehand, with a continuous acceleration:
+    /// rigid objects behind a prescribed drive.
+    fn is_smooth(&self, law: &Law) -> bool {
+        let own = |segment, x| law.position.jet(segment, x);
+        smooth(&law.position.breaks(), own)
+            && match &self.model.nodes[law.driver].motion {
+                NodeMotion::Prescribed { motion, .. } => {
+                    smooth(&motion.breaks(), |segment, time| motion.jet(segment, time))
+                }
+                NodeMotion::Rigid { law } => self.is_smooth(law),
+                NodeMotion::Mass { .. }
+                | NodeMotion::Rotor { .. }
+                | NodeMotion::Constrained { .. } => false,
+            }
+    }
+}
+
+/// Jumps of a derivative below this share of what it is nearby are rounding.
+const JUMP: f64 = 1e-6;
+
+/// True when the second derivative is continuous where the formula changes.
+fn smooth(breaks: &Breaks, jet: impl Fn(i64, f64) -> Jet) -> bool {
+    let continuous = |&x: &f64| {
+        let [before, after] = [-1.0, 1.0].map(|sense| jet(breaks.locate(x, sense), x));
+        // What is small is small beside what the segments have within.
+        let mut scale = [0.0f64; 2];
+        for segment in [-1.0, 1.0].map(|sense| breaks.locate(x, sense)) {
+            let (from, to) = breaks.edges(segment);
+            for share in [0.2, 0.4, 0.6, 0.8] {
+                let within = from + share * (to - from);
+                let within = jet(segment, if within.is_finite() { within } else { x });
+                scale[0] = scale[0].max(within.first.abs());
+                scale[1] = scale[1].max(within.second.abs());
+            }
+        }
+        let [slope, bend] = scale.map(|scale| JUMP * scale);
+        (after.first - before.first).abs() <= slope && (after.second - before.second).abs() <= bend
+    };
+    breaks.points.iter().all(continuous)
+}
+
+fn is_constant(load: &LoadSpec) -> bool {
+    matches!(
+        load.law,
+        LoadLawSpec::Constant(_) | LoadLawSpec::Weight { .. }
+    )
+}
+
+/// The one mass of an oscillator, its stiffness and its damping, b = τ·c.
+fn parameters(body: Modal<'_>, mode: &Oscillator) -> ChainParameters {
+    let square = mode.frequency * mode.frequency;
+    let stiffness = mode.inertia * square * body.stiffness;
+    let delay = body.damping_capacity / (TAU * (body.stiffness / body.inertia).sqrt());
+    ChainParameters {
+        inertias: vec![mode.inertia * body.inertia],
+        stiffnesses: vec![stiffness],
+        dampings: vec![delay * stiffness],
+        driven_end: 0.0,
+    }
+}

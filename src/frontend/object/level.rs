@@ -1,0 +1,111 @@
+//! How much of an elastic object is modelled.
+
+use super::spec::{BodySpec, ChainSpec, LoadLawSpec, Lumping, MassChoice};
+use crate::dynamics::builder::{BALANCED_BEHIND_AN_OPENING_PAIR, INSTEAD_OF_BALANCED};
+use crate::dynamics::model::Closure;
+use crate::frontend::read::Fields;
+
+/// Most modes of one object.
+const MOST_MODES: u64 = 100;
+
+/// Reads `modes`, in place of `masses`; `None`: faulty.
+pub(super) fn read_modes(fields: &mut Fields<'_>) -> Option<Option<usize>> {
+    let doc = "Number of vibration modes that the uniform object is reduced to, in place of \
+               `masses`: the lowest, of the object held at its driven end; what the others \
+               give way by under slow forces stays. Needs a pair that cannot open.";
+    let modes = fields.maybe("modes", doc, |slot| slot.count(1..=MOST_MODES));
+    Some(modes?.map(|modes| modes as usize))
+}
+
+/// The lumping that is asked for; `None`: that of far ends, unless said otherwise.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Lumped(Option<Lumping>);
+
+/// Reads `lumping`; `None`: faulty.
+pub(super) fn read_lumping(fields: &mut Fields<'_>) -> Option<Lumped> {
+    let doc = "Where the inertia of each of the cells that the object is cut into is put: \
+               `ends`, at the far end of the cell; or `balanced`, at both its ends so that its \
+               first moment of compliance is kept, which needs a pair that cannot open. \
+               Default `ends`.";
+    let names = [("ends", Lumping::Ends), ("balanced", Lumping::Balanced)];
+    let asked = fields.maybe("lumping", doc, |slot| slot.choice(&names));
+    asked.map(Lumped)
+}
+
+impl Lumped {
+    /// The lumping of a continuum cut into cells.
+    pub(super) fn asked(self) -> Lumping {
+        self.0.unwrap_or_default()
+    }
+
+    /// The lumping where a list says what each mass or link is: there is no cell to
+    /// balance. `None`: refused.
+    pub(super) fn without_continuum(self, fields: &mut Fields<'_>, list: &str) -> Option<Lumping> {
+        if self.asked() == Lumping::Balanced {
+            let message = format!(
+                "`{list}` says of each mass or link what it is: there are no cells of a uniform \
+                 object to balance"
+            );
+            let fault = fields.refuse("lumping", "contradiction", message);
+            let hint = format!("give totals in place of `{list}`, or leave `lumping` out");
+            fault.hints.push(hint);
+            return None;
+        }
+        Some(Lumping::Ends)
+    }
+}
+
+/// Refuses what does not go with the driving pair. `None`: refused.
+pub(super) fn check(fields: &mut Fields<'_>, chain: &ChainSpec) -> Option<()> {
+    let reduced = matches!(chain.body, BodySpec::Modes { .. });
+    if chain.pair.contact.is_some() && (chain.body.has_driven_end() || reduced) {
+        let property = if reduced { "modes" } else { "lumping" };
+        let message = "a contact element is not known before modes or a balanced chain: their \
+                       inertia or flexibility at the driven end would lie on the contact";
+        let fault = fields.refuse(property, "contradiction", message);
+        let hint = "give `masses` with the lumping `ends`, or leave `contact` out";
+        fault.hints.push(hint.to_owned());
+        return None;
+    }
+    if chain.body.has_driven_end() && chain.pair.closure != Closure::Bilateral {
+        let closure = match chain.pair.closure {
+            Closure::Force => "force",
+            _ => "form",
+        };
+        let message = format!(
+            "`balanced` needs a pair that cannot open, this one is {closure}-closed: \
+             {BALANCED_BEHIND_AN_OPENING_PAIR}"
+        );
+        let fault = fields.refuse("lumping", "contradiction", message);
+        fault.hints.push(INSTEAD_OF_BALANCED.to_owned());
+        return None;
+    }
+    if !matches!(chain.body, BodySpec::Modes { .. }) {
+        return Some(());
+    }
+    let before = fields.faults();
+    if chain.pair.closure != Closure::Bilateral {
+        let message = "`modes` are those of the object held at its driven end: they need a pair \
+                       that cannot open";
+        let fault = fields.refuse("modes", "contradiction", message);
+        let hint = "give `masses`, or closure `bilateral`";
+        fault.hints.push(hint.to_owned());
+    }
+    for load in &chain.loads {
+        let wanted = match load.law {
+            LoadLawSpec::Weight { .. } => MassChoice::All,
+            _ => MassChoice::Last,
+        };
+        if load.mass != wanted {
+            let message = format!(
+                "load `{}` acts on single masses, and an object of `modes` has none: weights \
+                 act on all of it, other loads on its output",
+                load.name
+            );
+            let fault = fields.refuse("loads", "contradiction", message);
+            let hint = "leave `mass` out, or give `masses` in place of `modes`";
+            fault.hints.push(hint.to_owned());
+        }
+    }
+    (fields.faults() == before).then_some(())
+}
