@@ -26,6 +26,7 @@ fn part(id: &str, nodes: Vec<usize>, driver: Option<usize>, links: Vec<usize>) -
         links,
         combination: None,
         contact: None,
+        driven_end: None,
         rigid_pair: None,
     }
 }
