@@ -130,7 +130,6 @@ fn what_cannot_be_answered_ends_with_status_2_and_the_reason() {
         &["--table", "no such file", "--mean-speed", "10"],
         "cannot read",
     );
-    refused(&["scenarios/press/punching.json"], "elastic");
     refused(
         &["scenarios/joint_friction/press_runs_out.json"],
         "the joints of `press` have friction",

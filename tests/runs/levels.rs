@@ -59,14 +59,14 @@ fn the_deviation_of_a_rise_settles_on_that_of_the_continuum_in_the_order_of_its_
             (0.8..1.2).contains(&found),
             "ends at {ratio}: {coarse} {fine}"
         );
-        let [coarse, fine] = [32, 64].map(|n| masses("balanced", n));
+        let [coarse, fine] = [64, 128].map(|n| masses("balanced", n));
         let found = order(coarse, fine);
         assert!(
             (1.7..2.3).contains(&found),
             "balanced at {ratio}: {coarse} {fine}"
         );
         // At the same cost, that much nearer.
-        assert!(fine.abs() < 0.1 * masses("ends", 64).abs());
+        assert!(fine.abs() < 0.1 * masses("ends", 128).abs());
         // Modes with what the others give way by.
         let modes = |m: u32| error(&format!(r#""modes": {m}"#)).abs();
         let [one, four] = [1, 4].map(modes);

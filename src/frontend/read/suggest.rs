@@ -17,14 +17,15 @@ fn most_like<'a>(word: &str, candidates: &mut dyn Iterator<Item = &'a str>) -> O
         let longest = lower.chars().count().max(other.chars().count()).max(1);
         let close_in_edits = edits * 3 <= longest + 1;
         let alike = strsim::jaro_winkler(&lower, &other);
-        (close_in_edits || alike > 0.9).then_some(alike)
+        (close_in_edits || alike > 0.9).then_some((edits, alike))
     };
-    let mut best: Option<(f64, &str)> = None;
+    // The fewest edits; of several the one that is most alike.
+    let mut best: Option<((usize, f64), &str)> = None;
     for candidate in candidates {
-        if let Some(alike) = score(candidate)
-            && best.is_none_or(|(record, _)| alike > record)
+        if let Some((edits, alike)) = score(candidate)
+            && best.is_none_or(|((few, most), _)| edits < few || edits == few && alike > most)
         {
-            best = Some((alike, candidate));
+            best = Some(((edits, alike), candidate));
         }
     }
     best.map(|(_, candidate)| candidate)

@@ -187,13 +187,13 @@ fn a_search_for_the_lift_off_that_was_ended_says_so() {
         "scenarios/cams/indexing_dwells.json",
         "--lift-off",
         "--time-limit",
-        "0.25",
+        "0.03",
     ];
     let found = output(&args);
     let said = text(&found.stderr);
     assert_eq!(found.status.code(), Some(1), "{said}");
     // Before there is anything to keep, and after.
-    assert!(said.contains("the time limit of 0.25 s"), "{said}");
+    assert!(said.contains("the time limit of 0.03 s"), "{said}");
 }
 
 #[test]
