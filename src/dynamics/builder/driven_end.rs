@@ -27,18 +27,14 @@ pub(crate) const INSTEAD_OF_BALANCED: &str =
 /// times 3/n³: (3k²/2 + 2k + ¾)/n³ at the far end, (3k²/2 + k + ¼)/n³ at the near one.
 pub(super) fn balanced_shares(split: &InertiaSplit, masses: usize) -> Option<(f64, Vec<f64>)> {
     let n = masses as f64;
-    let (near, far): (fn(f64) -> f64, fn(f64) -> f64) = match split {
-        InertiaSplit::Equal => (|_| 0.5, |_| 0.5),
-        InertiaSplit::Cubes => (
-            |k| (1.5 * k + 1.0) * k + 0.25,
-            |k| (1.5 * k + 2.0) * k + 0.75,
-        ),
+    // Coefficients of 1, k, k² at the near and at the far end.
+    let (near, far, whole) = match split {
+        InertiaSplit::Equal => ([0.5, 0.0, 0.0], [0.5, 0.0, 0.0], n),
+        InertiaSplit::Cubes => ([0.25, 1.0, 1.5], [0.75, 2.0, 1.5], n * n * n),
         InertiaSplit::Shares(_) => return None,
     };
-    let whole = match split {
-        InertiaSplit::Equal => n,
-        _ => n * n * n,
-    };
+    let of = |[a, b, c]: [f64; 3], k: f64| (c * k + b) * k + a;
+    let (near, far) = (|k| of(near, k), |k| of(far, k));
     let at = |m: usize| {
         let above = if m < masses { near(m as f64) } else { 0.0 };
         (far(m as f64 - 1.0) + above) / whole

@@ -140,11 +140,12 @@ impl Rhythms {
                     (TrackSource::Time, None) => {}
                 }
             }
-            LoadLaw::Spring { rate, .. } if *rate != 0.0 => {
-                if known(load.node).is_some_and(|course| grows(course.rhythm())) {
-                    let what = "a spring on what turns on and on is wound up with every turn";
-                    self.growing.push(never(what, "a spring on what swings"));
-                }
+            LoadLaw::Spring { rate, .. }
+                if *rate != 0.0
+                    && known(load.node).is_some_and(|course| grows(course.rhythm())) =>
+            {
+                let what = "a spring on what turns on and on is wound up with every turn";
+                self.growing.push(never(what, "a spring on what swings"));
             }
             _ => {}
         }
