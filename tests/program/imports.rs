@@ -161,7 +161,7 @@ fn absolute(of: &[String], path: &str) -> Vec<String> {
 }
 
 /// The module that a path leads into: the longest beginning that is one.
-fn target<'m>(known: &BTreeMap<&'m [String], usize>, path: &[String]) -> Option<usize> {
+fn target(known: &BTreeMap<&[String], usize>, path: &[String]) -> Option<usize> {
     (1..=path.len())
         .rev()
         .find_map(|length| known.get(&path[..length]).copied())
