@@ -1,5 +1,8 @@
 //! Arguments of `dam steady`.
 
+// Doc comments of arguments are the help of the program: `[deg]` is a unit.
+#![allow(rustdoc::broken_intra_doc_links)]
+
 use crate::cli::args::scene::{OutArgs, SceneArgs};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;

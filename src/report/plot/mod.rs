@@ -1,10 +1,10 @@
 //! The one plot engine: a chart described as data, drawn as a stand-alone picture, and made
 //! interactive in pages by one script.
 //!
-//! * [`Plot`]: what is shown over what; [`field`]: coloured cells with contour lines;
-//! * [`scale`]: how values lie along an axis, and its ticks;
-//! * [`frame`]: where frame, title and legend stand; [`draw`]: the picture;
-//! * [`palette`]: all colours, light and dark; [`page`]: the data of a page for `plot.js`.
+//! * [`Plot`]: what is shown over what; `field`: coloured cells with contour lines;
+//! * `scale`: how values lie along an axis, and its ticks;
+//! * `frame`: where frame, title and legend stand; `draw`: the picture;
+//! * `palette`: all colours, light and dark; `page`: the data of a page for `plot.js`.
 
 pub(in crate::report) mod contour;
 mod draw;
