@@ -115,7 +115,7 @@ pub struct Series {
     pub points: Vec<(f64, f64)>,
     /// How it is drawn.
     pub look: Look,
-    /// Which of the [`palette::SERIES`] styles; by its place where not given.
+    /// Which of the twelve styles; by its place where not given.
     pub style: Option<usize>,
     /// Marks of the points, one a point; empty: none is marked.
     pub marks: Vec<Mark>,

@@ -20,8 +20,9 @@ impl Fields<'_> {
             if known || self.free {
                 continue;
             }
-            let suggestion = closest(&member.name, absent.iter().copied())
-                .or_else(|| closest(&member.name, self.known.iter().copied()))
+            // Of names as near as each other, one that is not given yet.
+            let names = absent.iter().chain(&self.known).copied();
+            let suggestion = closest(&member.name, names)
                 .and_then(|found| self.known.iter().copied().find(|name| *name == found));
             let mut fault = Diagnostic::error(
                 "unknown-property",
