@@ -8,6 +8,7 @@ use crate::fault::Fault;
 use crate::frontend::lower::lower;
 use crate::frontend::scene::{Reading, TypedScene};
 use crate::studies::expectations::unknown_figures;
+use crate::studies::order::{Certificate, choose};
 use crate::studies::run::{RunResult, run};
 use crate::studies::steady::{Answer, steady_motion_within};
 use crate::studies::{Control, RunSettings, clock, plausible, studied};
@@ -21,6 +22,8 @@ pub struct Mechanism {
     pub system: System,
     /// How it is to be run.
     pub settings: RunSettings,
+    /// What its figures are worth, the error of the model included: where it was judged.
+    pub certificate: Option<Certificate>,
 }
 
 impl Mechanism {
@@ -30,18 +33,27 @@ impl Mechanism {
     /// Every fault of the first stage that finds any: of the model, of what the scene
     /// expects, of the start.
     pub fn of(reading: Reading) -> Result<Self, Error> {
-        let diagnose = |faults: Vec<Fault>| reading.places.diagnose(&faults);
+        Self::of_within(reading, Judging::Needed, &Control::default())
+    }
+
+    /// The same, with the model judged as far as is said, and ended from outside.
+    ///
+    /// # Errors
+    /// As of [`Self::of`].
+    pub fn of_within(
+        mut reading: Reading,
+        judging: Judging,
+        control: &Control<'_>,
+    ) -> Result<Self, Error> {
+        let places = reading.places.clone();
+        let diagnose = |faults: Vec<Fault>| places.diagnose(&faults);
         let mut model = lower(&reading.scene).map_err(diagnose)?;
-        let expect = &reading.scene.expect;
-        let mut faults = unknown_figures(expect, &model);
-        faults.extend(studied::unknown_figures(expect, &model));
-        if !faults.is_empty() {
-            return Err(diagnose(faults).into());
-        }
-        let settings = RunSettings::of(&reading.scene).map_err(|fault| diagnose(vec![fault]))?;
-        let unresolved = clock::unresolved(&model, &settings);
-        if !unresolved.is_empty() {
-            return Err(diagnose(unresolved).into());
+        let settings = sound_settings(&reading.scene, &model).map_err(diagnose)?;
+        let mut certificate = None;
+        if judging.applies(&reading.scene) {
+            let chosen = choose(&mut reading.scene, &settings, control).map_err(diagnose)?;
+            model = lower(&reading.scene).map_err(diagnose)?;
+            certificate = Some(chosen.certificate);
         }
         let unlikely = plausible::warnings(&model, settings.duration);
         model.warnings.extend(unlikely);
@@ -50,6 +62,7 @@ impl Mechanism {
             reading,
             system,
             settings,
+            certificate,
         })
     }
 
@@ -108,6 +121,43 @@ impl Mechanism {
     /// Faults found later, with their places.
     pub(super) fn diagnose(&self, faults: &[Fault]) -> Error {
         self.reading.places.diagnose(faults).into()
+    }
+}
+
+/// Whether the error of the model is judged, by runs of finer and lesser models.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Judging {
+    /// Nowhere: an object whose level is open stands for one mass.
+    Never,
+    /// Where an object leaves its level open.
+    Needed,
+    /// There, and where the scene says how accurate its figures are to be.
+    Asked,
+}
+
+impl Judging {
+    fn applies(self, scene: &TypedScene) -> bool {
+        let open = scene.elastic().open().next().is_some();
+        match self {
+            Self::Never => false,
+            Self::Needed => open,
+            Self::Asked => open || scene.run.accuracy.is_some(),
+        }
+    }
+}
+
+/// How a scene is to be run, where that makes sense; what it expects exists.
+fn sound_settings(scene: &TypedScene, model: &Model) -> Result<RunSettings, Vec<Fault>> {
+    let mut faults = unknown_figures(&scene.expect, model);
+    faults.extend(studied::unknown_figures(&scene.expect, model));
+    if !faults.is_empty() {
+        return Err(faults);
+    }
+    let settings = RunSettings::of(scene).map_err(|fault| vec![fault])?;
+    let unresolved = clock::unresolved(model, &settings);
+    match unresolved.is_empty() {
+        true => Ok(settings),
+        false => Err(unresolved),
     }
 }
 

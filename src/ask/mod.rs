@@ -22,7 +22,7 @@ mod run;
 mod scene;
 
 pub use map::{Map, MapQuestion};
-pub use mechanism::Mechanism;
+pub use mechanism::{Judging, Mechanism};
 pub use run::RunOptions;
 pub use scene::Scene;
 

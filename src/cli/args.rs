@@ -109,6 +109,10 @@ pub(crate) struct RunArgs {
     /// Also run with loads changed by one part in 10¹⁰ and show how far each figure moves
     #[arg(long)]
     pub(crate) spread: bool,
+    /// Judge the figures, the error of the model included: how accurate each is to be, in place
+    /// of what the scene says; `1 %`
+    #[arg(long, value_name = "SHARE")]
+    pub(crate) accuracy: Option<String>,
 }
 
 /// Arguments of `dam new`.

@@ -1,6 +1,8 @@
 //! From a scene's file to a system.
 
 use super::failure::Failure;
+use super::interrupt;
+use crate::ask::Judging;
 use crate::cli::args::scene::SceneArgs;
 use crate::frontend::diagnostics::Diagnostics;
 use crate::frontend::scene::{
@@ -63,7 +65,17 @@ impl Input {
 
     /// Decodes the scene and builds its system; every fault of one stage at once.
     pub(crate) fn prepare(&self, further: &[String]) -> Result<Ready, Failure> {
-        Ok(Ready::of(self.decode(further)?)?)
+        self.prepare_judging(further, Judging::Needed)
+    }
+
+    /// The same, with the model judged as far as is said.
+    pub(crate) fn prepare_judging(
+        &self,
+        further: &[String],
+        judging: Judging,
+    ) -> Result<Ready, Failure> {
+        let reading = self.decode(further)?;
+        Ok(Ready::of_within(reading, judging, interrupt::budget())?)
     }
 }
 

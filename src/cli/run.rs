@@ -8,9 +8,11 @@ use super::output::{self, OutputFolder, ResultFile};
 use super::progress::Progress;
 use super::status::Status;
 use super::{interrupt, tables, terminal};
+use crate::ask::Judging;
 use crate::dynamics::integrate::{Sink, Stop};
 use crate::dynamics::record::Figures;
 use crate::frontend::scene::Expected;
+use crate::report::accuracy;
 use crate::report::csv::record_csv;
 use crate::report::diagram::Diagram;
 use crate::report::html::{RunReport, page};
@@ -18,6 +20,7 @@ use crate::report::machine::Machine;
 use crate::studies::cam::disc_cams;
 use crate::studies::expectations::{Verdict, check, of_run};
 use crate::studies::limit::without_limit;
+use crate::studies::order::Certificate;
 use crate::studies::run::{RunResult, run};
 use crate::studies::spread::{Spread, spread};
 use crate::studies::{Control, RunSettings, plausible};
@@ -41,10 +44,26 @@ struct Document<'a> {
     diagnostics: Option<Value>,
 }
 
+impl Document<'_> {
+    /// As JSON, with what the figures are worth where that was judged.
+    fn json(&self, certificate: Option<&Certificate>) -> Result<Value, Failure> {
+        let mut document = serde_json::to_value(self).map_err(|error| error.to_string())?;
+        if let Some(certificate) = certificate {
+            accuracy::add_to(&mut document, certificate);
+        }
+        Ok(document)
+    }
+}
+
 /// Runs the command.
 pub(crate) fn command(args: &RunArgs) -> Result<Status, Failure> {
     let input = Input::load(&args.scene)?;
-    let ready = input.prepare(&[])?;
+    let accuracy = args
+        .accuracy
+        .iter()
+        .map(|share| format!("run.accuracy={share}"));
+    let accuracy: Vec<String> = accuracy.collect();
+    let ready = input.prepare_judging(&accuracy, Judging::Asked)?;
     let folder = OutputFolder::asked(&args.out, &ready.scene().name, &FILES)?;
     let quiet = args.scene.quiet;
     if !quiet && !ready.reading.warnings.is_empty() {
@@ -90,12 +109,17 @@ pub(crate) fn command(args: &RunArgs) -> Result<Status, Failure> {
         expect: &verdicts,
         diagnostics: doubts(&ready),
     };
+    let certificate = ready.certificate.as_ref();
     let files = || files(&input, &ready, &result, &document, seconds);
     let show = || match args.scene.json {
-        true => console::json(&document),
+        true => match certificate {
+            None => console::json(&document),
+            Some(_) => console::json(&document.json(certificate)?),
+        },
         false => {
             let spread = spread.as_ref().map_or(String::new(), tables::spread);
-            console::text(&(terminal::summary(&result.figures) + &spread))
+            let accuracy = certificate.map_or(String::new(), accuracy::text);
+            console::text(&(terminal::summary(&result.figures) + &accuracy + &spread))
         }
     };
     output::deliver(folder.as_ref(), "run", &ready.scene().hash, files, show)?;
@@ -146,7 +170,12 @@ fn files(
     document: &Document<'_>,
     seconds: f64,
 ) -> Result<Vec<ResultFile>, Failure> {
-    let mut summary = serde_json::to_string_pretty(document).map_err(|e| e.to_string())?;
+    let certificate = ready.certificate.as_ref();
+    let mut summary = match certificate {
+        None => serde_json::to_string_pretty(document),
+        Some(_) => serde_json::to_string_pretty(&document.json(certificate)?),
+    }
+    .map_err(|error| error.to_string())?;
     summary.push('\n');
     let model = ready.system.model();
     let cams = disc_cams(ready.scene(), model);
@@ -155,6 +184,7 @@ fn files(
         record: &result.record,
         diagram: &Diagram::of(model),
         machine: Some(Machine { model, cams: &cams }),
+        certificate,
         scene: input.text(),
         version: env!("CARGO_PKG_VERSION"),
     });

@@ -1,5 +1,6 @@
 //! Pictures and texts of models and runs, as pure functions: data in, text out.
 //!
+//! * [`accuracy`]: what its figures are worth, the error of the model included.
 //! * [`html`]: the page of a run; [`compare`]: the page of several runs over each other.
 //! * [`machine`]: the machine of a run, moving.
 //! * [`mechanism`]: linkages to scale, still or moving.
@@ -16,6 +17,7 @@
 //! * [`diagram`]: the object graph with places for its objects; [`quantity`]: numbers for
 //!   reading; [`verdict`]: what is to be said of a run.
 
+pub mod accuracy;
 pub mod cam;
 pub mod compare;
 pub mod csv;

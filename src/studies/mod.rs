@@ -18,6 +18,7 @@ pub mod list;
 pub mod map;
 mod method;
 pub mod methods;
+pub mod order;
 pub mod plausible;
 pub mod run;
 mod settings;

@@ -2,7 +2,7 @@
 
 use super::driven_end::{balanced_shares, loaded};
 use super::modes::Modal;
-use super::spec::{BodySpec, ChainSpec, InertiaSplit, Lumping, PairSpec};
+use super::spec::{BodySpec, ChainSpec, InertiaSplit, Level, Lumping, PairSpec};
 use super::{Connected, ModelBuilder, Place};
 use crate::dynamics::model::{Closure, Coordinate, DampingLaw, Law, Pair};
 use crate::fault::{Fault, Faults};
@@ -22,6 +22,12 @@ pub struct ChainParameters {
     /// Inertia at the driven end, which moves with the law (kg·m² or kg).
     pub driven_end: f64,
 }
+
+/// What an object stands for as long as its level is open.
+const PROVISIONAL: Level = Level::Masses {
+    count: 1,
+    lumping: Lumping::Ends,
+};
 
 impl ChainParameters {
     /// The parameters of a body.
@@ -71,6 +77,7 @@ impl ChainParameters {
             }
             // Its oscillators have parameters of their own.
             BodySpec::Modes { .. } => Self::default(),
+            BodySpec::Open(uniform) => return Self::new(&uniform.at(PROVISIONAL)),
             BodySpec::Lists {
                 inertias,
                 stiffnesses,
@@ -185,7 +192,7 @@ impl ModelBuilder {
                 modes,
                 split,
             };
-            return self.modal(at, &law, spec, body);
+            return self.modal(at, &law, (spec, pair), body);
         }
         let nodes = match (&spec.body, &spec.pair.contact) {
             (_, Some(contact)) => {

@@ -17,6 +17,7 @@ mod contact;
 mod continuum;
 mod drive;
 mod driven_end;
+mod level;
 mod linkage;
 mod load;
 mod modes;

@@ -6,7 +6,7 @@
 //! read off the acceleration of the driven end where that is known and nothing else
 //! depends on it; otherwise it is one more oscillator.
 
-use super::continuum::{Continuum, Oscillator};
+use super::continuum::{Continuum, Oscillator, Reduction};
 use super::spec::{ChainSpec, InertiaSplit, LoadLawSpec, LoadSpec, MassChoice};
 use super::{ChainParameters, Connected, FREE_FALL, ModelBuilder, Place};
 use crate::dynamics::model::{
@@ -28,12 +28,59 @@ pub(super) struct Modal<'s> {
     pub(super) split: &'s InertiaSplit,
 }
 
+impl Modal<'_> {
+    /// The property that asks for it.
+    fn property(&self) -> &'static str {
+        match self.modes {
+            0 => "flexibility",
+            _ => "modes",
+        }
+    }
+}
+
+/// What the modes that are left out do under slow forces, in units of the object.
+struct Rest {
+    /// ρ_W.
+    under_force: f64,
+    /// ρ_J.
+    under_acceleration: f64,
+    /// How far the output gives way to constant loads.
+    offset: f64,
+}
+
+impl Rest {
+    fn of(reduction: &Reduction, body: Modal<'_>) -> Self {
+        Self {
+            under_force: reduction.under_force / body.stiffness,
+            under_acceleration: reduction.under_acceleration * body.inertia / body.stiffness,
+            offset: 0.0,
+        }
+    }
+
+    /// Adds a load, of which `constant` is the force at the output.
+    fn give_way(&mut self, load: &LoadSpec, constant: f64) {
+        self.offset += match load.law {
+            // Gravity is an acceleration of the whole.
+            LoadLawSpec::Weight { inclination } => {
+                -self.under_acceleration * FREE_FALL * inclination.sin()
+            }
+            _ => self.under_force * constant,
+        };
+    }
+}
+
 /// What an inner node gets of a force at the output.
 type Shares = Vec<(NodeIndex, f64)>;
 
 impl ModelBuilder {
     /// Lowers an object that is reduced to modes behind its law.
-    pub(super) fn modal(&mut self, at: &Place, law: &Law, spec: &ChainSpec, body: Modal<'_>) {
+    pub(super) fn modal(
+        &mut self,
+        at: &Place,
+        law: &Law,
+        (spec, pair): (&ChainSpec, Pair),
+        body: Modal<'_>,
+    ) {
         let Some(continuum) = self.check_modal(at, spec, body) else {
             return;
         };
@@ -41,6 +88,9 @@ impl ModelBuilder {
             && spec.loads.iter().all(is_constant)
             && self.is_smooth(law);
         let reduction = continuum.reduce(body.modes);
+        if body.modes == 0 {
+            return self.static_flexibility(at, law, (spec, pair), (body, &reduction), still);
+        }
         let (residual, reduction) = match still {
             true => (None, reduction),
             false => (Some(body.modes), reduction.with_residual()),
@@ -67,29 +117,57 @@ impl ModelBuilder {
         inputs.push((crate::dynamics::model::DRIVEN_END.to_owned(), part));
         let modes = shares.clone();
         shares.push((end, rest));
-        let Some(output) = self.summed(at, &shares) else {
+        let Some(output) = self.summed(at, &shares, pair) else {
             return;
         };
         let input = |(port, driver): (String, usize)| PartInput { port, driver };
         self.model.objects[at.object].inputs = inputs.into_iter().map(input).collect();
-        let under_force = reduction.under_force / body.stiffness;
-        let under_acceleration = reduction.under_acceleration * body.inertia / body.stiffness;
-        let mut offset = 0.0;
+        let mut rest = Rest::of(&reduction, body);
         for load in &spec.loads {
             let constant = self.modal_load(at, load, &shares, output, law.driver);
-            offset += match load.law {
-                // Gravity is an acceleration of the whole.
-                LoadLawSpec::Weight { inclination } => {
-                    -under_acceleration * FREE_FALL * inclination.sin()
-                }
-                _ => under_force * constant,
-            };
+            rest.give_way(load, constant);
         }
         self.model.reduced.push(Reduced {
             object: at.object,
             modes,
-            under_acceleration,
-            offset,
+            under_acceleration: rest.under_acceleration,
+            offset: rest.offset,
+        });
+    }
+
+    /// An object without vibrations: a rigid one whose output gives way. `still`: its
+    /// motion and its loads are known beforehand, and nothing else hangs on its output.
+    fn static_flexibility(
+        &mut self,
+        at: &Place,
+        law: &Law,
+        (spec, pair): (&ChainSpec, Pair),
+        (body, reduction): (Modal<'_>, &Reduction),
+        still: bool,
+    ) {
+        if !still {
+            let message = "static flexibility needs a motion that is known beforehand with a \
+                           continuous acceleration, behind prescribed drives and rigid objects, \
+                           constant loads, and no object that hangs on this one";
+            let hint = "give `modes`, or `masses`";
+            return self.fault(at, "flexibility", message, hint);
+        }
+        let node = self.rigid(at, law.clone(), body.inertia, pair);
+        self.model.objects[at.object].driven_end = Some(node);
+        let mut rest = Rest::of(reduction, body);
+        for load in &spec.loads {
+            self.load(at, load, &[node], law.driver);
+            let constant = match load.law {
+                LoadLawSpec::Constant(force) => force,
+                _ => 0.0,
+            };
+            rest.give_way(load, constant);
+        }
+        self.model.reduced.push(Reduced {
+            object: at.object,
+            modes: Vec::new(),
+            under_acceleration: rest.under_acceleration,
+            offset: rest.offset,
         });
     }
 
@@ -100,19 +178,11 @@ impl ModelBuilder {
         self.faults.positive(&at.path("stiffness"), body.stiffness);
         let path = at.path("damping_capacity");
         self.faults.not_negative(&path, body.damping_capacity);
-        if body.modes == 0 {
-            self.fault(
-                at,
-                "modes",
-                "an object of modes has modes",
-                "give at least 1",
-            );
-        }
-        if spec.pair.closure != Closure::Bilateral {
-            let message = "modes need a pair that cannot open: they are those of the object held \
-                           at its driven end";
-            let hint = "give `masses`, or closure `bilateral`";
-            self.fault(at, "modes", message, hint);
+        if spec.pair.closure == Closure::Form {
+            let message = "modes need a pair that stays closed: they are those of the object \
+                           held at its driven end";
+            let hint = "give `masses`, or closure `bilateral` or `force`";
+            self.fault(at, body.property(), message, hint);
         }
         for load in &spec.loads {
             let weight = matches!(load.law, LoadLawSpec::Weight { .. });
@@ -130,7 +200,8 @@ impl ModelBuilder {
         let continuum = Continuum::of(body.split);
         if continuum.is_none() {
             let message = "shares of one's own are no continuum that has modes";
-            self.fault(at, "modes", message, "give the split `equal` or `cubes`");
+            let hint = "give the split `equal` or `cubes`";
+            self.fault(at, body.property(), message, hint);
         }
         continuum.filter(|_| self.faults.len() == before)
     }
@@ -153,7 +224,7 @@ impl ModelBuilder {
     }
 
     /// The node of the output: the sum of the nodes by their shares.
-    fn summed(&mut self, at: &Place, shares: &Shares) -> Option<NodeIndex> {
+    fn summed(&mut self, at: &Place, shares: &Shares, pair: Pair) -> Option<NodeIndex> {
         let connected = |node| Connected {
             port: String::new(),
             output: at.id.clone(),
@@ -174,7 +245,7 @@ impl ModelBuilder {
             offset: 0.0,
         };
         let law = self.law(at, "position", &sum, same, 1.0)?;
-        Some(self.rigid(at, law, 0.0, Pair::default()))
+        Some(self.rigid(at, law, 0.0, pair))
     }
 
     /// A load on an object of modes: what does not depend on the motion of the output is

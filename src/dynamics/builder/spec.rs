@@ -4,11 +4,13 @@
 //! model. Angles in radians; for sliding objects read m for rad, kg for kg·m²,
 //! N for N·m.
 
+pub use super::level::{Level, Uniform};
 use crate::dynamics::load::CustomLoad;
 use crate::dynamics::model::{Closure, ContactLaw, Coordinate, DampingLaw};
 use crate::kinematics::linkage::spec::LinkageSpec;
 pub use crate::kinematics::motion::DriveMotionSpec;
 use crate::kinematics::position::PositionSpec;
+use serde::Serialize;
 
 /// A drive: the source of motion.
 #[derive(Clone, Debug, PartialEq)]
@@ -125,7 +127,8 @@ pub enum BodySpec {
         lumping: Lumping,
     },
     /// The lowest vibration modes of the uniform object, held at its driven end; the
-    /// others as far as they give way under slow forces.
+    /// others as far as they give way under slow forces. Without modes: `flexibility:
+    /// "static"`.
     Modes {
         /// Total inertia J.
         inertia: f64,
@@ -133,11 +136,14 @@ pub enum BodySpec {
         stiffness: f64,
         /// Specific damping capacity ψ.
         damping_capacity: f64,
-        /// Number of modes, ≥ 1.
+        /// Number of modes; 0: static flexibility.
         modes: usize,
         /// How J lies along the object: `Equal`, a rod; `Cubes`, a lever.
         split: InertiaSplit,
     },
+    /// `masses: "auto"`: the uniform object, its level to be chosen. Until it is chosen it
+    /// stands for one mass.
+    Open(Uniform),
     /// Explicit lists, all of the same length n ≥ 1.
     Lists {
         /// J_m.
@@ -150,13 +156,14 @@ pub enum BodySpec {
 }
 
 impl BodySpec {
-    /// Number of masses; 0 of a rigid object, 1 of one that is reduced to modes: its
-    /// output.
+    /// Number of masses; 0 of a rigid object, 1 of one that is reduced to modes, its
+    /// output, and of one whose level is open.
     pub fn masses(&self) -> usize {
         match self {
             Self::Rigid { .. } => 0,
             Self::Uniform { masses, .. } => *masses,
-            Self::Modes { .. } => 1,
+            Self::Modes { modes, .. } => usize::from(*modes > 0),
+            Self::Open(_) => 1,
             Self::Lists { inertias, .. } => inertias.len(),
         }
     }
@@ -174,7 +181,8 @@ pub enum InertiaSplit {
 }
 
 /// Where the inertia of each of the n cells of a chain is put.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Lumping {
     /// `"ends"`: all of it at the end of the cell that is away from the driver.
     #[default]

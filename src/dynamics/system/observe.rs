@@ -46,6 +46,16 @@ impl Rigid {
     }
 }
 
+/// The force with which a pair that is taken to stay closed is pressed together, of that
+/// with which the object pulls at its law; negative where it would open.
+fn pressed(pair: &Pair, pull: f64) -> f64 {
+    match pair.closure {
+        Closure::Bilateral => 0.0,
+        Closure::Force => -pair.opens * pull,
+        Closure::Form => pull.abs(),
+    }
+}
+
 impl ObjectPlace {
     /// Finds an object of the model in the frozen layout.
     pub(super) fn find(frozen: &Frozen, model: &Model, part: &ObjectPart) -> Self {
@@ -174,13 +184,8 @@ impl System {
                     out.reaction = constant + loads.iter().map(torque).sum::<f64>();
                 }
                 Body::Rigid(rigid, pair) => {
-                    let force = rigid.pull(work);
-                    out.reaction = force;
-                    out.contact_force = match pair.closure {
-                        Closure::Bilateral => 0.0,
-                        Closure::Force => -pair.opens * force,
-                        Closure::Form => force.abs(),
-                    };
+                    out.reaction = rigid.pull(work);
+                    out.contact_force = pressed(pair, out.reaction);
                 }
                 Body::Chain(chain) => {
                     let reaction = work.reaction[*chain];
@@ -192,6 +197,9 @@ impl System {
             }
             if let Some(end) = &place.driven_end {
                 out.reaction += end.pull(work);
+                if let Body::Rigid(_, pair) = &place.body {
+                    out.contact_force = pressed(pair, out.reaction);
+                }
             }
         }
     }

@@ -1,9 +1,9 @@
 //! Inertia, stiffness, damping and number of masses of a chain.
 
 use super::geometry::{self, Beam, Elastic};
-use super::level::{self, Lumped};
+use super::level::{self, Lumped, Masses};
 use super::measures::Measures;
-use super::spec::{BodySpec, InertiaSplit};
+use super::spec::{BodySpec, InertiaSplit, Level, Uniform};
 use crate::frontend::read::{Bounds, Fields, Slot};
 use serde_json::json;
 use std::f64::consts::TAU;
@@ -13,7 +13,7 @@ pub(super) const MOST_MASSES: u64 = 10_000;
 
 /// Everything that is written, each in one of its ways; `None`: absent.
 struct Written {
-    masses: Option<usize>,
+    masses: Option<Masses>,
     inertia: Option<f64>,
     inertias: Option<Vec<f64>>,
     stiffness: Option<f64>,
@@ -44,6 +44,12 @@ const CLASHES: &[(&str, &str)] = &[
     ("modes", "dampings"),
     ("modes", "lumping"),
     ("modes", "masses"),
+    ("flexibility", "inertias"),
+    ("flexibility", "stiffnesses"),
+    ("flexibility", "dampings"),
+    ("flexibility", "lumping"),
+    ("flexibility", "masses"),
+    ("flexibility", "modes"),
 ];
 
 /// Reads the body of a chain.
@@ -62,6 +68,9 @@ pub(super) fn read(
     if let Some(modes) = written.modes {
         return modal(fields, written, modes, default_split);
     }
+    if written.masses == Some(Masses::Auto) {
+        return open(fields, written, default_split);
+    }
     let masses = number_of_masses(fields, &written)?;
     fields.fill_in("masses", json!(masses));
     if masses == 0 {
@@ -73,8 +82,9 @@ pub(super) fn read(
 fn written(fields: &mut Fields<'_>, own: Measures, beam: Beam) -> Option<Written> {
     let masses = fields.maybe(
         "masses",
-        "Number of masses; 0: rigid. Default: 1, or the length of the lists.",
-        |slot| slot.count(0..=MOST_MASSES),
+        "Number of masses; 0: rigid; \"auto\": as many masses or modes as the accuracy of the \
+         run needs. Default: 1, or the length of the lists.",
+        |slot| level::masses(slot, MOST_MASSES),
     );
     let inertia = fields.maybe("inertia", "Total inertia J", |slot| {
         slot.quantity(own.inertia(), Bounds::NOT_NEGATIVE)
@@ -125,7 +135,7 @@ fn written(fields: &mut Fields<'_>, own: Measures, beam: Beam) -> Option<Written
         |slot| geometry::read(slot, beam),
     );
     Some(Written {
-        masses: masses?.map(|count| count as usize),
+        masses: masses?,
         inertia: inertia?,
         inertias: inertias?,
         stiffness: stiffness?,
@@ -183,9 +193,9 @@ fn number_of_masses(fields: &mut Fields<'_>, written: &Written) -> Option<usize>
         .iter()
         .find_map(|(name, length)| Some((*name, (*length)?)));
     let (said_by, masses) = match (written.masses, first_list) {
-        (Some(masses), _) => ("masses", masses),
-        (None, Some(found)) => found,
-        (None, None) => ("masses", 1),
+        (Some(Masses::Count(masses)), _) => ("masses", masses),
+        (_, Some(found)) => found,
+        (_, None) => ("masses", 1),
     };
     let mut agree = true;
     for (name, length) in lists {
@@ -224,20 +234,60 @@ fn rigid(fields: &mut Fields<'_>, written: &Written) -> Option<BodySpec> {
     }
 }
 
-/// An object that is reduced to its lowest modes.
+/// An object that is reduced to its lowest modes; without any, to static flexibility.
 fn modal(
     fields: &mut Fields<'_>,
     written: Written,
     modes: usize,
     default_split: InertiaSplit,
 ) -> Option<BodySpec> {
+    let level = match modes {
+        0 => Level::Static,
+        count => Level::Modes { count },
+    };
+    let uniform = continuum(fields, &written, default_split)?;
+    sound(fields, uniform.at(level))
+}
+
+/// An object of which the run chooses how much is modelled.
+fn open(
+    fields: &mut Fields<'_>,
+    written: Written,
+    default_split: InertiaSplit,
+) -> Option<BodySpec> {
+    if let Some(list) = continuum_lacks(&written, written.split.as_ref()) {
+        let message =
+            format!("`{list}` says of each mass or link what it is: nothing is left to be chosen");
+        let fault = fields.refuse("masses", "contradiction", message);
+        let hint = format!("give totals in place of `{list}`, or leave `masses` out");
+        fault.hints.push(hint);
+        return None;
+    }
+    if written.lumping.is_asked() {
+        let message = "`masses`: \"auto\" chooses the lumping too";
+        let fault = fields.refuse("lumping", "contradiction", message);
+        fault
+            .hints
+            .push("leave `lumping` out, or give a number of masses".to_owned());
+        return None;
+    }
+    let uniform = continuum(fields, &written, default_split)?;
+    sound(fields, BodySpec::Open(uniform))
+}
+
+/// The uniform object that totals describe.
+fn continuum(
+    fields: &mut Fields<'_>,
+    written: &Written,
+    default_split: InertiaSplit,
+) -> Option<Uniform> {
     let geometry = written.geometry;
     let inertia = written.inertia.or(geometry.map(|elastic| elastic.inertia));
     let stiffness = written
         .stiffness
         .or(geometry.map(|elastic| elastic.stiffness));
-    check_elastic(fields, &written, inertia, stiffness)?;
-    let split = written.split.unwrap_or(default_split);
+    check_elastic(fields, written, inertia, stiffness)?;
+    let split = written.split.clone().unwrap_or(default_split);
     if matches!(split, InertiaSplit::Shares(_)) {
         let message = "shares of one's own are no uniform object that has modes";
         let fault = fields.refuse("split", "contradiction", message);
@@ -252,14 +302,12 @@ fn modal(
     let (inertia, stiffness) = (inertia?, stiffness?);
     let from_damping = |damping: f64| damping * TAU / (stiffness * inertia).sqrt();
     let capacity = written.capacity.or(written.damping.map(from_damping));
-    let body = BodySpec::Modes {
+    Some(Uniform {
         inertia,
         stiffness,
         damping_capacity: capacity.unwrap_or(0.0),
-        modes,
         split,
-    };
-    sound(fields, body)
+    })
 }
 
 fn elastic(
@@ -275,7 +323,7 @@ fn elastic(
         .or(geometry.map(|elastic| elastic.stiffness));
     check_elastic(fields, &written, inertia, stiffness)?;
     let split = written.split.clone().unwrap_or(default_split);
-    let lumping = match continuum_lacks(&written, &split) {
+    let lumping = match continuum_lacks(&written, Some(&split)) {
         None => written.lumping.asked(),
         Some(why) => written.lumping.without_continuum(fields, why)?,
     };
@@ -319,12 +367,12 @@ fn elastic(
 }
 
 /// Why what is written is no continuum, cut into cells.
-fn continuum_lacks(written: &Written, split: &InertiaSplit) -> Option<&'static str> {
+fn continuum_lacks(written: &Written, split: Option<&InertiaSplit>) -> Option<&'static str> {
     let lists = [
         (written.inertias.is_some(), "inertias"),
         (written.stiffnesses.is_some(), "stiffnesses"),
         (written.dampings.is_some(), "dampings"),
-        (matches!(split, InertiaSplit::Shares(_)), "split"),
+        (matches!(split, Some(InertiaSplit::Shares(_))), "split"),
     ];
     lists
         .into_iter()
@@ -402,6 +450,7 @@ fn split_json(split: &InertiaSplit) -> serde_json::Value {
 /// True when its numbers do not overflow once they are combined.
 pub(super) fn is_sound(body: &BodySpec) -> bool {
     match body {
+        BodySpec::Open(uniform) => is_sound(&uniform.at(Level::Modes { count: 1 })),
         BodySpec::Rigid { inertia } => inertia.is_finite(),
         BodySpec::Uniform {
             inertia,

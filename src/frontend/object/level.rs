@@ -4,17 +4,44 @@ use super::spec::{BodySpec, ChainSpec, LoadLawSpec, Lumping, MassChoice};
 use crate::dynamics::builder::{BALANCED_BEHIND_AN_OPENING_PAIR, INSTEAD_OF_BALANCED};
 use crate::dynamics::model::Closure;
 use crate::frontend::read::Fields;
+use crate::frontend::read::Slot;
+
+/// What `masses` says.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Masses {
+    /// So many.
+    Count(usize),
+    /// As the accuracy of the run needs.
+    Auto,
+}
+
+/// Reads `masses`.
+pub(super) fn masses(slot: Slot<'_>, most: u64) -> Option<Masses> {
+    slot.text_or(
+        |slot| slot.choice(&[("auto", Masses::Auto)]),
+        |slot| {
+            slot.count(0..=most)
+                .map(|count| Masses::Count(count as usize))
+        },
+    )
+}
 
 /// Most modes of one object.
 const MOST_MODES: u64 = 100;
 
-/// Reads `modes`, in place of `masses`; `None`: faulty.
+/// Reads `modes` or `flexibility`, in place of `masses`: the number of modes, 0 of a static
+/// flexibility; `None`: faulty.
 pub(super) fn read_modes(fields: &mut Fields<'_>) -> Option<Option<usize>> {
     let doc = "Number of vibration modes that the uniform object is reduced to, in place of \
                `masses`: the lowest, of the object held at its driven end; what the others \
-               give way by under slow forces stays. Needs a pair that cannot open.";
+               give way by under slow forces stays. Needs a pair that stays closed.";
     let modes = fields.maybe("modes", doc, |slot| slot.count(1..=MOST_MODES));
-    Some(modes?.map(|modes| modes as usize))
+    let doc = "`static`, in place of `masses`: the uniform object gives way as under slow \
+               forces, without vibrations; its speed follows, its acceleration is that of its \
+               driven end. Needs a pair that stays closed and a motion that is known beforehand.";
+    let rest = fields.maybe("flexibility", doc, |slot| slot.choice(&[("static", 0)]));
+    let (modes, rest) = (modes?, rest?);
+    Some(modes.map(|modes| modes as usize).or(rest))
 }
 
 /// The lumping that is asked for; `None`: that of far ends, unless said otherwise.
@@ -33,6 +60,11 @@ pub(super) fn read_lumping(fields: &mut Fields<'_>) -> Option<Lumped> {
 }
 
 impl Lumped {
+    /// True when the scene asks for one.
+    pub(super) fn is_asked(self) -> bool {
+        self.0.is_some()
+    }
+
     /// The lumping of a continuum cut into cells.
     pub(super) fn asked(self) -> Lumping {
         self.0.unwrap_or_default()
@@ -59,7 +91,11 @@ impl Lumped {
 pub(super) fn check(fields: &mut Fields<'_>, chain: &ChainSpec) -> Option<()> {
     let reduced = matches!(chain.body, BodySpec::Modes { .. });
     if chain.pair.contact.is_some() && (chain.body.has_driven_end() || reduced) {
-        let property = if reduced { "modes" } else { "lumping" };
+        let property = match chain.body {
+            BodySpec::Modes { modes: 0, .. } => "flexibility",
+            BodySpec::Modes { .. } => "modes",
+            _ => "lumping",
+        };
         let message = "a contact element is not known before modes or a balanced chain: their \
                        inertia or flexibility at the driven end would lie on the contact";
         let fault = fields.refuse(property, "contradiction", message);
@@ -80,15 +116,18 @@ pub(super) fn check(fields: &mut Fields<'_>, chain: &ChainSpec) -> Option<()> {
         fault.hints.push(INSTEAD_OF_BALANCED.to_owned());
         return None;
     }
-    if !matches!(chain.body, BodySpec::Modes { .. }) {
-        return Some(());
-    }
     let before = fields.faults();
-    if chain.pair.closure != Closure::Bilateral {
-        let message = "`modes` are those of the object held at its driven end: they need a pair \
-                       that cannot open";
-        let fault = fields.refuse("modes", "contradiction", message);
-        let hint = "give `masses`, or closure `bilateral`";
+    let property = match chain.body {
+        BodySpec::Modes { modes: 0, .. } => "flexibility",
+        BodySpec::Modes { .. } => "modes",
+        BodySpec::Open(_) => "masses",
+        _ => return Some(()),
+    };
+    if reduced && chain.pair.closure == Closure::Form {
+        let message = "modes are those of the object held at its driven end: they need a pair \
+                       that stays closed";
+        let fault = fields.refuse(property, "contradiction", message);
+        let hint = "give `masses`, or closure `bilateral` or `force`";
         fault.hints.push(hint.to_owned());
     }
     for load in &chain.loads {
@@ -98,12 +137,12 @@ pub(super) fn check(fields: &mut Fields<'_>, chain: &ChainSpec) -> Option<()> {
         };
         if load.mass != wanted {
             let message = format!(
-                "load `{}` acts on single masses, and an object of `modes` has none: weights \
-                 act on all of it, other loads on its output",
+                "load `{}` acts on single masses, and an object without a number of masses has \
+                 none: weights act on all of it, other loads on its output",
                 load.name
             );
             let fault = fields.refuse("loads", "contradiction", message);
-            let hint = "leave `mass` out, or give `masses` in place of `modes`";
+            let hint = "leave `mass` out, or give a number of `masses`";
             fault.hints.push(hint.to_owned());
         }
     }

@@ -2,7 +2,7 @@
 
 use super::objects::Known;
 use super::overrides::{self, Overrides};
-use super::{Catalogue, TypedScene, address, root};
+use super::{Catalogue, Levels, TypedScene, address, root};
 use crate::fault::Fault;
 use crate::frontend::diagnostics::{Diagnostic, Diagnostics, Place, Source, Sources};
 use crate::frontend::object::Registry;
@@ -17,6 +17,8 @@ pub struct Document {
     sources: Sources,
     root: Node,
     registry: Registry,
+    /// Levels of the objects that leave them open.
+    levels: Levels,
     /// Its text, where that is not what it was read from.
     rewritten: Option<OnceLock<String>>,
 }
@@ -55,6 +57,7 @@ impl Document {
                 sources,
                 root,
                 registry: Registry::standard(),
+                levels: Levels::new(),
                 rewritten: None,
             }),
             Err(faults) => Err(Diagnostics::new(sources, faults)),
@@ -74,6 +77,7 @@ impl Document {
             sources,
             root,
             registry: Registry::standard(),
+            levels: Levels::new(),
             rewritten: Some(OnceLock::new()),
         }
     }
@@ -88,6 +92,17 @@ impl Document {
     #[must_use]
     pub fn with_kinds(self, registry: Registry) -> Self {
         Self { registry, ..self }
+    }
+
+    /// The same with levels for objects that leave theirs open.
+    #[must_use]
+    pub fn with_levels(self, levels: Levels) -> Self {
+        Self { levels, ..self }
+    }
+
+    /// Levels of the objects that leave theirs open.
+    pub(super) fn levels(&self) -> &Levels {
+        &self.levels
     }
 
     /// The kinds of objects that it may name.
@@ -145,22 +160,26 @@ impl Document {
         }
         let diagnostics = Diagnostics::new(sources.clone(), faults);
         match read {
-            Some(read) if !diagnostics.has_errors() => Ok(Reading {
-                scene: TypedScene {
+            Some(read) if !diagnostics.has_errors() => {
+                let mut scene = TypedScene {
                     name: read.name,
                     objects: read.objects,
                     run: read.run,
                     steady: read.steady,
                     expect: read.expect,
                     hash: hash(&canonical),
-                },
-                warnings: diagnostics,
-                canonical,
-                places: Places {
-                    sources,
-                    root: tree,
-                },
-            }),
+                };
+                scene.set_levels(&self.levels);
+                Ok(Reading {
+                    scene,
+                    warnings: diagnostics,
+                    canonical,
+                    places: Places {
+                        sources,
+                        root: tree,
+                    },
+                })
+            }
             _ => Err(diagnostics),
         }
     }

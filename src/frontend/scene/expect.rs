@@ -187,6 +187,12 @@ fn given(
     value
 }
 
+/// True for a text such as "0.1 %".
+pub(super) fn is_share(slot: &Slot<'_>) -> bool {
+    let text = slot.node().and_then(|node| node.text());
+    text.is_some_and(|text| text.trim_end().ends_with('%'))
+}
+
 /// A bound as written.
 #[derive(Clone, Copy)]
 enum Within {
@@ -195,11 +201,7 @@ enum Within {
 }
 
 fn within(slot: Slot<'_>, wanted: Wanted) -> Option<Within> {
-    let share = slot
-        .node()
-        .and_then(|node| node.text())
-        .is_some_and(|text| text.trim_end().ends_with('%'));
-    match share {
+    match is_share(&slot) {
         true => slot.number(Bounds::NOT_NEGATIVE).map(Within::Share),
         false => slot
             .quantity(wanted, Bounds::NOT_NEGATIVE)
@@ -225,13 +227,34 @@ fn absolute(fields: &mut Fields<'_>, within: Within, value: f64) -> Option<f64> 
 /// The address of a figure, with what it measures.
 fn figure(mut slot: Slot<'_>, known: &Known) -> Option<About> {
     let address = slot.look(|slot| slot.text())?;
+    about(&mut slot, address, known)
+}
+
+/// What a figure of a run measures, whose address is the name of a property.
+pub(super) fn figure_of_run(slot: &mut Slot<'_>, address: &str, known: &Known) -> Option<Wanted> {
+    let (owner, _) = owner_of(address, |id| known.objects.contains_key(id));
+    if ["steady", "kinematics", "forces"].contains(&owner) {
+        let message = format!("`{address}` is no figure of a run");
+        let fault = slot.refuse("unknown-figure", message);
+        fault
+            .hints
+            .push("figures of a run are those of objects: `rocker.delta_abs`".to_owned());
+        return None;
+    }
+    match about(slot, address.to_owned(), known)? {
+        About::Figure(_, wanted) => Some(wanted),
+        About::Stop(_) => None,
+    }
+}
+
+fn about(slot: &mut Slot<'_>, address: String, known: &Known) -> Option<About> {
     let (owner, name) = owner_of(&address, |id| known.objects.contains_key(id));
     if owner == "run" {
         if RUN_FIGURES.contains(&name) {
             let wanted = if name == "time" { q::TIME } else { q::NUMBER };
             return Some(About::Figure(address, wanted.into()));
         }
-        unknown(&mut slot, "run", name, RUN_FIGURES.iter().copied());
+        unknown(slot, "run", name, RUN_FIGURES.iter().copied());
         return None;
     }
     if owner == "steady" {
@@ -239,11 +262,11 @@ fn figure(mut slot: Slot<'_>, known: &Known) -> Option<About> {
             return Some(About::Figure(address, (*quantity).into()));
         }
         let names = STEADY_FIGURES.iter().map(|figure| figure.0);
-        unknown(&mut slot, "steady", name, names);
+        unknown(slot, "steady", name, names);
         return None;
     }
     if owner == "kinematics" || owner == "forces" {
-        return study_figure(&mut slot, known, address);
+        return study_figure(slot, known, address);
     }
     let Some(object) = known.objects.get(owner) else {
         let ids = known.objects.keys().map(String::as_str).chain(["run"]);
@@ -267,7 +290,7 @@ fn figure(mut slot: Slot<'_>, known: &Known) -> Option<About> {
         }
         None => {
             unknown(
-                &mut slot,
+                slot,
                 owner,
                 name,
                 OBJECT_FIGURES.iter().map(|figure| figure.0),

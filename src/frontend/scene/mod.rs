@@ -1,10 +1,12 @@
 //! Scenes: what the engineer wrote, typed, in SI units, every value still knowing its place in the text.
 
+mod accuracy;
 mod address;
 mod catalogue;
 mod document;
 mod expect;
 mod folder;
+mod levels;
 mod objects;
 mod overrides;
 mod root;
@@ -16,6 +18,7 @@ mod variation;
 pub use catalogue::{BuiltIn, Catalogue, Layered};
 pub use document::{Document, Places, Reading};
 pub use folder::{Folder, read_bounded};
+pub use levels::{Elastic, Levels};
 pub use overrides::Overrides;
 pub use schema::{schema, schema_of, schema_text};
 pub use variation::Variation;
@@ -23,6 +26,7 @@ pub use variation::Variation;
 use crate::dynamics::steady::Mean;
 use crate::frontend::graph::MechanismGraph;
 use crate::frontend::object::{Connection, Object};
+use serde::Serialize;
 use std::collections::BTreeMap;
 
 /// A scene, read and checked.
@@ -100,6 +104,27 @@ pub struct RunSpec {
     pub window: Option<(f64, f64)>,
     /// Most switches before the run is given up; default 1 000 000.
     pub max_switches: u64,
+    /// Accuracy wanted of its figures; `None`: not asked for.
+    pub accuracy: Option<AccuracySpec>,
+}
+
+/// How accurate figures are to be, the error of the model included.
+#[derive(Clone, Debug, PartialEq)]
+pub enum AccuracySpec {
+    /// So great a share of each.
+    Share(f64),
+    /// Of each figure, by its address.
+    Figures(Vec<(String, Accuracy)>),
+}
+
+/// How accurate a figure is to be.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Accuracy {
+    /// A share of its magnitude: 0.01.
+    Share(f64),
+    /// An absolute bound, in SI units.
+    Bound(f64),
 }
 
 /// The `steady` block: what is asked of the steady motion of a drive.

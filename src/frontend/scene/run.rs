@@ -1,5 +1,6 @@
 //! The `run` block.
 
+use super::accuracy;
 use super::objects::Known;
 use super::{RunSpec, StartSpec};
 use crate::dynamics::integrate::Method;
@@ -12,6 +13,10 @@ use std::collections::BTreeMap;
 
 /// Most sample intervals.
 const MOST_SAMPLES: u64 = 1_000_000;
+
+const ACCURACY: &str = "Accuracy wanted of the figures, the error of the model included: a \
+    share of each, \"1 %\", or by the address of a figure a share or a quantity. Objects of \
+    `masses`: \"auto\" are modelled as far as it takes.";
 
 /// Reads `run`.
 pub(super) fn read(slot: Slot<'_>, known: &Known) -> Option<RunSpec> {
@@ -67,7 +72,9 @@ pub(super) fn read(slot: Slot<'_>, known: &Known) -> Option<RunSpec> {
             json!(1_000_000),
             |slot| slot.count(1..=1_000_000_000),
         );
+        let accuracy = fields.maybe("accuracy", ACCURACY, |slot| accuracy::read(slot, known));
         let run = RunSpec {
+            accuracy: accuracy?,
             duration: duration?,
             start: start?,
             method: method?,

@@ -3,7 +3,7 @@
 
 use super::address::{RESERVED, Step};
 use super::objects::{self, Known};
-use super::{Catalogue, Document, Overrides, StartSpec, TypedScene, overrides, run};
+use super::{Catalogue, Document, Levels, Overrides, StartSpec, TypedScene, overrides, run};
 use crate::frontend::diagnostics::{Diagnostic, Diagnostics, Severity, Sources};
 use crate::frontend::object::numbers;
 use crate::frontend::read::{Node, Reader};
@@ -17,6 +17,8 @@ pub struct Variation {
     known: Known,
     /// The settings in force; none after settings that could not be taken.
     settings: Vec<String>,
+    /// Levels of the objects that leave theirs open.
+    levels: Levels,
     /// See [`Self::laws`].
     laws: u64,
 }
@@ -48,6 +50,7 @@ impl Variation {
             root,
             scene,
             settings: settings.to_vec(),
+            levels: document.levels().clone(),
             laws: 0,
         })
     }
@@ -86,6 +89,7 @@ impl Variation {
                 "run" => self.read_run()?,
                 id => self.read_object(id)?,
             }
+            self.scene.set_levels(&self.levels);
         }
         self.settings = settings.to_vec();
         Some(&self.scene)

@@ -5,6 +5,7 @@ pub mod runs;
 pub mod tables;
 
 use crate::dynamics::record::{Figures, Record};
+use crate::report::accuracy;
 use crate::report::diagram::Diagram;
 use crate::report::machine::Machine;
 use crate::report::mechanism;
@@ -12,6 +13,7 @@ use crate::report::plot::{Plots, page::SCRIPT, palette};
 use crate::report::quantity::{escape, significant, with_unit};
 use crate::report::svg::graph;
 use crate::report::verdict::{Sort, Verdict, verdict};
+use crate::studies::order::Certificate;
 use runs::RunSeries;
 
 const STYLE: &str = include_str!("style.css");
@@ -28,6 +30,8 @@ pub struct RunReport<'a> {
     pub diagram: &'a Diagram,
     /// What is drawn moving; `None`: nothing is.
     pub machine: Option<Machine<'a>>,
+    /// What the figures are worth, where that was judged.
+    pub certificate: Option<&'a Certificate>,
     /// The scene's text, shown as it is.
     pub scene: &'a str,
     /// Version of `dam`.
@@ -55,6 +59,9 @@ pub fn page(report: &RunReport<'_>) -> String {
     body.push_str(&tables::pairs(figures));
     body.push_str(&tables::joints(figures));
     body.push_str(&window_note(figures, record.times.len()));
+    if let Some(certificate) = report.certificate {
+        body.push_str(&accuracy::section(certificate, &mut plots));
+    }
     for one in &report.diagram.boxes {
         let kind = format!("{}, {}", one.kind.replace('_', " "), one.detail);
         body.push_str(&runs::section(&mut plots, &series, &one.id, &kind));

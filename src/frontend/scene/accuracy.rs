@@ -1,0 +1,32 @@
+//! The property `accuracy` of a run.
+
+use super::objects::Known;
+use super::{Accuracy, AccuracySpec, expect};
+use crate::frontend::read::{Bounds, Slot, Wanted};
+
+/// Reads `accuracy`.
+pub(super) fn read(slot: Slot<'_>, known: &Known) -> Option<AccuracySpec> {
+    slot.object_or(
+        |slot| {
+            let named = |address: &str, slot: Slot<'_>| {
+                Some((address.to_owned(), one(slot, address, known)?))
+            };
+            slot.values(named).map(AccuracySpec::Figures)
+        },
+        |slot| slot.number(Bounds::POSITIVE).map(AccuracySpec::Share),
+    )
+}
+
+/// How accurate the figure of an address is to be.
+fn one(mut slot: Slot<'_>, address: &str, known: &Known) -> Option<Accuracy> {
+    let wanted = match slot.describing() {
+        true => Wanted::anything(),
+        false => expect::figure_of_run(&mut slot, address, known)?,
+    };
+    match expect::is_share(&slot) {
+        true => slot.number(Bounds::POSITIVE).map(Accuracy::Share),
+        false => slot
+            .quantity(wanted, Bounds::NOT_NEGATIVE)
+            .map(Accuracy::Bound),
+    }
+}

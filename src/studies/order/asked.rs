@@ -1,0 +1,94 @@
+//! Which figures are asked for, and how accurately.
+
+use crate::dynamics::model::Model;
+use crate::dynamics::record::Figures;
+use crate::frontend::scene::{Accuracy, AccuracySpec, Elastic, Expected, TypedScene};
+use crate::studies::expectations::of_run;
+use crate::studies::limit::without_limit;
+
+/// Accuracy of figures of which none is said.
+const USUAL: Accuracy = Accuracy::Share(0.01);
+
+/// A figure that is asked for.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Asked {
+    /// Its address.
+    pub figure: String,
+    /// How accurate it is to be.
+    pub accuracy: Accuracy,
+}
+
+/// The figures that a scene asks for: those of `run.accuracy`; else those that it expects;
+/// else the greatest |δ| and the contact force of its elastic objects.
+pub(super) fn asked(scene: &TypedScene, elastic: &Elastic, first: &Figures) -> Vec<Asked> {
+    let accuracy = match &scene.run.accuracy {
+        Some(AccuracySpec::Figures(figures)) => {
+            let one = |(figure, accuracy): &(String, Accuracy)| Asked {
+                figure: figure.clone(),
+                accuracy: *accuracy,
+            };
+            return figures.iter().map(one).collect();
+        }
+        Some(AccuracySpec::Share(share)) => Accuracy::Share(*share),
+        None => USUAL,
+    };
+    let expected = scene.expect.iter().filter(|one| of_run(one));
+    let expected = expected.filter_map(|one| match &one.what {
+        Expected::Figure { figure, .. } => Some(figure.clone()),
+        Expected::Stops { .. } => None,
+    });
+    let mut figures: Vec<String> = expected.filter(|figure| depends(figure)).collect();
+    if figures.is_empty() {
+        let open: Vec<&String> = elastic.open().collect();
+        let ids = elastic.objects.keys();
+        let ids = ids.filter(|id| open.is_empty() || open.contains(id));
+        figures = ids
+            .flat_map(|id| {
+                ["delta_abs", "pair.max_contact_force"].map(|name| format!("{id}.{name}"))
+            })
+            .filter(|figure| first.value(figure).is_ok())
+            .collect();
+    }
+    figures.dedup();
+    let one = |figure| Asked { figure, accuracy };
+    figures.into_iter().map(one).collect()
+}
+
+/// False for figures of the computation, and for lists whose length depends on the model.
+fn depends(figure: &str) -> bool {
+    let computation = figure.starts_with("run.") && figure != "run.switches";
+    !computation && !figure.contains(".switch_times.")
+}
+
+/// True for figures that count or answer: they are exact, or not.
+pub(super) fn is_count(figure: &str) -> bool {
+    const COUNTS: [&str; 5] = [
+        ".pair.separations",
+        ".pair.closures",
+        ".pair.in_working_order",
+        ".standstills",
+        "run.switches",
+    ];
+    COUNTS.iter().any(|count| figure.ends_with(count))
+}
+
+/// Why a figure has no limit with the number of masses; `None`: it has one.
+pub(super) fn no_limit(
+    scene: &TypedScene,
+    model: &Model,
+    figure: &str,
+    found: &Figures,
+) -> Option<String> {
+    let told = without_limit(scene, model, [figure], Some(found));
+    told.into_iter().next()
+}
+
+impl Accuracy {
+    /// The greatest error that it allows of a figure with this limit.
+    pub fn bound(self, limit: f64) -> f64 {
+        match self {
+            Self::Share(share) => share * limit.abs(),
+            Self::Bound(bound) => bound,
+        }
+    }
+}

@@ -1,0 +1,22 @@
+//! How many masses are enough? The error of the model itself, and the least model that is
+//! accurate enough.
+//!
+//! The truth of an elastic object that is described by inertia, stiffness and damping is the
+//! continuum; chains of masses and vibration modes are models of it (explicit lists are
+//! their own truth). The scene is run with models of doubled coordinates until the figures
+//! that are asked for settle ([`settling`]); of the models run, and of some in which single
+//! objects are less ([`choose`]), the least that is within the accuracy is taken. What was
+//! found stands in the [`Certificate`].
+
+mod asked;
+mod certificate;
+mod choose;
+mod row;
+pub mod settling;
+mod trial;
+
+pub use asked::Asked;
+pub use certificate::{
+    Certainty, Certificate, Cheaper, FigureAccuracy, ObjectModel, Shares, Tried,
+};
+pub use choose::{Chosen, choose};

@@ -1,0 +1,143 @@
+//! A scene run at other levels of its elastic objects.
+
+use crate::dynamics::builder::spec::Level;
+use crate::dynamics::model::{Closure, Model};
+use crate::dynamics::record::Figures;
+use crate::dynamics::system::System;
+use crate::fault::Fault;
+use crate::frontend::lower::lower;
+use crate::frontend::scene::{Elastic, Levels, TypedScene};
+use crate::studies::run::run;
+use crate::studies::{Control, RunSettings};
+
+/// A run at some levels.
+#[derive(Clone, Debug)]
+pub(super) struct Trial {
+    /// The level of every elastic object.
+    pub(super) levels: Levels,
+    /// What it found; with the warnings, but without samples.
+    pub(super) figures: Figures,
+    /// Error that the integration leaves, relative to the scale of a figure.
+    pub(super) integration: f64,
+    /// Why it does not count: it ended early, or is not trusted.
+    pub(super) doubt: Option<String>,
+    /// How much it took: evaluations of all coordinates.
+    pub(super) cost: f64,
+}
+
+/// The scene, and all runs of it made so far.
+pub(super) struct Trials<'s> {
+    pub(super) scene: &'s mut TypedScene,
+    pub(super) elastic: Elastic,
+    settings: RunSettings,
+    control: &'s Control<'s>,
+    pub(super) made: Vec<Trial>,
+    /// The model of the last run.
+    model: Option<Model>,
+}
+
+/// Error of exact propagation, relative: rounding.
+const OF_EXACT: f64 = 1e-11;
+
+impl<'s> Trials<'s> {
+    /// No runs yet.
+    pub(super) fn new(
+        scene: &'s mut TypedScene,
+        settings: &RunSettings,
+        control: &'s Control<'s>,
+    ) -> Self {
+        let elastic = scene.elastic();
+        let settings = RunSettings {
+            samples: 0,
+            masses: false,
+            switch_rows: false,
+            closeups: false,
+            ..settings.clone()
+        };
+        Self {
+            scene,
+            elastic,
+            settings,
+            control,
+            made: Vec::new(),
+            model: None,
+        }
+    }
+
+    /// The run at these levels; each is made once. Its number among all.
+    ///
+    /// # Errors
+    /// The model at these levels cannot be built or started.
+    pub(super) fn at(&mut self, levels: &Levels) -> Result<usize, Vec<Fault>> {
+        if let Some(known) = self.made.iter().position(|trial| trial.levels == *levels) {
+            return Ok(known);
+        }
+        self.elastic.set(self.scene, levels);
+        let system = System::new(lower(self.scene)?)?;
+        let result = run(&system, &self.settings, self.control, &mut [])?;
+        let exact = result.figures.run.method == "exact";
+        let statistics = &result.outcome.statistics;
+        let passes = (statistics.steps + statistics.evaluations) as f64;
+        let doubt = match (result.is_complete(), result.is_trusted()) {
+            (true, true) => None,
+            (false, _) => result.figures.run.stopped_because.clone(),
+            (true, false) => Some("its figures are in doubt".to_owned()),
+        };
+        self.made.push(Trial {
+            levels: levels.clone(),
+            integration: if exact {
+                OF_EXACT
+            } else {
+                result.tolerance.max(self.settings.tolerance)
+            },
+            doubt,
+            cost: passes * (1.0 + coordinates(levels) as f64),
+            figures: result.figures,
+        });
+        self.model = Some(system.model().clone());
+        Ok(self.made.len() - 1)
+    }
+
+    /// The model of the last run.
+    pub(super) fn model(&self) -> Option<&Model> {
+        self.model.as_ref()
+    }
+
+    /// True when the pair of an object that is taken to stay closed would open.
+    pub(super) fn would_open(&self, trial: usize, id: &str) -> bool {
+        let object = self.made[trial].figures.objects.get(id);
+        let margin = object.and_then(|object| object.pair.as_ref()?.margin);
+        margin.is_some_and(|margin| margin <= 0.0)
+    }
+
+    /// Whether an object may be reduced to what holds for a pair that stays closed: its
+    /// modes, its static flexibility.
+    pub(super) fn may_be_reduced(&self, id: &str) -> bool {
+        let entry = self.scene.objects.get(id);
+        let chain = entry.and_then(|entry| entry.object.chain());
+        chain.is_some_and(|chain| {
+            chain.pair.contact.is_none() && chain.pair.closure != Closure::Form
+        })
+    }
+
+    /// Whether an object may be rigid.
+    pub(super) fn may_be_rigid(&self, id: &str) -> bool {
+        let entry = self.scene.objects.get(id);
+        let chain = entry.and_then(|entry| entry.object.chain());
+        chain.is_some_and(|chain| {
+            chain.pair.contact.is_some() || chain.pair.closure != Closure::Form
+        })
+    }
+}
+
+/// Coordinates of all objects, as their levels name them.
+pub(super) fn coordinates(levels: &Levels) -> usize {
+    levels.values().map(|level| level.coordinates()).sum()
+}
+
+/// The levels with that of one object changed.
+pub(super) fn with(levels: &Levels, id: &str, level: Level) -> Levels {
+    let mut changed = levels.clone();
+    changed.insert(id.to_owned(), level);
+    changed
+}
