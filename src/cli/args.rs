@@ -109,10 +109,10 @@ pub(crate) struct RunArgs {
     /// Also run with loads changed by one part in 10¹⁰ and show how far each figure moves
     #[arg(long)]
     pub(crate) spread: bool,
-    /// Judge the figures, the error of the model included: how accurate each is to be, in place
-    /// of what the scene says; `1 %`
-    #[arg(long, value_name = "SHARE")]
-    pub(crate) accuracy: Option<String>,
+    /// Judge figures, the error of the model included, in place of what the scene says: how
+    /// accurate all are to be, `1 %`, or one, `rocker.delta_abs="0.1 mrad"` (may be repeated)
+    #[arg(long, value_name = "[FIGURE=]ACCURACY")]
+    pub(crate) accuracy: Vec<String>,
 }
 
 /// Arguments of `dam new`.

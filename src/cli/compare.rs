@@ -10,12 +10,15 @@ use super::status::Status;
 use super::{interrupt, tables};
 use crate::dynamics::integrate::Stop;
 use crate::dynamics::record::Quantity;
+use crate::fault::Fault;
 use crate::report::compare::{CompareReport, ComparedRun, chart, page};
 use crate::report::csv::{record_csv, table_csv};
 use crate::report::diagram::Diagram;
+use crate::studies::RunSettings;
 use crate::studies::compare::{Comparison, compare};
 use crate::studies::limit::without_limit;
 use crate::studies::list::ValueList;
+use crate::studies::order::{Limits, limits};
 
 /// Most values of one comparison.
 const MOST: usize = 50;
@@ -38,7 +41,7 @@ pub(crate) fn command(args: &CompareArgs) -> Result<Status, Failure> {
     let folder = prepare_folder(args, &ready, over.values.len())?;
     let mut next = ready.iter();
     let mut keeping = None;
-    let comparison = compare(&over.path, &over.values, |_| {
+    let mut comparison = compare(&over.path, &over.values, |_| {
         let Some(ready) = next.next() else {
             return Err(Failure::Other("fewer systems than values".to_owned()));
         };
@@ -47,10 +50,13 @@ pub(crate) fn command(args: &CompareArgs) -> Result<Status, Failure> {
         keeping.get_or_insert_with(interrupt::keep);
         found
     })?;
+    if let Some(limits) = limits_of(&input, &over, &comparison)? {
+        comparison.measure_against(&limits);
+    }
     let files = || files(&input, &ready, &comparison);
     let show = || match args.scene.json {
         true => console::json(&tables::comparison_document(&scene, &comparison)),
-        false => console::text(&tables::comparison(&scene, &comparison.table)),
+        false => console::text(&tables::comparison(&scene, &comparison)),
     };
     let hash = &ready[0].scene().hash;
     output::deliver(folder.as_ref(), "compare", hash, files, show)?;
@@ -71,6 +77,30 @@ pub(crate) fn command(args: &CompareArgs) -> Result<Status, Failure> {
         }
     }
     Ok(status(&comparison))
+}
+
+/// The limits of all figures, where the order of a model is compared: its masses or modes.
+fn limits_of(
+    input: &Input,
+    over: &ValueList,
+    comparison: &Comparison,
+) -> Result<Option<Limits>, Failure> {
+    let order = [".masses", ".modes"]
+        .iter()
+        .any(|name| over.path.ends_with(name));
+    let counts: Option<Vec<u64>> = over.values.iter().map(|value| value.parse().ok()).collect();
+    let complete = comparison.runs.len() == over.values.len();
+    let (true, true, Some(counts)) = (order, complete, counts) else {
+        return Ok(None);
+    };
+    let finest = (0..counts.len()).max_by_key(|&at| counts[at]);
+    let setting = finest.and_then(|at| over.settings().nth(at));
+    let mut reading = input.decode(&setting.into_iter().collect::<Vec<_>>())?;
+    let diagnose = |faults: Vec<Fault>| reading.places.diagnose(&faults);
+    let settings = RunSettings::of(&reading.scene).map_err(|fault| diagnose(vec![fault]))?;
+    let figures = comparison.table.rows.iter().map(|row| row.figure.clone());
+    let found = limits(&mut reading.scene, &settings, figures, interrupt::budget());
+    Ok(found.ok())
 }
 
 /// What is to be said of the contact force where numbers of masses are compared.

@@ -1,21 +1,33 @@
 //! Comparisons and spreads on the terminal.
 
 use super::terminal::number;
-use crate::studies::compare::{Comparison, Table, TableRow};
+use crate::studies::compare::{Comparison, TableRow};
 use crate::studies::spread::Spread;
 use serde_json::{Value, json};
 use std::fmt::Write as _;
 
 /// Figures side by side, errors against the last.
-pub(crate) fn comparison(scene: &str, table: &Table) -> String {
+pub(crate) fn comparison(scene: &str, comparison: &Comparison) -> String {
+    let table = &comparison.table;
     let mut text = format!("{scene}\n");
     let last = table.labels.last().map_or("", String::as_str);
-    let _ = writeln!(text, "{} compared; errors against {last}\n", table.over);
+    let against = match table.against_limit {
+        true => format!("the limit of finer models, where there is one, else the run with {last}"),
+        false => last.to_owned(),
+    };
+    let _ = writeln!(text, "{} compared; errors against {against}", table.over);
+    for answer in comparison.enough() {
+        let _ = writeln!(text, "{answer}");
+    }
+    text.push('\n');
     let name = width(table.rows.iter().map(|row| row.figure.as_str()), 6);
     let unit = width(table.rows.iter().map(|row| row.unit.as_str()), 4);
     let _ = write!(text, "{:<name$}  {:<unit$}", "figure", "unit");
     for label in &table.labels {
         let _ = write!(text, "  {label:>14} {:>10}", "error");
+    }
+    if table.against_limit {
+        let _ = write!(text, "  {:>14} {:>10}  {:>5}", "limit", "±", "order");
     }
     text.push('\n');
     let rows = table.rows.iter();
@@ -30,6 +42,18 @@ fn comparison_row(text: &mut String, row: &TableRow, [name, unit]: [usize; 2]) {
     for (value, error) in row.values.iter().zip(&row.errors) {
         let value = value.map_or("–".to_owned(), number);
         let _ = write!(text, "  {value:>14} {:>10}", percent(*error));
+    }
+    if let Some(limit) = &row.limit {
+        let share = limit
+            .error
+            .zip(limit.value)
+            .map(|(error, value)| error / value.abs());
+        let share = share.filter(|share| share.is_finite());
+        let value = limit.value.map_or("none".to_owned(), number);
+        let order = limit
+            .order
+            .map_or(String::new(), |order| format!("{order:.2}"));
+        let _ = write!(text, "  {value:>14} {:>10}  {order:>5}", percent(share));
     }
     text.push('\n');
 }

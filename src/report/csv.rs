@@ -118,9 +118,11 @@ mod tests {
     #[test]
     fn a_comparison_has_values_and_errors_side_by_side() {
         let table = Table {
+            against_limit: false,
             over: "rocker.masses".to_owned(),
             labels: vec!["1".to_owned(), "2".to_owned()],
             rows: vec![TableRow {
+                limit: None,
                 figure: "rocker.sigma".to_owned(),
                 unit: "rad".to_owned(),
                 values: vec![Some(0.5), None],

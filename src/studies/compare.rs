@@ -1,6 +1,8 @@
 //! The same scene for several values of a parameter, figures side by side.
 
+use super::order::Limits;
 use super::run::RunResult;
+use crate::units::shown;
 use serde::Serialize;
 
 /// Runs for several values of a parameter.
@@ -31,6 +33,9 @@ pub struct Table {
     pub over: String,
     /// Its values, the heads of the columns.
     pub labels: Vec<String>,
+    /// True where errors are against the limit of the model as it is refined, wherever a
+    /// figure has one; false: against the last run.
+    pub against_limit: bool,
     /// One row a figure.
     pub rows: Vec<TableRow>,
 }
@@ -44,10 +49,27 @@ pub struct TableRow {
     pub unit: String,
     /// Its value in every run; null where it has none.
     pub values: Vec<Option<f64>>,
-    /// (value − last)/|last| in every run; for displacements and speeds at the
-    /// end relative to the greatest |δ| and speed instead. Null where that is
-    /// not defined.
+    /// (value − reference)/|reference| in every run, the reference being the limit where the
+    /// figure has one, else the last run; for displacements and speeds at the end relative
+    /// to the greatest |δ| and speed instead. Null where that is not defined.
     pub errors: Vec<Option<f64>>,
+    /// Where the figure leads as the model is refined; absent where that is not looked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub limit: Option<Limit>,
+}
+
+/// Where a figure leads as the model is refined.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Limit {
+    /// The limit; null where there is none.
+    pub value: Option<f64>,
+    /// How far it may be off.
+    pub error: Option<f64>,
+    /// Observed order in 1/n, where the figure shows one.
+    pub order: Option<f64>,
+    /// Why there is none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub why: Option<String>,
 }
 
 /// Runs `run` for every label and compares the figures.
@@ -79,6 +101,78 @@ pub fn compare<E>(
     })
 }
 
+/// Share within which a figure is called near enough.
+const NEAR: f64 = 0.01;
+
+impl Comparison {
+    /// Measures against the limits of the figures, where they have one.
+    pub fn measure_against(&mut self, limits: &Limits) {
+        self.table.against_limit = true;
+        for row in &mut self.table.rows {
+            let Some(found) = limits.get(&row.figure) else {
+                continue;
+            };
+            if let Some(limit) = found.value {
+                row.errors = errors_from(limit, &row.figure, &row.values, &self.runs);
+            }
+            row.limit = Some(found.clone());
+        }
+    }
+
+    /// How many are enough: for the greatest |δ| and the contact force of the object whose
+    /// model is varied, a sentence each.
+    pub fn enough(&self) -> Vec<String> {
+        let Some((id, _)) = self.over.rsplit_once('.') else {
+            return Vec::new();
+        };
+        let figures = ["delta_abs", "pair.max_contact_force"];
+        let rows = figures.iter().filter_map(|name| {
+            let address = format!("{id}.{name}");
+            self.table.rows.iter().find(|row| row.figure == address)
+        });
+        rows.filter_map(|row| Some(self.enough_of(row, row.limit.as_ref()?)))
+            .collect()
+    }
+
+    fn enough_of(&self, row: &TableRow, limit: &Limit) -> String {
+        let (Some(value), Some(error)) = (limit.value, limit.error) else {
+            let why = limit.why.as_deref().unwrap_or("it does not settle");
+            return format!("{}: {why}", row.figure);
+        };
+        let within = |found: &Option<f64>| {
+            let off = (found.unwrap_or(f64::NAN) - value).abs() + error;
+            off / value.abs()
+        };
+        let shares: Vec<f64> = row.values.iter().map(within).collect();
+        // From a value on: all after it are near enough too.
+        let from = shares.iter().rposition(|share| !(*share <= NEAR));
+        let from = from.map_or(0, |far| far + 1);
+        let name = |at: usize| format!("{} = {}", self.over, self.table.labels[at]);
+        let limit = format!(
+            "{} leads to {} ± {} {}",
+            row.figure,
+            shown(value, 6),
+            shown(error, 2),
+            row.unit
+        );
+        match shares.get(from) {
+            Some(share) => format!(
+                "{limit}; it is within 1 % from {} on ({} %)",
+                name(from),
+                shown(100.0 * share, 2)
+            ),
+            None => match shares.last() {
+                Some(share) => format!(
+                    "{limit}; at {} it is {} % off",
+                    name(shares.len() - 1),
+                    shown(100.0 * share, 2)
+                ),
+                None => limit,
+            },
+        }
+    }
+}
+
 impl Table {
     /// The figures of every object, and the number of switches.
     fn of(over: &str, runs: &[ComparedRun]) -> Self {
@@ -103,12 +197,14 @@ impl Table {
                     errors: errors(figure, &values, runs),
                     figure: figure.clone(),
                     values,
+                    limit: None,
                 }
             })
             .collect();
         Self {
             over: over.to_owned(),
             labels: runs.iter().map(|run| run.label.clone()).collect(),
+            against_limit: false,
             rows,
         }
     }
@@ -120,7 +216,19 @@ fn is_compared(figure: &str) -> bool {
 }
 
 fn errors(figure: &str, values: &[Option<f64>], runs: &[ComparedRun]) -> Vec<Option<f64>> {
-    let Some((&Some(last), last_run)) = values.last().zip(runs.last()) else {
+    match values.last() {
+        Some(&Some(last)) => errors_from(last, figure, values, runs),
+        _ => vec![None; values.len()],
+    }
+}
+
+fn errors_from(
+    last: f64,
+    figure: &str,
+    values: &[Option<f64>],
+    runs: &[ComparedRun],
+) -> Vec<Option<f64>> {
+    let Some(last_run) = runs.last() else {
         return vec![None; values.len()];
     };
     let scale = if figure.contains(".final.") {

@@ -11,6 +11,7 @@ mod levels;
 mod library;
 mod long_chains;
 mod methods;
+mod order;
 mod ports;
 mod random_scenes;
 mod read_scene;

@@ -1,4 +1,4 @@
-//! What the figures of a run are worth, on the terminal.
+//! What the figures of a run are worth, on the terminal: a line each.
 
 use super::{in_words, worth};
 use crate::studies::order::{Certificate, ObjectModel};

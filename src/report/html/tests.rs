@@ -15,6 +15,7 @@ fn rendered(
         figures: &figures,
         record: &record,
         diagram: &Diagram::of(&fixture::rocker(2)),
+        certificate: None,
         machine: Some(Machine {
             model: &fixture::rocker(2),
             cams: &[],

@@ -12,6 +12,7 @@ mod figure;
 mod grid;
 pub mod journal;
 mod judge;
+mod levels;
 mod panels;
 mod rigid;
 mod scenes;

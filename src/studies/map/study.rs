@@ -1,11 +1,12 @@
 //! What is asked: a scene, axes, panels and a figure, checked before any run.
 
 use super::figure::{check_figure, default_figure, nothing_elastic, unit};
+use super::levels::levels;
 use super::panels::Panels;
 use crate::dynamics::system::System;
 use crate::frontend::diagnostics::Diagnostics;
 use crate::frontend::lower::lower;
-use crate::frontend::scene::{Catalogue, Document, Overrides, Reading, Variation};
+use crate::frontend::scene::{Catalogue, Document, Levels, Overrides, Reading, Variation};
 use crate::studies::RunSettings;
 use crate::studies::axis::Axis;
 use serde_json::json;
@@ -40,7 +41,7 @@ pub struct Question {
 
 /// A question about a scene, found to make sense.
 pub struct Study<'a> {
-    document: &'a Document,
+    document: Document,
     /// The document without what cells do not need.
     bare: Document,
     catalogue: &'a (dyn Catalogue + Sync),
@@ -69,6 +70,9 @@ pub struct Study<'a> {
     /// SHA-256 (hex) of everything that the results depend on: version of the
     /// program, text of the scene, what its `from` copies, and the question.
     pub hash: String,
+    /// Levels chosen for objects that leave theirs open: the finest that the figure needs
+    /// at the corners and in the middle of the panels.
+    pub levels: Levels,
 }
 
 /// Why a question makes no sense.
@@ -89,13 +93,13 @@ impl<'a> Study<'a> {
     /// A scene that is wrong at all those points, a figure that does not
     /// exist, a parameter on both axes, too many cells.
     pub fn new(
-        document: &'a Document,
+        document: &Document,
         catalogue: &'a (dyn Catalogue + Sync),
         question: Question,
     ) -> Result<Self, StudyFault> {
         check(&question).map_err(StudyFault::Question)?;
         let mut study = Self {
-            document,
+            document: document.clone(),
             bare: document.bare(),
             catalogue,
             overrides: question.overrides,
@@ -111,6 +115,7 @@ impl<'a> Study<'a> {
             check_determined: question.check_determined,
             digits: question.digits,
             hash: String::new(),
+            levels: Levels::new(),
         };
         let mut hashes = Vec::new();
         for panel in 0..study.panels.panels.len() {
@@ -122,6 +127,9 @@ impl<'a> Study<'a> {
             study.scene.clone_from(&reading.scene.name);
             hashes.push(reading.scene.hash);
         }
+        study.levels = levels(study.probed(), &study.figure);
+        study.document = study.document.clone().with_levels(study.levels.clone());
+        study.bare = study.bare.clone().with_levels(study.levels.clone());
         study.hash = study.digest(&hashes);
         Ok(study)
     }
@@ -138,6 +146,13 @@ impl<'a> Study<'a> {
             (last / 2, top / 2),
         ];
         points.map(|(column, row)| row * columns + column)
+    }
+
+    /// The scenes at the points that are tried beforehand, of all panels.
+    fn probed(&self) -> impl Iterator<Item = Reading> + '_ {
+        let panels = 0..self.panels.panels.len();
+        let all = panels.flat_map(|panel| self.points().map(|cell| (panel, cell)));
+        all.filter_map(|(panel, cell)| Some(self.try_cell(panel, cell).ok()?.0))
     }
 
     /// The first of a panel's corners and its middle that is a mechanism.
@@ -214,6 +229,7 @@ impl<'a> Study<'a> {
             "figure": self.figure,
             "check_determined": self.check_determined,
             "digits": self.digits,
+            "levels": self.levels,
         });
         let mut hash = String::new();
         for byte in Sha256::digest(all.to_string().as_bytes()) {

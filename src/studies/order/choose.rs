@@ -67,7 +67,7 @@ pub fn choose(
 }
 
 /// The levels that each elastic object goes through.
-fn families(trials: &Trials<'_>) -> Families {
+pub(super) fn families(trials: &Trials<'_>) -> Families {
     let family = |id: &String, given: Option<Level>| match given {
         Some(level) => Family::Given(level),
         None if trials.may_be_reduced(id) => Family::Modes,
@@ -202,6 +202,24 @@ fn as_given(levels: &Levels, families: &Families) -> Levels {
         _ => (id.clone(), *level),
     };
     levels.iter().map(level).collect()
+}
+
+/// The level of two that models more of an object.
+pub fn finer(one: Level, other: Level) -> Level {
+    let rank = |level: Level| {
+        let family = match level {
+            Level::Rigid => 0,
+            Level::Static => 1,
+            Level::Modes { .. } => 2,
+            // Modes hold for a pair that stays closed alone.
+            Level::Masses { .. } => 3,
+        };
+        (family, level.coordinates())
+    };
+    match rank(other) > rank(one) {
+        true => other,
+        false => one,
+    }
 }
 
 /// The levels of an object below one, from the least.

@@ -11,6 +11,7 @@
 mod asked;
 mod certificate;
 mod choose;
+mod limits;
 mod row;
 pub mod settling;
 mod trial;
@@ -19,4 +20,5 @@ pub use asked::Asked;
 pub use certificate::{
     Certainty, Certificate, Cheaper, FigureAccuracy, ObjectModel, Shares, Tried,
 };
-pub use choose::{Chosen, choose};
+pub use choose::{Chosen, choose, finer};
+pub use limits::{Limits, limits};

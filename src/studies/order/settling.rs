@@ -9,11 +9,14 @@
 /// Greatest factor by which changes may shrink in a row that counts as settled.
 const GREATEST_FACTOR: f64 = 0.8;
 /// Least factor that is believed: a change may be small by chance.
-const LEAST_FACTOR: f64 = 0.1;
+const LEAST_FACTOR: f64 = 0.2;
+/// A change that is less than this share of the one before is small by chance too: what is
+/// left may be of another origin than what has gone.
+const LEAST_CHANGE: f64 = 0.02;
 /// Factors that differ by less than this share of themselves are the same.
 const SAME_FACTOR: f64 = 0.2;
 /// An interval is so many times what the row shows of its rest.
-const SAFETY: f64 = 2.0;
+const SAFETY: f64 = 3.0;
 
 /// The limit of a row.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -72,7 +75,7 @@ pub fn settled(values: &[f64], noise: f64) -> Option<Settled> {
         }
         false => Settled {
             limit: d,
-            error: SAFETY * size[2] * rest(greatest) + noise,
+            error: SAFETY * size[2].max(LEAST_CHANGE * size[1]) * rest(greatest) + noise,
             order: None,
         },
     })

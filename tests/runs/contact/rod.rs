@@ -116,3 +116,37 @@ fn all_methods_agree_and_damping_vanishes_in_the_limit() {
         approx::assert_abs_diff_eq!(own[1], exact[1], epsilon = 0.1);
     }
 }
+
+/// The order of the model chosen by itself: 2 % of the greatest force and of the time in
+/// contact, within the interval stated.
+#[test]
+fn as_many_masses_as_the_accuracy_needs() {
+    for [k, force, time] in TABLE {
+        let text = Wall::rod(1, 0.0, &contact(k), 6.0).text();
+        // Six units of time less the time in contact.
+        let accuracy = format!(
+            r#""accuracy": {{ "body.pair.max_contact_force": "2 %",
+                "body.pair.separated_time": "{} s" }},"#,
+            0.02 * time
+        );
+        let text = text.replace("\"record\": \"all\",", &accuracy);
+        let text = text.replace("\"masses\": 1", "\"masses\": \"auto\"");
+        let scene = dam::Scene::from_json(&text).unwrap();
+        let mechanism = dam::Mechanism::of(scene.decode().unwrap()).unwrap();
+        let certificate = mechanism.certificate.as_ref().unwrap();
+        for (figure, exact, within) in [
+            ("body.pair.max_contact_force", force, 0.02 * force),
+            ("body.pair.separated_time", 6.0 - time, 0.02 * time),
+        ] {
+            let found = &certificate.accuracy[figure];
+            let off = (found.value - exact).abs();
+            assert!(off <= within && found.holds, "{k}: {off} {found:?}");
+            assert!(off <= found.error.unwrap(), "{k}: {off} {found:?}");
+        }
+        assert!(certificate.models["body"].coordinates <= 128, "{k}");
+        // The run that follows is that of the model chosen.
+        let result = mechanism.run().unwrap();
+        let found = &certificate.accuracy["body.pair.max_contact_force"];
+        assert_eq!(pair(&result).max_contact_force, found.value);
+    }
+}

@@ -62,6 +62,7 @@ fn scene(parts: Vec<(&str, Option<&str>, Part)>) -> TypedScene {
         name: "test".into(),
         objects,
         run: RunSpec {
+            accuracy: None,
             duration: 1.0,
             start: StartSpec::OnLaw,
             method: "auto".into(),

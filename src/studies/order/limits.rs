@@ -1,0 +1,72 @@
+//! Where all figures of a scene lead as its elastic objects are refined.
+
+use super::asked::Asked;
+use super::choose::families;
+use super::row::{Course, Row};
+use super::trial::Trials;
+use crate::fault::Fault;
+use crate::frontend::scene::{Accuracy, TypedScene};
+use crate::studies::compare::Limit;
+use crate::studies::{Control, RunSettings};
+use std::collections::BTreeMap;
+
+/// The limit of each figure, by its address.
+pub type Limits = BTreeMap<String, Limit>;
+
+/// Runs of a row: from a quarter of the coordinates of the scene to four times as many.
+const RUNS: usize = 5;
+
+/// The limits of figures, by runs with a quarter of the coordinates of the scene (where that
+/// can be) to four times as many.
+///
+/// # Errors
+/// The model cannot be built or started.
+pub fn limits(
+    scene: &mut TypedScene,
+    settings: &RunSettings,
+    figures: impl Iterator<Item = String>,
+    control: &Control<'_>,
+) -> Result<Limits, Vec<Fault>> {
+    let mut trials = Trials::new(scene, settings, control);
+    let mut families = families(&trials);
+    let row = Row::walk(&mut trials, &mut families, |_, row| row.runs.len() == RUNS)?;
+    let asked = |figure| Asked {
+        figure,
+        accuracy: Accuracy::Share(0.0),
+    };
+    let limit = |asked: Asked| {
+        let limit = limit(row.course(&trials, &asked));
+        (asked.figure, limit)
+    };
+    Ok(figures.map(asked).map(limit).collect())
+}
+
+fn limit(course: Course) -> Limit {
+    let none = Limit {
+        value: None,
+        error: None,
+        order: None,
+        why: None,
+    };
+    match course {
+        Course::Limit(found) => Limit {
+            value: Some(found.limit),
+            error: Some(found.error),
+            order: found.order,
+            ..none
+        },
+        Course::Counts(count) => Limit {
+            value: Some(count),
+            error: Some(0.0),
+            ..none
+        },
+        Course::NoLimit(why) => Limit {
+            why: Some(why),
+            ..none
+        },
+        Course::Open(_) => Limit {
+            why: Some("it does not settle as the model is refined".to_owned()),
+            ..none
+        },
+    }
+}
