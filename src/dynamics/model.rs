@@ -45,12 +45,12 @@ pub struct Model {
     pub objects: Vec<ObjectPart>,
     /// State at t = 0.
     pub start: Start,
-    /// What the user should know before the run.
+    /// Warnings to the user before the run.
     pub warnings: Vec<String>,
 }
 
 impl Model {
-    /// What an object is reduced to, if it is reduced to modes.
+    /// Reduction of an object to modes, if it is reduced to modes.
     pub fn reduced(&self, object: usize) -> Option<&Reduced> {
         self.reduced.iter().find(|reduced| reduced.object == object)
     }
@@ -91,11 +91,11 @@ pub enum Coordinate {
 pub struct Node {
     /// Constant inertia J ≥ 0 at this node; > 0 for free ones.
     pub inertia: f64,
-    /// What determines its motion.
+    /// Motion: what determines it.
     pub motion: NodeMotion,
 }
 
-/// What determines a node's motion.
+/// Motion of a node: prescribed, free or following others.
 #[derive(Clone, Debug)]
 pub enum NodeMotion {
     /// φ(t) given. `track` (over time) selects the piece of the motion.
@@ -157,7 +157,7 @@ pub struct Law {
 pub struct Link {
     /// The mass the link pulls back to its law: force −F.
     pub mass: NodeIndex,
-    /// What the other end is attached to.
+    /// Base of the link: what its other end is attached to.
     pub base: LinkBase,
     /// c > 0.
     pub stiffness: f64,
@@ -181,7 +181,7 @@ pub enum LinkBase {
 /// The kinematic pair of link 1; bilateral by default.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pair {
-    /// How the pair is kept together.
+    /// Closure: how the pair is kept together.
     pub closure: Closure,
     /// Gap η ≥ 0 (form closure).
     pub gap: f64,
@@ -202,7 +202,7 @@ impl Default for Pair {
     }
 }
 
-/// How a kinematic pair is kept together.
+/// Closure of a kinematic pair: how it is kept together.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Closure {
@@ -246,7 +246,7 @@ pub enum DampingLaw {
 ///   that point are in balance, which determines its speed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContactElement {
-    /// Its law.
+    /// Law of the contact force.
     pub law: ContactLaw,
     /// k_c (N/m or N·m/rad), or K of a contact in a point.
     pub stiffness: f64,
@@ -302,11 +302,11 @@ impl ContactLaw {
 /// A load on a node. Positive forces act towards positive displacement.
 #[derive(Clone, Debug)]
 pub struct Load {
-    /// Where it acts.
+    /// Node that it acts on.
     pub node: NodeIndex,
     /// `object.loads.name`, for messages and equations.
     pub name: String,
-    /// Its law.
+    /// Law of the force.
     pub law: LoadLaw,
 }
 
@@ -318,9 +318,9 @@ pub enum LoadLaw {
     /// Piecewise-linear in time or in a driver's displacement; the track
     /// selects the piece. Piece i is `value[i] + slope[i]·(x − start[i])`.
     Pieces {
-        /// Which piece.
+        /// Index of the track whose piece counts.
         track: usize,
-        /// One entry a piece of the track's breaks.
+        /// Pieces, one for each of the track's.
         pieces: Vec<LinearPiece>,
     },
     /// −preload − rate·φ.
@@ -383,13 +383,13 @@ pub struct LinearPiece {
 /// without inertia that follow it.
 #[derive(Clone, Debug)]
 pub struct LinkageBody {
-    /// Its input: a rigid node.
+    /// Input: a rigid node.
     pub node: NodeIndex,
     /// The linkage.
     pub linkage: Arc<Linkage>,
     /// The nodes of its outputs, in their order.
     pub outputs: Vec<NodeIndex>,
-    /// Its pairs' friction, when it acts on the motion; `None`: it moves freely.
+    /// Friction of the pairs, when it acts on the motion; `None`: it moves freely.
     pub friction: Option<Arc<Kinetostatics>>,
     /// The object concerned, index into [`Model::objects`].
     pub object: usize,
@@ -407,14 +407,14 @@ pub struct Reduced {
     /// What the modes that are left out give way by under the acceleration φ̈ of the
     /// driven end: the output deviates by −`under_acceleration`·φ̈ besides (s²).
     pub under_acceleration: f64,
-    /// What they give way by under constant loads.
+    /// Deflection of the modes that are left out under constant loads.
     pub offset: f64,
 }
 
 /// An axis with break points; its current segment is discrete state.
 #[derive(Clone, Debug)]
 pub struct Track {
-    /// What runs along the axis.
+    /// Source of the values along the axis.
     pub source: TrackSource,
     /// The break points.
     pub breaks: Breaks,
@@ -425,7 +425,7 @@ pub struct Track {
     pub object: usize,
 }
 
-/// What runs along a track.
+/// Source of a track: what runs along its axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TrackSource {
     /// Time.
@@ -449,7 +449,7 @@ pub fn owner_of(address: &str, known: impl Fn(&str) -> bool) -> (&str, &str) {
     (&address[..end], &address[end + 1..])
 }
 
-/// What became of one of the scene's objects, or of an output of one.
+/// An object of the scene, or an output of one, in the model.
 #[derive(Clone, Debug, Default)]
 pub struct ObjectPart {
     /// Id in the scene; of an output `object.output`.
@@ -459,17 +459,17 @@ pub struct ObjectPart {
     pub kind: &'static str,
     /// Turning or sliding.
     pub coordinate: Coordinate,
-    /// Its nodes, first mass first; one for a drive or a rigid object.
+    /// Nodes, first mass first; one for a drive or a rigid object.
     pub nodes: Vec<NodeIndex>,
     /// The node on which several inputs are combined, which its law follows.
     pub combination: Option<NodeIndex>,
     /// Of an elastic object the node of the inertia that moves with its law, if it has
     /// one: it stands in the model as a part of its own, of the kind [`DRIVEN_END`].
     pub driven_end: Option<NodeIndex>,
-    /// What drives it, in the order of its inputs; nothing drives a drive.
+    /// Inputs with what drives them, in their order; none of a drive.
     pub inputs: Vec<PartInput>,
-    /// Its links, link 1 first; empty for a drive or a rigid object. A contact element
-    /// that ends at a massless point is not among them.
+    /// Links, link 1 first; empty for a drive or a rigid object. A contact element that
+    /// ends at a massless point is not among them.
     pub links: Vec<usize>,
     /// The contact element of its pair.
     pub contact: Option<ContactElement>,
@@ -503,8 +503,8 @@ impl ObjectPart {
         self.inputs.is_empty()
     }
 
-    /// What drives an object with one input, index into [`Model::objects`]; `None` for
-    /// a drive, and where there are several.
+    /// Driver of an object with one input, index into [`Model::objects`]; `None` for a
+    /// drive, and where there are several.
     pub fn driver(&self) -> Option<usize> {
         match self.inputs[..] {
             [ref only] => Some(only.driver),

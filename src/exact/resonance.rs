@@ -31,7 +31,7 @@ pub(super) fn near(lambda: C, omega: f64) -> bool {
 /// The harmonics of a law that are polynomials in a basis.
 #[derive(Clone, Debug)]
 pub(crate) struct Resonance {
-    /// Their numbers and frequencies.
+    /// Numbers and frequencies of the harmonics.
     harmonics: Vec<(usize, f64)>,
     /// Length over which they hold (s).
     length: f64,

@@ -115,7 +115,7 @@ pub(crate) struct Sampler {
     interval: f64,
     rate: f64,
     all: bool,
-    /// When the next sample is due (s).
+    /// Time at which the next sample is due (s).
     due: f64,
     e: Exponentials,
     q: Vec<f64>,

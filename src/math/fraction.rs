@@ -9,9 +9,9 @@ const NEAR: f64 = 1e-12;
 /// A positive fraction in lowest terms.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Fraction {
-    /// What is divided.
+    /// Numerator.
     pub(crate) numerator: u64,
-    /// What it is divided by.
+    /// Denominator.
     pub(crate) denominator: u64,
 }
 

@@ -31,7 +31,7 @@ impl Jet {
         ]
     }
 
-    /// The same function times a constant.
+    /// Jet of the function times a constant.
     #[must_use]
     #[inline(always)]
     pub fn scaled(self, factor: f64) -> Self {

@@ -2,7 +2,7 @@
 //! something ceases to hold. Roots of polynomials: see
 //! [`polynomial`](crate::math::polynomial).
 
-/// What the search for a root came to.
+/// Result of the search for a root.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Found {
     /// The place with the smaller miss.

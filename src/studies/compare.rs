@@ -15,7 +15,7 @@ pub struct Comparison {
     pub table: Table,
 }
 
-/// One run of a comparison.
+/// A run of a comparison.
 #[derive(Clone, Debug)]
 pub struct ComparedRun {
     /// The parameter's value as given: `10`.
@@ -29,9 +29,9 @@ pub struct ComparedRun {
 pub struct Table {
     /// Address of the parameter.
     pub over: String,
-    /// Its values, the heads of the columns.
+    /// Labels of the runs, the heads of the columns.
     pub labels: Vec<String>,
-    /// One row a figure.
+    /// Rows, one a figure.
     pub rows: Vec<TableRow>,
 }
 
@@ -42,7 +42,7 @@ pub struct TableRow {
     pub figure: String,
     /// SI unit of its values; empty for counts and answers.
     pub unit: String,
-    /// Its value in every run; null where it has none.
+    /// Values in the runs; null where one has none.
     pub values: Vec<Option<f64>>,
     /// (value − last)/|last| in every run; for displacements and speeds at the
     /// end relative to the greatest |δ| and speed instead. Null where that is

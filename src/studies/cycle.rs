@@ -6,7 +6,7 @@ use crate::math::jet::Jet;
 use crate::math::optimise::greatest;
 use serde::Serialize;
 
-/// What a designer looks for in the cycle of a cam.
+/// Figures of a cam's cycle that a designer looks for.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct CycleFigures {
     /// Length of the cycle (rad or m of the driver).

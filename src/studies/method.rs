@@ -147,7 +147,7 @@ fn why_exact(parts: &Parts) -> String {
     )
 }
 
-/// What the choice depends on.
+/// Situation on which the choice depends.
 fn situation(system: &System, settings: &RunSettings) -> Situation {
     let few = system.coordinates() <= MANY;
     let eigenvalues = few.then(|| system.eigenvalues()).flatten();

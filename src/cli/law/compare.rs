@@ -150,7 +150,7 @@ fn figure(by: RankBy) -> Figure {
     }
 }
 
-/// One law in the scene.
+/// Comparison of laws: one law in the scene.
 struct Comparison<'a> {
     input: &'a Input,
     args: &'a CompareArgs,

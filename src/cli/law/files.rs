@@ -9,7 +9,7 @@ use serde_json::Value;
 
 const FILES: [&str; 4] = ["law.json", "law.csv", "law.svg", "report.html"];
 
-/// What is written where a folder is asked for.
+/// Results that are written where a folder is asked for.
 pub(super) struct Results<'a> {
     /// The JSON document.
     pub(super) document: &'a Value,

@@ -31,12 +31,12 @@ pub(crate) struct OutputFolder {
     _lock: Lock,
 }
 
-/// One result file.
+/// A result file.
 #[derive(Debug)]
 pub(crate) struct ResultFile {
     /// Name within the folder.
     pub(crate) name: String,
-    /// Its content.
+    /// Content of the file.
     pub(crate) content: Vec<u8>,
 }
 
@@ -209,12 +209,12 @@ impl OutputFolder {
         self.replace(provenance::NAME, text.as_bytes())
     }
 
-    /// Where a file lies, for messages.
+    /// Path of a file, for messages.
     pub(crate) fn path(&self, name: &str) -> PathBuf {
         self.folder.join(name)
     }
 
-    /// Where a file lies until it is whole.
+    /// Path of a file until it is whole.
     fn part(&self, name: &str) -> PathBuf {
         self.folder.join(part_name(name, std::process::id()))
     }
@@ -260,7 +260,7 @@ fn try_writing(folder: &Path) -> io::Result<()> {
     fs::remove_file(&probe)
 }
 
-/// What a file is called while the process `id` writes it.
+/// Name of a file while the process `id` writes it.
 fn part_name(name: &str, id: u32) -> String {
     format!(".{name}.{id}.part")
 }

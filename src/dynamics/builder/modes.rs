@@ -28,7 +28,7 @@ pub(super) struct Modal<'s> {
     pub(super) split: &'s InertiaSplit,
 }
 
-/// What an inner node gets of a force at the output.
+/// Shares of a force at the output that inner nodes get.
 type Shares = Vec<(NodeIndex, f64)>;
 
 impl ModelBuilder {

@@ -119,13 +119,13 @@ fn first_zero(value: f64, slope: f64, bend: f64) -> Option<f64> {
     time.is_finite().then_some(time)
 }
 
-/// What a step does to the edges.
+/// Meeting of a step with the edges.
 enum Meeting {
-    /// It keeps away from them.
+    /// The step keeps away from them.
     None,
-    /// It comes too near in one go: to be taken anew, at most this long (s).
+    /// The step comes too near in one go: to be taken anew, at most this long (s).
     TooLong(f64),
-    /// It reaches one at this place of the step.
+    /// The step reaches an edge at this place of it.
     Reached(Singularity, f64),
 }
 
@@ -138,7 +138,7 @@ pub(super) struct Singularities {
     longest: Option<f64>,
     /// Failures since the last step.
     failures: u32,
-    /// How often the step under way has been shortened before an edge.
+    /// Count of how often the step under way has been shortened before an edge.
     shortened: u32,
     /// End of the run (s).
     pub(super) end: f64,

@@ -129,7 +129,7 @@ impl Table {
         })
     }
 
-    /// The same with a moment, or a moment of inertia, added.
+    /// The table with a moment, or a moment of inertia, added.
     pub(super) fn with(&self, moment: f64, inertia: f64) -> Self {
         let mut table = self.clone();
         let first = self.positions[0];
@@ -141,7 +141,7 @@ impl Table {
         table
     }
 
-    /// The same with a constant moment of inertia added.
+    /// The table with a constant moment of inertia added.
     #[must_use]
     pub fn with_inertia(&self, inertia: f64) -> Self {
         self.with(0.0, inertia)

@@ -28,12 +28,12 @@ const MANY: usize = 40;
 /// that cancel leave no rounding behind that would choose a flank.
 const ROUNDING: f64 = 1e-12;
 
-/// Which loads are balanced.
+/// Loads that are balanced.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Balance {
     /// Loads that a body at rest feels.
     Static,
-    /// These and the inertia loads of the law's motion.
+    /// All loads and the inertia loads of the law's motion.
     Kinetostatic,
 }
 

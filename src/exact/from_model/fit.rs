@@ -21,7 +21,7 @@ const TAIL: f64 = 16.0 * f64::EPSILON;
 /// Greatest ratio of the sum of the coefficients in powers to the function.
 const CANCELLATION: f64 = 60.0;
 
-/// What is fitted.
+/// Target of a fit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Target {
     /// The displacement.
@@ -93,7 +93,7 @@ fn coefficients(values: &[f64; POINTS]) -> [f64; POINTS] {
     found
 }
 
-/// What became of a trial.
+/// Result of a trial.
 enum Trial {
     Good(Fit),
     /// The motion leaves its formula after so many seconds.

@@ -85,9 +85,9 @@ fn turned(amplitude: f64, frequency: f64, phase: f64) -> Sine {
 /// A cycle that repeats for ever.
 #[derive(Clone, Copy, Debug)]
 struct Cycle {
-    /// Where the first begins (s).
+    /// Time at which the first cycle begins (s).
     from: f64,
-    /// Its length (s).
+    /// Length of a cycle (s).
     period: f64,
     /// L gained in it.
     advance: f64,

@@ -42,7 +42,7 @@ pub(crate) struct PrescribedMotion {
     pub(crate) stages: Vec<Stage>,
 }
 
-/// Where a prescribed motion comes from.
+/// Source of a prescribed motion.
 #[derive(Clone, Debug)]
 enum Source {
     /// A drive.
@@ -64,9 +64,9 @@ enum Source {
 pub(crate) struct Formulas {
     /// Piece of the drive's motion.
     piece: i64,
-    /// Those of the terms of a sum.
+    /// Formulas of the terms of a sum.
     pub(crate) terms: Vec<Formulas>,
-    /// When the motion's formula changes (s).
+    /// Time at which the motion's formula changes (s).
     pub(crate) until: f64,
     /// For each stage its segment, and the limits of its argument.
     segments: Vec<i64>,
@@ -85,7 +85,7 @@ pub(crate) struct Instant {
     pub(crate) size: f64,
 }
 
-/// How a motion goes on for ever after some time.
+/// Rhythm: how a motion goes on for ever after some time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Rhythm {
     /// With constant speed (rad/s).
@@ -297,7 +297,7 @@ impl PrescribedMotion {
         }
     }
 
-    /// How the motion goes on after [`Self::settled`].
+    /// Rhythm of the motion after [`Self::settled`].
     pub(crate) fn rhythm(&self) -> Rhythm {
         let settled = self.settled();
         let formulas = self.formulas(settled);

@@ -126,7 +126,7 @@ struct Written {
     at: Option<f64>,
 }
 
-/// How the inputs combine.
+/// The way in which the inputs combine.
 enum Combination {
     /// By the ratio at each input.
     Ratios,

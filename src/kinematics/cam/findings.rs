@@ -15,11 +15,11 @@ pub enum Finding {
     /// The profile runs backwards: the roller (the face) cuts away what it
     /// has to roll on. At both ends the profile has a cusp.
     Undercut {
-        /// Which flank: 0, of a groove 0 the inner and 1 the outer.
+        /// Flank: 0, of a groove 0 the inner and 1 the outer.
         flank: usize,
-        /// Where it begins (rad).
+        /// Start of the interval (rad).
         from: f64,
-        /// Where it ends (rad); beyond the turn where it passes its end.
+        /// End of the interval (rad); beyond the turn where it passes its end.
         to: f64,
     },
     /// The profile crosses itself: the roller does not fit into a hollow, or

@@ -19,7 +19,7 @@ pub struct Cam {
     /// The laws of rise and return.
     laws: [Law; 2],
     breaks: Breaks,
-    /// One for each break point: what holds after it.
+    /// Pieces, one for each break point: what holds after it.
     pieces: Vec<Piece>,
 }
 
@@ -170,12 +170,12 @@ impl Cam {
         }
     }
 
-    /// Where the formula changes.
+    /// Breaks: where the formula changes.
     pub fn breaks(&self) -> &Breaks {
         &self.breaks
     }
 
-    /// What it was made from.
+    /// Numbers that it was made from.
     pub fn spec(&self) -> &CamSpec {
         &self.spec
     }

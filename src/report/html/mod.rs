@@ -26,7 +26,7 @@ pub struct RunReport<'a> {
     pub record: &'a Record,
     /// The object graph.
     pub diagram: &'a Diagram,
-    /// What is drawn moving; `None`: nothing is.
+    /// Machine that is drawn moving; `None`: nothing is.
     pub machine: Option<Machine<'a>>,
     /// The scene's text, shown as it is.
     pub scene: &'a str,

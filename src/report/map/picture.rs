@@ -39,7 +39,7 @@ pub fn svg(study: &Study<'_>, result: &MapResult) -> String {
     document("dam-plot", sheet.size, &sheet.name, STYLE, &sheet.body)
 }
 
-/// The same on a page, whose script makes it answer.
+/// The map on a page, whose script makes it answer.
 pub(super) fn on_page(study: &Study<'_>, result: &MapResult, plots: &mut Plots) -> String {
     let sheet = Sheet::new(study, result, plots);
     let [w, h] = sheet.size.map(coordinate);
@@ -51,7 +51,7 @@ pub(super) fn on_page(study: &Study<'_>, result: &MapResult, plots: &mut Plots) 
     )
 }
 
-/// What a panel is called: a … z, then by its number.
+/// Letter of a panel: a … z, then by its number.
 pub(in crate::report) fn letter(index: usize) -> String {
     match u8::try_from(index) {
         Ok(index @ ..26) => char::from(b'a' + index).to_string(),
@@ -139,7 +139,7 @@ fn plot_size(columns: usize, map: bool) -> (f64, f64) {
     }
 }
 
-/// What a panel differs in, a line a setting; how long it runs is left out.
+/// Title of a panel: what it differs in, a line a setting; how long it runs is left out.
 fn title(settings: &[String]) -> Vec<String> {
     let shown = settings
         .iter()
@@ -174,7 +174,7 @@ fn head_of(
     out
 }
 
-/// One panel.
+/// Panel of the picture.
 struct Panel<'a> {
     study: &'a Study<'a>,
     cells: &'a [Option<Cell>],
@@ -332,7 +332,7 @@ impl Panel<'_> {
         }
     }
 
-    /// Where the rigid mechanism would begin to lift off.
+    /// Values at which the rigid mechanism would begin to lift off.
     fn rigid_edges(&self, x: &Grid) -> Vec<f64> {
         let margin = |column: usize| self.cell(column, 0)?.rigid_margin;
         let mut found = Vec::new();

@@ -23,7 +23,7 @@ const VERDICTS: [(Verdict, &str, bool); 10] = [
     (Verdict::NotJudged, "#eef0f3", false),
 ];
 
-/// What an error is plotted against.
+/// Abscissa of the errors' chart.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Against {
     /// Median wall-clock time.
@@ -32,7 +32,7 @@ pub enum Against {
     Evaluations,
 }
 
-/// The same colour and shape for a method on every chart.
+/// Style of a method, the same colour and shape on every chart.
 fn style(method: Method) -> usize {
     let place = all_methods().iter().position(|&known| known == method);
     place.unwrap_or(0)

@@ -53,7 +53,7 @@ pub(in crate::report) const SERIES: [(&str, &str, &str); 12] = [
 /// The style of charts, in the variables of a page.
 pub(in crate::report) const STYLE: &str = include_str!("plot.css");
 
-/// Which colour, dash and shape of marks a series has.
+/// Number of the style of a series: colour, dash and shape of marks.
 pub(super) fn style(index: usize) -> usize {
     index % SERIES.len()
 }

@@ -30,7 +30,7 @@ const RATE: f64 = 5.0;
 pub(super) struct Coupled {
     /// Index in the whole model.
     pub(super) object: usize,
-    /// Its forces.
+    /// Figures of its forces.
     pub(super) tally: Tally,
     /// +1 where the force of a tree adds to its own, −1 of a drive.
     sign: f64,
@@ -38,7 +38,7 @@ pub(super) struct Coupled {
     own: Smooth,
     /// G of each tree.
     levers: Vec<Smooth>,
-    /// What |G| never passes, where that is known.
+    /// Bounds of |G| over the whole run, where they are known.
     caps: Option<Vec<f64>>,
 }
 
@@ -68,12 +68,12 @@ impl Coupled {
             .collect()
     }
 
-    /// What |G| of every tree comes to in the stretch taken up last.
+    /// Bounds of |G| of every tree in the stretch taken up last.
     pub(super) fn slopes(&self) -> impl Iterator<Item = f64> + '_ {
         self.levers.iter().map(Smooth::most)
     }
 
-    /// What |G| of every tree never passes.
+    /// Sets the bounds of |G| of every tree over the whole run.
     pub(super) fn cap(&mut self, caps: Vec<f64>) {
         self.caps = Some(caps);
     }

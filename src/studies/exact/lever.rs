@@ -18,7 +18,7 @@ struct Step {
     lever: Lever,
 }
 
-/// What ties a node to the one that it follows.
+/// Lever that ties a node to the one that it follows.
 #[derive(Clone, Debug)]
 enum Lever {
     /// A position function.
@@ -51,7 +51,7 @@ pub(super) struct Way {
 }
 
 impl Way {
-    /// That of every tree. Objects are counted as in the whole model.
+    /// Ways of all trees. Objects are counted as in the whole model.
     pub(super) fn of_all(system: &System, parts: &Parts) -> Vec<Self> {
         let model = system.model();
         let way = |object: usize| {

@@ -45,8 +45,8 @@ pub struct CycleForces {
 /// Integrands before those of the pairs' losses.
 const COMMON: usize = 6;
 
-/// What is summed up at a position: powers, driving force and its square, then
-/// the power lost in each pair.
+/// Integrands at a position: powers, driving force and its square, then the power lost in
+/// each pair.
 fn integrands(forces: &Forces, out: &mut [f64]) {
     let balance = &forces.balance;
     out[..COMMON].copy_from_slice(&[

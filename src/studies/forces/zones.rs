@@ -37,18 +37,18 @@ const DECADES: [i32; 4] = [-3, -4, -5, -6];
 /// passed at once is an interval of no width.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Zone {
-    /// What.
+    /// Kind of zone.
     pub kind: ZoneKind,
-    /// Where it begins: input coordinate or time, the lesser end.
+    /// Start of the zone: input coordinate or time, the lesser end.
     pub from: f64,
-    /// Where it ends.
+    /// End of the zone.
     pub to: f64,
     /// Whether forces grow without bound towards its beginning from below, and towards its
     /// end from above.
     pub unbounded: [bool; 2],
 }
 
-/// What is wrong in a zone.
+/// Kind of a zone: what is wrong in it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ZoneKind {
     /// The load drives, but friction takes more than it gives: the output
@@ -65,7 +65,7 @@ pub enum ZoneKind {
 }
 
 impl ZoneKind {
-    /// Its name in results.
+    /// Name in results.
     pub fn name(self) -> &'static str {
         match self {
             Self::SelfLocking => "self_locking",
@@ -76,7 +76,7 @@ impl ZoneKind {
         }
     }
 
-    /// What it means, in a few words.
+    /// Meaning in a few words.
     pub fn words(self) -> &'static str {
         match self {
             Self::SelfLocking => "self-locking: the load cannot drive against friction",
@@ -88,7 +88,7 @@ impl ZoneKind {
     }
 }
 
-/// What is wrong at a position.
+/// Kind of the zone that a position belongs to.
 fn state(row: &Row) -> Option<ZoneKind> {
     match &row.forces {
         Err(Trouble::OutOfReach(_)) => Some(ZoneKind::OutOfReach),
@@ -226,7 +226,7 @@ impl<S: PositionSource> Scanner<'_, '_, S> {
         Some(marks)
     }
 
-    /// Where the output turns back.
+    /// Places where the output turns back.
     fn reversals(&mut self, marks: &[Mark], greatest: f64) -> Vec<f64> {
         let mut reversals = Vec::new();
         let rest = |ratio: f64| ratio.abs() <= STANDSTILL * greatest;
@@ -247,7 +247,7 @@ impl<S: PositionSource> Scanner<'_, '_, S> {
         reversals
     }
 
-    /// Where the sign of the ratio changes.
+    /// Place where the sign of the ratio changes.
     fn reversal(&mut self, ends: [f64; 2], sign: f64) -> f64 {
         let [_, reversal] = bisect(ends, BISECTIONS, |place| {
             ratio(&self.row(place)).is_some_and(|ratio| ratio * sign > 0.0)

@@ -10,14 +10,14 @@ use crate::math::jet::Jet;
 /// of the angle between them at which a path is straight.
 const AT_REST: f64 = 1e-12;
 
-/// What a column shows.
+/// Quantity that a column shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Quantity {
     /// q, or the displacement of an output or pair.
     Displacement,
-    /// Its speed.
+    /// Speed of the displacement.
     Speed,
-    /// Its acceleration.
+    /// Acceleration of the displacement.
     Acceleration,
     /// First transfer function, d/dq.
     First,
@@ -82,7 +82,7 @@ pub enum Quantity {
     TransportSpeedAcross,
     /// Acceleration of the guide's point under the block, along the guide.
     TransportAccelerationAlong,
-    /// The same, 90° to the left of the guide.
+    /// Transport acceleration, 90° to the left of the guide.
     TransportAccelerationAcross,
     /// Coriolis acceleration 2·ω·v_r, 90° to the left of the guide.
     CoriolisAcceleration,
@@ -96,7 +96,7 @@ enum Unit {
 }
 
 impl Quantity {
-    /// Its name in addresses and headers.
+    /// Name in addresses and headers.
     pub fn name(self) -> &'static str {
         match self {
             Self::Displacement => "displacement",
@@ -183,8 +183,8 @@ impl Quantity {
         )
     }
 
-    /// What counts as of ordinary size, for a quantity of something of size `own` (1 rad, or
-    /// the size of the linkage) behind an input of size `input` with the motion `q`.
+    /// Ordinary size of a quantity of something of size `own` (1 rad, or the size of the
+    /// linkage) behind an input of size `input` with the motion `q`.
     pub(super) fn scale(self, own: f64, input: f64, q: Jet) -> f64 {
         let rate = q.first.abs() / input;
         match self.shape() {

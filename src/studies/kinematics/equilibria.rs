@@ -18,7 +18,7 @@ const ROUNDING: f64 = 1e-12;
 /// A position in which a linkage rests when its input is left free.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Equilibrium {
-    /// Its input coordinate (rad or m).
+    /// Input coordinate (rad or m).
     pub at: f64,
     /// k: what turns it back, by the input coordinate (N·m/rad or N/m); negative where it falls away.
     pub stiffness: f64,

@@ -97,7 +97,7 @@ fn named<'c>(mut columns: impl Iterator<Item = &'c Column>) -> Option<String> {
     })
 }
 
-/// How the input moves, in words.
+/// Motion of the input, in words.
 fn motion(asked: &Asked<'_>) -> String {
     let unit = unit_of(asked.input);
     let [speed, acceleration] = asked.rate;

@@ -21,10 +21,10 @@ pub struct Extreme {
     pub verdict: Verdict,
 }
 
-/// One panel in a few numbers.
+/// Summary of a panel in a few numbers.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct PanelSummary {
-    /// What the panel differs in.
+    /// Label of what the panel differs in.
     pub label: String,
     /// Number of cells of each verdict that occurs.
     pub verdicts: BTreeMap<Verdict, usize>,

@@ -32,14 +32,14 @@ const ROUNDING: f64 = 1e-15 / CHANGE;
 /// Below this share of a coordinate's scale a deviation is none.
 const NOTHING: f64 = 1e-12;
 
-/// What the errors are taken against.
+/// Reference that the errors are taken against.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Reference {
     /// The method.
     pub method: Method,
-    /// Its tolerance, if it has one.
+    /// Tolerance, if it has one.
     pub tolerance: Option<f64>,
-    /// Its step (s), if it is of fixed step.
+    /// Step (s), if it is of fixed step.
     pub step: Option<f64>,
     /// True: propagated without truncation error; false: two methods agree.
     pub exact: bool,
@@ -58,7 +58,7 @@ pub struct Reference {
     pub undetermined: Vec<String>,
 }
 
-/// How far two points are apart.
+/// Distance between two points.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Distance {
     /// One method with its setting.

@@ -31,7 +31,7 @@ const USUAL: f64 = 1e-3;
 /// Places of a cycle at which accelerations are compared with those a cycle later.
 const LOOKS: usize = 97;
 
-/// What a scene asks that a motor and elastic objects have no place for.
+/// Faults of a scene that asks what a motor and elastic objects have no place for.
 fn contradictions(model: &Model, spec: &SteadySpec, moved: &[bool]) -> Vec<Fault> {
     let elastic = |part: &&crate::dynamics::model::ObjectPart| {
         let node = part.nodes[0];
@@ -68,7 +68,7 @@ fn contradictions(model: &Model, spec: &SteadySpec, moved: &[bool]) -> Vec<Fault
         .collect()
 }
 
-/// What stands against a steady motion of everything behind a motor.
+/// Faults that stand against a steady motion of everything behind a motor.
 fn obstacles(model: &Model, drive: usize, moved: &[bool]) -> Vec<Fault> {
     let others = model.objects.iter().enumerate();
     let others = others.filter(|(index, part)| part.is_drive() && *index != drive);

@@ -133,7 +133,7 @@ pub(super) struct LawSeries {
     radius: f64,
     /// c_j.
     polynomial: [f64; DEGREE + 1],
-    /// How many times too great r is for the polynomial to be good.
+    /// Factor by which r is too great for the polynomial to be good.
     excess: f64,
     /// Number of powers x¹ … that count.
     terms: usize,

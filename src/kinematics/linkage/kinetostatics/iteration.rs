@@ -6,7 +6,7 @@
 
 use super::workspace::ForceWorkspace;
 
-/// How the friction was found.
+/// Method by which the friction was found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Method {
     /// There is no friction.
@@ -24,7 +24,7 @@ pub enum Method {
 /// Course of the iteration.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Convergence {
-    /// What led to the result.
+    /// Method that led to the result.
     pub method: Method,
     /// Iterations of all methods tried.
     pub iterations: usize,
@@ -59,7 +59,7 @@ impl ForceWorkspace {
         self.bare = self.scale();
     }
 
-    /// What F is known to.
+    /// Rounding error of F.
     fn rounding(&self) -> f64 {
         ROUNDING * self.bare
     }
