@@ -30,7 +30,7 @@ const MOST: f64 = 1e-3;
 
 /// Share of the span within which an edge is near: legs end at every
 /// [`RATIO`]-th part of the distance left, and errors count relative to it.
-const NEAR: f64 = 0.05;
+const NEAR_EDGE: f64 = 0.05;
 const RATIO: f64 = 1.1;
 
 /// No step may bring an edge that is near closer than this share of the
@@ -175,7 +175,7 @@ impl<D: Dynamics> Run<'_, D> {
         self.singularities.sharpness = 1.0;
         for edge in &self.singularities.list {
             let approach = Approach::of(edge, &self.from);
-            let near = NEAR * edge.span;
+            let near = NEAR_EDGE * edge.span;
             let far = approach.distance >= near || approach.distance <= self.close(edge);
             if far || !approach.is_approaching() {
                 continue; // or so close that the first step will end the run
@@ -245,12 +245,14 @@ impl<D: Dynamics> Run<'_, D> {
         for edge in &self.singularities.list {
             let start = Approach::of(edge, &self.from);
             let close = self.close(edge);
-            let aim = (CLOSER * start.distance).min(NEAR * edge.span).max(close);
+            let aim = (CLOSER * start.distance)
+                .min(NEAR_EDGE * edge.span)
+                .max(close);
             let below = self.falls_below(edge, aim);
             if aim > close {
                 let limit = start.time_to(start.distance / RATIO);
                 if let Some(s) = below.filter(|&s| s < 1.0) {
-                    let time = limit.filter(|_| start.distance < NEAR * edge.span);
+                    let time = limit.filter(|_| start.distance < NEAR_EDGE * edge.span);
                     return Meeting::TooLong(0.9 * (s * length).min(time.unwrap_or(length)));
                 }
                 let turned = Approach::of(edge, &self.to).rate >= 0.0 && start.touches();
@@ -333,7 +335,7 @@ impl<D: Dynamics> Run<'_, D> {
             Method::Rk4 => self.settings.step.unwrap_or(0.0),
             _ => 0.0,
         };
-        let near = approach.distance < NEAR * edge.span || time <= 2.0 * fixed;
+        let near = approach.distance < NEAR_EDGE * edge.span || time <= 2.0 * fixed;
         if !near {
             return self.end(stop);
         }
@@ -355,7 +357,7 @@ impl<D: Dynamics> Run<'_, D> {
     pub(super) fn is_to_slow_down(&self) -> bool {
         let near = |edge: &Singularity| {
             let approach = Approach::of(edge, &self.from);
-            approach.is_approaching() && approach.distance < NEAR * edge.span
+            approach.is_approaching() && approach.distance < NEAR_EDGE * edge.span
         };
         !self.singularities.near && self.singularities.list.iter().any(near)
     }

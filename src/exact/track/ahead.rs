@@ -10,7 +10,7 @@ use crate::exact::phase::Exponentials;
 const SHARE: f64 = 1e-9;
 
 /// A lane with less than this share of it is rounding.
-const NOTHING: f64 = 1e-15;
+const LANE_ROUNDING: f64 = 1e-15;
 
 /// Bounds of a signal over some time.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -49,12 +49,12 @@ impl Track {
         for k in 0..basis.lanes.len() {
             let (b, i) = (k / WIDTH, k % WIDTH);
             let size = panel.size(f, k) * self.state.size[b].0[i];
-            if size < NOTHING * slow {
+            if size < LANE_ROUNDING * slow {
                 continue;
             }
             let size = size * (basis.re[b].0[i] * from).exp();
             ahead.most += size;
-            if size < NOTHING * ahead.most {
+            if size < LANE_ROUNDING * ahead.most {
                 continue;
             }
             let x = basis.modulus[k] * h;

@@ -12,10 +12,8 @@ use super::{Course, PositionSource};
 use crate::kinematics::linkage::kinetostatics::{BAD_CONDITION, ForceFailure};
 use crate::math::optimise::golden;
 use crate::math::order::Total;
-use crate::math::roots::bisect;
+use crate::math::roots::{BISECTIONS, bisect};
 
-/// Bisections of an end.
-const BISECTIONS: u32 = 60;
 /// Ratio, in parts of the greatest, at which the output stands still.
 const STANDSTILL: f64 = 1e-9;
 /// Where zones are looked for beside a reversal of the output or a singular position, in
@@ -26,7 +24,7 @@ const MOST_CHANGES: usize = 16;
 /// Steps of the search for the least distance from a change, each a golden section.
 const SEARCH: u32 = 30;
 /// A zone of this part of the course is none.
-const NOTHING: f64 = 1e-9;
+const NO_ZONE: f64 = 1e-9;
 /// Growth of a force over a tenth of the distance that has no end: by 10 where it goes with
 /// the distance, by 3 with its root; by 1 where it ends.
 const GROWTH: f64 = 2.0;
@@ -145,7 +143,7 @@ pub(super) fn find<S: PositionSource>(solver: &mut Solver<'_, S>, course: &Cours
     }
     let (first, last) = (marks[0].place, marks[marks.len() - 1].place);
     close(&mut open, last);
-    let narrow = NOTHING * (last - first);
+    let narrow = NO_ZONE * (last - first);
     zones.retain(|zone| zone.kind == ZoneKind::Dead || zone.to - zone.from > narrow);
     for index in 0..zones.len() {
         let (free, kind) = (free_sides(&zones, index, [first, last]), zones[index].kind);

@@ -23,7 +23,7 @@ const SLACK: f64 = 1e-9;
 pub(super) const SERIES_SLACK: f64 = 1e-6;
 
 /// An undamped eigenvalue has a real part of rounding only: this share of its size.
-const ROUNDING: f64 = 1e-9;
+const UNDAMPED: f64 = 1e-9;
 
 /// Most coordinates for which all eigenvalues are found (a second's work).
 const MOST_COORDINATES: usize = 150;
@@ -139,7 +139,7 @@ fn limit(slack: f64, eigenvalue: [f64; 2], growth: impl Fn(f64, f64) -> f64) -> 
     const FARTHEST: usize = 4000;
     let size = eigenvalue[0].hypot(eigenvalue[1]);
     let [re, im] = eigenvalue.map(|part| part / size);
-    let re = if re.abs() < ROUNDING { 0.0 } else { re };
+    let re = if re.abs() < UNDAMPED { 0.0 } else { re };
     if !(size > 0.0 && size.is_finite() && re <= 0.0) {
         return None;
     }

@@ -9,6 +9,9 @@ use crate::kinematics::position::Position;
 use crate::math::fraction::Fraction;
 use std::f64::consts::TAU;
 
+/// Relative differences of inertias and accelerations after a cycle that are rounding.
+pub(super) const AFTER_A_CYCLE: f64 = 1e-8;
+
 /// Rhythms of everything while a drive turns evenly: what repeats after which angle, and
 /// what never does.
 #[derive(Debug, Default)]

@@ -20,7 +20,7 @@ use table::{Lanes, Table};
 pub(super) use table::Cursor;
 
 /// Weights count as nothing below this share of the greatest that they could be.
-const ROUNDING: f64 = 1e-12;
+const NO_WEIGHT: f64 = 1e-12;
 
 /// Share of a limited reach at each end that is not sampled.
 const EDGE: f64 = 0.05;
@@ -127,7 +127,7 @@ impl Solved {
         let [inertia, slope, _] = reduced.inertia;
         // Weights across the motion leave rounding, which is no force.
         let weight = reduced.potential[1];
-        let rounding = ROUNDING * self.greatest_weight();
+        let rounding = NO_WEIGHT * self.greatest_weight();
         let parts = [
             inertia * acceleration + 0.5 * slope * rate * rate,
             if weight.abs() <= rounding {

@@ -38,7 +38,7 @@ const DAMPINGS: [f64; 3] = [0.5, 0.2, 0.05];
 /// Iterations of Newton's method at most.
 const NEWTON: usize = 25;
 /// At a standstill, Newton's method may move by this part of the scale.
-const NEAR: f64 = 1e-6;
+const AT_STANDSTILL: f64 = 1e-6;
 /// What is to come of an iteration when its number is up, in parts of the
 /// scale, that still counts as nearly converged.
 const NEARLY: f64 = 1e-2;
@@ -46,7 +46,7 @@ const NEARLY: f64 = 1e-2;
 const RESIDUAL: f64 = 1e-11;
 /// Rounding of F = F₀ − K·τ in parts of F₀: next to a singular position the difference is
 /// much smaller than its terms, and no iteration comes below their rounding.
-const ROUNDING: f64 = 8.0 * f64::EPSILON;
+const FORCE_ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 impl ForceWorkspace {
     /// Sets the friction to zero and F to F₀.
@@ -61,7 +61,7 @@ impl ForceWorkspace {
 
     /// Rounding error of F.
     fn rounding(&self) -> f64 {
-        ROUNDING * self.bare
+        FORCE_ROUNDING * self.bare
     }
 
     /// Finds τ and F; `None` in `Ok` if no method converged.
@@ -119,12 +119,12 @@ impl ForceWorkspace {
                 f64::INFINITY
             };
             if change <= tolerance * scale + self.rounding() {
-                return ratio < 0.5 || self.polish(NEAR * scale, course);
+                return ratio < 0.5 || self.polish(AT_STANDSTILL * scale, course);
             }
             before = [change, before[0]];
         }
         let scale = self.scale();
-        rest <= NEARLY * scale && self.polish(3.0 * rest + NEAR * scale, course)
+        rest <= NEARLY * scale && self.polish(3.0 * rest + AT_STANDSTILL * scale, course)
     }
 
     /// A few steps of Newton's method; false if they lead farther than `near`.
