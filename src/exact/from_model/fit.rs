@@ -5,7 +5,7 @@
 //! kept, are below rounding of the function, and until the coefficients in
 //! powers of the time from its start do not cancel either.
 
-use super::prescribed::{Formulas, Instant, PrescribedMotion, ROUNDING};
+use super::prescribed::{Formulas, Instant, PLACE_ROUNDING, PrescribedMotion};
 use crate::exact::LAW_DEGREE;
 use crate::math::chebyshev::{Nodes, combined, in_powers};
 use crate::math::polynomial::{MAX_DEGREE, first_positive, raise};
@@ -254,8 +254,8 @@ fn leaves(
         return Ok(None);
     }
     // Beyond an edge is beyond it by more than rounding: the motion may start
-    // and end on one, and rest there. (Formulas are told within ROUNDING.)
-    let rounding = 2.0 * ROUNDING * size + rest;
+    // and end on one, and rest there. (Formulas are told within PLACE_ROUNDING.)
+    let rounding = 2.0 * PLACE_ROUNDING * size + rest;
     let mut first: Option<f64> = None;
     for (edge, sign) in [(low, -1.0), (high, 1.0)] {
         if !edge.is_finite() {

@@ -2,7 +2,8 @@
 //! line or a pure harmonic, in polynomial spans otherwise.
 
 use super::fit::{Fit, Target, fit};
-use super::prescribed::{PrescribedMotion, Rhythm, straight};
+use super::prescribed::{PrescribedMotion, straight};
+use super::rhythm::Rhythm;
 use crate::dynamics::model::Law as ModelLaw;
 use crate::exact::law::product;
 use crate::exact::{LAW_DEGREE, Law, PolynomialSpan, Sine, SpanSource};

@@ -15,12 +15,14 @@ mod law;
 mod load;
 mod prescribed;
 mod rest;
+mod rhythm;
 #[cfg(test)]
 mod tests;
 
 pub(crate) use fit::{Target, fit};
-pub(crate) use prescribed::{PrescribedMotion, Rhythm, within};
+pub(crate) use prescribed::{PrescribedMotion, within};
 pub use rest::Rest;
+pub(crate) use rhythm::Rhythm;
 
 use super::{ExactTree, Law, Modes, PairState, Refusal, SpanSource, TreeProblem};
 use crate::dynamics::model::NodeMotion;

@@ -10,6 +10,7 @@ mod figures;
 mod study;
 mod subject;
 mod summary;
+mod values;
 
 pub use ask::{Asked, MOST_POSITIONS, Over, POSITIONS, Question, whole_travel};
 pub use columns::Quantity;
