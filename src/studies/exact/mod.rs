@@ -1,9 +1,14 @@
 //! Exact propagation of whole scenes, or of branches beside what is integrated.
 
+mod beside;
+mod carried;
 mod coupled;
 mod duet;
+mod forces;
 mod joint;
 mod lever;
+#[cfg(test)]
+mod many_tests;
 #[cfg(test)]
 mod mixed_tests;
 mod smooth;
