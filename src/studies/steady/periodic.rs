@@ -239,7 +239,8 @@ impl About {
 /// No periodic motion was found.
 pub(super) fn none(why: &str) -> Vec<Fault> {
     let message = format!("no periodic motion was found: {why}");
-    let hint = "allow more turns of the drive in a period with `periods`";
+    let hint = "allow more turns of the drive in a period with `periods`; a drive that stalls \
+                needs a stronger motor, more inertia, a start at more speed, or less load";
     vec![Fault::new("steady", message, hint)]
 }
 
