@@ -17,7 +17,7 @@ pub struct Budget<'a> {
 #[derive(Clone, Copy, Debug)]
 struct Deadline {
     at: Instant,
-    /// What was allowed when it was set; for messages.
+    /// Limit allowed when the budget was set; for messages.
     limit: Duration,
 }
 
@@ -28,7 +28,7 @@ pub enum Spent {
     Interrupted,
     /// The wall-clock time is over.
     Time {
-        /// What was allowed.
+        /// Limit that was allowed.
         limit: Duration,
     },
 }
@@ -48,7 +48,7 @@ impl<'a> Budget<'a> {
         }
     }
 
-    /// The same budget, and no longer than `limit` from now on.
+    /// This budget, cut to at most `limit` from now on.
     #[must_use]
     pub fn within(self, limit: Duration) -> Self {
         // A limit that no clock can show is none.
@@ -64,7 +64,7 @@ impl<'a> Budget<'a> {
         }
     }
 
-    /// The same deadline, deaf to the flag.
+    /// This budget's deadline without its interrupt flag.
     #[must_use]
     pub fn uninterrupted(self) -> Self {
         Self {

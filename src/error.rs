@@ -31,7 +31,7 @@ impl Error {
         &self.diagnostics
     }
 
-    /// The same, taken out.
+    /// The diagnostics of the error, taken out of it.
     pub fn into_diagnostics(self) -> Diagnostics {
         *self.diagnostics
     }
@@ -65,7 +65,7 @@ impl Error {
         }
     }
 
-    /// One fault.
+    /// An error of one fault.
     pub(crate) fn of(fault: Diagnostic) -> Self {
         Diagnostics::new(Sources::default(), vec![fault]).into()
     }

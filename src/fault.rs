@@ -6,9 +6,9 @@
 pub struct Fault {
     /// Address of the property concerned: `rocker.pair.gap`.
     pub path: String,
-    /// What is wrong.
+    /// Message: what is wrong.
     pub message: String,
-    /// What would be right; empty when there is nothing to say.
+    /// Hint: what would be right; empty when there is nothing to say.
     pub hint: String,
 }
 
@@ -37,7 +37,7 @@ impl Faults {
         self.0.push(Fault::new(path, message, hint));
     }
 
-    /// How many there are.
+    /// Number of faults.
     pub(crate) fn len(&self) -> usize {
         self.0.len()
     }

@@ -33,7 +33,7 @@ pub struct Map {
     pub y: Vec<f64>,
     /// Address of the figure: `rocker.delta_max`.
     pub figure: String,
-    /// Its unit; empty for counts and answers.
+    /// Unit of the figure; empty for counts and answers.
     pub unit: String,
     /// The points, row by row.
     pub cells: Vec<Cell>,
@@ -108,7 +108,7 @@ impl MapQuestion {
         self.ask_within(&Control::default(), &Silent)
     }
 
-    /// The same, heard of by a listener and ended from outside.
+    /// Asks, heard of by a listener and ended from outside.
     ///
     /// # Errors
     /// As of [`Self::ask`]; it was ended before the last point, or by its listener.

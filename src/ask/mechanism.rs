@@ -18,9 +18,9 @@ use crate::studies::{Control, RunSettings, clock, plausible, studied};
 pub struct Mechanism {
     /// The scene with what its reading left behind: warnings, canonical form, places.
     pub reading: Reading,
-    /// Its equations of motion.
+    /// Equations of motion.
     pub system: System,
-    /// How it is to be run.
+    /// Settings of the run.
     pub settings: RunSettings,
     /// What its figures are worth, the error of the model included: where it was judged.
     pub certificate: Option<Certificate>,
@@ -76,7 +76,7 @@ impl Mechanism {
         self.system.model()
     }
 
-    /// What its user should know before it is run, a line each.
+    /// Warnings to the user before the run, a line each.
     pub fn warnings(&self) -> Vec<String> {
         let mut lines = self.reading.warnings.lines();
         lines.extend(self.model().warnings.iter().cloned());
@@ -91,7 +91,7 @@ impl Mechanism {
         self.run_within(&Control::default())
     }
 
-    /// The same, ended from outside: by a flag, or after a time.
+    /// Runs it, ended from outside: by a flag, or after a time.
     ///
     /// # Errors
     /// The start cannot be found; the method asked for cannot be used.
@@ -108,7 +108,7 @@ impl Mechanism {
         self.steady_within(&Control::default())
     }
 
-    /// The same, ended from outside: by a flag, or after a time.
+    /// Finds its steady motion, ended from outside: by a flag, or after a time.
     ///
     /// # Errors
     /// As [`Self::steady`]; ended before there was an answer.

@@ -34,7 +34,7 @@ pub struct RunOptions<'a> {
     pub switch_rows: Option<bool>,
     /// Window of steady figures (s, s).
     pub window: Option<(f64, f64)>,
-    /// What may end the run from outside.
+    /// Control: what may end the run from outside.
     pub control: Control<'a>,
 }
 

@@ -37,7 +37,7 @@ pub struct Scene {
     document: Document,
     settings: Overrides,
     catalogue: Option<Arc<dyn Catalogue + Send + Sync>>,
-    /// What is wrong with the building itself.
+    /// Faults of the building itself.
     faults: Vec<Diagnostic>,
 }
 

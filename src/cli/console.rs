@@ -48,7 +48,7 @@ fn width() -> Option<usize> {
     said.or_else(found).filter(|width| *width >= 20)
 }
 
-/// What a write to standard output came to.
+/// Result of a write to standard output.
 pub(crate) fn checked(written: std::io::Result<()>) -> Result<(), Failure> {
     match written {
         Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(Failure::Output(format!(

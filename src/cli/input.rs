@@ -51,7 +51,8 @@ impl Input {
         &self.document
     }
 
-    /// Where `from` looks: the folder beside the scene, then what is built in.
+    /// Catalogue in which `from` looks: the folder beside the scene, then what is built
+    /// in.
     pub(crate) fn catalogue(&self) -> Layered<'_, dyn Catalogue + Sync, dyn Catalogue + Sync> {
         Layered(&self.folder, &BuiltIn)
     }

@@ -16,10 +16,10 @@ use std::time::Duration;
 /// Raised by the first signal.
 static SIGNALLED: AtomicBool = AtomicBool::new(false);
 
-/// How many keep something at present.
+/// Number of keepers: those who keep something at present.
 static KEEPERS: Mutex<usize> = Mutex::new(0);
 
-/// What the command may spend, from its start on.
+/// Budget of the command, from its start on.
 static BUDGET: OnceLock<Budget<'static>> = OnceLock::new();
 
 /// Set once the answer is on its way to standard output: the time limit is then kept.
@@ -75,12 +75,12 @@ pub(crate) fn start(limit: Option<Duration>, json: bool) {
     }
 }
 
-/// What the command may still spend.
+/// Budget that is left to the command.
 pub(crate) fn budget() -> &'static Budget<'static> {
     BUDGET.get_or_init(|| Budget::interrupted_by(&SIGNALLED))
 }
 
-/// How a command ends that was ended from outside with what it had.
+/// Status of a command that was ended from outside with what it had.
 pub(crate) fn status() -> Status {
     match SIGNALLED.load(Ordering::Relaxed) {
         true => Status::Interrupted,

@@ -39,7 +39,7 @@ struct Document<'a> {
     spread: Option<&'a Spread>,
     #[serde(skip_serializing_if = "<[Verdict]>::is_empty")]
     expect: &'a [Verdict],
-    /// What is doubtful in the scene's text, with its places.
+    /// Doubts about the scene's text, with its places.
     #[serde(skip_serializing_if = "Option::is_none")]
     diagnostics: Option<Value>,
 }
@@ -165,7 +165,7 @@ fn warn_of_no_limit(ready: &Ready, figures: &mut Figures) {
     figures.warnings.extend(told);
 }
 
-/// What is doubtful in the scene's text, if anything, as JSON.
+/// Doubts about the scene's text, if any, as JSON.
 pub(crate) fn doubts(ready: &Ready) -> Option<Value> {
     let warnings = &ready.reading.warnings;
     (!warnings.is_empty()).then(|| warnings.json())

@@ -168,8 +168,8 @@ fn document(scene: &str, system: &System) -> serde_json::Value {
     document
 }
 
-/// What an object is reduced to: modes with their shares of the output, and what the
-/// others give way by.
+/// Reduction of an object: modes with their shares of the output, and what the others
+/// give way by.
 fn reduced(model: &Model, reduced: &Reduced) -> serde_json::Value {
     let modes = modes(model, reduced).map(|(part, share, frequency)| {
         json!({ "id": part.id, "share": share, "natural_frequency": frequency })

@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicU8, Ordering};
 /// The exit status that tells of the signal: 128 and its number.
 static CODE: AtomicU8 = AtomicU8::new(130);
 
-/// How a command that did its work ended.
+/// Status of a command that did its work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Status {
     /// The question was answered, whatever the answer.

@@ -3,6 +3,7 @@
 use super::terminal::number;
 use crate::studies::compare::{Comparison, TableRow};
 use crate::studies::spread::Spread;
+use crate::units::shown;
 use serde_json::{Value, json};
 use std::fmt::Write as _;
 
@@ -63,7 +64,7 @@ fn percent(error: Option<f64>) -> String {
         None => "–".to_owned(),
         Some(0.0) => "0 %".to_owned(),
         Some(error) if error.abs() < 1e-4 || error.abs() >= 100.0 => {
-            format!("{:.1e} %", 100.0 * error)
+            format!("{} %", shown(100.0 * error, 2))
         }
         Some(error) => format!("{:.3} %", 100.0 * error),
     }
@@ -90,8 +91,9 @@ pub(crate) fn comparison_document(scene: &str, comparison: &Comparison) -> Value
 /// How far figures move under a tiny change.
 pub(crate) fn spread(spread: &Spread) -> String {
     let mut text = format!(
-        "\nspread: loads and gaps changed by {:e}, tolerance by {}\n",
-        spread.change, spread.tolerance_factor
+        "\nspread: loads and gaps changed by {}, tolerance by {}\n",
+        number(spread.change),
+        spread.tolerance_factor
     );
     let name = width(
         spread.figures.iter().map(|figure| figure.figure.as_str()),
@@ -103,7 +105,7 @@ pub(crate) fn spread(spread: &Spread) -> String {
         "figure", "value", "by loads", "by tolerance"
     );
     for figure in &spread.figures {
-        let moved = |by: Option<f64>| by.map_or("gone".to_owned(), |by| format!("{by:.1e}"));
+        let moved = |by: Option<f64>| by.map_or("gone".to_owned(), |by| shown(by, 2));
         let mark = if figure.determined {
             ""
         } else {
@@ -131,7 +133,7 @@ mod tests {
             (None, "–"),
             (Some(0.0), "0 %"),
             (Some(-0.004), "-0.400 %"),
-            (Some(1e-9), "1.0e-7 %"),
+            (Some(1e-9), "1e-7 %"),
         ] {
             assert_eq!(percent(error), text);
         }

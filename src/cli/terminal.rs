@@ -23,10 +23,10 @@ fn headline(text: &mut String, figures: &Figures) {
     let run = &figures.run;
     let _ = writeln!(
         text,
-        "{} s by {} at tolerance {:e}: {} steps, {} evaluations, {} switches, energy error {}",
+        "{} s by {} at tolerance {}: {} steps, {} evaluations, {} switches, energy error {}",
         number(run.time),
         run.method,
-        run.tolerance,
+        number(run.tolerance),
         run.steps,
         run.evaluations,
         run.switches,
@@ -50,11 +50,7 @@ fn headline(text: &mut String, figures: &Figures) {
 
 /// A share of something, to two digits.
 fn share(value: f64) -> String {
-    if value.is_finite() {
-        format!("{value:.1e}")
-    } else {
-        number(value)
-    }
+    shown(value, 2)
 }
 
 fn object_block(text: &mut String, id: &str, object: &ObjectFigures, units: Option<Units>) {

@@ -39,9 +39,9 @@ impl EnergyAudit {
         }
     }
 
-    /// What the balance is measured against: the greatest of the work put in by
-    /// drives, that put in by loads, the greatest kinetic energy, and a millionth of
-    /// the greatest elastic energy.
+    /// Reference of the balance's error: the greatest of the work put in by drives, that
+    /// put in by loads, the greatest kinetic energy, and a millionth of the greatest
+    /// elastic one (J).
     pub fn scale(&self) -> f64 {
         let [[drives, loads], [kinetic, elastic]] = [self.put_in, self.greatest];
         let all = [drives, loads, kinetic, ELASTIC_SHARE * elastic];

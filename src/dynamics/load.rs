@@ -21,7 +21,7 @@ pub trait LoadFunction: fmt::Debug + Send + Sync {
         true
     }
 
-    /// What it is, in a few words, for tables and equations.
+    /// Description in a few words, for tables and equations.
     fn description(&self) -> String;
 }
 

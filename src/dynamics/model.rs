@@ -11,7 +11,9 @@
 //! for, and an angle that grows with every turn costs no digits. A motor's
 //! rotor keeps its absolute angle.
 
-use crate::dynamics::load::LoadFunction;
+mod loads;
+mod part;
+
 use crate::kinematics::breaks::Breaks;
 use crate::kinematics::constraint::Constraint;
 use crate::kinematics::linkage::Linkage;
@@ -20,6 +22,9 @@ use crate::kinematics::motion::DriveMotion;
 use crate::kinematics::position::Position;
 use serde::Serialize;
 use std::sync::Arc;
+
+pub use loads::{LinearPiece, Load, LoadLaw};
+pub use part::{DRIVEN_END, MODE, OUTPUT, ObjectPart, PartInput, owner_of};
 
 /// Index of a node in [`Model::nodes`].
 pub type NodeIndex = usize;
@@ -45,12 +50,12 @@ pub struct Model {
     pub objects: Vec<ObjectPart>,
     /// State at t = 0.
     pub start: Start,
-    /// What the user should know before the run.
+    /// Warnings to the user before the run.
     pub warnings: Vec<String>,
 }
 
 impl Model {
-    /// What an object is reduced to, if it is reduced to modes.
+    /// Reduction of an object to modes, if it is reduced to modes.
     pub fn reduced(&self, object: usize) -> Option<&Reduced> {
         self.reduced.iter().find(|reduced| reduced.object == object)
     }
@@ -91,11 +96,11 @@ pub enum Coordinate {
 pub struct Node {
     /// Constant inertia J ≥ 0 at this node; > 0 for free ones.
     pub inertia: f64,
-    /// What determines its motion.
+    /// Motion: what determines it.
     pub motion: NodeMotion,
 }
 
-/// What determines a node's motion.
+/// Motion of a node: prescribed, free or following others.
 #[derive(Clone, Debug)]
 pub enum NodeMotion {
     /// φ(t) given. `track` (over time) selects the piece of the motion.
@@ -157,7 +162,7 @@ pub struct Law {
 pub struct Link {
     /// The mass the link pulls back to its law: force −F.
     pub mass: NodeIndex,
-    /// What the other end is attached to.
+    /// Base of the link: what its other end is attached to.
     pub base: LinkBase,
     /// c > 0.
     pub stiffness: f64,
@@ -181,7 +186,7 @@ pub enum LinkBase {
 /// The kinematic pair of link 1; bilateral by default.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pair {
-    /// How the pair is kept together.
+    /// Closure: how the pair is kept together.
     pub closure: Closure,
     /// Gap η ≥ 0 (form closure).
     pub gap: f64,
@@ -202,7 +207,7 @@ impl Default for Pair {
     }
 }
 
-/// How a kinematic pair is kept together.
+/// Closure of a kinematic pair: how it is kept together.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Closure {
@@ -246,7 +251,7 @@ pub enum DampingLaw {
 ///   that point are in balance, which determines its speed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContactElement {
-    /// Its law.
+    /// Law of the contact force.
     pub law: ContactLaw,
     /// k_c (N/m or N·m/rad), or K of a contact in a point.
     pub stiffness: f64,
@@ -299,97 +304,19 @@ impl ContactLaw {
     }
 }
 
-/// A load on a node. Positive forces act towards positive displacement.
-#[derive(Clone, Debug)]
-pub struct Load {
-    /// Where it acts.
-    pub node: NodeIndex,
-    /// `object.loads.name`, for messages and equations.
-    pub name: String,
-    /// Its law.
-    pub law: LoadLaw,
-}
-
-/// Force law of a load.
-#[derive(Clone, Debug)]
-pub enum LoadLaw {
-    /// W.
-    Constant(f64),
-    /// Piecewise-linear in time or in a driver's displacement; the track
-    /// selects the piece. Piece i is `value[i] + slope[i]·(x − start[i])`.
-    Pieces {
-        /// Which piece.
-        track: usize,
-        /// One entry a piece of the track's breaks.
-        pieces: Vec<LinearPiece>,
-    },
-    /// −preload − rate·φ.
-    Spring {
-        /// Rate.
-        rate: f64,
-        /// Force at φ = 0, towards negative displacement.
-        preload: f64,
-    },
-    /// −b·φ̇.
-    Viscous(f64),
-    /// −force·tanh(φ̇/width).
-    Friction {
-        /// Sliding friction.
-        force: f64,
-        /// Regularisation width (speed).
-        width: f64,
-    },
-    /// T₀·(1 − ω/ω₀).
-    LinearMotor {
-        /// T₀.
-        stall_torque: f64,
-        /// ω₀.
-        no_load_speed: f64,
-    },
-    /// Kloss: 2·T_b/(s/s_b + s_b/s), written without poles as 2·T_b·s·s_b/(s² + s_b²).
-    Kloss {
-        /// T_b.
-        breakdown_torque: f64,
-        /// s_b.
-        breakdown_slip: f64,
-        /// ω_s.
-        synchronous_speed: f64,
-    },
-    /// Torque over speed, linear between the points, constant outside.
-    SpeedTable(Vec<(f64, f64)>),
-    /// `factor` times anything else over displacement and speed of the node.
-    Custom {
-        /// The force.
-        function: Arc<dyn LoadFunction>,
-        /// Factor on it.
-        factor: f64,
-    },
-}
-
-/// A straight piece of a table.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct LinearPiece {
-    /// Argument (of the first period) at which the force is `value`.
-    pub start: f64,
-    /// Force there.
-    pub value: f64,
-    /// Change of force per unit of the argument.
-    pub slope: f64,
-}
-
 /// A rigid planar linkage on a node whose displacement is its input coordinate
 /// q. The node carries the linkage's inertia J(q) and its forces
 /// −½·J′·q̇² − V′ + Q − D·q̇, and nothing of its own; its outputs are rigid nodes
 /// without inertia that follow it.
 #[derive(Clone, Debug)]
 pub struct LinkageBody {
-    /// Its input: a rigid node.
+    /// Input: a rigid node.
     pub node: NodeIndex,
     /// The linkage.
     pub linkage: Arc<Linkage>,
     /// The nodes of its outputs, in their order.
     pub outputs: Vec<NodeIndex>,
-    /// Its pairs' friction, when it acts on the motion; `None`: it moves freely.
+    /// Friction of the pairs, when it acts on the motion; `None`: it moves freely.
     pub friction: Option<Arc<Kinetostatics>>,
     /// The object concerned, index into [`Model::objects`].
     pub object: usize,
@@ -407,14 +334,14 @@ pub struct Reduced {
     /// What the modes that are left out give way by under the acceleration φ̈ of the
     /// driven end: the output deviates by −`under_acceleration`·φ̈ besides (s²).
     pub under_acceleration: f64,
-    /// What they give way by under constant loads.
+    /// Deflection of the modes that are left out under constant loads.
     pub offset: f64,
 }
 
 /// An axis with break points; its current segment is discrete state.
 #[derive(Clone, Debug)]
 pub struct Track {
-    /// What runs along the axis.
+    /// Source of the values along the axis.
     pub source: TrackSource,
     /// The break points.
     pub breaks: Breaks,
@@ -425,7 +352,7 @@ pub struct Track {
     pub object: usize,
 }
 
-/// What runs along a track.
+/// Source of a track: what runs along its axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TrackSource {
     /// Time.
@@ -433,106 +360,6 @@ pub enum TrackSource {
     /// A node's displacement.
     Node(NodeIndex),
 }
-
-/// The owner of a figure and the figure's name, from an address such as
-/// `rocker.pair.gap` or `press.ram.peak_speed`: the longest id that `known`
-/// knows; the first part when it knows none.
-pub fn owner_of(address: &str, known: impl Fn(&str) -> bool) -> (&str, &str) {
-    let mut ends = address.match_indices('.').map(|(at, _)| at);
-    let Some(first) = ends.next() else {
-        return (address, "");
-    };
-    let end = match ends.next() {
-        Some(second) if known(&address[..second]) => second,
-        _ => first,
-    };
-    (&address[..end], &address[end + 1..])
-}
-
-/// What became of one of the scene's objects, or of an output of one.
-#[derive(Clone, Debug, Default)]
-pub struct ObjectPart {
-    /// Id in the scene; of an output `object.output`.
-    pub id: String,
-    /// Kind in the scene; [`OUTPUT`] of an output, [`DRIVEN_END`] of the inertia of an
-    /// elastic object that moves with its law, [`MODE`] of one of its vibration modes.
-    pub kind: &'static str,
-    /// Turning or sliding.
-    pub coordinate: Coordinate,
-    /// Its nodes, first mass first; one for a drive or a rigid object.
-    pub nodes: Vec<NodeIndex>,
-    /// The node on which several inputs are combined, which its law follows.
-    pub combination: Option<NodeIndex>,
-    /// Of an elastic object the node of the inertia that moves with its law, if it has
-    /// one: it stands in the model as a part of its own, of the kind [`DRIVEN_END`].
-    pub driven_end: Option<NodeIndex>,
-    /// What drives it, in the order of its inputs; nothing drives a drive.
-    pub inputs: Vec<PartInput>,
-    /// Its links, link 1 first; empty for a drive or a rigid object. A contact element
-    /// that ends at a massless point is not among them.
-    pub links: Vec<usize>,
-    /// The contact element of its pair.
-    pub contact: Option<ContactElement>,
-    /// The pair of a rigid object (an elastic object's is in its link 1).
-    pub rigid_pair: Option<Pair>,
-}
-
-/// An input of an object part.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct PartInput {
-    /// Name of the port; empty of an output, which its own object drives.
-    pub port: String,
-    /// The driving object or output, index into [`Model::objects`].
-    pub driver: usize,
-}
-
-impl PartInput {
-    /// The inputs of an object behind one driver, or of a drive (`None`).
-    pub fn only(driver: Option<usize>) -> Vec<Self> {
-        let port = String::new();
-        driver
-            .map(|driver| Self { port, driver })
-            .into_iter()
-            .collect()
-    }
-}
-
-impl ObjectPart {
-    /// True of a drive, prescribed or with a motor: nothing drives it.
-    pub fn is_drive(&self) -> bool {
-        self.inputs.is_empty()
-    }
-
-    /// What drives an object with one input, index into [`Model::objects`]; `None` for
-    /// a drive, and where there are several.
-    pub fn driver(&self) -> Option<usize> {
-        match self.inputs[..] {
-            [ref only] => Some(only.driver),
-            _ => None,
-        }
-    }
-
-    /// True of a part of an object that nothing can hang on and that no scene names.
-    pub fn is_inner(&self) -> bool {
-        self.kind == DRIVEN_END || self.kind == MODE
-    }
-
-    /// True when one of the inputs hangs on that object part.
-    pub fn is_driven_by(&self, other: usize) -> bool {
-        self.inputs.iter().any(|input| input.driver == other)
-    }
-}
-
-/// The kind of an object part that is an output of another one.
-pub const OUTPUT: &str = "output";
-
-/// The kind of an object part that is the share of an elastic object's inertia at its
-/// driven end, which follows the law: `object.driven_end`.
-pub const DRIVEN_END: &str = "driven_end";
-
-/// The kind of an object part that is a vibration mode of an elastic object:
-/// `object.mode_1`, `object.residual`.
-pub const MODE: &str = "mode";
 
 /// State at t = 0.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -31,7 +31,7 @@ pub(crate) enum Signal {
 pub(crate) struct Asked {
     /// Index of the object in the model of the segment.
     pub(crate) object: usize,
-    /// Which of its signals.
+    /// Signal that is looked at.
     pub(crate) signal: Signal,
     /// +1, or −1 for the negative of the signal.
     pub(crate) sign: f64,
@@ -42,7 +42,7 @@ pub(crate) struct Asked {
 pub(crate) struct Peak {
     /// Greatest value; −∞ before anything was seen.
     pub(crate) value: f64,
-    /// When (s).
+    /// Time of the extreme (s).
     pub(crate) time: f64,
     /// Only times within these bounds count.
     bounds: [f64; 2],
@@ -79,16 +79,16 @@ impl Peak {
     }
 }
 
-/// What is known of the motion of some objects over a stretch without switches.
+/// Motion of some objects over a stretch without switches.
 pub(crate) trait Segment {
-    /// Their part of the state y = [u, u̇] at an instant of the segment.
+    /// Puts the objects' part of the state y = [u, u̇] at an instant of the segment.
     fn state(&mut self, time: f64, y: &mut [f64]);
 
     /// Raises a peak to the greatest value of a signal over the segment, if that is
     /// greater; what cannot be costs next to nothing.
     fn raise(&mut self, asked: Asked, peak: &mut Peak);
 
-    /// The same for the magnitude of a signal.
+    /// Raises the peak of the magnitude of a signal.
     fn raise_magnitude(&mut self, object: usize, signal: Signal, peak: &mut Peak) {
         for sign in [1.0, -1.0] {
             let asked = Asked {

@@ -40,7 +40,7 @@ impl Asked {
         lift: false,
     };
 
-    /// What either asks for.
+    /// Union of what either asks for.
     #[must_use]
     pub fn with(self, other: Self) -> Self {
         Self {

@@ -31,7 +31,7 @@ pub(super) struct Instant<'a> {
     pub(super) law: (f64, f64),
 }
 
-/// Where energy is stored: a mass, and the link that holds it.
+/// Store of energy: a mass, and the link that holds it.
 #[derive(Clone, Copy, Debug)]
 struct Store {
     inertia: f64,

@@ -34,7 +34,7 @@ const MOST_MASSES: usize = 200;
 /// A lane is followed over steps of up to this many radians of it.
 const FOLLOW: f64 = 3.2;
 
-/// What a lane of the propagation stands for.
+/// Kind of a lane: what it stands for in the propagation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum LaneKind {
     /// A mode of the tree.
@@ -43,7 +43,7 @@ pub(crate) enum LaneKind {
     Harmonic(usize),
 }
 
-/// One exponential e^{λs} with its shape over the masses and its row vectors.
+/// Lane: an exponential e^{λs} with its shape over the masses and its row vectors.
 #[derive(Clone, Debug)]
 pub(crate) struct Lane {
     pub(crate) kind: LaneKind,
@@ -83,7 +83,7 @@ pub(crate) struct Basis {
     pub(crate) re: Vec<V>,
     pub(crate) im: Vec<V>,
     pub(crate) modulus: Vec<f64>,
-    /// The same side by side.
+    /// Moduli of the lanes side by side.
     pub(crate) moduli: Vec<V>,
     /// Length over which the lane can be followed, and every one before it (s).
     pub(crate) follow: Vec<f64>,

@@ -18,7 +18,7 @@ use super::signal::{Signal, Terms};
 /// g and its derivatives.
 pub(crate) type Jet = [f64; ORDERS];
 
-/// What is known of a signal from one evaluation.
+/// Assessment of a signal from one evaluation.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Assessment {
     /// g and its derivatives now.

@@ -68,7 +68,7 @@ struct Cluster {
     gap: f64,
 }
 
-/// One mode: its eigenvalue (upper half-plane or real), eigenvector and norm.
+/// Mode: its eigenvalue (upper half-plane or real), eigenvector and norm.
 #[derive(Clone, Debug)]
 pub(crate) struct Mode {
     pub(crate) lambda: C,

@@ -34,10 +34,10 @@ impl<'a> Cursor<'a> {
         Self::of(tree, &Request::new(end, 0), &workspace::always)
     }
 
-    /// The same for a request, for as long as `goes_on` says so.
+    /// A run of `tree` for a request, for as long as `goes_on` says so.
     ///
     /// # Errors
-    /// The same.
+    /// As [`Self::new`].
     pub fn of(
         tree: &'a ExactTree,
         request: &Request,
@@ -153,8 +153,8 @@ impl<'a> Cursor<'a> {
         Some(ledger.close(self.work.problem, &self.work.q, &self.work.v))
     }
 
-    /// What the force of link 1 of an object, which has figures, does at most between
-    /// two local times of the present phase.
+    /// Bounds of the force of link 1 of an object, which has figures, between two local
+    /// times of the present phase.
     pub(crate) fn force_ahead(&self, object: usize, span: [f64; 2]) -> Ahead {
         self.ahead((object, observe::FORCE), span)
     }
@@ -180,7 +180,8 @@ impl<'a> Cursor<'a> {
         }
     }
 
-    /// The same bounds of the acceleration of its last mass.
+    /// Bounds of the acceleration of its last mass, between two local times of the
+    /// present phase.
     pub(crate) fn acceleration_ahead(&self, object: usize, span: [f64; 2]) -> Ahead {
         self.ahead((object, observe::ACCELERATION), span)
     }

@@ -16,7 +16,7 @@ pub(super) struct EventFunction {
 }
 
 impl Workspace<'_> {
-    /// What has to be watched in the present states.
+    /// Collects what has to be watched in the present states.
     #[inline(always)]
     pub(super) fn watch(&mut self) {
         self.watches.clear();

@@ -11,7 +11,7 @@ use super::lanes::V;
 use super::phase::{Exponentials, Phase};
 
 /// Square of the share below which a lane is nothing.
-const NOTHING: f64 = 1e-44;
+const FADED: f64 = 1e-44;
 
 impl Phase {
     /// True when the last vector has faded at the instant of `e`.
@@ -48,8 +48,7 @@ impl Phase {
             force = force.max((square(b) * basis.fourth[b]).greatest());
         }
         let own = square(last);
-        own.greatest() <= NOTHING * place
-            && (own * basis.fourth[last]).greatest() <= NOTHING * force
+        own.greatest() <= FADED * place && (own * basis.fourth[last]).greatest() <= FADED * force
     }
 
     /// Takes all lanes in again.

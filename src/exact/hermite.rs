@@ -20,11 +20,11 @@ pub(crate) struct Point {
     pub(crate) slope: V,
     /// Bound on the fourth derivatives from here on.
     pub(crate) fourth: V,
-    /// What all lanes together amount to at most from here on.
+    /// Bound of all lanes together from here on.
     pub(crate) envelope: V,
 }
 
-/// What the quartics take on top of the cubic.
+/// Loss: what the quartics take on top of the cubic.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Loss {
     /// On the middle coefficient.
@@ -91,7 +91,7 @@ impl Piece {
         (low - flat, high + flat)
     }
 
-    /// Where the cubic has its summit; the middle when it has none well inside.
+    /// Place of the cubic's summit; the middle when it has none well inside.
     #[inline(always)]
     pub(crate) fn summit(&self) -> f64 {
         let h = self.length();
@@ -110,7 +110,7 @@ impl Piece {
         inside(t)
     }
 
-    /// Where the cubic crosses zero between ends of opposite sign, roughly.
+    /// Place where the cubic crosses zero between ends of opposite sign, roughly.
     #[inline(always)]
     pub(crate) fn crossing(&self) -> f64 {
         let h = self.length();

@@ -13,7 +13,7 @@ pub(crate) use elementary::{SIN_COS_LIMIT, exp, reduced, reduced_one, sin_cos, s
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// How a product is added to a number.
+/// Arithmetic: how a product is added to a number.
 pub(crate) trait Arith: Copy {
     /// a·b + c.
     fn fma(a: f64, b: f64, c: f64) -> f64;
@@ -39,7 +39,7 @@ pub(crate) trait Task {
 #[derive(Clone, Copy)]
 pub(crate) struct Plain;
 
-/// One rounding; for processors with fused multiply-add.
+/// Fused multiply-add, of one rounding; for processors that have it.
 #[derive(Clone, Copy)]
 pub(crate) struct Fused;
 

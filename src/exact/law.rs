@@ -51,7 +51,7 @@ pub trait SpanSource: fmt::Debug + Send + Sync {
 pub struct PolynomialSpan {
     /// Start (s).
     pub start: f64,
-    /// What `start` lacks, within its rounding (s).
+    /// Rounding error of `start` (s).
     pub low: f64,
     /// End (s), +∞ for ever.
     pub end: f64,
@@ -63,7 +63,7 @@ pub struct PolynomialSpan {
     pub acceleration: [f64; LAW_DEGREE + 1],
 }
 
-/// What drives a phase, from its start to the end of the span.
+/// Forcing of a phase, from its start to the end of the span.
 #[derive(Clone, Debug)]
 pub(crate) struct Forcing {
     /// End of validity (s).

@@ -176,13 +176,13 @@ impl ExactTree {
         }
     }
 
-    /// The same tree, of which some modes are known.
+    /// The tree, of which some modes are known.
     pub(crate) fn with_modes(mut self, modes: &Arc<Modes>) -> Self {
         self.modes = Arc::clone(modes);
         self
     }
 
-    /// What it was made from.
+    /// Problem that it was made from.
     pub fn problem(&self) -> &TreeProblem {
         &self.problem
     }
@@ -252,7 +252,7 @@ impl ExactTree {
     /// the search.
     ///
     /// # Errors
-    /// The same.
+    /// As [`Self::run`].
     pub fn run_while(
         &self,
         request: &Request,

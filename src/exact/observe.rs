@@ -111,8 +111,8 @@ impl Task for State<'_> {
     }
 }
 
-/// What functional f of object `o` does at most between two local times of the phase
-/// gone through last; the force of an open link is none.
+/// Bounds of functional f of object `o` between two local times of the phase gone through
+/// last; the force of an open link is none.
 pub(super) fn ahead(
     work: &Workspace<'_>,
     regime: usize,
@@ -171,7 +171,7 @@ impl Task for Force<'_> {
     }
 }
 
-/// What the figures of object `o` are taken from.
+/// Basis, panel and phase that the figures of object `o` are taken from.
 #[inline(always)]
 fn scene<'a>(
     regime: &'a Regime,
@@ -186,7 +186,7 @@ fn scene<'a>(
     }
 }
 
-/// One track an object, when figures are asked for.
+/// Tracks, one an object, when figures are asked for.
 pub(super) fn tracks(problem: &TreeProblem, request: &Request, blocks: usize) -> Vec<Track> {
     let harmonics = problem.law.frequencies().len();
     if !request.figures {

@@ -22,9 +22,9 @@ pub(crate) const POLY: usize = 32;
 /// Rigid motion of a floating part under a harmonic.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Flight {
-    /// Which floating part.
+    /// Index of the floating part.
     pub(crate) rigid: usize,
-    /// Which harmonic.
+    /// Index of the harmonic.
     pub(crate) harmonic: usize,
     /// Ω.
     pub(crate) omega: f64,

@@ -30,12 +30,12 @@ pub struct TreeProblem {
     pub objects: Vec<TreeObject>,
 }
 
-/// One of the scene's objects: a chain of masses within the tree.
+/// An object of the scene: a chain of masses within the tree.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TreeObject {
-    /// Its first mass, whose link holds the driving pair.
+    /// First mass, whose link holds the driving pair.
     pub first: usize,
-    /// Its last mass: the output.
+    /// Last mass: the output.
     pub last: usize,
     /// The mass that drives it and U′ between them (every rigid object on the
     /// way included); `None`: the law.
@@ -148,7 +148,7 @@ pub trait ForceSource: fmt::Debug + Send + Sync {
 /// W on an interval, as a polynomial in τ = t − start.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ForcePiece {
-    /// Where τ = 0 (s).
+    /// Time at which τ = 0 (s).
     pub start: f64,
     /// End (s), +∞ for ever.
     pub end: f64,
@@ -206,7 +206,7 @@ impl TimeLoad {
     }
 }
 
-/// What a pair is doing.
+/// State of a pair.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum PairState {
     /// Clear of every flank.

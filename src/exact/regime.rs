@@ -12,7 +12,7 @@ use super::problem::{PairState, Refusal, TreeObject, TreeProblem};
 use super::sample::Strides;
 use super::workspace::Workspace;
 
-/// One combination of engaged pairs, ready for use.
+/// Regime: a combination of engaged pairs, ready for use.
 #[derive(Clone, Debug)]
 pub(crate) struct Regime {
     pub(super) key: Vec<PairState>,

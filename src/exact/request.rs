@@ -5,7 +5,7 @@ use super::problem::PairState;
 use super::track::TreeFigures;
 use crate::dynamics::energy::EnergyAudit;
 
-/// What is asked of a run.
+/// Request: what is asked of a run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Request {
     /// End time (s), > 0.
@@ -25,7 +25,7 @@ pub struct Request {
     pub all_steps: u64,
     /// Figures between samples, wanted or not.
     pub figures: bool,
-    /// Which of them, if any.
+    /// Figures that are asked for, if any.
     pub asked: Asked,
     /// Energy audit, wanted or not.
     pub audit: bool,
@@ -62,7 +62,7 @@ pub enum Halt {
 /// A switch of a pair.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ExactSwitch {
-    /// When (s).
+    /// Time (s).
     pub time: f64,
     /// The mass whose link holds the pair.
     pub mass: usize,
@@ -74,7 +74,7 @@ pub struct ExactSwitch {
     pub speed: f64,
 }
 
-/// What a run leaves behind.
+/// Result of a run.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ExactRun {
     /// Time reached (s).

@@ -15,7 +15,7 @@ use super::pencil::C;
 
 /// A mode nearer than this share of Ω to iΩ is near: farther away, at most three
 /// digits of a harmonic's answer cancel.
-const NEAR: f64 = 1e-3;
+const NEAR_RESONANCE: f64 = 1e-3;
 
 /// Radians of a harmonic over which its polynomials hold to rounding.
 const RADIANS: f64 = 0.6;
@@ -25,13 +25,13 @@ const TERMS: usize = LAW_DEGREE + 3;
 
 /// True when a mode is too near to a harmonic for its answer to be a lane.
 pub(super) fn near(lambda: C, omega: f64) -> bool {
-    (C::new(0.0, omega) - lambda).norm() < NEAR * omega
+    (C::new(0.0, omega) - lambda).norm() < NEAR_RESONANCE * omega
 }
 
 /// The harmonics of a law that are polynomials in a basis.
 #[derive(Clone, Debug)]
 pub(crate) struct Resonance {
-    /// Their numbers and frequencies.
+    /// Numbers and frequencies of the harmonics.
     harmonics: Vec<(usize, f64)>,
     /// Length over which they hold (s).
     length: f64,

@@ -18,7 +18,7 @@ const PATIENCE: u64 = 1024;
 pub(super) struct Passed {
     /// Number of its regime.
     pub(super) regime: usize,
-    /// Its length (s).
+    /// Length of the phase (s).
     pub(super) length: f64,
     /// The watch that ended it; `None`: the end of its validity.
     pub(super) event: Option<usize>,
@@ -29,7 +29,7 @@ fn not_finite() -> Refusal {
     Refusal::new("", "the motion is no longer a finite number")
 }
 
-/// One phase more in the best arithmetic of this processor.
+/// Passes one phase more in the best arithmetic of this processor.
 fn forward(work: &mut Workspace<'_>, end: f64) -> Result<Passed, Refusal> {
     #[cfg(target_arch = "x86_64")]
     if !work.plain && super::lanes::fuses() {
@@ -46,7 +46,7 @@ fn forward_fused(work: &mut Workspace<'_>, end: f64) -> Result<Passed, Refusal> 
     work.pass_phase::<Fused>(end)
 }
 
-/// The same without special instructions.
+/// Passes one phase more without special instructions.
 fn forward_plain(work: &mut Workspace<'_>, end: f64) -> Result<Passed, Refusal> {
     work.pass_phase::<Plain>(end)
 }

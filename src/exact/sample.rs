@@ -20,7 +20,7 @@ const GONE: f64 = 3e-20;
 
 /// Share of an interval within which of a sample it is looked at closely whether
 /// the sample lies before the end of a phase.
-const NEAR: f64 = 1e-6;
+const NEAR_END: f64 = 1e-6;
 
 /// More samples than this are always looked at closely.
 const MANY: usize = 1 << 28;
@@ -115,7 +115,7 @@ pub(crate) struct Sampler {
     interval: f64,
     rate: f64,
     all: bool,
-    /// When the next sample is due (s).
+    /// Time at which the next sample is due (s).
     due: f64,
     e: Exponentials,
     q: Vec<f64>,
@@ -210,7 +210,7 @@ impl Sampler {
         let mut count = (turns as usize + 1).min(left);
         let part = turns - turns.floor();
         // Rounding is some 10⁻¹⁶ of the number of samples.
-        if part > NEAR && part < 1.0 - NEAR && self.count < MANY {
+        if part > NEAR_END && part < 1.0 - NEAR_END && self.count < MANY {
             return count;
         }
         // The guess may be one off where a sample falls on the end.

@@ -13,7 +13,7 @@ use super::lanes::{Arith, V, WIDTH};
 use super::phase::{Exponentials, Phase};
 use super::signal::{Share, Signal, Terms};
 
-/// What a step of the search found.
+/// Finding of a step of the search.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Step {
     /// Nothing up to the instant now evaluated.

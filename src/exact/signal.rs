@@ -25,7 +25,7 @@ struct Amplitudes {
     size: V,
 }
 
-/// What the lanes of one vector have in a signal at one instant.
+/// Share that the lanes of one vector have in a signal at one instant.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Share {
     /// In g and its derivatives.

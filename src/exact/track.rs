@@ -44,7 +44,7 @@ pub struct TreeFigures {
     pub peak_reaction: f64,
     /// Greatest clearance from the nearest flank.
     pub max_lift: f64,
-    /// When they are met.
+    /// Instants at which they are met.
     pub times: FigureTimes,
 }
 
@@ -77,7 +77,7 @@ const TOGETHER: usize = 32;
 /// Steps after which envelopes are asked again whether anything can still happen.
 const PATIENCE: u32 = 4;
 
-/// What the figures are taken from.
+/// Basis, panel and phase that the figures are taken from.
 #[derive(Clone, Copy)]
 pub(crate) struct Scene<'a> {
     pub(crate) basis: &'a Basis,
@@ -103,7 +103,7 @@ impl Scene<'_> {
     }
 }
 
-/// One object's figures in the making.
+/// Track: the figures of an object in the making.
 #[derive(Clone, Debug)]
 pub(crate) struct Track {
     pub(crate) figures: TreeFigures,
@@ -124,15 +124,14 @@ pub(crate) struct Track {
     steps: Vec<[Point; 2]>,
     /// Steps seen in the phase.
     seen: u32,
-    /// Whether envelopes alone may tell that nothing happens in a step.
+    /// Mark that envelopes alone may tell that nothing happens in a step.
     quiet: bool,
-    /// What all lanes amount to at most: over the phase, and since they were
-    /// last asked.
+    /// Bounds of all lanes: over the phase, and since they were last asked.
     whole: V,
     calm: V,
     /// Primitive of δ where it last changed its sign, or the phase began.
     turned: f64,
-    /// Where δ changes its sign in a step, with its primitive there.
+    /// Roots of δ in a step, with its primitive there.
     roots: Vec<(f64, f64)>,
     pieces: Vec<Piece>,
     /// Some instant within a step, and the lanes there.

@@ -45,7 +45,7 @@ pub(super) struct Workspace<'a> {
     /// Panel in use and whether the object's link transmits force.
     pub(super) variants: Vec<(usize, bool)>,
     pub(super) out: ExactRun,
-    /// Where the run stands, as a double-double (s).
+    /// Time at which the run stands, as a double-double (s).
     pub(super) at: (f64, f64),
     /// Switches at one and the same instant.
     pub(super) stalled: usize,

@@ -20,7 +20,7 @@ pub struct MechanismGraph<'a> {
 /// An object in the graph.
 #[derive(Clone, Copy, Debug)]
 pub struct Vertex<'a> {
-    /// Its id.
+    /// Id of the object.
     pub id: &'a str,
     /// The object; `None`: one that could not be read.
     pub object: Option<&'a dyn Object>,
@@ -29,7 +29,8 @@ pub struct Vertex<'a> {
 /// A connection: displacement and speed go along it, the reaction goes back.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Joint<'a> {
-    /// What is connected to, as a scene names it: `press`, `press.ram`.
+    /// Address of the output that is connected to, as a scene names it: `press`,
+    /// `press.ram`.
     pub output: &'a str,
     /// Name of the input port of the driven object.
     pub input: &'a str,
@@ -44,7 +45,7 @@ pub struct Dangling<'a> {
     pub id: &'a str,
     /// Name of the input port.
     pub input: &'a str,
-    /// What the input names.
+    /// Address of the output that the input names.
     pub output: &'a str,
 }
 

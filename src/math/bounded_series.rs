@@ -15,7 +15,7 @@ use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 pub(crate) const ORDER: usize = 32;
 
 /// A coefficient counts as zero below this share of its magnitude.
-const ROUNDING: f64 = 1e-12;
+const ZERO_COEFFICIENT: f64 = 1e-12;
 
 /// Step of the differences that continue a law beyond its third derivative,
 /// and the share of the third derivative below which they count as nothing.
@@ -93,7 +93,7 @@ impl Series {
     pub(crate) fn leading(&self) -> Option<usize> {
         let coefficients = &self.coefficients[..=self.order];
         let mut both = coefficients.iter().zip(&self.magnitudes);
-        both.position(|(value, size)| value.abs() > ROUNDING * size)
+        both.position(|(value, size)| value.abs() > ZERO_COEFFICIENT * size)
     }
 
     /// f(self) from the derivatives of f at its start, each with the size of

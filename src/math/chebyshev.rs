@@ -36,7 +36,7 @@ impl<const N: usize> Nodes<N> {
     }
 }
 
-/// What polynomials are evaluated at: a number, or a power series.
+/// Argument of a polynomial: a number, or a power series.
 pub(crate) trait Argument: Copy + Mul<Output = Self> + Sub<Output = Self> {
     /// A constant.
     fn constant(value: f64) -> Self;

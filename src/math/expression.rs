@@ -87,12 +87,12 @@ pub struct Expression {
     variables: Vec<String>,
 }
 
-/// What is wrong with an expression.
+/// A mistake in an expression.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Mistake {
-    /// What is wrong, with its place in words.
+    /// Message with the place in words.
     pub message: String,
-    /// What would be right; empty where nothing can be said.
+    /// Hint at what would be right; empty where nothing can be said.
     pub hint: String,
     /// The bytes of the text that are wrong.
     pub place: Range<usize>,

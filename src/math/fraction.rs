@@ -4,14 +4,14 @@
 const GREATEST: u64 = 1000;
 
 /// How near a number must be to a fraction, relative.
-const NEAR: f64 = 1e-12;
+const NEAR_FRACTION: f64 = 1e-12;
 
 /// A positive fraction in lowest terms.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Fraction {
-    /// What is divided.
+    /// Numerator.
     pub(crate) numerator: u64,
-    /// What it is divided by.
+    /// Denominator.
     pub(crate) denominator: u64,
 }
 
@@ -41,7 +41,7 @@ impl Fraction {
             if next.1 > GREATEST {
                 return None;
             }
-            if (number - next.0 as f64 / next.1 as f64).abs() <= NEAR * number {
+            if (number - next.0 as f64 / next.1 as f64).abs() <= NEAR_FRACTION * number {
                 return Some(Self {
                     numerator: next.0,
                     denominator: next.1,

@@ -2,6 +2,9 @@
 
 use crate::math::number::Number;
 
+/// Jumps of a derivative below this share of its greatest value are rounding.
+pub(crate) const JUMP_ROUNDING: f64 = 1e-9;
+
 /// Value and first three derivatives of a function of one variable at a point.
 ///
 /// For a position function U(φ): `value` = U, `first` = U′, `second` = U″,
@@ -31,7 +34,7 @@ impl Jet {
         ]
     }
 
-    /// The same function times a constant.
+    /// Jet of the function times a constant.
     #[must_use]
     #[inline(always)]
     pub fn scaled(self, factor: f64) -> Self {

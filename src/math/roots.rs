@@ -2,7 +2,10 @@
 //! something ceases to hold. Roots of polynomials: see
 //! [`polynomial`](crate::math::polynomial).
 
-/// What the search for a root came to.
+/// Bisections that place a change to rounding, relative to the bracket.
+pub(crate) const BISECTIONS: u32 = 60;
+
+/// Result of the search for a root.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Found {
     /// The place with the smaller miss.

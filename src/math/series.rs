@@ -60,27 +60,27 @@ impl<const N: usize> Series<N> {
         self.0 == [0.0; N]
     }
 
-    /// The same times a constant.
+    /// The series times a constant.
     #[inline(always)]
     pub(crate) fn scale(self, factor: f64) -> Self {
         Self(self.0.map(|c| c * factor))
     }
 
-    /// The same plus a constant.
+    /// The series plus a constant.
     #[inline(always)]
     pub(crate) fn shift(mut self, value: f64) -> Self {
         self.0[0] += value;
         self
     }
 
-    /// The same with another value.
+    /// The series with another value.
     #[inline(always)]
     pub(crate) fn with_value(mut self, value: f64) -> Self {
         self.0[0] = value;
         self
     }
 
-    /// The same plus `rate` times the variable, without changing the value.
+    /// The series plus `rate` times the variable, its value kept.
     #[inline(always)]
     pub(crate) fn tilt(mut self, rate: f64) -> Self {
         if N > 1 {
@@ -89,7 +89,7 @@ impl<const N: usize> Series<N> {
         self
     }
 
-    /// Its square.
+    /// Square of the series.
     #[inline(always)]
     pub(crate) fn square(self) -> Self {
         self * self

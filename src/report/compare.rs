@@ -9,14 +9,14 @@ use crate::report::plot::{Plot, Plots};
 use crate::report::quantity::{escape, significant, with_unit};
 use crate::report::verdict::{Sort, Verdict, verdict};
 
-/// One of the runs compared.
+/// A run among those compared.
 #[derive(Clone, Debug)]
 pub struct ComparedRun<'a> {
-    /// What it differs in: `rocker.masses = 2`.
+    /// Setting that it differs in: `rocker.masses = 2`.
     pub label: String,
-    /// Its figures.
+    /// Figures of the run.
     pub figures: &'a Figures,
-    /// Its samples.
+    /// Samples of the run.
     pub record: &'a Record,
 }
 

@@ -13,7 +13,7 @@ pub struct Diagram {
     pub boxes: Vec<ObjectBox>,
 }
 
-/// One object of the graph.
+/// Box of the diagram: an object of the graph.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ObjectBox {
     /// Id in the scene.
@@ -22,11 +22,11 @@ pub struct ObjectBox {
     pub kind: String,
     /// `rigid`, `2 masses`, `20π rad/s`, `motor`.
     pub detail: String,
-    /// What drives it, in the order of its inputs; empty for a drive.
+    /// Inputs with what drives them, in their order; empty for a drive.
     pub inputs: Vec<BoxInput>,
     /// Short text of the position function: `U = (π/2)·sin φ`, `cam, lift 8 mm`.
     pub position: String,
-    /// How the driving pair is kept together.
+    /// Closure of the driving pair: how it is kept together.
     pub closure: Closure,
     /// Gap of a form-closed pair.
     pub gap: f64,
@@ -39,8 +39,8 @@ pub struct ObjectBox {
 pub struct BoxInput {
     /// Place of the driving object in [`Diagram::boxes`].
     pub driver: usize,
-    /// What the connection is called: of an object with several inputs the port;
-    /// empty otherwise.
+    /// Name of the connection: of an object with several inputs the port; empty
+    /// otherwise.
     pub name: String,
 }
 
@@ -51,8 +51,8 @@ impl ObjectBox {
     }
 }
 
-/// Where a box stands on the grid: columns follow the flow of motion, rows
-/// spread the followers; both in units of one box, rows may be halves.
+/// Place of a box on the grid: columns follow the flow of motion, rows spread the
+/// followers; both in units of one box, rows may be halves.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Place {
     /// Distance from the drive.
@@ -162,7 +162,7 @@ pub fn pair<'a>(model: &'a Model, object: &'a ObjectPart) -> Option<&'a Pair> {
     }
 }
 
-/// What the box says below the kind.
+/// Detail that the box shows below the kind.
 fn detail(model: &Model, object: &ObjectPart) -> String {
     let motion = object.nodes.first().map(|&node| &model.nodes[node].motion);
     match motion {

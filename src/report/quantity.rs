@@ -19,7 +19,7 @@ pub(in crate::report) const TAKE_SMALL: [&str; 3] = ["s", "m", "rad"];
 /// A scale for showing values of one unit: shown = value / `factor`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scale {
-    /// What to divide by.
+    /// Divisor that leads from the SI unit to the one shown.
     pub factor: f64,
     /// Unit of the result: `mrad`, `10⁻¹⁵ rad`, `kN m`.
     pub unit: String,

@@ -4,7 +4,7 @@
 use crate::dynamics::record::{EnergyAudit, Figures, ObjectFigures, PairFigures};
 use crate::report::quantity::{significant, with_unit};
 
-/// What kind of news a verdict is.
+/// Sort of a verdict: good news, bad news, or neither.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sort {
     /// The mechanism works as asked.
@@ -20,7 +20,7 @@ pub enum Sort {
 /// The verdict.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Verdict {
-    /// Its sort.
+    /// Sort of news.
     pub sort: Sort,
     /// Two or three words: `In working order`.
     pub headline: String,
@@ -139,7 +139,7 @@ fn pairs(figures: &Figures) -> Verdict {
     }
 }
 
-/// What is wrong with one pair; `None` when nothing is. Without a window every
+/// Complaint about one pair; `None` when nothing is wrong. Without a window every
 /// separation of the run counts.
 fn complaint(id: &str, pair: &PairFigures) -> Option<String> {
     if let Some(margin) = pair.margin {

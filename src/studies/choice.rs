@@ -10,13 +10,13 @@ pub(super) struct Choice {
     pub(super) method: Method,
     /// The tolerance it is given.
     pub(super) tolerance: f64,
-    /// Its name in the figures.
+    /// Name of the method in the figures.
     pub(super) name: String,
     /// Why this one.
     pub(super) why: String,
-    /// What is propagated exactly, when anything is.
+    /// Parts that are propagated exactly, when any are.
     pub(super) parts: Option<Parts>,
-    /// What is integrated beside it by the method.
+    /// Rest that is integrated beside them by the method.
     pub(super) rest: Option<Rest>,
 }
 

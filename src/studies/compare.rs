@@ -17,7 +17,7 @@ pub struct Comparison {
     pub table: Table,
 }
 
-/// One run of a comparison.
+/// A run of a comparison.
 #[derive(Clone, Debug)]
 pub struct ComparedRun {
     /// The parameter's value as given: `10`.
@@ -31,12 +31,12 @@ pub struct ComparedRun {
 pub struct Table {
     /// Address of the parameter.
     pub over: String,
-    /// Its values, the heads of the columns.
+    /// Labels of the runs, the heads of the columns.
     pub labels: Vec<String>,
     /// True where errors are against the limit of the model as it is refined, wherever a
     /// figure has one; false: against the last run.
     pub against_limit: bool,
-    /// One row a figure.
+    /// Rows, one a figure.
     pub rows: Vec<TableRow>,
 }
 
@@ -47,7 +47,7 @@ pub struct TableRow {
     pub figure: String,
     /// SI unit of its values; empty for counts and answers.
     pub unit: String,
-    /// Its value in every run; null where it has none.
+    /// Values in the runs; null where one has none.
     pub values: Vec<Option<f64>>,
     /// (value − reference)/|reference| in every run, the reference being the limit where the
     /// figure has one, else the last run; for displacements and speeds at the end relative

@@ -2,11 +2,11 @@
 
 use crate::kinematics::motion::law::{Jump, Peak};
 use crate::kinematics::position::Position;
-use crate::math::jet::Jet;
+use crate::math::jet::{JUMP_ROUNDING, Jet};
 use crate::math::optimise::greatest;
 use serde::Serialize;
 
-/// What a designer looks for in the cycle of a cam.
+/// Figures of a cam's cycle that a designer looks for.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct CycleFigures {
     /// Length of the cycle (rad or m of the driver).
@@ -44,9 +44,6 @@ pub struct Joint {
     /// U‴.
     pub third: [f64; 2],
 }
-
-/// Jumps below this share of a derivative's greatest value are rounding.
-const ROUNDING: f64 = 1e-9;
 
 /// The cycle of a position function times `lever`.
 ///
@@ -109,7 +106,7 @@ fn jumps(joints: &[Joint], sizes: [f64; 3]) -> Vec<Jump> {
     for joint in joints {
         let sides = [joint.first, joint.second, joint.third];
         for (order, ([before, after], size)) in (1..).zip(sides.into_iter().zip(sizes)) {
-            if (after - before).abs() > ROUNDING * size {
+            if (after - before).abs() > JUMP_ROUNDING * size {
                 found.push(Jump {
                     at: joint.at,
                     order,

@@ -6,7 +6,7 @@ use crate::exact::{Asked, KeptLaws, Parts};
 use crate::fault::Fault;
 use std::cell::RefCell;
 
-/// What is wanted of a motion.
+/// Demand on a motion: what is wanted of it.
 #[derive(Clone, Copy)]
 pub(super) struct Demand<'d> {
     /// Where the whole system is propagated exactly: the figures of its elastic objects

@@ -15,7 +15,7 @@ use crate::units::shown;
 /// Switches of an undamped contact from which on its figures are called undetermined.
 const MANY_SWITCHES: usize = 10;
 
-/// How the run went.
+/// Summary of a run.
 pub(super) fn summary(
     settings: &RunSettings,
     outcome: &Outcome,
@@ -94,7 +94,7 @@ fn out_of_balance(recorded: &Recorded, settings: &RunSettings) -> Option<Warning
     (error > bound).then_some(Warning::EnergyAudit { error, bound })
 }
 
-/// What the user should know beside the figures.
+/// Warnings beside the figures.
 pub(super) fn warnings_of(
     model: &Model,
     settings: &RunSettings,

@@ -8,10 +8,10 @@ use crate::fault::Fault;
 use crate::frontend::scene::{Expectation, Expected};
 use serde::Serialize;
 
-/// How one expectation fared.
+/// Verdict on one expectation.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Verdict {
-    /// What was expected: the address of a figure, or `stops: dead_position`.
+    /// Subject: the address of a figure, or `stops: dead_position`.
     pub what: String,
     /// The value expected (a time for a stop).
     pub expected: f64,
@@ -25,7 +25,7 @@ pub struct Verdict {
     pub unknown: bool,
     /// The verdict in words.
     pub message: String,
-    /// Where the expected value comes from.
+    /// Source of the expected value.
     pub source: Option<String>,
 }
 

@@ -11,15 +11,15 @@ use serde::Serialize;
 /// A law in a comparison.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ComparedLaw {
-    /// Its name.
+    /// Name of the law.
     pub name: String,
-    /// Its constants.
+    /// Constants of the law.
     pub constants: LawConstants,
     /// The mechanism's response.
     pub response: LawResponse,
 }
 
-/// How a mechanism responds to a law, in the window of steady figures.
+/// Response of a mechanism to a law, in the window of steady figures.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct LawResponse {
     /// Residual vibration: half the range of δ over a dwell, the greatest over
@@ -39,7 +39,7 @@ pub struct LawResponse {
     pub lift_off: Option<LiftOff>,
 }
 
-/// Where a pair begins to open as the drive turns faster.
+/// Speed at which a pair begins to open as the drive turns faster.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum LiftOff {
@@ -201,7 +201,7 @@ pub fn lift_off<E>(
     }
 }
 
-/// What laws are ranked by.
+/// Figure that laws are ranked by.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Figure {
     /// C_v.
@@ -238,7 +238,7 @@ impl Figure {
         Self::LiftOff,
     ];
 
-    /// Its name in tables and arguments.
+    /// Name in tables and arguments.
     pub fn name(self) -> &'static str {
         match self {
             Self::Speed => "C_v",
@@ -261,7 +261,7 @@ impl Figure {
         )
     }
 
-    /// Its value for a law; `None`: it has none.
+    /// Value for a law; `None`: it has none.
     pub fn of(self, law: &ComparedLaw) -> Option<f64> {
         let (constants, response) = (&law.constants, &law.response);
         match self {

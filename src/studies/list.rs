@@ -9,7 +9,7 @@ use serde_json::Value;
 pub struct ValueList {
     /// Address of the parameter, as `--set` takes it.
     pub path: String,
-    /// Its values with their units; at least one.
+    /// Values with their units; at least one.
     pub values: Vec<String>,
 }
 

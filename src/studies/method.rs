@@ -19,7 +19,7 @@ const LOOKS: usize = 64;
 const MANY: usize = 40;
 
 /// A mode belongs to a base frequency within this factor.
-const NEAR: f64 = 3.0;
+const SAME_BASE: f64 = 3.0;
 
 /// The method asked for, or the one that suits the system.
 ///
@@ -147,7 +147,7 @@ fn why_exact(parts: &Parts) -> String {
     )
 }
 
-/// What the choice depends on.
+/// Situation on which the choice depends.
 fn situation(system: &System, settings: &RunSettings) -> Situation {
     let few = system.coordinates() <= MANY;
     let eigenvalues = few.then(|| system.eigenvalues()).flatten();
@@ -185,7 +185,7 @@ fn nearest(frequency: f64, eigenvalues: &[[f64; 2]]) -> Vibration {
     });
     let distance = |mode: &Vibration| (mode.frequency / frequency).ln().abs();
     let nearest = modes.min_by(|a, b| distance(a).total_cmp(&distance(b)));
-    let fit = nearest.filter(|mode| distance(mode) <= NEAR.ln());
+    let fit = nearest.filter(|mode| distance(mode) <= SAME_BASE.ln());
     fit.unwrap_or(Vibration {
         frequency,
         decay: 0.0,

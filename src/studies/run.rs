@@ -19,14 +19,14 @@ use crate::dynamics::system::{InitialState, System};
 use crate::exact::Asked;
 use crate::fault::Fault;
 
-/// What a run leaves.
+/// Result of a run.
 #[derive(Clone, Debug)]
 pub struct RunResult {
     /// Samples, switches, separations.
     pub record: Record,
     /// The figures.
     pub figures: Figures,
-    /// How it ended.
+    /// Outcome: how it ended.
     pub outcome: Outcome,
     /// The method used.
     pub method: Method,
@@ -34,7 +34,7 @@ pub struct RunResult {
     pub tolerance: f64,
     /// The energy balance.
     pub audit: EnergyAudit,
-    /// What the user should know; also, as text, in the figures.
+    /// Warnings to the user; also, as text, in the figures.
     pub warnings: Vec<Warning>,
 }
 
@@ -111,13 +111,13 @@ pub fn run(
 pub(super) struct Motion {
     /// Samples, figures, audit.
     pub(super) recorded: Recorded,
-    /// How it ended.
+    /// Outcome: how it ended.
     pub(super) outcome: Outcome,
-    /// How it was found.
+    /// Choice of method by which it was found.
     pub(super) choice: Choice,
     /// The window of steady figures.
     pub(super) window: Result<[f64; 2], String>,
-    /// What is to be said of its start.
+    /// Warnings about its start.
     pub(super) warnings: Vec<String>,
     /// Steps of the search for switches over which a pair could not be told from its
     /// flank.
@@ -173,7 +173,7 @@ pub(super) fn motion(
     }
 }
 
-/// One run by a method.
+/// Runs once by a method.
 fn attempt(
     system: &System,
     settings: &RunSettings,

@@ -22,7 +22,7 @@ pub struct Spread {
     pub change: f64,
     /// Factor on the tolerance (on the step of a fixed-step method) in the second.
     pub tolerance_factor: f64,
-    /// One entry a figure, by address.
+    /// Figures by address, one entry each.
     pub figures: Vec<FigureSpread>,
 }
 
@@ -31,13 +31,14 @@ pub struct Spread {
 pub struct FigureSpread {
     /// Address.
     pub figure: String,
-    /// Its value in the run itself.
+    /// Value in the run itself.
     pub value: f64,
-    /// What a difference is measured against (see [`crate::dynamics::record::Figures::scale`]).
+    /// Scale that a difference is measured against (see
+    /// [`crate::dynamics::record::Figures::scale`]).
     pub scale: f64,
-    /// How far it moves when loads and gaps change; null: the figure is gone.
+    /// Difference when loads and gaps change; null: the figure is gone.
     pub by_loads: Option<f64>,
-    /// How far it moves when the tolerance is halved.
+    /// Difference when the tolerance is halved.
     pub by_tolerance: Option<f64>,
     /// True when neither moves it by more than 1e-7 of its scale.
     pub determined: bool,

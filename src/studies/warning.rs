@@ -29,16 +29,16 @@ pub enum Warning {
         object: String,
         /// Least contact force (negative).
         margin: f64,
-        /// Its unit.
+        /// Unit of the value.
         unit: &'static str,
-        /// When (s).
+        /// Time (s).
         time: f64,
     },
     /// A pair opens: the mechanism is not in working order, the computation is.
     Opens {
         /// The object.
         object: String,
-        /// How often.
+        /// Number of separations.
         separations: u64,
         /// Total time open (s).
         separated_time: f64,
@@ -50,7 +50,7 @@ pub enum Warning {
     SwitchesUndetermined {
         /// The object.
         object: String,
-        /// How often.
+        /// Number of returns.
         returns: usize,
         /// The first time (s).
         time: f64,

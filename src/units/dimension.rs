@@ -51,7 +51,7 @@ impl Dimension {
         })
     }
 
-    /// The same dimension with angles left out.
+    /// The dimension with angles left out.
     pub fn without_angle(self) -> Self {
         Self { angle: 0, ..self }
     }

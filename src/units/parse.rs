@@ -8,7 +8,7 @@ use super::table::{Scale, find};
 pub struct Measure {
     /// Value in SI units.
     pub value: f64,
-    /// Its dimension.
+    /// Dimension of the unit.
     pub dimension: Dimension,
     /// True when no unit was written at all.
     pub bare: bool,

@@ -3,12 +3,12 @@
 use super::dimension::Dimension;
 use super::parse::Measure;
 
-/// What a property measures.
+/// Quantity that a property measures.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Quantity {
-    /// Its name in messages: `angular speed`.
+    /// Name in messages: `angular speed`.
     pub name: &'static str,
-    /// Its dimension, angles included.
+    /// Dimension, angles included.
     pub dimension: Dimension,
     /// Whether units without the angle are taken too: custom writes N·m where
     /// N·m/rad is meant.
@@ -17,7 +17,7 @@ pub struct Quantity {
     pub units: &'static [&'static str],
 }
 
-/// How a measure misses a quantity.
+/// Mismatch of a measure and a quantity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mismatch {
     /// No unit was written.
@@ -31,7 +31,7 @@ pub enum Mismatch {
 }
 
 impl Quantity {
-    /// Its SI unit; `1` for a pure number.
+    /// SI unit; `1` for a pure number.
     pub fn si(&self) -> &'static str {
         self.units.first().copied().unwrap_or("1")
     }

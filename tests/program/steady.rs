@@ -136,3 +136,20 @@ fn what_cannot_be_answered_ends_with_status_2_and_the_reason() {
     );
     refused(&[], "SCENE");
 }
+
+/// 900 kN over the last 20 mm take 18 kJ, where the motor's 800 N·m do 5 kJ in a turn; 130 kN
+/// are too much for what its rotor stores.
+#[test]
+fn a_motor_that_stalls_behind_elastic_objects_is_refused_with_the_reason() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let press = std::fs::read_to_string(root.join("scenarios/steady/press_elastic.json")).unwrap();
+    let folder = tempfile::tempdir().unwrap();
+    let scene = folder.path().join("press.json");
+    for force in ["-130 kN", "-900 kN"] {
+        std::fs::write(&scene, press.replace("-90 kN", force)).unwrap();
+        refused(
+            &[scene.to_str().unwrap()],
+            "what drives it is too weak for what it carries",
+        );
+    }
+}

@@ -80,6 +80,13 @@ fn panels_are_told_apart_everywhere() {
         let row = format!("<th class=\"words\">{label}</th>");
         assert!(page.contains(&row), "{row}");
     }
+    let places = page.split("<span class=\"sub\">at ").skip(1);
+    let places: Vec<&str> = places.filter_map(|rest| rest.split('<').next()).collect();
+    assert_eq!(places.len(), 4, "least and greatest of two panels");
+    for place in places {
+        assert!(place.contains("g m²; "), "{place}");
+        assert!(place.ends_with("MN m/rad"), "{place}");
+    }
     let csv = map_csv(&study, &result).unwrap();
     let mut table = csv::Reader::from_reader(csv.as_bytes());
     let head: Vec<String> = table.headers().unwrap().iter().map(str::to_owned).collect();

@@ -117,7 +117,7 @@ pub(super) fn quantity(name: &str, text: &str, wanted: Wanted) -> Result<f64, Fa
     })?)
 }
 
-/// What the linkage is to be looked at over, where it is said.
+/// Course over which the linkage is to be looked at, where it is said.
 pub(super) fn asked_over(
     args: &CourseArgs,
     ready: &Ready,

@@ -1,9 +1,8 @@
 //! `dam law compare`: laws ranked by constants and by what a scene makes of them.
 
-use super::args::{CompareArgs, RankBy};
+use super::args::{CompareArgs, Form, RankBy};
 use super::files::{self, Results};
 use super::told;
-use crate::cli::console;
 use crate::cli::failure::Failure;
 use crate::cli::input::{Input, Ready};
 use crate::cli::interrupt;
@@ -97,13 +96,13 @@ pub(super) fn command(args: &CompareArgs) -> Result<Status, Failure> {
             version: env!("CARGO_PKG_VERSION"),
         },
     };
-    files::deliver(&args.out, args.scene.quiet, &results, || {
-        match (args.scene.json, args.csv) {
-            (true, _) => console::json(&document),
-            (_, true) => console::data(&results.csv),
-            _ => console::text(&text),
-        }
-    })?;
+    let form = if args.csv { Form::Csv } else { Form::Text };
+    files::deliver(
+        &args.out,
+        args.scene.quiet,
+        &results,
+        (args.scene.json, form),
+    )?;
     Ok(match (interrupted, trusted) {
         (true, _) => interrupt::status(),
         (false, true) => Status::Answered,
@@ -150,7 +149,7 @@ fn figure(by: RankBy) -> Figure {
     }
 }
 
-/// One law in the scene.
+/// Comparison of laws: one law in the scene.
 struct Comparison<'a> {
     input: &'a Input,
     args: &'a CompareArgs,

@@ -1,10 +1,8 @@
 //! `dam law cycle`: the whole cycle of a cam in a scene.
 
-use super::PICTURE;
-use super::args::{CycleArgs, Form};
+use super::args::CycleArgs;
 use super::files;
 use super::files::Results;
-use crate::cli::console;
 use crate::cli::failure::Failure;
 use crate::cli::input::Input;
 use crate::dynamics::model::{Coordinate, NodeMotion};
@@ -74,12 +72,6 @@ pub(super) fn command(args: &CycleArgs) -> Result<(), Failure> {
             version: env!("CARGO_PKG_VERSION"),
         },
     };
-    files::deliver(&args.out, args.scene.quiet, &results, || {
-        match (args.scene.json, args.form) {
-            (true, _) => console::json(&document),
-            (_, Form::Text) => console::text(&text),
-            (_, Form::Csv) => console::data(&results.csv),
-            (_, Form::Svg) => console::data(&charts[0].svg(PICTURE.0, PICTURE.1)),
-        }
-    })
+    let shown = (args.scene.json, args.form);
+    files::deliver(&args.out, args.scene.quiet, &results, shown)
 }

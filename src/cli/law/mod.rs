@@ -26,7 +26,6 @@ use crate::report::law::law_parts;
 use crate::report::law::law_text;
 use crate::report::law::shocks_said;
 use crate::report::quantity::significant;
-use args::Form;
 use args::LawCommand;
 use args::ListArgs;
 use args::ShowArgs;
@@ -150,14 +149,8 @@ fn show(args: &ShowArgs) -> Result<(), Failure> {
             version: env!("CARGO_PKG_VERSION"),
         },
     };
-    files::deliver(&args.form.out, false, &results, || {
-        match (args.form.json, args.form.form) {
-            (true, _) => console::json(&document),
-            (_, Form::Text) => console::text(&text),
-            (_, Form::Csv) => console::data(&results.csv),
-            (_, Form::Svg) => console::data(&charts[0].svg(PICTURE.0, PICTURE.1)),
-        }
-    })
+    let shown = (args.form.json, args.form.form);
+    files::deliver(&args.form.out, false, &results, shown)
 }
 
 /// Faults of arguments; their paths are names of options after `prefix`.

@@ -1,9 +1,8 @@
 //! `dam law synthesize`: a stroke of run-up, uniform section and run-out.
 
-use super::args::{Form, SynthesizeArgs};
+use super::args::SynthesizeArgs;
 use super::files::{self, Results};
-use super::{PICTURE, told};
-use crate::cli::console;
+use super::told;
 use crate::cli::failure::Failure;
 use crate::fault::Fault;
 use crate::frontend::object::law::{read_argument, run_up_law};
@@ -78,14 +77,8 @@ pub(super) fn command(args: &SynthesizeArgs) -> Result<(), Failure> {
             version: env!("CARGO_PKG_VERSION"),
         },
     };
-    files::deliver(&args.form.out, false, &results, || {
-        match (args.form.json, args.form.form) {
-            (true, _) => console::json(&document),
-            (_, Form::Text) => console::text(&text),
-            (_, Form::Csv) => console::data(&results.csv),
-            (_, Form::Svg) => console::data(&charts[0].svg(PICTURE.0, PICTURE.1)),
-        }
-    })
+    let shown = (args.form.json, args.form.form);
+    files::deliver(&args.form.out, false, &results, shown)
 }
 
 fn skewness(args: &SynthesizeArgs) -> Skewness {

@@ -92,7 +92,7 @@ fn axis(text: &str) -> Result<Axis, Failure> {
     Ok(axis)
 }
 
-/// What the arguments and the scene ask for.
+/// Plan that the arguments and the scene ask for.
 fn plan(args: &MethodsArgs, ready: &Ready) -> Result<Plan, Failure> {
     let accuracy = args.accuracy.unwrap_or(ready.settings.tolerance);
     let mut plan = Plan {
@@ -132,7 +132,7 @@ fn method(name: &str) -> Result<Method, Failure> {
     })
 }
 
-/// One study, with a progress bar.
+/// Runs one study, with a progress bar.
 fn single(
     args: &MethodsArgs,
     ready: &Ready,

@@ -14,7 +14,7 @@ pub(super) struct Lock(#[allow(dead_code, reason = "held, not looked at")] File)
 pub(super) enum Refused {
     /// Another program writes there.
     Taken,
-    /// It cannot be opened.
+    /// The lock cannot be opened.
     System(io::Error),
 }
 

@@ -6,10 +6,10 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
-/// Its name in the folder.
+/// Name in the folder.
 pub(super) const NAME: &str = "provenance.json";
 
-/// What dam wrote into a folder.
+/// Provenance: what dam wrote into a folder.
 #[derive(Debug, Default, Deserialize, Serialize)]
 pub(super) struct Provenance {
     pub(super) dam: String,
@@ -17,13 +17,13 @@ pub(super) struct Provenance {
     pub(super) hash: String,
     pub(super) command: String,
     pub(super) files: BTreeMap<String, String>,
-    /// What dam wrote there before, until all files are replaced.
+    /// Files that dam wrote there before, until all files are replaced.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub(super) before: BTreeMap<String, Vec<String>>,
 }
 
 impl Provenance {
-    /// That of a folder, if there is one.
+    /// Provenance of a folder, if there is one.
     pub(super) fn of(folder: &Path) -> Option<Self> {
         let text = fs::read_to_string(folder.join(NAME)).ok()?;
         serde_json::from_str(&text).ok()

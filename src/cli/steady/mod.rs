@@ -29,7 +29,7 @@ const FILES: [&str; 3] = ["steady.json", "steady.csv", "report.html"];
 /// Size of the diagram (pixels).
 const PICTURE: (f64, f64) = (900.0, 560.0);
 
-/// What goes to the terminal and into files.
+/// Answer that goes to the terminal and into files.
 struct Answered<'a> {
     /// The scene's name, or what machine it is.
     title: &'a str,

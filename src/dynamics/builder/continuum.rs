@@ -34,15 +34,15 @@ pub(super) enum Continuum {
 /// A vibration as an oscillator on the law, J = c = 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Oscillator {
-    /// Its inertia, a share of J.
+    /// Inertia of the mode, a share of J.
     pub(super) inertia: f64,
     /// ω/√(c/J).
     pub(super) frequency: f64,
-    /// Its share g of the output.
+    /// Share g that the mode has in the output.
     pub(super) share: f64,
 }
 
-/// What is left of a continuum, J = c = 1.
+/// Reduction of a continuum, J = c = 1.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Reduction {
     /// The vibrations, lowest first.

@@ -14,7 +14,7 @@ impl ModelBuilder {
         self.load_at(path, at.object, spec, nodes, driver);
     }
 
-    /// The same with its address, on the nodes of an object or of an output.
+    /// Adds a load, with its address, on the nodes of an object or of an output.
     pub(super) fn load_at(
         &mut self,
         path: String,

@@ -59,7 +59,7 @@ pub struct ModelBuilder {
     followed: BTreeSet<String>,
 }
 
-/// What is known of a node.
+/// A node as the builder knows it: its object, and where it stands at the start.
 #[derive(Clone, Copy, Debug)]
 struct Known {
     /// Index into [`Model::objects`].

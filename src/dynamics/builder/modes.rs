@@ -69,7 +69,7 @@ impl Rest {
     }
 }
 
-/// What an inner node gets of a force at the output.
+/// Shares of a force at the output that inner nodes get.
 type Shares = Vec<(NodeIndex, f64)>;
 
 impl ModelBuilder {

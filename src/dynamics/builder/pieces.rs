@@ -8,7 +8,7 @@ use crate::kinematics::breaks::Breaks;
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Pieces {
     pub(super) breaks: Breaks,
-    /// One for each piece of the breaks.
+    /// Pieces, one for each of the breaks.
     pub(super) pieces: Vec<LinearPiece>,
 }
 

@@ -11,7 +11,7 @@ pub struct Place {
     pub(super) inputs: Vec<Connected>,
 }
 
-/// What an input of an object is connected to.
+/// Connection of an object's input: the output that drives it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Connected {
     /// Name of the input port.
@@ -38,13 +38,13 @@ impl Place {
         }
     }
 
-    /// Its index in [`crate::dynamics::model::Model::objects`].
+    /// Index of the driver in [`crate::dynamics::model::Model::objects`].
     pub fn object(&self) -> usize {
         self.object
     }
 
-    /// What an input is connected to; `None` where that object has faults of its
-    /// own: nothing is to be said then about what follows it.
+    /// Connection of an input; `None` where that object has faults of its own: nothing is
+    /// to be said then about what follows it.
     pub fn input(&self, port: &str) -> Option<&Connected> {
         self.inputs.iter().find(|input| input.port == port)
     }

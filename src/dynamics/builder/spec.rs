@@ -82,7 +82,7 @@ pub struct DrivenLinkage {
 pub struct ChainSpec {
     /// Turning or sliding.
     pub coordinate: Coordinate,
-    /// What the driver asks for.
+    /// Position function from the driver.
     pub position: PositionSpec,
     /// Factor on U: a lever ratio, or a lever arm in metres where the motion
     /// changes from turning to sliding. 1 when absent.
@@ -121,9 +121,9 @@ pub enum BodySpec {
         damping_capacity: f64,
         /// n ≥ 1.
         masses: usize,
-        /// How J is split.
+        /// Split of J over the masses.
         split: InertiaSplit,
-        /// Where the inertia of each cell is put.
+        /// Place of the inertia of each cell.
         lumping: Lumping,
     },
     /// The lowest vibration modes of the uniform object, held at its driven end; the
@@ -138,7 +138,7 @@ pub enum BodySpec {
         damping_capacity: f64,
         /// Number of modes; 0: static flexibility.
         modes: usize,
-        /// How J lies along the object: `Equal`, a rod; `Cubes`, a lever.
+        /// Distribution of J along the object: `Equal`, a rod; `Cubes`, a lever.
         split: InertiaSplit,
     },
     /// `masses: "auto"`: the uniform object, its level to be chosen. Until it is chosen it
@@ -169,7 +169,7 @@ impl BodySpec {
     }
 }
 
-/// How a chain's total inertia is split over its masses.
+/// Split of a chain's total inertia over its masses.
 #[derive(Clone, Debug, PartialEq)]
 pub enum InertiaSplit {
     /// `"cubes"`: J_m = J·(m³ − (m−1)³)/n³, a uniform lever.
@@ -180,7 +180,7 @@ pub enum InertiaSplit {
     Shares(Vec<f64>),
 }
 
-/// Where the inertia of each of the n cells of a chain is put.
+/// Place of the inertia of each of the n cells of a chain.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Lumping {
@@ -195,7 +195,7 @@ pub enum Lumping {
 /// The kinematic pair of link 1 (or of a rigid object).
 #[derive(Clone, Debug, PartialEq)]
 pub struct PairSpec {
-    /// How the pair is kept together.
+    /// Closure: how the pair is kept together.
     pub closure: Closure,
     /// Gap η ≥ 0 of a form-closed pair.
     pub gap: f64,
@@ -212,22 +212,22 @@ pub struct PairSpec {
 pub struct ContactSpec {
     /// k_c > 0 (N/m or N·m/rad), or K (N/m^{3/2} or N·m/rad^{3/2}) by the law of Hertz.
     pub stiffness: f64,
-    /// Its law.
+    /// Law of the contact force.
     pub law: ContactLaw,
 }
 
 /// A named load.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LoadSpec {
-    /// Its name in the scene.
+    /// Name of the load in the scene.
     pub name: String,
-    /// Which masses it acts on.
+    /// Masses that it acts on.
     pub mass: MassChoice,
-    /// Its law.
+    /// Law of the force.
     pub law: LoadLawSpec,
 }
 
-/// Which masses of an object a load acts on.
+/// Masses of an object that a load acts on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MassChoice {
     /// The last mass (default, except for a weight).

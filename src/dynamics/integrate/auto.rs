@@ -3,7 +3,7 @@
 use super::{Dynamics, Method, Modes};
 use std::f64::consts::TAU;
 
-/// What the choice of a method depends on.
+/// Situation on which the choice of a method depends.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Situation {
     /// Greatest rate of the system (1/s): spectral radius of its Jacobian with
@@ -41,7 +41,7 @@ pub struct Situation {
 pub struct Vibration {
     /// Angular frequency (rad/s).
     pub frequency: f64,
-    /// It falls to 1/e in the inverse of this time (1/s); 0: it stays.
+    /// Rate of decay: inverse of the time in which it falls to 1/e (1/s); 0: it stays.
     pub decay: f64,
 }
 

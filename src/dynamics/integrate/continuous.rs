@@ -29,7 +29,7 @@ pub(super) struct End {
     pub(super) time: f64,
     /// State, 2n entries.
     pub(super) y: Vec<f64>,
-    /// Its derivative.
+    /// Derivative of the state.
     pub(super) dy: Vec<f64>,
     /// (s, ṡ, s̈) of every signal.
     pub(super) signals: Vec<[f64; 3]>,

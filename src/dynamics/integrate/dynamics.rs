@@ -14,7 +14,7 @@ pub struct Modes(pub Vec<i64>);
 /// `offset + displacement·s + speed·ṡ` of signal s.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Guard {
-    /// Which signal.
+    /// Index of the signal.
     pub signal: usize,
     /// Constant term.
     pub offset: f64,
@@ -36,7 +36,7 @@ pub struct EventFunction {
     pub rising: bool,
     /// Component of [`Modes`] that changes.
     pub component: usize,
-    /// Its new value.
+    /// Mode after the switch.
     pub target: i64,
 }
 
@@ -45,11 +45,11 @@ pub struct EventFunction {
 /// positive. It may jump.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Probe {
-    /// Which of the system's.
+    /// Index among the probes of the system.
     pub index: usize,
     /// Component of [`Modes`] that changes.
     pub component: usize,
-    /// Its new value.
+    /// Mode after the switch.
     pub target: i64,
     /// Places of a step to look at, the last at its end.
     pub looks: usize,
@@ -71,9 +71,9 @@ impl Probe {
 /// What would turn back within that last bit counts as having reached it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Singularity {
-    /// Which signal.
+    /// Index of the signal.
     pub signal: usize,
-    /// Its value there.
+    /// Value of the signal at the edge.
     pub place: f64,
     /// +1: reached from below; −1: from above.
     pub side: f64,
@@ -90,7 +90,7 @@ pub struct PhysicalStop {
     pub name: &'static str,
     /// The object concerned.
     pub object: String,
-    /// What happened, for the user.
+    /// Message to the user: what happened.
     pub message: String,
 }
 
@@ -236,7 +236,7 @@ pub trait Dynamics: Sync {
         out.clear();
     }
 
-    /// What happens at an edge, reached at `time`.
+    /// Reason for which the run stops at an edge, reached at `time`.
     fn stop_at(&self, time: f64, edge: &Singularity) -> PhysicalStop {
         PhysicalStop {
             name: "dead_position",

@@ -24,7 +24,7 @@ pub(crate) struct Jacobian {
     pub(crate) displacement: Vec<f64>,
     /// ∂a/∂u′, likewise.
     pub(crate) speed: Vec<f64>,
-    /// Where the diagonal is, row by row.
+    /// Marks of the diagonal entries, row by row.
     diagonal: Vec<bool>,
     groups: Vec<Group>,
     /// Directions (2n each) and the accelerations' derivatives along them (n each).

@@ -11,7 +11,7 @@ use crate::math::polynomial::{
 pub(super) struct Located {
     /// Place on the step, 0 ≤ s ≤ 1.
     pub(super) s: f64,
-    /// Which watch.
+    /// Index of the event function.
     pub(super) watch: usize,
 }
 

@@ -55,7 +55,7 @@ impl Method {
         cfg!(feature = "diffsol") || !matches!(self, Self::Bdf | Self::TrBdf2 | Self::Esdirk34)
     }
 
-    /// Those of [`Method::ALL`] that this build has, in the same order.
+    /// Methods of [`Method::ALL`] that this build has, in the same order.
     pub fn available() -> impl Iterator<Item = Self> {
         Self::ALL.into_iter().filter(|method| method.is_available())
     }
@@ -83,7 +83,7 @@ impl fmt::Display for Method {
     }
 }
 
-/// What to integrate with, and how closely.
+/// Method and tolerances of an integration.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Settings {
     /// The method.
@@ -156,7 +156,7 @@ pub enum Stop {
     Method {
         /// The method.
         method: Method,
-        /// Its reason.
+        /// Reason that the method gives.
         reason: String,
     },
 }
@@ -177,7 +177,7 @@ impl From<Spent> for Stop {
     }
 }
 
-/// How a run ended.
+/// Outcome of a run: how it ended, and its counts.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outcome {
     /// Time reached (s).
@@ -191,11 +191,11 @@ pub struct Outcome {
 /// A switch that took place.
 #[derive(Clone, Debug)]
 pub struct SwitchEvent<'a> {
-    /// When (s).
+    /// Time of the switch (s).
     pub time: f64,
     /// State then (continuous through the switch).
     pub y: &'a [f64],
-    /// What was watched; `None` for a break in time.
+    /// Event function that fired; `None` for a break in time.
     pub watch: Option<&'a EventFunction>,
     /// Modes before.
     pub before: &'a Modes,

@@ -4,7 +4,7 @@
 use super::{Dynamics, run::Run};
 use std::collections::BTreeMap;
 
-/// What is remembered of earlier steps (s).
+/// Lengths of earlier steps (s), to choose the next.
 #[derive(Debug, Default)]
 pub(super) struct Pace {
     /// Last accepted step of the present leg that was not cut by its end.

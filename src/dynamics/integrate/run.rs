@@ -21,7 +21,7 @@ const AMIDST: std::ops::Range<f64> = 0.01..0.99;
 const BEHIND: f64 = 1e-3;
 const MOST_DRAWN_IN: u32 = 4;
 
-/// What a method has to do after an accepted step.
+/// Order to a method after an accepted step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Verdict {
     /// Go on from the step's end.
@@ -35,7 +35,7 @@ pub(super) enum Verdict {
     Stop,
 }
 
-/// What a method knows of a step between its ends.
+/// Knowledge of a step between its ends, as a method gives it.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Given<'g> {
     /// Nothing: the right-hand side is to be asked.
@@ -56,7 +56,7 @@ pub(super) struct Run<'a, D: Dynamics> {
     pub(super) settings: &'a Settings,
     pub(super) limits: &'a Limits<'a>,
     sink: &'a mut dyn Sink,
-    /// Where the run stands.
+    /// State where the run stands.
     pub(super) from: End,
     /// End of the present leg: the run's end or the next break in time.
     pub(super) target: f64,
@@ -79,7 +79,8 @@ pub(super) struct Run<'a, D: Dynamics> {
     fresh: bool,
     zero_at_start: Vec<Guard>,
     switches_at_once: u32,
-    /// How often the step under way has been shortened to end just behind a switch.
+    /// Count of how often the step under way has been shortened to end just behind a
+    /// switch.
     drawn_in: u32,
     pub(super) pace: Pace,
     /// The own stiff method, with its memory, once it has been used.

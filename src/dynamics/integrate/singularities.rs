@@ -30,7 +30,7 @@ const MOST: f64 = 1e-3;
 
 /// Share of the span within which an edge is near: legs end at every
 /// [`RATIO`]-th part of the distance left, and errors count relative to it.
-const NEAR: f64 = 0.05;
+const NEAR_EDGE: f64 = 0.05;
 const RATIO: f64 = 1.1;
 
 /// No step may bring an edge that is near closer than this share of the
@@ -119,13 +119,13 @@ fn first_zero(value: f64, slope: f64, bend: f64) -> Option<f64> {
     time.is_finite().then_some(time)
 }
 
-/// What a step does to the edges.
+/// Meeting of a step with the edges.
 enum Meeting {
-    /// It keeps away from them.
+    /// The step keeps away from them.
     None,
-    /// It comes too near in one go: to be taken anew, at most this long (s).
+    /// The step comes too near in one go: to be taken anew, at most this long (s).
     TooLong(f64),
-    /// It reaches one at this place of the step.
+    /// The step reaches an edge at this place of it.
     Reached(Singularity, f64),
 }
 
@@ -138,7 +138,7 @@ pub(super) struct Singularities {
     longest: Option<f64>,
     /// Failures since the last step.
     failures: u32,
-    /// How often the step under way has been shortened before an edge.
+    /// Count of how often the step under way has been shortened before an edge.
     shortened: u32,
     /// End of the run (s).
     pub(super) end: f64,
@@ -175,7 +175,7 @@ impl<D: Dynamics> Run<'_, D> {
         self.singularities.sharpness = 1.0;
         for edge in &self.singularities.list {
             let approach = Approach::of(edge, &self.from);
-            let near = NEAR * edge.span;
+            let near = NEAR_EDGE * edge.span;
             let far = approach.distance >= near || approach.distance <= self.close(edge);
             if far || !approach.is_approaching() {
                 continue; // or so close that the first step will end the run
@@ -245,12 +245,14 @@ impl<D: Dynamics> Run<'_, D> {
         for edge in &self.singularities.list {
             let start = Approach::of(edge, &self.from);
             let close = self.close(edge);
-            let aim = (CLOSER * start.distance).min(NEAR * edge.span).max(close);
+            let aim = (CLOSER * start.distance)
+                .min(NEAR_EDGE * edge.span)
+                .max(close);
             let below = self.falls_below(edge, aim);
             if aim > close {
                 let limit = start.time_to(start.distance / RATIO);
                 if let Some(s) = below.filter(|&s| s < 1.0) {
-                    let time = limit.filter(|_| start.distance < NEAR * edge.span);
+                    let time = limit.filter(|_| start.distance < NEAR_EDGE * edge.span);
                     return Meeting::TooLong(0.9 * (s * length).min(time.unwrap_or(length)));
                 }
                 let turned = Approach::of(edge, &self.to).rate >= 0.0 && start.touches();
@@ -333,7 +335,7 @@ impl<D: Dynamics> Run<'_, D> {
             Method::Rk4 => self.settings.step.unwrap_or(0.0),
             _ => 0.0,
         };
-        let near = approach.distance < NEAR * edge.span || time <= 2.0 * fixed;
+        let near = approach.distance < NEAR_EDGE * edge.span || time <= 2.0 * fixed;
         if !near {
             return self.end(stop);
         }
@@ -355,7 +357,7 @@ impl<D: Dynamics> Run<'_, D> {
     pub(super) fn is_to_slow_down(&self) -> bool {
         let near = |edge: &Singularity| {
             let approach = Approach::of(edge, &self.from);
-            approach.is_approaching() && approach.distance < NEAR * edge.span
+            approach.is_approaching() && approach.distance < NEAR_EDGE * edge.span
         };
         !self.singularities.near && self.singularities.list.iter().any(near)
     }

@@ -16,10 +16,9 @@ pub(super) struct Opening {
 }
 
 impl Opening {
-    /// Where in an open step x leaves the flank that it still penetrates: the
-    /// power lost there has a kink. (A pair opens inside its flank when damping
-    /// takes the force to zero first.) `x` are Bernstein coefficients, valid up to
-    /// `end`.
+    /// Place in an open step where x leaves the flank that it still penetrates: the power
+    /// lost there has a kink. (A pair opens inside its flank when damping takes the force
+    /// to zero first.)
     pub(super) fn leaves_flank(&self, mode: i64, x: &[f64], end: f64) -> Option<f64> {
         if mode != 0 {
             return None;

@@ -24,9 +24,9 @@ pub enum Figure {
     FinalDisplacement,
     /// φ̇ at the end.
     FinalSpeed,
-    /// How often the driving pair opens.
+    /// Number of times that the driving pair opens.
     Separations,
-    /// How often it closes.
+    /// Number of times that it closes.
     Closures,
     /// Total time for which it is open (s).
     SeparatedTime,
@@ -44,7 +44,7 @@ pub enum Figure {
     Margin,
     /// 1: no separation within the window of steady figures; 0: there is one.
     InWorkingOrder,
-    /// How often the input of a linkage with joint friction stands still.
+    /// Number of times that the input of a linkage with joint friction stands still.
     Standstills,
     /// Time for which joint friction held it at rest (s).
     TimeAtRest,
@@ -79,7 +79,7 @@ impl Figure {
         Self::FrictionLoss,
     ];
 
-    /// Its address within the object: `pair.max_lift`.
+    /// Address within the object: `pair.max_lift`.
     pub const fn address(self) -> &'static str {
         match self {
             Self::DeltaAbs => "delta_abs",

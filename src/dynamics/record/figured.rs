@@ -51,13 +51,13 @@ pub(crate) struct Figured<'s> {
     window: Option<[f64; 2]>,
 }
 
-/// What has been gathered in the end.
+/// Figures, works and failure gathered over a run.
 pub(crate) struct Gathered {
     pub(crate) tallies: Vec<Tally>,
     pub(crate) joints: Vec<JointTracker>,
     pub(crate) audit: EnergyAudit,
     pub(crate) failure: Option<Failure>,
-    /// How far it got (s).
+    /// Time that the run got to (s).
     pub(crate) time: f64,
 }
 
@@ -107,7 +107,7 @@ impl<'s> Figured<'s> {
         self.failure.as_ref()
     }
 
-    /// What has been gathered.
+    /// Ends the gathering.
     pub(crate) fn finish(self) -> Gathered {
         Gathered {
             tallies: self.tallies,

@@ -16,9 +16,9 @@ pub struct Figures {
     pub units: BTreeMap<String, Units>,
     /// Figures of each object.
     pub objects: BTreeMap<String, ObjectFigures>,
-    /// How the run went.
+    /// Summary of the run.
     pub run: RunSummary,
-    /// What the user should know.
+    /// Warnings to the user.
     pub warnings: Vec<String>,
 }
 
@@ -76,7 +76,7 @@ pub fn greatest_magnitude(least: f64, greatest: f64) -> f64 {
 /// Figures of a linkage whose joints have friction.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct JointFigures {
-    /// How often its input came to a stop, t > 0: to turn back, to go on, or to rest.
+    /// Number of standstills of the input, t > 0: to turn back, to go on, or to rest.
     pub standstills: u64,
     /// Total time for which friction held it at rest (s).
     pub time_at_rest: f64,
@@ -123,7 +123,7 @@ pub struct PairFigures {
     pub in_working_order: Option<bool>,
 }
 
-/// How the run went.
+/// Summary of a run: how it ended, by which method, at what effort.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct RunSummary {
     /// Method used.
@@ -139,7 +139,7 @@ pub struct RunSummary {
     /// Why it stopped, when not complete: `dead_position`, `not_finite`, …
     #[serde(skip_serializing_if = "Option::is_none")]
     pub stopped: Option<String>,
-    /// The same in words.
+    /// Reason of the stop, in words.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub stopped_because: Option<String>,
     /// Accepted steps.

@@ -254,7 +254,7 @@ impl<'s> Log<'s> {
         self.failure = Some(Failure::of(model, time, bad));
     }
 
-    /// What all objects are doing at a state.
+    /// States of all objects at a state of the system.
     pub(crate) fn observe(&mut self, time: f64, y: &[f64], modes: &Modes) -> &[ObjectState] {
         self.observer.state(time, y, modes)
     }

@@ -97,23 +97,23 @@ impl Record {
     }
 }
 
-/// One quantity of one object.
+/// A column of the record: one quantity of one object.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Column {
     /// Object id.
     pub object: String,
-    /// What it shows.
+    /// Quantity in the column.
     pub quantity: Quantity,
     /// Unit: `rad`, `rad/s`, `N m`, …
     pub unit: &'static str,
-    /// One value a sample.
+    /// Values, one a sample.
     pub values: Vec<f64>,
 }
 
 /// A switch of a pair.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SwitchRow {
-    /// When (s).
+    /// Time (s).
     pub time: f64,
     /// Object id.
     pub object: String,

@@ -13,7 +13,7 @@ use crate::dynamics::segment::{Asked, Peak, Segment, Signal};
 use crate::dynamics::system::{ObjectState, System};
 use crate::math::polynomial::{MAX_DEGREE, Step};
 
-/// Where the coordinates of an elastic object are.
+/// Indices of an elastic object's coordinates in the state.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Coordinates {
     /// δ.

@@ -28,7 +28,7 @@ impl<'s> Observer<'s> {
         self.system
     }
 
-    /// What all objects are doing at s.
+    /// States of all objects at the place s of a step.
     pub(crate) fn at(&mut self, step: &Step<'_>, s: f64, modes: &Modes) -> &[ObjectState] {
         step.state(s, &mut self.y);
         let time = step.time(s);
@@ -37,19 +37,19 @@ impl<'s> Observer<'s> {
         &self.states
     }
 
-    /// What all objects are doing at a state.
+    /// States of all objects at a state of the system.
     pub(crate) fn state(&mut self, time: f64, y: &[f64], modes: &Modes) -> &[ObjectState] {
         self.system
             .observe(time, y, modes, &mut self.scratch, &mut self.states);
         &self.states
     }
 
-    /// What all masses are doing in the state that was looked at last.
+    /// States of all masses where it was looked last.
     pub(crate) fn masses(&self, y: &[f64], modes: &Modes, masses: &mut [MassState]) {
         self.system.observe_masses(y, modes, &self.scratch, masses);
     }
 
-    /// What all objects were doing when last looked at.
+    /// States of all objects where it was looked last.
     pub(crate) fn states(&self) -> &[ObjectState] {
         &self.states
     }

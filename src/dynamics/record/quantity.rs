@@ -50,7 +50,7 @@ impl Quantity {
         ]
     }
 
-    /// Its name in files: `contact_force`, `mass_2.speed`.
+    /// Name in files: `contact_force`, `mass_2.speed`.
     pub fn name(self) -> Cow<'static, str> {
         Cow::Borrowed(match self {
             Self::Displacement => "displacement",
@@ -65,7 +65,7 @@ impl Quantity {
         })
     }
 
-    /// Its SI unit for an object that turns or slides.
+    /// SI unit for an object that turns or slides.
     pub const fn unit(self, coordinate: Coordinate) -> &'static str {
         let [turning, sliding] = match self {
             Self::Displacement | Self::Delta | Self::MassDisplacement(_) => ["rad", "m"],

@@ -12,7 +12,7 @@ use crate::dynamics::integrate::{Modes, Sink, SwitchEvent};
 use crate::dynamics::system::System;
 use crate::math::polynomial::Step;
 
-/// What a recorder has gathered when the run is over.
+/// Record and figures of a run.
 #[derive(Clone, Debug)]
 pub struct Recorded {
     /// Samples, switches, separations.

@@ -24,7 +24,7 @@ pub(crate) struct Rows {
     /// Columns without values.
     columns: Vec<Column>,
     rows: Table,
-    /// Those between the equal intervals.
+    /// Rows between the equal intervals.
     closeups: Table,
     /// Greatest magnitude in every column.
     greatest: Vec<f64>,
@@ -187,7 +187,7 @@ impl Rows {
     }
 }
 
-/// What is seen of a system at an instant.
+/// View of a system at an instant.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Seen<'s> {
     pub(crate) states: &'s [ObjectState],

@@ -1,6 +1,6 @@
 //! What a recorder is asked for.
 
-/// What to record.
+/// Settings of a recorder: what to record.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RecorderSettings {
     /// Time at which the run is to end (s); it starts at 0.

@@ -18,7 +18,7 @@ struct Piece {
     coefficients: [f64; MAX_DEGREE + 1],
     degree: usize,
     depth: u32,
-    /// Where it begins in the interval.
+    /// Start of the part in the interval.
     from: f64,
 }
 

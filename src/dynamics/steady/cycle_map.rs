@@ -40,12 +40,12 @@ pub struct Machine<'a> {
     pub at: &'a dyn Fn(usize, f64, f64) -> Load,
 }
 
-/// What a cycle leaves.
+/// End of a cycle.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct CycleEnd {
     /// T after the cycle (J).
     pub energy: f64,
-    /// How long it took (s).
+    /// Duration of the cycle (s).
     pub period: f64,
     /// dT(Φ)/dT(0).
     pub multiplier: f64,
@@ -62,7 +62,7 @@ pub struct Regime {
     pub period: f64,
     /// Mean over time (rad/s).
     pub mean_speed: f64,
-    /// What is left of a small disturbance of T after a cycle.
+    /// Multiplier: the share of a small disturbance of T that is left after a cycle.
     pub multiplier: f64,
     /// True when a small disturbance dies away.
     pub attracts: bool,

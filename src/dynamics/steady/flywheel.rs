@@ -29,7 +29,7 @@ pub struct Flywheel {
 /// A textbook's estimate of the inertia to add, and how wrong it is here.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Approximation {
-    /// What it is called.
+    /// Name of the estimate.
     pub name: &'static str,
     /// In words.
     pub words: &'static str,
@@ -71,7 +71,7 @@ pub type WithInertia<'a, M> = &'a dyn Fn(f64) -> Result<Option<M>, Refusal>;
 
 /// A steady motion of a machine, on functions or on samples.
 pub trait Motion {
-    /// Its figures.
+    /// Figures of the motion.
     fn figures(&self) -> &SteadyFigures;
 
     /// Of the machine with `inertia` (kg·m²) less: greatest less least work (J), least

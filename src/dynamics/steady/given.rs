@@ -1,10 +1,10 @@
 //! What of a machine is given over its cycle.
 
-/// What is given beside J.
+/// Kind of function that is given beside J.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Given {
     /// The reduced moment M(φ) of all external forces (N·m).
     Moment,
-    /// Their work A(φ) from any position on (J).
+    /// Work A(φ) of the forces from any position on (J).
     Work,
 }

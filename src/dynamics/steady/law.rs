@@ -6,12 +6,12 @@ use super::refusal::{Field, Refusal};
 use crate::math::roots::bracketed;
 use serde::Serialize;
 
-/// Which of all periodic motions is asked for.
+/// Question which of all periodic motions is meant.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Question {
     /// The mean angular speed ω_av (rad/s), > 0.
     pub mean_speed: f64,
-    /// What is meant by it.
+    /// Kind of mean.
     pub mean: Mean,
     /// Δ_ω: how far the mean may be off, relative; default 1e-12.
     pub tolerance: f64,
@@ -92,7 +92,7 @@ pub struct Means {
 pub struct SteadyFigures {
     /// ω_av as asked for (rad/s).
     pub mean_speed: f64,
-    /// What was meant by it.
+    /// Kind of mean that was asked for.
     pub mean: Mean,
     /// The three means (rad/s).
     pub means: Means,
@@ -102,7 +102,7 @@ pub struct SteadyFigures {
     pub energy_at_start: f64,
     /// E₀: T at the position of the least J (J).
     pub reference_energy: f64,
-    /// That position, the first if there are several (rad).
+    /// Position of the least J, the first if there are several (rad).
     pub reference_position: f64,
     /// Least ω (rad/s) and where.
     pub least_speed: Extreme,
@@ -131,7 +131,7 @@ pub struct SteadyFigures {
     pub period_error: Option<f64>,
     /// Least over greatest kinetic energy.
     pub energy_ratio: f64,
-    /// What the user should know.
+    /// Warnings to the user.
     pub warnings: Vec<String>,
 }
 
@@ -181,7 +181,7 @@ pub(super) trait Family {
     fn inertia(&self) -> [f64; 2];
     /// Greatest rise, and the rise at the least J.
     fn rise(&self) -> [f64; 2];
-    /// Where T is least.
+    /// Position at which T is least (rad).
     fn lowest_position(&self) -> f64;
 }
 
@@ -254,7 +254,7 @@ pub(super) fn find(family: &impl Family, question: &Question) -> Result<Level, R
 /// Below this share of the greatest, the least kinetic energy is a warning.
 const ALMOST_STOPS: f64 = 1e-9;
 
-/// What there is to say of a motion.
+/// Warnings about a motion.
 pub(super) fn warnings(
     ratio: f64,
     position: f64,

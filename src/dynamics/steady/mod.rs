@@ -51,7 +51,7 @@ pub use table_motion::{Halving, TableFigures, TableMotion};
 
 use serde::Serialize;
 
-/// What is meant by the mean angular speed.
+/// Meaning of the mean angular speed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Mean {
@@ -68,7 +68,7 @@ impl Mean {
     /// All readings.
     pub const ALL: [Self; 3] = [Self::Time, Self::Angle, Self::Midrange];
 
-    /// Its name in scenes and arguments.
+    /// Name in scenes and arguments.
     pub fn name(self) -> &'static str {
         match self {
             Self::Time => "time",
@@ -77,7 +77,7 @@ impl Mean {
         }
     }
 
-    /// What it is, in words.
+    /// Meaning in words.
     pub fn words(self) -> &'static str {
         match self {
             Self::Time => "mean over time",

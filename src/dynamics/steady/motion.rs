@@ -14,7 +14,7 @@ use serde::Serialize;
 pub struct SteadyMotion {
     profile: Profile,
     level: f64,
-    /// Its figures.
+    /// Figures of the motion.
     pub figures: SteadyFigures,
 }
 
@@ -39,7 +39,7 @@ pub struct Row {
     pub energy: f64,
 }
 
-/// What an integration of the equation of motion over a cycle came back to.
+/// Errors of closure of an integration of the equation of motion over a cycle.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Check {
     /// ω(Φ)/ω(0) − 1.

@@ -69,7 +69,7 @@ impl Panel {
         }
     }
 
-    /// Its length.
+    /// Length of the panel (rad).
     pub(super) fn length(&self) -> f64 {
         self.to - self.from
     }
@@ -85,7 +85,7 @@ impl Panel {
         )
     }
 
-    /// The same polynomials on a part of the panel.
+    /// The panel's polynomials on a part of it.
     pub(super) fn cut(&self, from: f64, to: f64) -> Self {
         let places = NODES
             .places
@@ -155,7 +155,7 @@ pub(super) fn panel(fitted: Fitted, given: Given) -> Panel {
     Panel::new(fitted.from, fitted.to, fitted.inertia, moment)
 }
 
-/// One panel: J and what is given, the moment or the work.
+/// A panel: J and what is given, the moment or the work.
 pub(super) struct Fitted {
     pub(super) from: f64,
     pub(super) to: f64,

@@ -39,10 +39,10 @@ pub struct Extreme {
 pub const MOST_TURNS: f64 = 100.0;
 
 /// A least J of less than this share of the greatest is none.
-const NOTHING: f64 = 1e-13;
+const NO_INERTIA: f64 = 1e-13;
 
 /// Relative differences that are none between extremes.
-const ROUNDING: f64 = 64.0 * f64::EPSILON;
+const EXTREMES_AGREE: f64 = 64.0 * f64::EPSILON;
 
 /// Halvings of the panels beside the least work.
 const HALVINGS: i32 = 16;
@@ -105,7 +105,7 @@ impl Profile {
         profile.least_inertia = profile.extreme(-1.0, &inertia);
         profile.greatest_inertia = profile.extreme(1.0, &inertia);
         let Extreme { value, at } = profile.least_inertia;
-        if !(value > NOTHING * profile.greatest_inertia.value) {
+        if !(value > NO_INERTIA * profile.greatest_inertia.value) {
             return Err(Refusal::Inertia {
                 position: at,
                 inertia: value,
@@ -258,7 +258,7 @@ impl Profile {
             };
             for i in 0..=count {
                 let found = value(panel, place(i));
-                let rounding = ROUNDING * best.0.abs();
+                let rounding = EXTREMES_AGREE * best.0.abs();
                 if found > best.0 + rounding || best.0 == f64::NEG_INFINITY {
                     let around = [place(i.saturating_sub(1)), place((i + 1).min(count))];
                     best = (found, index, place(i), around);
@@ -292,7 +292,7 @@ impl Profile {
             let found = sense * value(panel, at);
             // Within a panel the slope knows the place better than the values.
             let inside = around[0] < sample.at && sample.at < around[1];
-            let rounding = ROUNDING * top.value.abs();
+            let rounding = EXTREMES_AGREE * top.value.abs();
             if sense * (found - top.value) > rounding || inside {
                 top = Extreme { value: found, at };
             }

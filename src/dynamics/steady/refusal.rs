@@ -24,42 +24,42 @@ pub enum Refusal {
     },
     /// The reduced moment of inertia is not above zero, or is no number.
     Inertia {
-        /// Where.
+        /// Position (rad).
         position: f64,
         /// J there.
         inertia: f64,
     },
     /// The moment or the work is no number.
     Moment {
-        /// Where.
+        /// Position (rad).
         position: f64,
     },
     /// J or M changes so roughly that no polynomials follow it.
     Rough {
-        /// Where it is worst.
+        /// Position at which it is worst (rad).
         position: f64,
     },
     /// The mean asked for is below the lowest of all motions without a stop.
     TooSlow {
         /// The mean asked for.
         wanted: f64,
-        /// Its reading.
+        /// Kind of mean.
         mean: Mean,
         /// The lowest mean.
         lowest: f64,
-        /// Where the machine would stop.
+        /// Position at which the machine would stop (rad).
         position: f64,
     },
     /// The machine stops within a cycle.
     Stalls {
-        /// Where its kinetic energy reaches zero.
+        /// Position at which its kinetic energy reaches zero (rad).
         position: f64,
         /// The speed at φ = 0 of the cycle in which it does.
         speed: f64,
     },
     /// No cycle was found that returns to its speed.
     NoCycle {
-        /// What was tried and what came of it.
+        /// Reason: what was tried and what came of it.
         why: String,
     },
     /// The required coefficient of fluctuation cannot be had.
@@ -76,16 +76,16 @@ pub enum Refusal {
 /// A field of the question and what is wrong with it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Field {
-    /// Its name.
+    /// Name of the field.
     pub field: String,
-    /// What is wrong.
+    /// Message: what is wrong.
     pub message: String,
-    /// What would be right.
+    /// Hint: what would be right.
     pub hint: String,
 }
 
 impl Refusal {
-    /// One bad field.
+    /// Refusal of one bad field.
     pub(crate) fn field(field: &str, message: impl Into<String>, hint: &str) -> Self {
         let field = Field {
             field: field.to_owned(),
@@ -97,7 +97,7 @@ impl Refusal {
         }
     }
 
-    /// What is wrong, in a sentence.
+    /// Message in a sentence: what is wrong.
     pub fn message(&self) -> String {
         match self {
             Self::Input { faults } => {
@@ -158,7 +158,7 @@ impl Refusal {
         }
     }
 
-    /// What would be right; empty when there is nothing to say.
+    /// Hint: what would be right; empty when there is nothing to say.
     pub fn hint(&self) -> String {
         match self {
             Self::Surplus { moment, .. } => format!(

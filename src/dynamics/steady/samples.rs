@@ -7,7 +7,7 @@ use super::refusal::{Field, Refusal};
 pub(super) const LEAST: usize = 3;
 
 /// Share of the cycle, and of J, by which a repeated end point may differ.
-pub(super) const SAME: f64 = 1e-9;
+pub(super) const SAME_END: f64 = 1e-9;
 
 /// The first least (`sense` −1) or greatest (1) of samples.
 pub(super) fn extreme(positions: &[f64], values: &[f64], sense: f64) -> Extreme {
@@ -27,7 +27,7 @@ pub(super) fn extreme(positions: &[f64], values: &[f64], sense: f64) -> Extreme 
 
 pub(super) fn repeats_end(cycle: f64, positions: &[f64]) -> bool {
     let span = positions[positions.len() - 1] - positions[0];
-    (span - cycle).abs() <= SAME * cycle
+    (span - cycle).abs() <= SAME_END * cycle
 }
 
 pub(super) fn too_few(count: usize) -> Field {
@@ -84,7 +84,7 @@ pub(super) fn faults(
         let (before, after) = (positions[row - 1], positions[row]);
         let message = format!("{after} does not come after {before}");
         add("position", message, "put the positions in ascending order");
-    } else if sound && count > 0 && positions[count - 1] - positions[0] > cycle * (1.0 + SAME) {
+    } else if sound && count > 0 && positions[count - 1] - positions[0] > cycle * (1.0 + SAME_END) {
         let span = positions[count - 1] - positions[0];
         let message = format!("the positions span {span} rad, the cycle only {cycle} rad");
         add("position", message, "give one cycle");

@@ -4,7 +4,7 @@ use super::Mean;
 use super::law::{Family, Means};
 use super::profile::Extreme;
 use super::refusal::Refusal;
-use super::samples::{LEAST, SAME, check_inertia, extreme, faults, repeats_end, too_few};
+use super::samples::{LEAST, SAME_END, check_inertia, extreme, faults, repeats_end, too_few};
 use crate::kinematics::motion::Spline;
 
 /// J and the work as samples over one cycle.
@@ -98,7 +98,7 @@ impl Table {
         }
         let last = self.positions.len() - 1;
         let (first, end) = (self.inertia[0], self.inertia[last]);
-        if (end - first).abs() > SAME * first.abs().max(end.abs()) {
+        if (end - first).abs() > SAME_END * first.abs().max(end.abs()) {
             let message = format!("J ends the cycle with {end} and began with {first}");
             return Err(Refusal::field("inertia", message, "J repeats every cycle"));
         }
@@ -129,7 +129,7 @@ impl Table {
         })
     }
 
-    /// The same with a moment, or a moment of inertia, added.
+    /// The table with a moment, or a moment of inertia, added.
     pub(super) fn with(&self, moment: f64, inertia: f64) -> Self {
         let mut table = self.clone();
         let first = self.positions[0];
@@ -141,7 +141,7 @@ impl Table {
         table
     }
 
-    /// The same with a constant moment of inertia added.
+    /// The table with a constant moment of inertia added.
     #[must_use]
     pub fn with_inertia(&self, inertia: f64) -> Self {
         self.with(0.0, inertia)

@@ -17,7 +17,7 @@ const FINEST: f64 = 1e-16;
 pub struct TableMotion {
     table: Table,
     level: f64,
-    /// Its figures.
+    /// Figures of the motion.
     pub figures: TableFigures,
 }
 

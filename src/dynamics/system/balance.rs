@@ -26,14 +26,14 @@ const MANY: usize = 40;
 
 /// Below this share of the forces added up, the force of a link is zero: loads
 /// that cancel leave no rounding behind that would choose a flank.
-const ROUNDING: f64 = 1e-12;
+const NO_FORCE: f64 = 1e-12;
 
-/// Which loads are balanced.
+/// Loads that are balanced.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Balance {
     /// Loads that a body at rest feels.
     Static,
-    /// These and the inertia loads of the law's motion.
+    /// All loads and the inertia loads of the law's motion.
     Kinetostatic,
 }
 
@@ -239,7 +239,7 @@ impl Frozen {
             let force = work.force[chain.first_node + m];
             carried += force;
             size += force.value().abs();
-            if carried.value().abs() <= ROUNDING * size {
+            if carried.value().abs() <= NO_FORCE * size {
                 carried = carried - N::from(carried.value());
             }
             let below = if m > 0 {

@@ -18,7 +18,7 @@ use crate::math::quantity::Quantity;
 /// A node with several drivers.
 #[derive(Clone, Debug)]
 pub(super) struct Constrained {
-    /// Its node.
+    /// Internal index of the node.
     pub(super) node: usize,
     /// The driving nodes.
     pub(super) drivers: Vec<usize>,
@@ -156,12 +156,12 @@ impl<N: Quantity> Coupling<N> {
     }
 }
 
-/// What the elastic chains are taken for.
+/// Assumption about the elastic chains.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Chains {
-    /// Their masses move freely.
+    /// Masses move freely.
     Free,
-    /// They follow their laws like rigid bodies.
+    /// Masses follow their laws like rigid bodies.
     Rigid,
 }
 

@@ -30,7 +30,7 @@ impl Frozen {
         self.energy_of(state, work)
     }
 
-    /// The same where the motion is known.
+    /// Kinetic and potential energy (J) where the motion is known.
     pub(super) fn energy_of<N: Quantity>(&self, state: &[N], work: &Work<N>) -> [N; 2] {
         let (mut kinetic, mut elastic) = (N::from(0.0), N::from(0.0));
         for (&inertia, &speed) in self.inertia.iter().zip(&work.speed) {

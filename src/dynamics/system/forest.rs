@@ -19,7 +19,7 @@ pub(super) struct Forest {
 }
 
 /// An eigenvalue below this share of the greatest is zero to rounding.
-const NOTHING: f64 = 1e-16;
+const ZERO_EIGENVALUE: f64 = 1e-16;
 
 /// Shifts whose counts are taken side by side.
 const LANES: usize = 8;
@@ -57,7 +57,7 @@ impl Forest {
     pub(super) fn eigenvalues(&self) -> Vec<f64> {
         let order = self.diagonal.len();
         let [low, high] = self.bounds();
-        let least = NOTHING * low.abs().max(high.abs());
+        let least = ZERO_EIGENVALUE * low.abs().max(high.abs());
         let mut pivots = vec![[0.0; LANES]; order];
         let mut found = vec![0.0; order];
         // Intervals, and which eigenvalues lie in them.

@@ -25,7 +25,7 @@ pub(super) struct Frozen {
     pub(super) internal: Vec<usize>,
     /// Free coordinate of each internal node (k).
     pub(super) coordinate: Vec<Option<usize>>,
-    /// What to evaluate, drivers before driven.
+    /// Steps of the forward pass, drivers before driven.
     pub(super) steps: Vec<Step>,
     /// Chains that are systems of their own behind a prescribed drive.
     pub(super) branches: Vec<Branch>,
@@ -39,11 +39,11 @@ pub(super) struct Frozen {
     pub(super) chains: Vec<Chain>,
     /// Rigid nodes, drivers before driven.
     pub(super) rigids: Vec<Rigid>,
-    /// Those of them that the right-hand side needs.
+    /// Rigid nodes that the right-hand side needs.
     pub(super) needed_rigids: Vec<Rigid>,
     /// Nodes with several drivers, drivers before driven.
     pub(super) constraints: Vec<Constrained>,
-    /// Those of them that inertia is on, indices into `constraints`.
+    /// Constraints that inertia is on, indices into `constraints`.
     pub(super) heavy: Vec<usize>,
     /// Linkages, drivers before driven.
     pub(super) linkages: Vec<FrozenLinkage>,
@@ -63,7 +63,7 @@ pub(super) struct Frozen {
     pub(super) pairs: Vec<usize>,
     /// The tracks: the components of the modes after the pairs.
     pub(super) tracks: Vec<FrozenTrack>,
-    /// What moves together where joints have friction.
+    /// Groups of what moves together where joints have friction.
     pub(super) groups: Vec<Group>,
     /// Number of directions: the components of the modes after the tracks.
     pub(super) directions: usize,
@@ -89,7 +89,7 @@ pub(super) enum Step {
 /// A node with given motion.
 #[derive(Clone, Debug)]
 pub(super) struct Prescribed {
-    /// Its node.
+    /// Internal index of the node.
     pub(super) node: usize,
     /// φ(t).
     pub(super) motion: DriveMotion,
@@ -100,9 +100,9 @@ pub(super) struct Prescribed {
 /// A motor's rotor.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Rotor {
-    /// Its node.
+    /// Internal index of the node.
     pub(super) node: usize,
-    /// Its coordinate.
+    /// Index of the coordinate.
     pub(super) coordinate: usize,
     /// φ at t = 0.
     pub(super) angle: f64,
@@ -113,16 +113,16 @@ pub(super) struct Rotor {
 /// A rigid object.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Rigid {
-    /// Its node.
+    /// Internal index of the node.
     pub(super) node: usize,
-    /// Its law.
+    /// Index of the law.
     pub(super) law: usize,
 }
 
 /// A chain of masses behind a law.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Chain {
-    /// Its law.
+    /// Index of the law.
     pub(super) law: usize,
     /// Node of mass 1; the others follow.
     pub(super) first_node: usize,
@@ -169,12 +169,12 @@ impl Chain {
         }
     }
 
-    /// Its coordinates.
+    /// Indices of the chain's coordinates.
     pub(super) fn coordinates(&self) -> std::ops::Range<usize> {
         self.first_coordinate..self.first_coordinate + self.masses
     }
 
-    /// Its nodes.
+    /// Indices of the chain's nodes.
     pub(super) fn nodes(&self) -> std::ops::Range<usize> {
         self.first_node..self.first_node + self.masses
     }

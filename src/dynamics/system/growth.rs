@@ -49,7 +49,7 @@ impl System {
     }
 }
 
-/// One step of a power series.
+/// A step of a power series.
 struct Leap<'s> {
     system: &'s System,
     modes: Modes,

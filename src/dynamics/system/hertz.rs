@@ -24,7 +24,7 @@ pub(super) struct Hertz {
 }
 
 impl Hertz {
-    /// The same contact with a link of a compliance behind it.
+    /// This contact with a link of a compliance behind it.
     pub(super) fn before(self, compliance: f64) -> Self {
         let compliance = self.compliance + compliance;
         Self { compliance, ..self }

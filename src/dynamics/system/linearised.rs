@@ -222,7 +222,7 @@ fn add_link(stiffness: &mut Stiffness, c: f64, end: usize, base: &[(usize, f64)]
     }
 }
 
-/// Which links count.
+/// Links that count in a linearisation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Regime {
     /// All pairs engaged.

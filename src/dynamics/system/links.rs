@@ -71,7 +71,7 @@ fn accelerate_alone<N: Quantity>(
 pub(super) struct LinkForces<'a, N> {
     /// Deviations of the masses.
     pub(super) u: &'a [N],
-    /// Their rates.
+    /// Rates of the coordinates.
     pub(super) v: &'a [N],
     /// c of the link below each mass.
     pub(super) stiffness: &'a [f64],

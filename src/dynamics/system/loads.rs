@@ -9,13 +9,13 @@ use crate::math::quantity::Quantity;
 pub(super) struct FrozenLoad {
     /// Internal index of the node it acts on.
     pub(super) node: usize,
-    /// Its law.
+    /// Law of the force.
     pub(super) law: LoadLaw,
     /// Of [`LoadLaw::Pieces`]: what runs along the table.
     pub(super) argument: Option<Argument>,
 }
 
-/// What a table of a load runs over.
+/// Argument of a load's table: what it runs over.
 #[derive(Clone, Debug)]
 pub(super) struct Argument {
     /// Component of the modes that selects the piece.

@@ -22,8 +22,8 @@ impl System {
             .map_or(0, |chain| chain.masses - chain.points())
     }
 
-    /// What all masses of all elastic objects are doing, in the order of the objects, in
-    /// the state that was observed last ([`Self::observe`]) with the same arguments.
+    /// Motions of all masses of all elastic objects, in the order of the objects, in the
+    /// state that was observed last ([`Self::observe`]) with the same arguments.
     /// Allocates nothing.
     pub fn observe_masses(
         &self,

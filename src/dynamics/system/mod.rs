@@ -77,7 +77,7 @@ use taylor::Taylor;
 pub struct System {
     model: Model,
     frozen: Frozen,
-    /// Where each of the model's objects is in the frozen layout.
+    /// Place of each of the model's objects in the frozen layout.
     places: Vec<ObjectPlace>,
     /// Scale of each state entry, found when first asked for.
     scales: OnceLock<Vec<f64>>,
@@ -111,7 +111,7 @@ struct Bundle {
     accelerations: Vec<Duals<DIRECTIONS>>,
 }
 
-/// What one object is doing at an instant.
+/// Motion and forces of an object at an instant.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ObjectState {
     /// φ of the last mass.
@@ -222,8 +222,8 @@ impl System {
         let _ = self.sampled.set(samples);
     }
 
-    /// What the scale δ* of an elastic object is at least, without sampling its
-    /// law; zero of anything else.
+    /// Lower bound of the scale δ* of an elastic object, without sampling its law; zero
+    /// of anything else.
     pub(crate) fn least_deflection(&self, object: usize) -> f64 {
         let chain = self.chain(object);
         chain.map_or(0.0, |chain| scales::least_deflection(&self.frozen, chain))

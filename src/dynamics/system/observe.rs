@@ -8,12 +8,12 @@ use super::{Energy, ObjectState, Power, Scratch, System};
 use crate::dynamics::integrate::Modes;
 use crate::dynamics::model::{Closure, LoadLaw, Model, ObjectPart, Pair};
 
-/// What an object of the model has become in the frozen layout.
+/// Place of an object of the model in the frozen layout.
 #[derive(Clone, Debug)]
 pub(super) struct ObjectPlace {
-    /// Its last node, internal index.
+    /// Internal index of the last node.
     pub(super) node: usize,
-    /// What it is.
+    /// Body of the object.
     pub(super) body: Body,
     /// The inertia of an elastic object that moves with its law.
     driven_end: Option<Rigid>,
@@ -21,7 +21,7 @@ pub(super) struct ObjectPlace {
     pub(super) modal: Option<Modal>,
 }
 
-/// What an object is.
+/// Body of an object: drive, motor, rigid object or chain.
 #[derive(Clone, Debug)]
 pub(super) enum Body {
     /// A drive with given motion.
@@ -129,8 +129,8 @@ impl System {
         );
     }
 
-    /// What every object of the model is doing; `out` has one entry an object.
-    /// Allocates nothing.
+    /// Observes the motion and forces of every object of the model; `out` has one entry
+    /// an object. Allocates nothing.
     pub fn observe(
         &self,
         time: f64,
@@ -143,7 +143,7 @@ impl System {
         self.read_states(time, y, modes, &scratch.work, out);
     }
 
-    /// The same, with the powers of [`Self::power`] and the energies of
+    /// Observes the objects, with the powers of [`Self::power`] and the energies of
     /// [`Self::energy`] from the same evaluation.
     pub fn observe_closely(
         &self,

@@ -28,8 +28,8 @@ impl System {
         !self.frozen.linkages.is_empty() || self.frozen.laws.iter().any(bent)
     }
 
-    /// What of the mechanism has no power series because it is not known to the library,
-    /// or couples coordinates; `None`: nothing of that sort.
+    /// Part of the mechanism that has no power series because it is not known to the
+    /// library, or couples coordinates; `None`: nothing of that sort.
     pub(crate) fn without_series(&self) -> Option<&'static str> {
         let frozen = &self.frozen;
         let custom = |load: &super::loads::FrozenLoad| matches!(load.law, LoadLaw::Custom { .. });

@@ -18,7 +18,7 @@ pub(super) const OPEN: i64 = 0;
 /// A pair with its link's numbers.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Contact {
-    /// How it is kept together.
+    /// Closure: how the pair is kept together.
     pub(super) closure: Closure,
     /// Half the gap, η/2; 0 for force closure.
     pub(super) half_gap: f64,
@@ -170,7 +170,7 @@ impl Contact {
         }
     }
 
-    /// The same two quantities as guards over the coordinate x.
+    /// Guards over the coordinate x of the two quantities of [`Self::presses`].
     fn guards(&self, side: i64, coordinate: usize) -> [Guard; 2] {
         let side = side as f64;
         let depth = Guard {

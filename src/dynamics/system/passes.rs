@@ -58,7 +58,7 @@ pub(super) struct Work<N> {
     pub(super) linkages: Vec<RefCell<Solved>>,
     /// The friction of their joints.
     pub(super) rubbing: Vec<Rubbing<N>>,
-    /// Where their tables were last looked up.
+    /// Places at which the linkages' tables were last looked up.
     pub(super) cursors: Vec<Cell<Cursor>>,
 }
 
@@ -94,10 +94,10 @@ impl<N: Quantity> Work<N> {
     }
 }
 
-/// Which nodes an evaluation has to fill in.
+/// Extent of an evaluation: the nodes that it has to fill in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Extent {
-    /// Those that the right-hand side needs.
+    /// Nodes that the right-hand side needs.
     Needed,
     /// All of them.
     Full,

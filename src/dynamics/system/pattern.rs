@@ -75,7 +75,7 @@ impl Frozen {
         !matches!(self.laws[law].position, Position::Ratio { .. })
     }
 
-    /// What U′ and U″φ̇² of a law depend on.
+    /// Coordinates that U′ and U″φ̇² of a law depend on.
     fn slope(&self, law: usize, place: &[Set]) -> Set {
         if self.bends(law) {
             place[self.laws[law].driver].clone()
@@ -168,7 +168,7 @@ impl Frozen {
         }
     }
 
-    /// What the gradient of a constraint and its bias depend on.
+    /// Coordinates that the gradient of a constraint and its bias depend on.
     fn gradient(&self, one: &Constrained, place: &[Set]) -> Set {
         match one.constraint.is_linear() {
             true => Set::new(),

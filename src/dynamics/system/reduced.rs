@@ -5,7 +5,7 @@ use super::passes::Work;
 use super::{ObjectState, System};
 use crate::dynamics::model::{Model, Reduced};
 
-/// Where an object that is reduced to modes is in the frozen layout.
+/// Place of an object that is reduced to modes in the frozen layout.
 #[derive(Clone, Debug)]
 pub(super) struct Modal {
     /// For each mode its chain, its coordinate and its share of the output.

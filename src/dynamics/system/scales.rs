@@ -62,8 +62,8 @@ pub(super) fn scales(frozen: &Frozen, sampled: &Sampled) -> Vec<f64> {
     scales
 }
 
-/// What δ* of a chain is at least: the deflection under its constant loads, or
-/// its gap. Costs nothing, where δ* takes a thousand samples of the laws.
+/// Lower bound of δ* of a chain: the deflection under its constant loads, or its gap.
+/// Costs nothing, where δ* takes a thousand samples of the laws.
 pub(super) fn least_deflection(frozen: &Frozen, chain: &Chain) -> f64 {
     let loads = &frozen.constant_force[chain.nodes()];
     let force: f64 = loads.iter().map(|force| force.abs()).sum();

@@ -5,7 +5,7 @@ use super::frozen::{Branch, Chain, Frozen, Rigid, Step};
 use super::trains::trains;
 
 impl Frozen {
-    /// Which chains somebody looks at, which carry rigid objects.
+    /// Marks the chains that somebody looks at, and those that carry rigid objects.
     pub(super) fn mark_chains(&mut self) {
         let frozen = self;
         let watched: Vec<usize> = (frozen.laws.iter().map(|law| law.driver))

@@ -148,7 +148,7 @@ impl System {
         Ok(state)
     }
 
-    /// What is wrong with an explicit start.
+    /// Fault of an explicit start, if it has one.
     fn misfit(&self, start: &ExplicitStart) -> Option<Fault> {
         let part = self.model.objects.get(start.object)?;
         let path = format!("run.start.{}", part.id);

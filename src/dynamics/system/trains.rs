@@ -12,7 +12,7 @@ use crate::math::quantity::Quantity;
 /// A rotor and what it carries.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Train {
-    /// Its coordinate.
+    /// Index of the rotor's coordinate.
     coordinate: usize,
     /// Constant inertia of all its nodes, reduced to the rotor.
     inertia: f64,

@@ -12,7 +12,7 @@ use crate::exact::pencil::C;
 use crate::exact::phase::{Exponentials, POLY, Phase};
 use crate::exact::problem::TreeProblem;
 
-/// What polynomials add over a phase of length h.
+/// Contribution of polynomials over a phase of length h.
 pub(super) struct Moving<'a> {
     pub(super) forms: &'a Forms,
     pub(super) problem: &'a TreeProblem,
@@ -101,7 +101,7 @@ impl Moving<'_> {
         }
     }
 
-    /// What lane k and the polynomials do together.
+    /// Common contribution of lane k and the polynomials.
     fn lane(
         &self,
         k: usize,

@@ -12,10 +12,11 @@ use crate::dynamics::system::System;
 use crate::exact::{Law, Refusal, TreeMass, TreeObject, TreePair, TreeProblem};
 use crate::kinematics::constraint::Constraint;
 
-/// What a node is to exact propagation.
+/// Role of a node in exact propagation.
 #[derive(Clone, Debug)]
 enum Role<'m> {
-    /// Its motion is known: the course and the position functions on the way.
+    /// Prescribed: the motion is known by its course and the position functions on the
+    /// way.
     Prescribed(PrescribedMotion, Vec<&'m ModelLaw>),
     /// φ = ratio·φ_mass + offset, of a mass of a tree.
     Moved(Moved),

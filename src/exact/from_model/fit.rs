@@ -5,7 +5,7 @@
 //! kept, are below rounding of the function, and until the coefficients in
 //! powers of the time from its start do not cancel either.
 
-use super::prescribed::{Formulas, Instant, PrescribedMotion, ROUNDING};
+use super::prescribed::{Formulas, Instant, PLACE_ROUNDING, PrescribedMotion};
 use crate::exact::LAW_DEGREE;
 use crate::math::chebyshev::{Nodes, combined, in_powers};
 use crate::math::polynomial::{MAX_DEGREE, first_positive, raise};
@@ -21,7 +21,7 @@ const TAIL: f64 = 16.0 * f64::EPSILON;
 /// Greatest ratio of the sum of the coefficients in powers to the function.
 const CANCELLATION: f64 = 60.0;
 
-/// What is fitted.
+/// Target of a fit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Target {
     /// The displacement.
@@ -93,7 +93,7 @@ fn coefficients(values: &[f64; POINTS]) -> [f64; POINTS] {
     found
 }
 
-/// What became of a trial.
+/// Result of a trial.
 enum Trial {
     Good(Fit),
     /// The motion leaves its formula after so many seconds.
@@ -254,8 +254,8 @@ fn leaves(
         return Ok(None);
     }
     // Beyond an edge is beyond it by more than rounding: the motion may start
-    // and end on one, and rest there. (Formulas are told within ROUNDING.)
-    let rounding = 2.0 * ROUNDING * size + rest;
+    // and end on one, and rest there. (Formulas are told within PLACE_ROUNDING.)
+    let rounding = 2.0 * PLACE_ROUNDING * size + rest;
     let mut first: Option<f64> = None;
     for (edge, sign) in [(low, -1.0), (high, 1.0)] {
         if !edge.is_finite() {

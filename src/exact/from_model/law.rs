@@ -2,7 +2,8 @@
 //! line or a pure harmonic, in polynomial spans otherwise.
 
 use super::fit::{Fit, Target, fit};
-use super::prescribed::{PrescribedMotion, Rhythm, straight};
+use super::prescribed::{PrescribedMotion, straight};
+use super::rhythm::Rhythm;
 use crate::dynamics::model::Law as ModelLaw;
 use crate::exact::law::product;
 use crate::exact::{LAW_DEGREE, Law, PolynomialSpan, Sine, SpanSource};
@@ -85,9 +86,9 @@ fn turned(amplitude: f64, frequency: f64, phase: f64) -> Sine {
 /// A cycle that repeats for ever.
 #[derive(Clone, Copy, Debug)]
 struct Cycle {
-    /// Where the first begins (s).
+    /// Time at which the first cycle begins (s).
     from: f64,
-    /// Its length (s).
+    /// Length of a cycle (s).
     period: f64,
     /// L gained in it.
     advance: f64,

@@ -15,12 +15,14 @@ mod law;
 mod load;
 mod prescribed;
 mod rest;
+mod rhythm;
 #[cfg(test)]
 mod tests;
 
 pub(crate) use fit::{Target, fit};
-pub(crate) use prescribed::{PrescribedMotion, Rhythm, within};
+pub(crate) use prescribed::{PrescribedMotion, within};
 pub use rest::Rest;
+pub(crate) use rhythm::Rhythm;
 
 use super::{ExactTree, Law, Modes, PairState, Refusal, SpanSource, TreeProblem};
 use crate::dynamics::model::NodeMotion;
@@ -30,7 +32,7 @@ use std::sync::Arc;
 /// The parts of a system that can be propagated exactly, and why others cannot.
 #[derive(Debug)]
 pub struct Parts {
-    /// One for each tree of masses.
+    /// Trees of masses, one part each.
     pub trees: Vec<Part>,
     /// Objects that stand against it, with the reason.
     pub refusals: Vec<Refusal>,
@@ -38,7 +40,7 @@ pub struct Parts {
     pub(crate) courses: Vec<Option<PrescribedMotion>>,
     /// Prescribed motions of rigid objects that are made of spans.
     pub(crate) spans: Vec<Arc<dyn SpanSource>>,
-    /// What each object of the model is.
+    /// Holder of each object of the model.
     holders: Vec<Holder>,
 }
 
@@ -70,10 +72,10 @@ pub struct Part {
     modes: Arc<Modes>,
 }
 
-/// Where a mass is in the system's state.
+/// Place of a mass in the system's state.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct MassPlace {
-    /// Its coordinate u.
+    /// Coordinate u of the mass.
     pub(crate) coordinate: usize,
     /// u = q − ratio·q of another mass.
     pub(crate) base: Option<(usize, f64)>,
@@ -102,7 +104,8 @@ impl Parts {
         builder::build(system, &mut KeptLaws::default())
     }
 
-    /// The same, with the laws of a system before that moves by the same ones.
+    /// The parts of a system, with the laws of a system before that moves by the same
+    /// ones.
     pub fn with_laws(system: &System, laws: &mut KeptLaws) -> Self {
         builder::build(system, laws)
     }

@@ -12,13 +12,13 @@ use crate::kinematics::position::Position;
 use std::f64::consts::TAU;
 
 /// Rounding of a place on an axis, in units of the numbers that make it.
-pub(crate) const ROUNDING: f64 = 16.0 * f64::EPSILON;
+pub(crate) const PLACE_ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// A position function on the way, with its factor.
 #[derive(Clone, Debug)]
 pub(crate) struct Stage {
-    position: Position,
-    lever: f64,
+    pub(super) position: Position,
+    pub(super) lever: f64,
     breaks: Breaks,
     joints: Breaks,
 }
@@ -42,7 +42,7 @@ pub(crate) struct PrescribedMotion {
     pub(crate) stages: Vec<Stage>,
 }
 
-/// Where a prescribed motion comes from.
+/// Source of a prescribed motion.
 #[derive(Clone, Debug)]
 enum Source {
     /// A drive.
@@ -64,9 +64,9 @@ enum Source {
 pub(crate) struct Formulas {
     /// Piece of the drive's motion.
     piece: i64,
-    /// Those of the terms of a sum.
+    /// Formulas of the terms of a sum.
     pub(crate) terms: Vec<Formulas>,
-    /// When the motion's formula changes (s).
+    /// Time at which the motion's formula changes (s).
     pub(crate) until: f64,
     /// For each stage its segment, and the limits of its argument.
     segments: Vec<i64>,
@@ -83,17 +83,6 @@ pub(crate) struct Instant {
     pub(crate) span: f64,
     /// The same for the acceleration.
     pub(crate) size: f64,
-}
-
-/// How a motion goes on for ever after some time.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Rhythm {
-    /// With constant speed (rad/s).
-    Uniform(f64),
-    /// It repeats with this period (s), advanced by so much (rad).
-    Periodic(f64, f64),
-    /// Neither.
-    None,
 }
 
 impl PrescribedMotion {
@@ -259,12 +248,12 @@ impl PrescribedMotion {
         let depth = formulas.segments.len();
         let now = self.at(formulas, depth, time);
         let mut sense = now.speed;
-        if sense.abs() <= ROUNDING * now.span {
+        if sense.abs() <= PLACE_ROUNDING * now.span {
             // At rest: look where it goes.
             let ahead = (formulas.until - time).min(1.0) * 1e-4;
             sense = self.at(formulas, depth, time + ahead).value - now.value;
         }
-        let nudge = ROUNDING * now.span;
+        let nudge = PLACE_ROUNDING * now.span;
         let place = now.value + nudge * if sense < 0.0 { -1.0 } else { 1.0 };
         axis.edges(axis.locate(place, sense))
     }
@@ -286,42 +275,6 @@ impl PrescribedMotion {
             };
         }
         now
-    }
-
-    /// Period of a motion that repeats itself from t = 0 on (s); 0 where it is uniform.
-    pub(super) fn period(&self) -> Option<f64> {
-        match (self.settled() <= 0.0).then(|| self.rhythm())? {
-            Rhythm::Uniform(_) => Some(0.0),
-            Rhythm::Periodic(period, _) => Some(period),
-            Rhythm::None => None,
-        }
-    }
-
-    /// How the motion goes on after [`Self::settled`].
-    pub(crate) fn rhythm(&self) -> Rhythm {
-        let settled = self.settled();
-        let formulas = self.formulas(settled);
-        let speed = self.at(&formulas, 0, settled).speed;
-        let mut rhythm = match self.drive() {
-            None => {
-                let terms = self.terms().iter();
-                let terms = terms.map(|(ratio, term)| term.rhythm().scaled(*ratio));
-                terms.fold(Rhythm::Uniform(0.0), Rhythm::with)
-            }
-            Some(DriveMotion::Accelerated { acceleration, .. }) if *acceleration != 0.0 => {
-                Rhythm::None
-            }
-            Some(DriveMotion::Plan(plan)) => {
-                let spec = plan.spec();
-                let repeats = |period| Rhythm::Periodic(period, spec.advance);
-                spec.period.map_or(Rhythm::Uniform(speed), repeats)
-            }
-            Some(_) => Rhythm::Uniform(speed),
-        };
-        for stage in &self.stages {
-            rhythm = stage.rhythm(rhythm);
-        }
-        rhythm
     }
 }
 
@@ -359,106 +312,9 @@ impl Source {
     }
 }
 
-impl Rhythm {
-    /// That of a motion times a ratio.
-    fn scaled(self, ratio: f64) -> Self {
-        match self {
-            Self::Uniform(speed) => Self::Uniform(ratio * speed),
-            Self::Periodic(period, advance) => Self::Periodic(period, ratio * advance),
-            Self::None => Self::None,
-        }
-    }
-
-    /// That of the sum of two motions.
-    fn with(self, other: Self) -> Self {
-        match (self, other) {
-            (Self::Uniform(one), Self::Uniform(other)) => Self::Uniform(one + other),
-            (Self::Uniform(speed), Self::Periodic(period, advance))
-            | (Self::Periodic(period, advance), Self::Uniform(speed)) => {
-                Self::Periodic(period, advance + speed * period)
-            }
-            (Self::Periodic(one, advance), Self::Periodic(other, gained)) => {
-                // The longer period, of which the other is a whole fraction.
-                if let Some(turns) = whole(one / other) {
-                    Self::Periodic(one, advance + turns * gained)
-                } else if let Some(turns) = whole(other / one) {
-                    Self::Periodic(other, turns * advance + gained)
-                } else {
-                    Self::None
-                }
-            }
-            _ => Self::None,
-        }
-    }
-}
-
-impl Stage {
-    /// Period of U over its argument and its advance in it; `None`: U is
-    /// straight (`Ok` holds its slope) or repeats nowhere (`Err`).
-    fn period(&self) -> Result<(f64, f64), Option<f64>> {
-        match &self.position {
-            position if straight(position).is_some() => Err(straight(position).map(|line| line.0)),
-            Position::Sine { harmonic, .. } if *harmonic == 0.0 => Err(Some(0.0)),
-            Position::Sine { harmonic, .. } => Ok((TAU / harmonic.abs(), 0.0)),
-            Position::SliderCrank(_) => Ok((TAU, 0.0)),
-            Position::Cam(_) => Ok((TAU, 0.0)),
-            Position::FourBar(linkage) => {
-                let turn = linkage.jet(TAU).value - linkage.jet(0.0).value;
-                if turn.is_finite() {
-                    Ok((TAU, TAU * (turn / TAU).round()))
-                } else {
-                    Err(None)
-                }
-            }
-            Position::SlottedLink(linkage) => match linkage.advance() {
-                Some(advance) => Ok((TAU, advance)),
-                None => Err(None),
-            },
-            Position::Plan(plan) if plan.spec().period.is_some() => {
-                let spec = plan.spec();
-                Ok((spec.period.unwrap_or(TAU), spec.advance))
-            }
-            Position::Linkage(output) => output.period().ok_or(None),
-            Position::Table(table) if table.is_periodic() => {
-                let (first, last) = table.ends();
-                Ok((last - first, 0.0))
-            }
-            _ => Err(None),
-        }
-    }
-
-    fn rhythm(&self, input: Rhythm) -> Rhythm {
-        match (self.period(), input) {
-            (_, Rhythm::None) => Rhythm::None,
-            (_, Rhythm::Uniform(0.0)) => Rhythm::Uniform(0.0),
-            (_, Rhythm::Periodic(time, 0.0)) => Rhythm::Periodic(time, 0.0),
-            (Err(Some(slope)), Rhythm::Uniform(speed)) => {
-                Rhythm::Uniform(self.lever * slope * speed)
-            }
-            (Err(Some(slope)), Rhythm::Periodic(time, advance)) => {
-                Rhythm::Periodic(time, self.lever * slope * advance)
-            }
-            (Err(None), _) => Rhythm::None,
-            (Ok((period, turn)), Rhythm::Uniform(speed)) => {
-                Rhythm::Periodic(period / speed.abs(), self.lever * turn * speed.signum())
-            }
-            (Ok((period, turn)), Rhythm::Periodic(time, advance)) => {
-                let (times, turns) = match whole(advance / period) {
-                    Some(turns) => (1.0, turns),
-                    None => match whole(period / advance) {
-                        Some(times) => (times.abs(), times.signum()),
-                        None => return Rhythm::None,
-                    },
-                };
-                Rhythm::Periodic(time * times, self.lever * turn * turns)
-            }
-        }
-    }
-}
-
 /// Rounding of two instants.
 fn near(a: f64, b: f64) -> f64 {
-    ROUNDING * a.abs().max(b.abs())
+    PLACE_ROUNDING * a.abs().max(b.abs())
 }
 
 /// Slope and value at zero of a position function that is a straight line.
@@ -481,11 +337,4 @@ pub(crate) fn within((low, high): (f64, f64)) -> f64 {
         (false, true) => high - high.abs().max(1.0),
         (false, false) => 0.0,
     }
-}
-
-/// A ratio that is a whole number of moderate size, other than zero.
-fn whole(ratio: f64) -> Option<f64> {
-    let nearest = ratio.round();
-    let near = (ratio - nearest).abs() <= 1e-12 * nearest.abs();
-    (near && nearest != 0.0 && nearest.abs() <= 64.0).then_some(nearest)
 }

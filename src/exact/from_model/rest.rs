@@ -53,13 +53,13 @@ impl Rest {
         })
     }
 
-    /// Its part of the whole system's modes.
+    /// The rest's part of the whole system's modes.
     pub(crate) fn modes(&self, whole: &Modes) -> Modes {
         let modes = self.components.iter();
         Modes(modes.map(|&component| whole.0[component]).collect())
     }
 
-    /// Its part of a state at t = 0.
+    /// The rest's part of a state at t = 0.
     pub(crate) fn initial(&self, whole: &InitialState) -> InitialState {
         let n = whole.y.len() / 2;
         let places = || self.coordinates.iter();

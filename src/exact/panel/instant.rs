@@ -72,7 +72,7 @@ impl PanelPhase {
         }
     }
 
-    /// What all lanes together amount to at most over the phase.
+    /// Bounds of all lanes together over the phase.
     #[inline(always)]
     pub(crate) fn whole<A: Arith>(&self, panel: &Panel, phase: &Phase) -> V {
         let mut sum = V::ZERO;

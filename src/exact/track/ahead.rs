@@ -10,12 +10,12 @@ use crate::exact::phase::Exponentials;
 const SHARE: f64 = 1e-9;
 
 /// A lane with less than this share of it is rounding.
-const NOTHING: f64 = 1e-15;
+const LANE_ROUNDING: f64 = 1e-15;
 
-/// What a signal does at most over some time.
+/// Bounds of a signal over some time.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Ahead {
-    /// Its greatest magnitude.
+    /// Greatest magnitude of the signal.
     pub(crate) most: f64,
     /// Greatest rate |λ| of what matters in it (rad/s).
     pub(crate) rate: f64,
@@ -36,8 +36,8 @@ impl Ahead {
 }
 
 impl Track {
-    /// What functional f of its panel does at most between two local times of the phase
-    /// that was taken up last.
+    /// Bounds of functional f of its panel between two local times of the phase that was
+    /// taken up last.
     pub(crate) fn ahead(&self, scene: Scene, f: usize, [from, to]: [f64; 2]) -> Ahead {
         let Scene { basis, panel, .. } = scene;
         let (h, slow) = (to - from, self.state.range(f, from, to));
@@ -49,12 +49,12 @@ impl Track {
         for k in 0..basis.lanes.len() {
             let (b, i) = (k / WIDTH, k % WIDTH);
             let size = panel.size(f, k) * self.state.size[b].0[i];
-            if size < NOTHING * slow {
+            if size < LANE_ROUNDING * slow {
                 continue;
             }
             let size = size * (basis.re[b].0[i] * from).exp();
             ahead.most += size;
-            if size < NOTHING * ahead.most {
+            if size < LANE_ROUNDING * ahead.most {
                 continue;
             }
             let x = basis.modulus[k] * h;

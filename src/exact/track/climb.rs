@@ -10,7 +10,7 @@ use crate::math::order::by_first;
 
 /// A summit is looked for first where the last one was, if that is so near to
 /// where it is expected, in lengths of the piece.
-const NEAR: f64 = 0.02;
+const NEAR_EXPECTED: f64 = 0.02;
 
 /// [`Track::climb`], out of line.
 pub(super) struct Climb<'a> {
@@ -117,7 +117,7 @@ impl Track {
         margin: f64,
     ) -> End {
         // Several functionals often have their summits at one instant.
-        let near = (guess - self.look.s).abs() < NEAR * piece.length()
+        let near = (guess - self.look.s).abs() < NEAR_EXPECTED * piece.length()
             && self.look.s > piece.a.s
             && self.look.s < piece.b.s;
         let mut s = if near { self.look.s } else { guess };

@@ -3,7 +3,7 @@
 use crate::exact::lanes::V;
 use crate::exact::panel::Amplitudes;
 
-/// How the lanes go on from the start of a part.
+/// Lanes from the start of a part on.
 #[derive(Clone, Copy)]
 pub(super) enum LanesAhead<'a> {
     /// All can be followed; a bound on the fourth derivatives.

@@ -53,27 +53,28 @@ impl<'a> Branch<'a> {
         Some((component, self.part.mode(mass, switch.after)))
     }
 
-    /// Its part of the state at the end of the present phase.
+    /// Puts the tree's part of the state at the end of the present phase.
     pub(super) fn end_state(&self, y: &mut [f64]) {
         let (q, v) = self.cursor.end_state();
         self.part.put_state(q, v, y);
     }
 
-    /// What the force of link 1 of its first object, which is all that it does to its
-    /// law, does at most between two instants of the present phase.
+    /// Bounds of the force of link 1 of its first object, which is all that the tree does
+    /// to its law, between two instants of the present phase.
     pub(crate) fn force_ahead(&self, span: [f64; 2]) -> Ahead {
         let span = span.map(|time| self.cursor.local(time));
         self.cursor.force_ahead(0, span)
     }
 
-    /// That force and its slope at an instant of the present phase, by local time.
+    /// Force of link 1 of its first object and its slope at an instant of the present
+    /// phase, by local time.
     pub(crate) fn force(&mut self, time: f64) -> End {
         let s = self.cursor.local(time);
         self.cursor.force(0, s)
     }
 
-    /// How fast anything that matters changes between two instants of the present
-    /// phase (rad/s).
+    /// Greatest rate of anything that matters between two instants of the present phase
+    /// (rad/s).
     pub(crate) fn rate_ahead(&self, span: [f64; 2]) -> f64 {
         let span = span.map(|time| self.cursor.local(time));
         let objects = 0..self.part.objects.len();

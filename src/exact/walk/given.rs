@@ -6,7 +6,7 @@ use crate::math::polynomial::Step;
 pub(crate) struct Given<'g> {
     /// The step, in an order of coordinates of its own.
     pub(crate) step: &'g Step<'g>,
-    /// Where each of its coordinates is in the system.
+    /// Places of its coordinates in the system.
     pub(crate) coordinates: &'g [usize],
 }
 

@@ -31,7 +31,7 @@ pub(crate) trait Listener {
     /// The start.
     fn start(&mut self, y: &[f64], modes: &Modes);
 
-    /// What was told of the phases of a tree is to be forgotten: they are told anew.
+    /// Forgets what was told of the phases of a tree: they are told anew.
     fn again(&mut self, number: usize);
 
     /// A tree, by its number, has gone through its next phase; the walk does not stand
@@ -64,7 +64,7 @@ impl Motion<'_, '_> {
     }
 }
 
-/// What may end a walk from outside, looked at from time to time.
+/// Clock: what may end a walk from outside, looked at from time to time.
 #[derive(Debug)]
 pub(crate) struct Clock<'l> {
     limits: &'l Limits<'l>,
@@ -85,7 +85,7 @@ impl<'l> Clock<'l> {
         self.stop().is_none()
     }
 
-    /// What a halt of a tree stands for.
+    /// Stop that a halt of a tree stands for.
     fn why(&self, halt: Halt) -> Stop {
         match halt {
             Halt::Switches => Stop::TooManySwitches {
@@ -99,12 +99,12 @@ impl<'l> Clock<'l> {
     }
 }
 
-/// What is walked through.
+/// Route of a walk: the system with its trees, from the start to the end.
 #[derive(Clone, Copy)]
 pub(crate) struct Way<'a> {
     pub(crate) system: &'a System,
     pub(crate) parts: &'a Parts,
-    /// One for each of the parts' trees, at its start.
+    /// Trees at their start, one for each of the parts'.
     pub(crate) trees: &'a [ExactTree],
     pub(crate) initial: &'a InitialState,
     /// End time (s).
@@ -219,7 +219,7 @@ impl<'a> Walk<'a> {
         self.check_switches();
     }
 
-    /// Where it ends within phases of trees, these are told anew up to there.
+    /// Tells the phases of trees anew that the end cuts, up to there.
     pub(crate) fn cut(&mut self, listener: &mut dyn Listener) {
         for number in 0..self.branches.len() {
             let beyond = self.branches[number].cursor.time() - self.time;
@@ -262,7 +262,7 @@ impl<'a> Walk<'a> {
         self.switches
     }
 
-    /// Where it stands (s).
+    /// Time at which it stands (s).
     pub(crate) fn time(&self) -> f64 {
         self.time
     }
@@ -396,7 +396,7 @@ impl<'a> Walk<'a> {
         }
     }
 
-    /// How it ended.
+    /// Outcome: how it ended.
     pub(crate) fn outcome(&self) -> Outcome {
         let counts = self.branches.iter().map(|branch| branch.cursor.counts());
         let (steps, evaluations) = counts.fold((0, 0), |sum, own| (sum.0 + own.0, sum.1 + own.1));

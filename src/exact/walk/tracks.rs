@@ -13,7 +13,7 @@ struct Follower<'a> {
     course: &'a PrescribedMotion,
     breaks: &'a Breaks,
     component: usize,
-    /// When it next changes, and to which segment; +∞: not before the end.
+    /// Time of the next change, and its segment; +∞: not before the end.
     next: (f64, i64),
 }
 

@@ -27,10 +27,10 @@ macro_rules! chain {
                 damping_capacity;
                 /// Damping b seen at the last mass (N·m·s/rad or N·s/m), in place of ψ.
                 damping;
-                /// How the inertia is split: `"cubes"` (a uniform lever), `"equal"`, or a
+                /// Split of the inertia: `"cubes"` (a uniform lever), `"equal"`, or a
                 /// list of shares.
                 split;
-                /// Where the inertia of each cell is put: `"ends"` (default) or `"balanced"`.
+                /// Place of the inertia of each cell: `"ends"` (default) or `"balanced"`.
                 lumping;
                 /// Number of vibration modes, in place of `masses`.
                 modes;
@@ -49,7 +49,7 @@ macro_rules! chain {
         }
 
         impl $name {
-            /// One that an object drives, or an output of one: `shaft`, `press.ram`.
+            /// An object driven by another, or by an output of one: `shaft`, `press.ram`.
             pub fn on(driver: &str) -> Self {
                 Self(super::of_kind($kind)).set("input", driver)
             }

@@ -26,9 +26,9 @@ builder! {
         damping_capacity;
         /// Damping b seen at the last mass (N·m·s/rad or N·s/m), in place of ψ.
         damping;
-        /// How the inertia is split: `"cubes"`, `"equal"`, or a list of shares.
+        /// Split of the inertia: `"cubes"`, `"equal"`, or a list of shares.
         split;
-        /// Where the inertia of each cell is put: `"ends"` (default) or `"balanced"`.
+        /// Place of the inertia of each cell: `"ends"` (default) or `"balanced"`.
         lumping;
         /// Number of vibration modes, in place of `masses`.
         modes;

@@ -112,7 +112,7 @@ impl Drive {
 pub struct Torque(Node);
 
 impl Torque {
-    /// The same at every speed (N·m).
+    /// Characteristic with the same torque (N·m) at every speed.
     pub fn constant(torque: impl Into<Node>) -> Self {
         Self(only("constant", torque))
     }
@@ -155,7 +155,7 @@ impl From<Torque> for Node {
 pub struct Force(Node);
 
 impl Force {
-    /// The same at every speed (N).
+    /// Characteristic with the same force (N) at every speed.
     pub fn constant(force: impl Into<Node>) -> Self {
         Self(only("constant", force))
     }

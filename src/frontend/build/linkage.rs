@@ -25,7 +25,7 @@ builder! {
 }
 
 impl Linkage {
-    /// One that an object drives, or an output of one.
+    /// A linkage driven by an object, or by an output of one.
     pub fn on(input: &str) -> Self {
         Self(super::of_kind("linkage")).set("input", input)
     }
@@ -132,7 +132,7 @@ impl Joint {
         Self(only("sliding", sliding))
     }
 
-    /// The same, the guide directed towards another point of its axis.
+    /// A sliding pair whose guide is directed towards another point of its axis.
     pub fn sliding_through(guide: &str, through: &str, block: &str) -> Self {
         let mut sliding = only("guide", guide);
         sliding.put("through", through);
@@ -141,7 +141,7 @@ impl Joint {
     }
 }
 
-/// How a group of links is put together.
+/// Assembly of a group of links.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Assembly(Node);
 

@@ -40,13 +40,13 @@ impl OwnObject {
         Self(only(OWN, Own::new(own)))
     }
 
-    /// What its only input hangs on.
+    /// Connects the only input.
     pub fn on(mut self, driver: &str) -> Self {
         self.0.put(INPUT, driver);
         self
     }
 
-    /// What one of several inputs hangs on.
+    /// Connects one of several inputs, by the name of its port.
     pub fn input(mut self, port: &str, driver: &str) -> Self {
         self.0.property("inputs").put(port, only("object", driver));
         self

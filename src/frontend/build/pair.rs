@@ -59,7 +59,7 @@ impl Contact {
 }
 
 impl Pair {
-    /// It holds both ways, without a gap.
+    /// A bilateral pair: it holds both ways, without a gap.
     pub fn bilateral() -> Self {
         Self(only("closure", "bilateral"))
     }
@@ -129,9 +129,9 @@ builder! {
         contact;
         /// Sense in which the cam turns: `"counterclockwise"`, `"clockwise"`.
         sense;
-        /// Which way the follower swings: `"with"` or `"against"` the cam.
+        /// Sense in which the follower swings: `"with"` or `"against"` the cam.
         swing;
-        /// Whether positive displacement leads `"outward"` or `"inward"`.
+        /// Sense of positive displacement: `"outward"` or `"inward"`.
         positive;
         /// `"disc"`, `"hollow"` or `"groove"`.
         surface;

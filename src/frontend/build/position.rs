@@ -47,9 +47,9 @@ options! {
     end_slopes;
     /// Branch of a linkage: `"+"` or `"-"`.
     branch;
-    /// What drives a slotted link: `"crank"` or `"block"`.
+    /// Driver of a slotted link: `"crank"` or `"block"`.
     driver;
-    /// What a slotted link gives: `"link"`, `"crank"` or `"block"`.
+    /// Output of a slotted link: `"link"`, `"crank"` or `"block"`.
     output;
     /// Upper dwell of a cam (rad).
     dwell;

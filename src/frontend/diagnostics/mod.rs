@@ -12,7 +12,7 @@ pub use source::{Place, Position, Source, SourceId, Sources};
 
 use std::fmt;
 
-/// How bad it is.
+/// Severity of a diagnostic.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Severity {
     /// The scene cannot be run.
@@ -24,28 +24,28 @@ pub enum Severity {
 /// A second place that a diagnostic speaks of.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Related {
-    /// Where.
+    /// Place that is pointed at.
     pub place: Place,
-    /// What is there.
+    /// Label at the place.
     pub label: String,
 }
 
-/// One thing that is wrong.
+/// A diagnostic: one thing that is wrong, with its place and hints.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Diagnostic {
-    /// How bad it is.
+    /// Severity: error or warning.
     pub severity: Severity,
     /// Short stable name: `unknown-property`.
     pub code: &'static str,
-    /// Where; `None` when it concerns no place of a text.
+    /// Place; `None` when it concerns no place of a text.
     pub place: Option<Place>,
     /// Address of the property concerned, `rocker.pair.gap`; empty: the whole.
     pub path: String,
-    /// What is wrong, in one line.
+    /// Message in one line: what is wrong.
     pub message: String,
     /// A word at the place itself.
     pub label: String,
-    /// What would be right.
+    /// Hints at what would be right.
     pub hints: Vec<String>,
     /// Other places concerned.
     pub related: Vec<Related>,

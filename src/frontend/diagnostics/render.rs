@@ -9,7 +9,7 @@ use std::ops::Range;
 const CONTEXT: usize = 400;
 
 /// Places further apart than this are shown in excerpts of their own.
-const NEAR: usize = 2000;
+const ONE_EXCERPT: usize = 2000;
 
 /// Longest stretch that is marked.
 const LONGEST_MARK: usize = 1000;
@@ -96,8 +96,8 @@ impl Excerpt<'_> {
     fn takes(&self, source: SourceId, range: &Range<usize>) -> bool {
         let own = self.range();
         self.source == source
-            && range.start + NEAR >= own.start
-            && range.end <= own.end.saturating_add(NEAR)
+            && range.start + ONE_EXCERPT >= own.start
+            && range.end <= own.end.saturating_add(ONE_EXCERPT)
     }
 }
 

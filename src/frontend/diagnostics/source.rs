@@ -16,7 +16,7 @@ pub struct Source {
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Sources(Vec<Arc<Source>>);
 
-/// Which of the sources.
+/// Number of a source among those of a document.
 pub type SourceId = usize;
 
 /// A stretch of a source, in bytes. The default is nowhere: of values made in code.

@@ -27,6 +27,26 @@ struct Written {
     geometry: Option<Elastic>,
 }
 
+impl Written {
+    /// Total inertia, as written or of the geometry.
+    fn inertia(&self) -> Option<f64> {
+        let geometry = self.geometry.map(|elastic| elastic.inertia);
+        self.inertia.or(geometry)
+    }
+
+    /// Stiffness seen at the last mass, as written or of the geometry.
+    fn stiffness(&self) -> Option<f64> {
+        let geometry = self.geometry.map(|elastic| elastic.stiffness);
+        self.stiffness.or(geometry)
+    }
+
+    /// Damping capacity, as written or of the damping: ψ = 2π·b/√(c·J); 0 of neither.
+    fn capacity(&self, inertia: f64, stiffness: f64) -> f64 {
+        let of = |damping: f64| damping * TAU / (stiffness * inertia).sqrt();
+        self.capacity.or(self.damping.map(of)).unwrap_or(0.0)
+    }
+}
+
 /// Pairs of properties that say the same thing.
 const CLASHES: &[(&str, &str)] = &[
     ("inertia", "geometry"),
@@ -221,8 +241,7 @@ fn number_of_masses(fields: &mut Fields<'_>, written: &Written) -> Option<usize>
 /// Stiffness and damping of a rigid object are left unused, so that the number
 /// of masses can be varied down to 0.
 fn rigid(fields: &mut Fields<'_>, written: &Written) -> Option<BodySpec> {
-    let geometry = written.geometry.map(|elastic| elastic.inertia);
-    match written.inertia.or(geometry) {
+    match written.inertia() {
         Some(inertia) => Some(BodySpec::Rigid { inertia }),
         None => {
             fields.lack(
@@ -281,11 +300,7 @@ fn continuum(
     written: &Written,
     default_split: InertiaSplit,
 ) -> Option<Uniform> {
-    let geometry = written.geometry;
-    let inertia = written.inertia.or(geometry.map(|elastic| elastic.inertia));
-    let stiffness = written
-        .stiffness
-        .or(geometry.map(|elastic| elastic.stiffness));
+    let (inertia, stiffness) = (written.inertia(), written.stiffness());
     check_elastic(fields, written, inertia, stiffness)?;
     let split = written.split.clone().unwrap_or(default_split);
     if matches!(split, InertiaSplit::Shares(_)) {
@@ -300,12 +315,10 @@ fn continuum(
         fields.fill_in("damping_capacity", json!(written.capacity.unwrap_or(0.0)));
     }
     let (inertia, stiffness) = (inertia?, stiffness?);
-    let from_damping = |damping: f64| damping * TAU / (stiffness * inertia).sqrt();
-    let capacity = written.capacity.or(written.damping.map(from_damping));
     Some(Uniform {
         inertia,
         stiffness,
-        damping_capacity: capacity.unwrap_or(0.0),
+        damping_capacity: written.capacity(inertia, stiffness),
         split,
     })
 }
@@ -316,11 +329,7 @@ fn elastic(
     masses: usize,
     default_split: InertiaSplit,
 ) -> Option<BodySpec> {
-    let geometry = written.geometry;
-    let inertia = written.inertia.or(geometry.map(|elastic| elastic.inertia));
-    let stiffness = written
-        .stiffness
-        .or(geometry.map(|elastic| elastic.stiffness));
+    let (inertia, stiffness) = (written.inertia(), written.stiffness());
     check_elastic(fields, &written, inertia, stiffness)?;
     let split = written.split.clone().unwrap_or(default_split);
     let lumping = match continuum_lacks(&written, Some(&split)) {
@@ -334,12 +343,10 @@ fn elastic(
         fields.fill_in("damping_capacity", json!(written.capacity.unwrap_or(0.0)));
     }
     if let (Some(inertia), Some(stiffness), None) = (inertia, stiffness, &written.dampings) {
-        let from_damping = |damping: f64| damping * TAU / (stiffness * inertia).sqrt();
-        let capacity = written.capacity.or(written.damping.map(from_damping));
         let body = BodySpec::Uniform {
             inertia,
             stiffness,
-            damping_capacity: capacity.unwrap_or(0.0),
+            damping_capacity: written.capacity(inertia, stiffness),
             masses,
             split,
             lumping,

@@ -69,16 +69,16 @@ impl Object for ChainObject {
     }
 }
 
-/// What a kind states of itself.
+/// Rules of a kind of chain: defaults, and what its text may say.
 #[derive(Clone, Debug)]
 pub struct Rules {
     /// Turning or sliding; `None`: the text says so.
     pub coordinate: Option<Coordinate>,
-    /// How inertia is split unless said otherwise.
+    /// Split of the inertia unless said otherwise.
     pub split: InertiaSplit,
     /// The pair's closure unless said otherwise.
     pub closure: Closure,
-    /// What `geometry` describes.
+    /// Shape of the body that `geometry` describes.
     pub beam: Beam,
     /// Position functions that the property `position` may have.
     pub positions: &'static [&'static str],
@@ -89,7 +89,7 @@ pub struct Rules {
 }
 
 impl Rules {
-    /// Those of an object that turns or slides: inertia split evenly over a rod, a
+    /// Rules of an object that turns or slides: inertia split evenly over a rod, a
     /// bilateral pair, any position function.
     pub const fn of(coordinate: Coordinate) -> Self {
         Self {

@@ -24,7 +24,7 @@ pub struct Connection {
     pub output: String,
 }
 
-/// What an object's reading knows of its surroundings, and what it connects to.
+/// Surroundings of an object while it is read, and what it connects to.
 #[derive(Debug)]
 pub struct Context<'a> {
     /// Whether the driver of an object with one input turns or slides; `None`: not

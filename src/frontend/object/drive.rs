@@ -161,7 +161,7 @@ fn start_name(own: Measures) -> &'static str {
     }
 }
 
-/// Where it is at t = 0, beside `speed` or `acceleration`: its property and value.
+/// Displacement at t = 0, beside `speed` or `acceleration`: its property and value.
 fn start(fields: &mut Fields<'_>, own: Measures) -> Option<(&'static str, Option<f64>)> {
     let name = start_name(own);
     if fields.describing() {

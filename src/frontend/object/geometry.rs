@@ -4,7 +4,7 @@ use crate::frontend::read::{Bounds, Fields, Slot, Wanted};
 use crate::units::quantities as q;
 use std::f64::consts::PI;
 
-/// What an elastic object is made of.
+/// Body of an elastic object, from which inertia and stiffness follow.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Beam {
     /// A uniform lever of rectangular section, turning about its end and bent

@@ -7,7 +7,7 @@ use crate::frontend::read::{Fields, Node, did_you_mean};
 /// Outputs by name, with whether they turn or slide; `None`: not known.
 pub type Outputs = Vec<(String, Option<Coordinate>)>;
 
-/// What drives the objects of a kind.
+/// Inputs that the objects of a kind have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Inputs {
     /// Nothing: motion comes from them.
@@ -25,11 +25,11 @@ pub enum Inputs {
 pub struct Kind {
     /// The value of the property `kind`.
     pub name: &'static str,
-    /// What it is, in one line.
+    /// Meaning of the kind, in one line.
     pub doc: &'static str,
-    /// What drives it.
+    /// Inputs of its objects.
     pub inputs: Inputs,
-    /// Its outputs besides its own displacement, as far as the text tells: their
+    /// Outputs besides the object's own displacement, as far as the text tells: their
     /// names, and whether they turn or slide.
     pub outputs: fn(&Node) -> Outputs,
     /// Whether it turns or slides, as far as the text tells.

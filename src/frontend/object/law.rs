@@ -197,7 +197,7 @@ impl AnyLaw {
         }
     }
 
-    /// What it is, in a few words.
+    /// The law in a few words.
     pub fn words(&self) -> String {
         match self {
             Self::Stroke(spec) => spec.words(),

@@ -11,7 +11,7 @@ use std::f64::consts::TAU;
 /// Most points of a table.
 const MOST_POINTS: usize = 100_000;
 
-/// What loads are on.
+/// Owner of loads: where they act.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum On {
     /// The masses of a chain, driven by something that turns or slides.

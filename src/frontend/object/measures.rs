@@ -110,12 +110,12 @@ fn higher_coefficient(own: Coordinate, driver: Coordinate, power: usize) -> Quan
     }
 }
 
-/// What a position function leads from and to.
+/// Quantities of the input and the output of a position function.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Ends {
-    /// What it gives.
+    /// Quantities of the output U.
     pub(super) output: Measures,
-    /// What it is given.
+    /// Quantities of the driver φ.
     pub(super) driver: Measures,
 }
 

@@ -52,10 +52,10 @@ pub use ports::{INPUT, OWN, Port, Ports};
 
 /// An object of a mechanism.
 pub trait Object: fmt::Debug + Send + Sync {
-    /// Its `kind`.
+    /// Name of its kind, the property `kind` of a scene.
     fn kind(&self) -> &'static str;
 
-    /// Its inputs and outputs; the first output is its own displacement.
+    /// Input and output ports; the first output is the object's own displacement.
     fn ports(&self) -> Ports;
 
     /// Adds what it is made of to the model: nodes, links, laws, loads. Faults are
@@ -80,7 +80,7 @@ pub trait Object: fmt::Debug + Send + Sync {
         None
     }
 
-    /// The same, where single numbers may be set in place.
+    /// The chain of [`Self::chain`], of which single numbers may be set in place.
     fn chain_mut(&mut self) -> Option<&mut ChainSpec> {
         None
     }

@@ -21,7 +21,7 @@ impl OwnObject {
         }
     }
 
-    /// How its inputs are written.
+    /// Inputs as a scene writes them.
     pub(crate) fn inputs(&self) -> Inputs {
         match self.0.ports().inputs.as_slice() {
             [] => Inputs::None,

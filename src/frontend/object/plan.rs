@@ -12,7 +12,7 @@ use crate::units::quantities as q;
 use serde_json::json;
 use std::f64::consts::TAU;
 
-/// What the quantities of a plan are measured in.
+/// Quantities of a plan's two axes.
 #[derive(Clone, Copy, Debug)]
 struct Axes {
     argument: Wanted,

@@ -7,17 +7,18 @@ use std::borrow::Cow;
 /// φ̇ go from an output to an input, and the reaction Ω goes back.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Ports {
-    /// What drives the object: none (a drive), one, or several.
+    /// Input ports: none (a drive), one, or several.
     pub inputs: Vec<Port>,
-    /// What others may hang on. The first is the object's own displacement, which is
-    /// addressed by the object's id alone; the others by `object.output`.
+    /// Output ports, on which others may hang. The first is the object's own
+    /// displacement, which is addressed by the object's id alone; the others by
+    /// `object.output`.
     pub outputs: Vec<Port>,
 }
 
 /// An input or output of an object.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Port {
-    /// Its name within the object.
+    /// Name of the port within the object.
     pub name: Cow<'static, str>,
     /// Whether it turns or slides; `None` of an input that takes either.
     pub coordinate: Option<Coordinate>,
@@ -49,7 +50,7 @@ impl Port {
 }
 
 impl Ports {
-    /// Those of an object that nothing drives.
+    /// Ports of an object that nothing drives.
     pub fn source(own: Coordinate) -> Self {
         Self {
             inputs: Vec::new(),
@@ -57,7 +58,7 @@ impl Ports {
         }
     }
 
-    /// Those of an object with one driver.
+    /// Ports of an object with one driver.
     pub fn driven(own: Coordinate) -> Self {
         Self {
             inputs: vec![Port::input(INPUT)],

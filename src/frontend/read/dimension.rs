@@ -29,7 +29,7 @@ pub(super) enum Given {
 }
 
 impl Dimensions {
-    /// What a number's text looks like besides a number with a unit.
+    /// Pattern of the texts that are taken besides a number with a unit.
     pub(super) fn pattern(&self) -> Option<&'static str> {
         self.described.then_some(REFERENCE_PATTERN)
     }

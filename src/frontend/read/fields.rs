@@ -15,7 +15,7 @@ pub struct Fields<'a> {
     pub(super) reader: &'a mut Reader,
     node: Option<&'a Node>,
     path: String,
-    /// Where to point when something is missing.
+    /// Place to point at when something is missing.
     place: Place,
     known: Vec<&'static str>,
     /// Groups of names of which one is missing.
@@ -36,7 +36,7 @@ struct Missing {
     hint: Option<String>,
 }
 
-/// What there was of a property that was asked for.
+/// Presence of a property that was asked for.
 #[derive(Clone, Copy, Debug)]
 enum Presence {
     /// The schema is being written.
@@ -91,13 +91,13 @@ impl<'a> Fields<'a> {
         self.member(name).is_some()
     }
 
-    /// Where a property's name stands; the object itself when it is absent.
+    /// Place of a property's name; of the object itself when it is absent.
     pub fn place_of(&self, name: &str) -> Place {
         self.member(name)
             .map_or_else(|| self.place.clone(), |member| member.name_place.clone())
     }
 
-    /// Where a property's value stands; the object itself when it is absent.
+    /// Place of a property's value; of the object itself when it is absent.
     pub fn value_place(&self, name: &str) -> Place {
         self.member(name)
             .map_or_else(|| self.place.clone(), |member| member.value.place.clone())

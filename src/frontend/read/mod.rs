@@ -39,7 +39,7 @@ pub use tree::{Member, Node, Value};
 /// Names that ids and loads may have, as a regular expression.
 pub const NAME_PATTERN: &str = "^[A-Za-z_][A-Za-z0-9_-]*$";
 
-/// The same in words.
+/// Rule for names, in words.
 pub const NAME_RULE: &str =
     "names are made of letters, digits, `_` and `-`, and begin with a letter or `_`";
 

@@ -10,8 +10,8 @@ use crate::units::{Measure, Mismatch, Quantity, UnitError, known_units, parse};
 use serde_json::{Map, json};
 use std::ops::RangeInclusive;
 
-/// What a number may measure: one quantity, or either of two while it is not
-/// known whether the object turns or slides.
+/// Quantities that a number may measure: one, or either of two while it is not known
+/// whether the object turns or slides.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wanted {
     /// The quantity.

@@ -15,7 +15,7 @@ pub struct OneOf<'f, 'a, T> {
 #[derive(Debug)]
 struct Group<'f, 'a> {
     fields: &'f mut Fields<'a>,
-    /// What the group says, for messages: `its law`.
+    /// Meaning of the group, for messages: `its law`.
     what: &'static str,
     names: Vec<&'static str>,
     found: Vec<&'static str>,

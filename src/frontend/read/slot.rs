@@ -74,7 +74,7 @@ pub(super) fn kept<T>(
 pub struct Slot<'a> {
     pub(super) reader: &'a mut Reader,
     pub(super) node: Option<&'a Node>,
-    /// Where the property's name stands.
+    /// Place of the property's name.
     pub(super) name_place: Option<Place>,
     pub(super) path: String,
     /// Canonical form, or schema when describing.
@@ -97,7 +97,7 @@ impl<'a> Slot<'a> {
         self.reader.definitions.get_mut(name)
     }
 
-    /// Where the property's name stands; the value itself when it has none.
+    /// Place of the property's name; of the value itself when it has none.
     pub fn name_place(&self) -> Place {
         self.name_place.clone().unwrap_or_else(|| self.place())
     }
@@ -112,7 +112,7 @@ impl<'a> Slot<'a> {
         self.node
     }
 
-    /// Where the value stands.
+    /// Place of the value.
     pub fn place(&self) -> Place {
         self.node.map(|node| node.place.clone()).unwrap_or_default()
     }

@@ -64,7 +64,7 @@ pub(super) fn check(text: &str, source: SourceId, offset: usize) -> Result<(), V
     }
 }
 
-/// Where the nesting first exceeds its bound, brackets in texts not counted.
+/// Byte at which the nesting first exceeds its bound, brackets in texts not counted.
 fn too_deep(bytes: &[u8]) -> Option<usize> {
     let (mut depth, mut in_text, mut escaped) = (0usize, false, false);
     for (at, &byte) in bytes.iter().enumerate() {

@@ -6,9 +6,9 @@ use crate::frontend::diagnostics::Place;
 /// A value with its place.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Node {
-    /// Where it stands.
+    /// Place in the text.
     pub place: Place,
-    /// What it is.
+    /// Value at the node.
     pub value: Value,
 }
 
@@ -27,23 +27,23 @@ pub enum Value {
     List(Vec<Node>),
     /// An object; names are unique.
     Object(Vec<Member>),
-    /// What no text can state, given in code.
+    /// A value that no text can state, given in code.
     Own(Own),
 }
 
 /// A property of an object.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Member {
-    /// Its name.
+    /// Name of the property.
     pub name: String,
-    /// Where the name stands.
+    /// Place of the name.
     pub name_place: Place,
-    /// Its value.
+    /// Value of the property.
     pub value: Node,
 }
 
 impl Node {
-    /// What it is, in words.
+    /// Type of the value, in words.
     pub fn type_name(&self) -> &'static str {
         match self.value {
             Value::Null => "null",
@@ -56,7 +56,7 @@ impl Node {
         }
     }
 
-    /// Its properties; none when it is no object.
+    /// Properties of an object; none of anything else.
     pub fn members(&self) -> &[Member] {
         match &self.value {
             Value::Object(members) => members,
@@ -74,7 +74,7 @@ impl Node {
         self.member(name).map(|member| &member.value)
     }
 
-    /// Its text, if it is one.
+    /// Text of a string; `None` of anything else.
     pub fn text(&self) -> Option<&str> {
         match &self.value {
             Value::Text(text) => Some(text),

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 include!(concat!(env!("OUT_DIR"), "/catalogue.rs"));
 
-/// Where `from` looks.
+/// A catalogue of object definitions, in which `from` looks.
 pub trait Catalogue {
     /// Name of the file and its text, for `rocker/steel-lever-205mm`.
     fn lookup(&self, name: &str) -> Option<(String, Cow<'_, str>)>;

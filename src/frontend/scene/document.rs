@@ -19,7 +19,7 @@ pub struct Document {
     registry: Registry,
     /// Levels of the objects that leave them open.
     levels: Levels,
-    /// Its text, where that is not what it was read from.
+    /// Text of the document, where that is not what it was read from.
     rewritten: Option<OnceLock<String>>,
 }
 
@@ -28,15 +28,15 @@ pub struct Document {
 pub struct Reading {
     /// The scene.
     pub scene: TypedScene,
-    /// What the user should know.
+    /// Warnings to the user.
     pub warnings: Diagnostics,
     /// The canonical scene: defaults filled in, SI units, names sorted.
     pub canonical: serde_json::Value,
-    /// Where each property stands.
+    /// Places of the properties in the text.
     pub places: Places,
 }
 
-/// Where each property of a scene stands.
+/// Places of a scene's properties in its text.
 #[derive(Clone, Debug)]
 pub struct Places {
     sources: Sources,
@@ -88,7 +88,7 @@ impl Document {
         self.rewritten = Some(OnceLock::new());
     }
 
-    /// The same with the kinds of objects of a registry.
+    /// The document with the kinds of objects of a registry.
     #[must_use]
     pub fn with_kinds(self, registry: Registry) -> Self {
         Self { registry, ..self }
@@ -367,8 +367,8 @@ impl Places {
         self.root
     }
 
-    /// Where the property at an address stands; the nearest part of the
-    /// address that exists.
+    /// Place of the property at an address; that of the nearest part of the address that
+    /// exists.
     pub fn locate(&self, path: &str) -> Place {
         address::locate(&self.root, path)
     }

@@ -82,7 +82,7 @@ pub(crate) const STEADY_FIGURES: &[(&str, Quantity)] = &[
     ("flywheel", q::INERTIA),
 ];
 
-/// What an expectation is about.
+/// Subject of an expectation.
 #[derive(Clone)]
 enum About {
     Figure(String, Wanted),

@@ -32,15 +32,15 @@ use std::collections::BTreeMap;
 /// A scene, read and checked.
 #[derive(Debug)]
 pub struct TypedScene {
-    /// Its name.
+    /// Name of the scene.
     pub name: String,
     /// The objects by id.
     pub objects: BTreeMap<String, SceneObject>,
-    /// How it is to be run.
+    /// Settings of its run.
     pub run: RunSpec,
-    /// What is asked of its steady motion.
+    /// Question about its steady motion, if one is asked.
     pub steady: Option<SteadySpec>,
-    /// What is expected of it.
+    /// Expectations of the run.
     pub expect: Vec<Expectation>,
     /// SHA-256 (hex) of the canonical scene: defaults filled in, SI, keys sorted.
     pub hash: String,
@@ -67,7 +67,7 @@ impl TypedScene {
 /// An object of a scene.
 #[derive(Debug)]
 pub struct SceneObject {
-    /// What its inputs hang on; empty for a drive.
+    /// Connections of the inputs; empty for a drive.
     pub connections: Vec<Connection>,
     /// The object itself.
     pub object: Box<dyn Object>,
@@ -134,7 +134,7 @@ pub struct SteadySpec {
     pub drive: Option<String>,
     /// Required mean speed (rad/s).
     pub mean_speed: Option<f64>,
-    /// What is meant by it; default: the mean over time.
+    /// Kind of mean; default: the mean over time.
     pub mean: Mean,
     /// Angle after which the machine repeats, or a part of it (rad); default: one turn.
     pub cycle: f64,
@@ -142,7 +142,7 @@ pub struct SteadySpec {
     pub balance: bool,
     /// Required coefficient of fluctuation.
     pub fluctuation: Option<f64>,
-    /// How far the mean speed may be off, relative; default 1e-12.
+    /// Tolerance of the mean speed, relative; default 1e-12.
     pub tolerance: f64,
     /// Elastic scenes: most turns after which the motion may repeat; default 1.
     pub periods: usize,
@@ -179,13 +179,13 @@ pub enum StartSpec {
 /// One entry of `expect`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Expectation {
-    /// What is expected.
+    /// Figure or end that is expected.
     pub what: Expected,
-    /// Where the figure comes from.
+    /// Source of the figure.
     pub source: Option<String>,
 }
 
-/// What is expected of a run.
+/// Expectation of a run: a figure, or the way it stops.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Expected {
     /// A figure, by its address (`rocker.delta_max`, `rocker.pair.separations`,
@@ -203,7 +203,7 @@ pub enum Expected {
     Stops {
         /// `dead_position`, …
         reason: String,
-        /// When (s).
+        /// Time (s).
         time: f64,
         /// Absolute bound (s).
         within: f64,

@@ -9,14 +9,14 @@ use crate::frontend::read::{Fields, Node, Slot, Value, is_name};
 use serde_json::{Value as Json, json};
 use std::collections::BTreeMap;
 
-/// What the rest of the scene must know of the objects, also of faulty ones.
+/// Objects of a scene, also faulty ones, as the rest of the scene must know them.
 #[derive(Debug)]
 pub(super) struct Known {
     /// The kinds that they may be of.
     pub(super) registry: Registry,
     /// By id; outputs of objects as `object.output`.
     pub(super) objects: BTreeMap<String, KnownObject>,
-    /// What editors offer for `from`, with the kind of each.
+    /// Names that editors offer for `from`, with the kind of each.
     offered: Vec<(String, String)>,
 }
 

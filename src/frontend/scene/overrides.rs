@@ -53,7 +53,7 @@ impl Override {
         self.parts.len() == 2 && last == Some(&Step::Name("from".to_owned()))
     }
 
-    /// Its value, if that is a plain number.
+    /// Value, if it is a plain number.
     pub(super) fn number(&self) -> Option<f64> {
         match self.value.value {
             Value::Number(number) => Some(number),

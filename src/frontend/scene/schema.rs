@@ -12,8 +12,8 @@ pub fn schema(registry: &Registry) -> Value {
     described(Known::new(registry).offering(None, &BuiltIn))
 }
 
-/// The same for one scene: with its own ids and outputs for `input`, and with the names
-/// of a catalogue for `from`. The scene need not be right, only JSON.
+/// Schema of one scene: with its own ids and outputs for `input`, and with the names of a
+/// catalogue for `from`. The scene need not be right, only JSON.
 pub fn schema_of(document: &Document, catalogue: &dyn Catalogue) -> Value {
     described(document.known(catalogue))
 }

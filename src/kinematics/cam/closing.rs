@@ -16,8 +16,8 @@ use crate::math::optimise::golden;
 use crate::math::roots::root;
 use serde::Serialize;
 
-/// What the contact must give at an angle of the cam, along the displacement of
-/// opening (N or N·m).
+/// Demand on the contact at an angle of the cam: the force that it must give, along the
+/// displacement of opening (N or N·m).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Demand {
     /// a: by ω².

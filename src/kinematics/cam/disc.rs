@@ -46,7 +46,7 @@ pub struct CamState {
     /// Displacement along the normal by outward displacement: cos of the
     /// pressure angle, times the arm of a turning follower (1 or m/rad).
     pub lever: f64,
-    /// Where a flat face touches, from the line or axis of the follower (m).
+    /// Place where a flat face touches, from the line or axis of the follower (m).
     pub face: f64,
     /// Centre of the roller, or point of contact of a flat face (m).
     pub point: [f64; 2],
@@ -103,8 +103,7 @@ impl DiscCam {
         Ok(cam)
     }
 
-    /// The same follower and law on another prime circle; `None` where it
-    /// cannot be assembled.
+    /// The follower and law on another prime circle; `None` where it cannot be assembled.
     pub(crate) fn with_prime_radius(&self, radius: f64) -> Option<Self> {
         let geometry = self.geometry.with_prime_radius(radius);
         Self::of(Arc::clone(&self.motion), &geometry).ok()

@@ -5,6 +5,7 @@ use super::disc::DiscCam;
 use super::motion::Piece;
 use super::search::negative;
 use super::spec::Contact;
+use crate::math::jet::JUMP_ROUNDING;
 use serde::Serialize;
 use std::f64::consts::PI;
 
@@ -15,11 +16,11 @@ pub enum Finding {
     /// The profile runs backwards: the roller (the face) cuts away what it
     /// has to roll on. At both ends the profile has a cusp.
     Undercut {
-        /// Which flank: 0, of a groove 0 the inner and 1 the outer.
+        /// Flank: 0, of a groove 0 the inner and 1 the outer.
         flank: usize,
-        /// Where it begins (rad).
+        /// Start of the interval (rad).
         from: f64,
-        /// Where it ends (rad); beyond the turn where it passes its end.
+        /// End of the interval (rad); beyond the turn where it passes its end.
         to: f64,
     },
     /// The profile crosses itself: the roller does not fit into a hollow, or
@@ -49,9 +50,6 @@ pub enum Finding {
         second: [f64; 2],
     },
 }
-
-/// Jumps below this share of a derivative's size are rounding.
-const ROUNDING: f64 = 1e-9;
 
 /// Chord tolerance of the polygon searched for crossings, of the prime circle.
 const COARSE: f64 = 1e-4;
@@ -146,9 +144,9 @@ impl DiscCam {
                 self.motion().jet(before, before.to),
                 self.motion().jet(after, after.from),
             );
-            if (right.first - left.first).abs() > ROUNDING * slope {
+            if (right.first - left.first).abs() > JUMP_ROUNDING * slope {
                 found.push(self.corner(before, after));
-            } else if (right.second - left.second).abs() > ROUNDING * bend {
+            } else if (right.second - left.second).abs() > JUMP_ROUNDING * bend {
                 let radius = |piece: &Piece, phi: f64| self.at(piece, phi).profile_radius;
                 found.push(Finding::Shock {
                     at: after.from,

@@ -25,9 +25,9 @@ const CLOSED: f64 = 1e-9;
 /// A stretch of the cam's turn on which one smooth formula holds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Piece {
-    /// Where it begins (rad).
+    /// Start of the segment (rad).
     pub from: f64,
-    /// Where it ends (rad).
+    /// End of the segment (rad).
     pub to: f64,
     /// Segment of the position function ([`crate::kinematics::breaks::Breaks`]).
     segment: i64,

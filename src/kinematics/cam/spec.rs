@@ -10,11 +10,11 @@ pub struct CamGeometry {
     /// the working profile touches (of a groove: its inner flank). There the
     /// follower is innermost.
     pub base_radius: f64,
-    /// How the follower is guided.
+    /// Guide of the follower.
     pub guide: Guide,
-    /// What of the follower touches the cam.
+    /// Contact: the part of the follower that touches the cam.
     pub contact: Contact,
-    /// Which side of the cam is touched.
+    /// Surface: the side of the cam that is touched.
     pub surface: Surface,
     /// +1: positive displacement takes the follower outwards, away from the
     /// axis; −1: inwards.
@@ -28,7 +28,7 @@ pub struct CamGeometry {
     pub range: Option<(f64, f64)>,
 }
 
-/// How a follower is guided.
+/// Guide of a follower.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Guide {
     /// Along a straight line.
@@ -51,12 +51,12 @@ pub enum Guide {
     },
 }
 
-/// What of the follower touches the cam.
+/// Contact: the part of the follower that touches the cam.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Contact {
     /// A roller, or a round face of that radius fixed to the follower.
     Roller {
-        /// Its radius, > 0.
+        /// Radius of the roller, > 0.
         radius: f64,
     },
     /// A sharp edge.
@@ -75,7 +75,7 @@ pub enum Contact {
     },
 }
 
-/// Which side of the cam is touched.
+/// Surface: the side of the cam that is touched.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Surface {
     /// The outside of a disc.
@@ -106,7 +106,7 @@ impl CamGeometry {
         }
     }
 
-    /// The same geometry with another prime circle.
+    /// The geometry with another prime circle.
     #[must_use]
     pub fn with_prime_radius(&self, radius: f64) -> Self {
         let roller = self.roller().unwrap_or(0.0);

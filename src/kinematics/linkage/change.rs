@@ -14,7 +14,7 @@ use std::sync::LazyLock;
 
 /// Nodes: even, so that none is the point itself.
 const NODES: usize = 32;
-/// Their places.
+/// Places of the nodes.
 static PLACES: LazyLock<Nodes<NODES>> = LazyLock::new(Nodes::new);
 /// Coefficients kept; fewer than nodes, which evens out rounding.
 const TERMS: usize = 20;

@@ -5,7 +5,7 @@ use super::elements::{Body, Frame};
 use super::spec::{AssemblyChoice, AssemblySpec, LinkageSpec};
 use super::state::State;
 
-/// What is wrong, and what would help.
+/// Fault: what is wrong, and what would help.
 pub(super) type Wrong = (String, String);
 
 /// The branch that was asked for, if any.

@@ -10,24 +10,24 @@ use super::state::State;
 pub(super) struct Branch {
     /// Sign of its root at the start.
     pub(super) sign: f64,
-    /// Its change points, in no order.
+    /// Change points on the course, in no order.
     pub(super) changes: Vec<Change>,
 }
 
 /// All that was found along the input.
 #[derive(Clone, Debug)]
 pub(super) struct Course {
-    /// Where the approximate positions hold.
+    /// Start of the interval where the approximate positions hold.
     pub(super) start: f64,
     /// The open interval that can be reached; infinite when it repeats.
     pub(super) ends: [f64; 2],
     /// After this much of the input everything repeats.
     pub(super) period: Option<f64>,
-    /// One for each group after the driver.
+    /// Branches, one for each group after the driver.
     pub(super) branches: Vec<Branch>,
     /// Positions from place to place.
     pub(super) table: Table,
-    /// Those below the start, away from it, until they are joined on.
+    /// Positions below the start, away from it, until they are joined on.
     pub(super) below: Table,
 }
 

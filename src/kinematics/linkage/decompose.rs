@@ -18,12 +18,12 @@ pub(super) type Edge = [Option<usize>; 2];
 /// Equations a body needs.
 const NEEDED: usize = 3;
 
-/// What the count of equations says.
+/// Result of the count of equations.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Decomposition {
     /// The groups in order of solution, each a list of bodies, ascending.
     Groups(Vec<Vec<usize>>),
-    /// It does not fit.
+    /// The numbers of equations and unknowns do not fit.
     Unfit {
         /// Bodies that are held more than once (with the pairs that hold them).
         held: Vec<Held>,

@@ -29,9 +29,9 @@ pub(super) enum Form {
 /// A dyad made ready.
 #[derive(Clone, Debug)]
 pub(super) struct Dyad {
-    /// Its form.
+    /// Form of the dyad.
     pub(super) form: Form,
-    /// Its two bodies.
+    /// Bodies of the dyad.
     pub(super) bodies: [Body; 2],
     /// The outer pairs as elements of what is already placed.
     pub(super) known: [Element; 2],
@@ -47,7 +47,7 @@ pub(super) struct Dyad {
     pub(super) sense: f64,
 }
 
-/// How far a group is from a dead position.
+/// Margin of a group: how far it is from a dead position.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Margin {
     /// Dimensionless, positive where the group can be assembled, going through
@@ -55,7 +55,7 @@ pub(super) struct Margin {
     /// of the angle between the links, for PRP and RPP the sine of that between
     /// the guides.
     pub(super) value: f64,
-    /// Its derivative by the input.
+    /// Derivative of the margin by the input.
     pub(super) slope: f64,
     /// Size of the rounding error in `value`.
     pub(super) noise: f64,
@@ -81,7 +81,7 @@ pub(super) struct Directions<const N: usize> {
     pub(super) margin: Margin,
 }
 
-/// What is known around a dyad at an input.
+/// Surroundings of a dyad at an input, as far as they are known.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Around<const N: usize> {
     /// The frames that the outer pairs are fixed to.

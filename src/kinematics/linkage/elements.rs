@@ -3,7 +3,7 @@
 use super::spec::{PairKind, PairSpec};
 use super::vector::{Local, Vector};
 
-/// What a link contributes to a pair, in its own frame.
+/// Element of a pair: what a link contributes to it, in its own frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Element {
     /// The link; `None`: the ground.
@@ -53,7 +53,7 @@ impl Body {
         self.base == link || self.driven == Some(link)
     }
 
-    /// Its links.
+    /// Links of the pair.
     pub(super) fn links(&self) -> impl Iterator<Item = usize> {
         std::iter::once(self.base).chain(self.driven)
     }
@@ -79,7 +79,7 @@ impl Part {
         }
     }
 
-    /// Its point, in the frame of the body.
+    /// Place of the element, in the frame of the body.
     #[inline(always)]
     pub(super) fn place<const N: usize>(&self, relative: &Frame<N>) -> Local<N> {
         if self.driven {

@@ -5,8 +5,8 @@ use super::spec::{ForceLaw, PointOf};
 use super::workspace::Workspace;
 use crate::math::jet::Jet;
 
-/// What one spring, damper or force contributes on the input coordinate;
-/// meanings and orders as in [`Reduced`](super::Reduced).
+/// Contribution of one spring, damper or force on the input coordinate; meanings and
+/// orders as in [`Reduced`](super::Reduced).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Part {
     /// V, V′, V″ (J).
@@ -18,8 +18,8 @@ pub struct Part {
 }
 
 impl Linkage {
-    /// What one of [`LinkageSpec::forces`](super::spec::LinkageSpec::forces)
-    /// contributes at the position solved for.
+    /// Contribution of one of [`LinkageSpec::forces`](super::spec::LinkageSpec::forces)
+    /// at the position solved for.
     pub fn force_part(&self, index: usize, workspace: &Workspace) -> Part {
         match &self.spec().forces[index].law {
             ForceLaw::Strut {

@@ -17,7 +17,7 @@ const TRIALS: usize = 200;
 /// Different assemblies that are kept.
 const MOST_FOUND: usize = 16;
 
-/// One way to put the group together.
+/// A way to put the group together.
 struct Assembly {
     unknowns: Vec<f64>,
     margin: Margin,

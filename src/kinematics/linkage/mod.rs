@@ -137,7 +137,7 @@ impl Linkage {
         &self.core.structure
     }
 
-    /// How far the input can go.
+    /// Range of the input: how far it can go.
     pub fn range(&self) -> &Range {
         &self.core.range
     }

@@ -18,7 +18,7 @@ use crate::math::series::Series;
 /// Most iterations from a guess of the table; two or three are usual.
 const MOST_ITERATIONS: usize = 40;
 
-/// One side of a pair of the group.
+/// Side of a pair of the group.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Side {
     /// On something already placed.
@@ -32,7 +32,7 @@ pub(super) enum Side {
     },
 }
 
-/// One pair of the group.
+/// Pair of the group.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Joint {
     /// Links i and j.
@@ -44,9 +44,9 @@ pub(super) struct Joint {
 /// A group that no closed form is kept for.
 #[derive(Clone, Debug)]
 pub(super) struct NewtonGroup {
-    /// Its bodies.
+    /// Bodies of the group.
     pub(super) bodies: Vec<Body>,
-    /// Its pairs, as many as 3/2 of its bodies.
+    /// Pairs of the group, as many as 3/2 of its bodies.
     pub(super) joints: Vec<Joint>,
 }
 

@@ -62,7 +62,7 @@ impl Driver {
     }
 }
 
-/// One group made ready.
+/// Step of the plan: a group made ready.
 #[derive(Clone, Debug)]
 pub(super) enum Step {
     /// A dyad.

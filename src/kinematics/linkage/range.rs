@@ -4,7 +4,7 @@ use super::structure::Structure;
 use std::f64::consts::TAU;
 use std::fmt;
 
-/// How far the input can go from the start, without taking the linkage apart.
+/// Range of the input from the start, without taking the linkage apart.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Range {
     /// The input at which the approximate positions hold (rad or m).
@@ -24,8 +24,8 @@ pub struct Range {
 pub enum Reach {
     /// All.
     Everywhere,
-    /// Those between two ends; dead positions are left out, the ends of the
-    /// travel belong to it.
+    /// Coordinates between two ends; dead positions are left out, the ends of the travel
+    /// belong to it.
     Interval {
         /// The lower end.
         lower: End,
@@ -34,7 +34,7 @@ pub enum Reach {
     },
 }
 
-/// One end of the reach.
+/// End of the reach.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct End {
     /// The input there (rad or m).
@@ -54,7 +54,7 @@ pub enum Cause {
     },
     /// The travel given for the driver ends.
     Travel,
-    /// It was not looked further: 64 turns, or 100 times the size of the linkage.
+    /// Not looked further: 64 turns, or 100 times the size of the linkage.
     Unexplored,
 }
 
@@ -63,8 +63,8 @@ pub enum Cause {
 pub struct Period {
     /// The displacement (rad).
     pub length: f64,
-    /// The same in turns of the driver: 1, or more where the configuration
-    /// repeats only then.
+    /// Period in turns of the driver: 1, or more where the configuration repeats only
+    /// then.
     pub turns: usize,
 }
 

@@ -15,7 +15,7 @@ const POSITIONS: usize = 100;
 /// An approximate position this far from the assembly, in sizes, is worth a word.
 const OFF: f64 = 0.1;
 /// Points nearer than this, in sizes, lie in the same place.
-const SAME: f64 = 1e-9;
+const SAME_PLACE: f64 = 1e-9;
 
 impl Linkage {
     /// Sentences about what is allowed and hardly meant.
@@ -67,7 +67,7 @@ impl Linkage {
                 let own: Vec<_> = own.filter(|(_, side)| side.link == Some(link)).collect();
                 let (first, rest) = own.split_first()?;
                 let same = |at: [f64; 2]| {
-                    (at[0] - first.1.at[0]).hypot(at[1] - first.1.at[1]) <= SAME * size
+                    (at[0] - first.1.at[0]).hypot(at[1] - first.1.at[1]) <= SAME_PLACE * size
                 };
                 let pins = own
                     .iter()

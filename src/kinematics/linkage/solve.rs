@@ -19,7 +19,7 @@ pub(super) enum Guess<'a> {
 /// A position as power series.
 #[derive(Clone, Debug)]
 pub(super) struct Anchor {
-    /// Its input.
+    /// Input coordinate.
     pub(super) at: f64,
     /// x, y, θ of every link.
     pub(super) series: Vec<[[f64; 4]; 3]>,
@@ -83,7 +83,7 @@ pub(super) fn drive<const N: usize>(plan: &Plan, state: &mut State, input: f64) 
     }
 }
 
-/// What is known around a dyad.
+/// Surroundings of a dyad, as far as they are known.
 #[inline(always)]
 pub(super) fn around<const N: usize>(dyad: &Dyad, state: &State) -> Around<N> {
     Around {

@@ -15,7 +15,7 @@ pub struct LinkageSpec {
     /// The pair whose relative motion is the input coordinate, index into
     /// [`Self::pairs`].
     pub driver: usize,
-    /// How each group is assembled, where it is not left to the default.
+    /// Assemblies of the groups that are not left to the default.
     pub assembly: Vec<AssemblySpec>,
     /// Input coordinate at which the approximate positions of
     /// [`Self::assembly`] hold (rad or m).
@@ -27,25 +27,25 @@ pub struct LinkageSpec {
     pub gravity: [f64; 2],
     /// Springs, dampers and forces.
     pub forces: Vec<ForceSpec>,
-    /// What other objects or the user may look at.
+    /// Outputs, which other objects or the user may look at.
     pub outputs: Vec<OutputSpec>,
 }
 
 /// A point with a name, in the frame of its link or of the ground.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NamedPoint {
-    /// Its name.
+    /// Name of the point.
     pub name: String,
-    /// Its coordinates (m).
+    /// Coordinates (m).
     pub at: [f64; 2],
 }
 
 /// A rigid link. Its frame is its own; its named points say where things are.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct LinkSpec {
-    /// Its name.
+    /// Name of the link.
     pub name: String,
-    /// Its points in its frame (m).
+    /// Points in its frame (m).
     pub points: Vec<NamedPoint>,
     /// Mass m ≥ 0 (kg).
     pub mass: f64,
@@ -67,11 +67,11 @@ pub struct PointOf {
 /// A kinematic pair that joins link i (`on`) to link j (`link`).
 #[derive(Clone, Debug, PartialEq)]
 pub struct PairSpec {
-    /// Its name.
+    /// Name of the pair.
     pub name: String,
-    /// Its point on link i: the pin, or a point of the guide's axis.
+    /// Point on link i: the pin, or a point of the guide's axis.
     pub on: PointOf,
-    /// Its point on link j: the pin, or the block's reference point on the axis.
+    /// Point on link j: the pin, or the block's reference point on the axis.
     pub link: PointOf,
     /// Turning or sliding.
     pub kind: PairKind,
@@ -109,7 +109,7 @@ pub enum PairKind {
     },
 }
 
-/// How one Assur group is put together: the group that contains `link`.
+/// Assembly of one Assur group: the group that contains `link`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AssemblySpec {
     /// Index into [`LinkageSpec::links`].
@@ -137,9 +137,9 @@ pub enum AssemblyChoice {
 /// A spring, damper or force.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ForceSpec {
-    /// Its name.
+    /// Name of the force.
     pub name: String,
-    /// Its law.
+    /// Law of the force.
     pub law: ForceLaw,
 }
 
@@ -166,7 +166,7 @@ pub enum ForceLaw {
     },
     /// A constant force on a point.
     Force {
-        /// Where it acts.
+        /// Point that it acts on.
         point: PointOf,
         /// The force (N).
         force: [f64; 2],
@@ -205,9 +205,9 @@ pub enum ForceLaw {
     /// A force on a point along a direction, a function of the input
     /// coordinate: linear between the points, constant outside or periodic.
     Table {
-        /// Where it acts.
+        /// Point that it acts on.
         point: PointOf,
-        /// Its direction in the frame of the ground (rad).
+        /// Direction in the frame of the ground (rad).
         direction: f64,
         /// (input coordinate, force in N), ascending.
         points: Vec<(f64, f64)>,
@@ -219,13 +219,13 @@ pub enum ForceLaw {
 /// An output: its displacement is a position function of the input coordinate.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OutputSpec {
-    /// Its name.
+    /// Name of the output.
     pub name: String,
-    /// What it is.
+    /// Quantity that it is.
     pub kind: OutputKind,
 }
 
-/// What an output is.
+/// Quantity that an output is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum OutputKind {
     /// The angle of a link's frame, continuous over the turns (rad).

@@ -53,14 +53,14 @@ impl Motion {
     }
 }
 
-/// Where everything is at one input.
+/// Positions of everything at one input.
 #[derive(Clone, Debug)]
 pub(super) struct State {
     /// The links.
     pub(super) links: Vec<Motion>,
     /// The driven link in the frame of the other link of the driver.
     pub(super) relative: Motion,
-    /// How far each group is from a dead position.
+    /// Margins of the groups: how far each is from a dead position.
     pub(super) margins: Vec<Margin>,
     /// For the groups solved by iteration.
     pub(super) scratch: Scratch,

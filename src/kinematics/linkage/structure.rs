@@ -56,24 +56,24 @@ impl fmt::Display for GroupKind {
 /// The other dyads have one assembly only.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Group {
-    /// Its kind.
+    /// Kind of the group.
     pub kind: GroupKind,
     /// Its links, indices into [`LinkageSpec::links`]. Two links that the driver
     /// moves against each other stand in the driver's group and, as one body,
     /// in the group that places them.
     pub links: Vec<usize>,
-    /// Its pairs, indices into [`LinkageSpec::pairs`].
+    /// Pairs of the group, indices into [`LinkageSpec::pairs`].
     pub pairs: Vec<usize>,
     /// +1 or −1 at the start, for dyads with two assemblies.
     pub branch: Option<f64>,
 }
 
-/// What a linkage consists of.
+/// Structure of a linkage: its degree of freedom and its groups.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Structure {
     /// Degrees of freedom: 1.
     pub mobility: i64,
-    /// How they are counted, in words.
+    /// Count of the degrees of freedom, in words.
     pub explanation: String,
     /// The groups in the order of solution, the driver first.
     pub groups: Vec<Group>,

@@ -125,7 +125,7 @@ impl<const N: usize> Vector<N> {
         Self::new(self.x, -self.y)
     }
 
-    /// Its direction, in (−π, π] as a value.
+    /// Direction of the vector, in (−π, π] as a value.
     #[inline(always)]
     pub(crate) fn angle(self) -> Series<N> {
         Series::atan2(self.y, self.x)
@@ -167,7 +167,7 @@ impl<const N: usize> Neg for Vector<N> {
 pub(crate) struct Arm {
     at: [f64; 2],
     length: f64,
-    /// Its inverse as a complex number.
+    /// Inverse of the vector as a complex number.
     inverse: [f64; 2],
 }
 
@@ -212,7 +212,7 @@ impl<const N: usize> Local<N> {
         }
     }
 
-    /// Its length.
+    /// Length of the vector.
     #[inline(always)]
     pub(crate) fn length(self) -> Series<N> {
         match self {
@@ -257,7 +257,7 @@ impl<const N: usize> Local<N> {
         }
     }
 
-    /// Its component across the unit vector `along` of the same frame, to the left.
+    /// Component across the unit vector `along` of the same frame, to the left.
     #[inline(always)]
     pub(crate) fn across(self, along: Self) -> Series<N> {
         match (self, along) {

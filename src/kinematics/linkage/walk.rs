@@ -31,18 +31,18 @@ const MOST_TRIALS: usize = 1000;
 /// An end is reached when this is left, of a radian or of the size.
 pub(super) const LEFT: f64 = 1e-9;
 
-/// What a way came to.
+/// End of a way along the input.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Way {
     /// After so many turns everything repeats.
     Repeats(usize),
     /// Nothing limits it and nothing repeats.
     Everywhere,
-    /// It ends; groups are counted after the driver.
+    /// The way ends; groups are counted after the driver.
     Ends(f64, Cause),
 }
 
-/// What to do about a step.
+/// Order about a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Verdict {
     Accept,

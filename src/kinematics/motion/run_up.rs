@@ -9,7 +9,7 @@ use crate::math::jet::Jet;
 #[derive(Clone, Debug)]
 pub struct LawRunUp {
     law: Law,
-    /// What the law was made from.
+    /// Numbers that the law was made from.
     pub spec: RunLawSpec,
     /// Final speed (rad/s).
     pub speed: f64,

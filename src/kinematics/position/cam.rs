@@ -19,7 +19,7 @@ pub struct Cam {
     /// The laws of rise and return.
     laws: [Law; 2],
     breaks: Breaks,
-    /// One for each break point: what holds after it.
+    /// Pieces, one for each break point: what holds after it.
     pieces: Vec<Piece>,
 }
 
@@ -38,7 +38,7 @@ enum Piece {
 }
 
 /// Angles below this are nothing (rad): 360 deg given in parts must add up.
-const NOTHING: f64 = 1e-9;
+const NO_ANGLE: f64 = 1e-9;
 
 impl Cam {
     /// A cam as described.
@@ -64,14 +64,14 @@ impl Cam {
         let back = law("cam.law.return", &spec.return_law);
         faults.check()?;
         for (path, angle) in [("cam.rise", spec.rise), ("cam.return", spec.return_angle)] {
-            if angle < NOTHING {
+            if angle < NO_ANGLE {
                 let message = format!("{angle} rad is too short for a motion");
                 faults.add(path, message, "give an angle of some degrees");
             }
         }
         faults.check()?;
         let total = spec.rise + spec.dwell + spec.return_angle;
-        if total > TAU + NOTHING {
+        if total > TAU + NO_ANGLE {
             let message = format!(
                 "rise, dwell and return make {:.6} deg, more than a turn",
                 total.to_degrees()
@@ -103,11 +103,11 @@ impl Cam {
         let fall = top + self.spec.dwell;
         let end = (fall + self.spec.return_angle).min(start + TAU);
         self.add_law(0, start, top);
-        if self.spec.dwell > NOTHING {
+        if self.spec.dwell > NO_ANGLE {
             self.add(top, Piece::Dwell(self.spec.lift));
         }
         self.add_law(1, fall, end);
-        if start + TAU - end > NOTHING {
+        if start + TAU - end > NO_ANGLE {
             self.add(end, Piece::Dwell(0.0));
         }
     }
@@ -170,12 +170,12 @@ impl Cam {
         }
     }
 
-    /// Where the formula changes.
+    /// Breaks: where the formula changes.
     pub fn breaks(&self) -> &Breaks {
         &self.breaks
     }
 
-    /// What it was made from.
+    /// Numbers that it was made from.
     pub fn spec(&self) -> &CamSpec {
         &self.spec
     }

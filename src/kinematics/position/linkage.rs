@@ -31,7 +31,7 @@ impl LinkageOutput {
         &self.linkage
     }
 
-    /// Its name.
+    /// Name of the output.
     pub fn name(&self) -> &str {
         &self.linkage.spec().outputs[self.output].name
     }
@@ -72,7 +72,7 @@ impl LinkageOutput {
     }
 }
 
-/// What is not there.
+/// Jet of an output that is not there.
 const NOWHERE: Jet = Jet {
     value: f64::NAN,
     first: f64::NAN,

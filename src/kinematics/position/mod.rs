@@ -43,7 +43,7 @@ pub trait PositionFunction: fmt::Debug + Send + Sync {
     /// (see [`Breaks`]), which may be asked a little beyond the segment's edges.
     fn jet(&self, segment: i64, phi: f64) -> Jet;
 
-    /// Where the formula changes.
+    /// Breaks: where the formula changes.
     fn breaks(&self) -> Breaks {
         Breaks::NONE
     }
@@ -213,7 +213,7 @@ impl Position {
         }
     }
 
-    /// Where the formula changes.
+    /// Breaks: where the formula changes.
     pub fn breaks(&self) -> Breaks {
         match self {
             Self::Table(table) => table.breaks(),
@@ -224,7 +224,8 @@ impl Position {
         }
     }
 
-    /// Where any derivative jumps: [`Self::breaks`], and the points of a table.
+    /// Joints: where any derivative jumps, that is [`Self::breaks`] and the points of a
+    /// table.
     pub fn joints(&self) -> Breaks {
         let Self::Table(table) = self else {
             return self.breaks();

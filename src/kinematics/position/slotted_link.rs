@@ -83,13 +83,13 @@ impl SlottedLink {
         })
     }
 
-    /// Its numbers.
+    /// Numbers that it was made from.
     pub fn spec(&self) -> &SlottedLinkSpec {
         &self.spec
     }
 
-    /// What U gains in a turn of the crank; `None` where the crank does not
-    /// drive or cannot turn fully.
+    /// Gain of U in a turn of the crank; `None` where the crank does not drive or cannot
+    /// turn fully.
     pub fn advance(&self) -> Option<f64> {
         let free = self.spec.driver == SlottedDriver::Crank && self.arcs.half_widths[0].is_none();
         let turns = self.spec.output == SlottedOutput::Link && self.spec.frame < self.spec.crank;

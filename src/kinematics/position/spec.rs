@@ -108,9 +108,9 @@ pub struct SlottedLinkSpec {
     pub crank: f64,
     /// Distance D of the fixed pivots (m); may be 0 when the crank drives.
     pub frame: f64,
-    /// What is driven: the input φ is its coordinate, less the phase.
+    /// Driver: the member whose coordinate, less the phase, is φ.
     pub driver: SlottedDriver,
-    /// What U is.
+    /// Output: the coordinate that U is.
     pub output: SlottedOutput,
     /// When the block drives, +1 or −1: the crank turns counterclockwise or
     /// clockwise as the block moves away from the pivot of the slotted link.

@@ -3,7 +3,7 @@
 
 use crate::math::number::Number;
 
-/// What the pivots of a factorisation tell.
+/// Pivots of a factorisation: what they tell of its matrix.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Pivots {
     /// The determinant, 0 where the matrix is singular or not finite.

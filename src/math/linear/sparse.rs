@@ -25,14 +25,14 @@ pub(crate) struct SparseLu<E> {
     starts: Vec<usize>,
     /// Columns by place, ascending in each row.
     columns: Vec<usize>,
-    /// Where each row's diagonal is.
+    /// Place of each row's diagonal entry.
     diagonal: Vec<usize>,
     /// Factors: L without its unit diagonal, then U with the reciprocals of its
     /// diagonal.
     values: Vec<E>,
     /// For every entry of the matrix, row by row of its pattern: its index in `values`.
     targets: Vec<usize>,
-    /// One row or one right-hand side, by place.
+    /// Working memory of one row or one right-hand side, by place.
     row: Vec<E>,
 }
 

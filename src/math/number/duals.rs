@@ -14,7 +14,8 @@ pub struct Duals<const K: usize> {
 }
 
 impl<const K: usize> Duals<K> {
-    /// The same with each derivative, `k` of K, replaced by a function of it.
+    /// A number with this value and each derivative, `k` of K, replaced by a function of
+    /// it.
     #[inline(always)]
     fn with(value: f64, derivative: impl Fn(usize) -> f64) -> Self {
         let mut derivatives = [0.0; K];

@@ -14,7 +14,7 @@ const A_TURN: usize = 8;
 const STEPS: u32 = 60;
 
 /// Differences that count as rounding when two extremes are compared.
-const SAME: f64 = 1e-13;
+const SAME_EXTREME: f64 = 1e-13;
 
 /// The greatest value of a function given by pieces (number, from, to), and
 /// the first place where it is reached; one-sided values at the ends of pieces
@@ -80,7 +80,7 @@ fn turns(samples: &[f64]) -> usize {
     let (mut last, mut count) = (0.0, 0);
     for pair in samples.windows(2) {
         let change = pair[1] - pair[0];
-        if change.abs() > SAME * size {
+        if change.abs() > SAME_EXTREME * size {
             count += usize::from(change * last < 0.0);
             last = change;
         }
@@ -91,7 +91,7 @@ fn turns(samples: &[f64]) -> usize {
 impl Peak {
     /// Takes the greater one; of equal ones the first stays.
     fn raise(&mut self, other: Self) {
-        let floor = SAME * self.value.abs().max(SAME);
+        let floor = SAME_EXTREME * self.value.abs().max(SAME_EXTREME);
         if !self.value.is_finite() || other.value > self.value + floor {
             *self = other;
         }

@@ -26,7 +26,7 @@ pub fn first_both_positive(first: &[f64], second: &[f64]) -> Option<f64> {
     search(&pair, degree, 0.0, 1.0, DEEPEST)
 }
 
-/// The same for one polynomial.
+/// Least positive root of one polynomial.
 pub fn first_positive(coefficients: &[f64]) -> Option<f64> {
     first_both_positive(coefficients, coefficients)
 }

@@ -20,7 +20,7 @@ pub(crate) struct Area {
 const MOST_INTERVALS: u32 = 4000;
 
 /// Differences of the two rules that are rounding, relative.
-const ROUNDING: f64 = 20.0 * f64::EPSILON;
+const RULES_AGREE: f64 = 20.0 * f64::EPSILON;
 
 /// ∫ of `f` over [from, to] with an error below `tolerance`, as far as
 /// rounding allows.
@@ -68,7 +68,7 @@ fn rule(f: &impl Fn(f64) -> f64, a: f64, b: f64) -> Area {
     let weight = |i: usize| FIFTEEN[if i < 8 { i } else { 14 - i }].kronrod;
     let spread: f64 = (0..15).map(|i| weight(i) * (values[i] - mean).abs()).sum();
     let difference = (kronrod - gauss).abs();
-    let error = if difference <= ROUNDING * kronrod.abs() {
+    let error = if difference <= RULES_AGREE * kronrod.abs() {
         // No more digits are to be had.
         0.0
     } else if spread > 0.0 {

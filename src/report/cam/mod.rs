@@ -27,7 +27,7 @@ use crate::kinematics::cam::{DiscCam, Polygon};
 pub struct NamedCurve {
     /// `profile`, `inner_flank`, `outer_flank`, `pitch`, `cutter`, …
     pub name: String,
-    /// Its corners (m).
+    /// Corners of the curve (m).
     pub polygon: Polygon,
 }
 

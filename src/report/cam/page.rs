@@ -27,11 +27,11 @@ pub struct CamReport<'a> {
     pub id: &'a str,
     /// The cam.
     pub cam: &'a DiscCam,
-    /// What was found.
+    /// Figures that were found.
     pub figures: &'a CamFigures,
     /// The contact, if there is one to be known.
     pub force: Option<&'a CamForce<'a>>,
-    /// Its curves.
+    /// Curves of the profile.
     pub curves: &'a [NamedCurve],
     /// Chord tolerance of the curves (m).
     pub tolerance: f64,

@@ -155,16 +155,16 @@ pub(in crate::report) fn bodies(
     [cam_body, follower_body]
 }
 
-/// What moves a follower on a picture.
+/// Motion of a follower on a picture.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::report) struct Follower {
     /// The coordinate.
     pub(in crate::report) column: usize,
     /// Outward displacement by unit of the coordinate.
     pub(in crate::report) factor: f64,
-    /// What is to be taken away from it, so that it is 0 where the follower is innermost.
+    /// Offset of the coordinate, so that it is 0 where the follower is innermost.
     pub(in crate::report) base: f64,
-    /// Which displacement is shown.
+    /// Displacement that is shown.
     pub(in crate::report) shown: Shown,
 }
 

@@ -5,7 +5,7 @@ use crate::kinematics::cam::Finding;
 use crate::report::quantity::with_unit;
 use crate::studies::cam::CamFigures;
 
-/// What a designer must know, the grave ones (`true`) first.
+/// Remarks that a designer must know, the grave ones (`true`) first.
 pub(super) fn remarks(found: &CamFigures) -> Vec<(bool, String)> {
     let mut list: Vec<(bool, String)> = found.findings.iter().map(remark).collect();
     if let Some(excess) = found.excess {

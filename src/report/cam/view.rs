@@ -31,7 +31,7 @@ impl View {
     }
 }
 
-/// What moves with the follower, where it is innermost, in the machine's frame.
+/// Parts that move with the follower, where it is innermost, in the machine's frame.
 pub(super) struct Parts {
     /// Centre of the roller, edge, or the face's foot on the follower's line.
     pub(super) tip: [f64; 2],
@@ -43,7 +43,7 @@ pub(super) struct Parts {
     pub(super) outward: [f64; 2],
 }
 
-/// How cam and follower move on the picture.
+/// Motion of cam and follower on the picture.
 pub(super) struct Mover {
     /// Pixels by metre of outward displacement (translating), else zero.
     pub(super) shift: [f64; 2],

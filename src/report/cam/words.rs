@@ -15,7 +15,7 @@ pub(super) fn length(value: f64) -> String {
     with_unit(value, "m", DIGITS)
 }
 
-/// What is rounding of zero reads as zero.
+/// A value whose rounding of zero reads as zero.
 pub(super) fn clean(value: f64) -> f64 {
     if value.abs() < 1e-12 { 0.0 } else { value }
 }

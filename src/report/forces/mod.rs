@@ -20,15 +20,15 @@ use crate::studies::forces::{Extreme, ForceStudy, MasslessComparison, Zone};
 /// Everything that is told of a study.
 #[derive(Clone, Copy, Debug)]
 pub struct ForcesReport<'a> {
-    /// What was found.
+    /// Study that is reported.
     pub study: &'a ForceStudy,
-    /// What the user should know besides the figures.
+    /// Warnings beside the figures.
     pub warnings: &'a [String],
     /// The comparison of the massless with the full model, where it was asked for.
     pub massless: Option<&'a MasslessComparison>,
     /// The linkage's id.
     pub object: &'a str,
-    /// How the input moves, in words.
+    /// Motion of the input, in words.
     pub motion: &'a str,
     /// Name of the scene.
     pub name: &'a str,

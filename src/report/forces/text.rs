@@ -17,9 +17,9 @@ pub fn text(report: &ForcesReport<'_>) -> String {
     let study = report.study;
     let _ = writeln!(
         out,
-        "\nchecks: power balance to {:.1e}, influence coefficients to {:.1e}",
-        study.worst_balance(),
-        study.worst_influence()
+        "\nchecks: power balance to {}, influence coefficients to {}",
+        significant(study.worst_balance(), 2),
+        significant(study.worst_influence(), 2)
     );
     out
 }

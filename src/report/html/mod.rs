@@ -28,7 +28,7 @@ pub struct RunReport<'a> {
     pub record: &'a Record,
     /// The object graph.
     pub diagram: &'a Diagram,
-    /// What is drawn moving; `None`: nothing is.
+    /// Machine that is drawn moving; `None`: nothing is.
     pub machine: Option<Machine<'a>>,
     /// What the figures are worth, where that was judged.
     pub certificate: Option<&'a Certificate>,

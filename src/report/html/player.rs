@@ -10,7 +10,7 @@ pub(in crate::report) struct Player {
     /// Identifier of the figure within its page.
     #[serde(skip)]
     pub(in crate::report) id: String,
-    /// What leads from one row to the next; `None`: the time of the page's plots,
+    /// Axis that leads from one row to the next; `None`: the time of the page's plots,
     /// whose cursors then go with it.
     pub(in crate::report) axis: Option<RowAxis>,
     /// How long the whole axis is played at normal speed (s).
@@ -36,14 +36,14 @@ pub(in crate::report) struct Player {
     pub(in crate::report) names: Vec<String>,
 }
 
-/// What leads from one row to the next.
+/// Axis of a player: a quantity that leads from one row to the next.
 #[derive(Clone, Debug, Default, Serialize)]
 pub(in crate::report) struct RowAxis {
-    /// Its name: `crank angle`.
+    /// Name: `crank angle`.
     pub(in crate::report) name: String,
     /// The unit in which it is shown.
     pub(in crate::report) unit: String,
-    /// Its value in every row.
+    /// Values, one a row.
     pub(in crate::report) values: Vec<Option<f64>>,
     /// The time of every row (s).
     pub(in crate::report) times: Vec<Option<f64>>,
@@ -59,17 +59,17 @@ pub(in crate::report) enum Coordinates {
     Plotted {
         /// The displacement.
         values: usize,
-        /// Its deviation from the law; `None`: none.
+        /// Index of the deviation from the law; `None`: none.
         deviation: Option<usize>,
     },
     /// Numbers of its own.
     Own {
-        /// One a row.
+        /// Displacements, one a row.
         own: Vec<f64>,
     },
 }
 
-/// Which displacement a part shows.
+/// Displacement that a part shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub(in crate::report) enum Shown {
@@ -77,11 +77,11 @@ pub(in crate::report) enum Shown {
     True,
     /// The one of the law, without deviation.
     Law,
-    /// That of the law and the magnified deviation.
+    /// Displacement of the law and the magnified deviation.
     Magnified,
 }
 
-/// Where a part is; all in pixels, y downwards, angles counterclockwise.
+/// Motion of a part on the picture; all in pixels, y downwards, angles counterclockwise.
 #[derive(Clone, Debug, Serialize)]
 #[serde(tag = "kind", rename_all = "snake_case")]
 pub(in crate::report) enum Body {
@@ -94,13 +94,13 @@ pub(in crate::report) enum Body {
     Over {
         /// The coordinate.
         column: usize,
-        /// Its value at the first place.
+        /// Value at the first place.
         from: f64,
-        /// Its value at the last.
+        /// Value at the last place.
         to: f64,
         /// True when everything repeats from there on.
         repeats: bool,
-        /// Which displacement is shown.
+        /// Displacement that is shown.
         shown: Shown,
         /// x, y, cosine and sine of every place, one after the other.
         table: Vec<Option<f64>>,
@@ -109,24 +109,24 @@ pub(in crate::report) enum Body {
     Turn {
         /// The coordinate (rad).
         column: usize,
-        /// Where it turns.
+        /// Centre of the turning.
         at: [f64; 2],
         /// Counterclockwise angle by radian.
         sense: f64,
         /// Angle at zero (rad).
         offset: f64,
-        /// Which displacement is shown.
+        /// Displacement that is shown.
         shown: Shown,
     },
     /// Pushed from a place by the coordinate.
     Slide {
         /// The coordinate.
         column: usize,
-        /// Its place at zero.
+        /// Place at zero.
         at: [f64; 2],
         /// Pixels by unit of the coordinate.
         by: [f64; 2],
-        /// Which displacement is shown.
+        /// Displacement that is shown.
         shown: Shown,
     },
 }
@@ -134,9 +134,9 @@ pub(in crate::report) enum Body {
 /// Arrows of one kind.
 #[derive(Clone, Debug, Serialize)]
 pub(in crate::report) struct Arrows {
-    /// What they show.
+    /// Name of the arrows' quantity.
     pub(in crate::report) name: String,
-    /// The same with the scale.
+    /// Caption: the name with the scale.
     pub(in crate::report) caption: String,
     /// True when they are shown from the beginning.
     pub(in crate::report) shown: bool,
@@ -147,11 +147,11 @@ pub(in crate::report) struct Arrows {
 /// A number shown beside the picture.
 #[derive(Clone, Debug, Serialize)]
 pub(in crate::report) struct Reading {
-    /// What it is.
+    /// Name of the reading.
     pub(in crate::report) name: String,
-    /// Its unit.
+    /// Unit of the reading.
     pub(in crate::report) unit: String,
-    /// One value a row; none where it is not finite.
+    /// Values, one a row; none where one is not finite.
     pub(in crate::report) values: Vec<Option<f64>>,
 }
 

@@ -5,12 +5,12 @@ use crate::dynamics::record::{Column, Quantity, Record};
 use crate::report::plot::{Band, Plot, Plots, Series};
 use crate::report::quantity::escape;
 
-/// One run's samples under a label.
+/// Samples of a run under a label.
 #[derive(Clone, Debug)]
 pub struct RunSeries<'a> {
-    /// What tells the run from the others: `masses = 2`.
+    /// Label that tells the run from the others: `masses = 2`.
     pub label: String,
-    /// Its samples.
+    /// Samples of the run.
     pub record: &'a Record,
 }
 
@@ -77,13 +77,13 @@ fn columns<'a>(
     runs.iter().enumerate().filter_map(of).collect()
 }
 
-/// When the pair of an object is open.
+/// Times between which the pair of an object is open (s).
 fn open(record: &Record, object: &str) -> Vec<[f64; 2]> {
     let own = record.separations.iter().filter(|one| one.object == object);
     own.map(|interval| [interval.from, interval.to]).collect()
 }
 
-/// What the player needs of an object: its displacement and its deviation from the law.
+/// Tables of an object for the player: its displacement and its deviation from the law.
 pub(in crate::report) fn followed(
     plots: &mut Plots,
     record: &Record,

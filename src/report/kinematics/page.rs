@@ -12,7 +12,7 @@ use std::fmt::Write as _;
 /// Everything that goes into the page.
 #[derive(Clone, Copy, Debug)]
 pub struct KinematicsReport<'a> {
-    /// What was found.
+    /// Study that is reported.
     pub found: &'a Kinematics,
     /// Name of the scene.
     pub name: &'a str,

@@ -22,11 +22,11 @@ use std::fmt::Write as _;
 /// A law with its constants, for tables.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LawRow {
-    /// Its name.
+    /// Name of the law.
     pub name: String,
-    /// What it is, in a few words.
+    /// Description in a few words.
     pub words: String,
-    /// Its constants.
+    /// Constants of the law.
     pub constants: LawConstants,
 }
 
@@ -65,7 +65,7 @@ pub fn constants_table(rows: &[LawRow]) -> String {
     text
 }
 
-/// The same as CSV.
+/// Constants of laws as CSV.
 ///
 /// # Errors
 /// Never in practice: writing into memory.

@@ -14,7 +14,7 @@ use crate::studies::law::{ComparedLaw, Figure};
 pub struct LawPage<'a> {
     /// Name of the law, or of what follows it.
     pub title: &'a str,
-    /// What was asked.
+    /// Subtitle: what was asked.
     pub subtitle: &'a str,
     /// The answer in a sentence, and whether it is good news.
     pub answer: (bool, String),

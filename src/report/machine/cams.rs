@@ -55,7 +55,7 @@ pub(super) fn picture(
     })
 }
 
-/// How far a unit of outward displacement goes: of a turning follower at its tip.
+/// Length of a unit of outward displacement (pixels): of a turning follower at its tip.
 fn pixels(cam: &DiscCam, scale: f64) -> f64 {
     match cam.geometry().guide {
         Guide::Translating { .. } => scale,

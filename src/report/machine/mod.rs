@@ -28,7 +28,7 @@ const MOST: usize = 24;
 const SECONDS_A_TURN: f64 = 2.5;
 const SECONDS_A_RUN: f64 = 8.0;
 
-/// What there is to draw.
+/// Machine to draw.
 #[derive(Clone, Copy, Debug)]
 pub struct Machine<'a> {
     /// The mechanism.

@@ -21,10 +21,10 @@ const WHEEL: f64 = 56.0;
 const TRAVEL: f64 = 120.0;
 const BLOCK: [f64; 2] = [19.0, 14.0];
 
-/// One object with its picture.
+/// Station: an object with its picture.
 #[derive(Clone, Debug)]
 pub(super) struct Station {
-    /// Its id.
+    /// Id of the object.
     pub(super) id: String,
     kind: String,
     /// The picture: what stands within its `<svg>`, and its size.
@@ -32,7 +32,7 @@ pub(super) struct Station {
     size: [f64; 2],
     /// Moving parts, in the order of their numbers.
     pub(super) bodies: Vec<Body>,
-    /// How far a unit of its displacement goes on the picture (pixels).
+    /// Length of a unit of its displacement on the picture (pixels).
     pub(super) pixels: f64,
     column: usize,
     coordinate: Coordinate,

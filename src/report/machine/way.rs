@@ -5,17 +5,17 @@ use crate::report::html::player::Body;
 /// A picture with its parts.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Picture {
-    /// What stands within its `<svg>`.
+    /// Elements within its `<svg>`.
     pub(super) drawn: String,
     /// Width and height (pixels).
     pub(super) size: [f64; 2],
-    /// Its parts.
+    /// Moving parts.
     pub(super) bodies: Vec<Body>,
-    /// How far a unit of the displacement goes (pixels).
+    /// Length of a unit of the displacement (pixels).
     pub(super) pixels: f64,
 }
 
-/// Where an object was over a run.
+/// Way of an object: where it was over a run.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Way {
     /// Displacement at the first sample.

@@ -1,15 +1,16 @@
 //! How verdicts look: hatching over the colours of values, plain fills where
 //! there is no value. Mechanism and computation never look alike.
 
+use crate::report::plot::palette::map_verdicts as colours;
 use crate::studies::map::Verdict;
 
 /// Fill of cells of a verdict under their hatching, when they have no value.
 pub(super) fn ground(verdict: Verdict) -> &'static str {
     match verdict {
-        Verdict::NumericalFailure => "#b3124f",
-        Verdict::Stopped => "#7d8791",
-        Verdict::Refused => "#eceff2",
-        _ => "#c9cfd5",
+        Verdict::NumericalFailure => colours::NUMERICAL_FAILURE,
+        Verdict::Stopped => colours::STOPPED,
+        Verdict::Refused => colours::REFUSED,
+        _ => colours::WITHOUT_VALUE,
     }
 }
 
@@ -17,12 +18,12 @@ pub(super) fn ground(verdict: Verdict) -> &'static str {
 /// curves and in legends.
 pub(super) fn plain(verdict: Verdict) -> &'static str {
     match verdict {
-        Verdict::InWorkingOrder => "#2f8f5b",
-        Verdict::LiftOffDiesAway => "#8db8d8",
-        Verdict::LiftOff => "#2d6aa8",
-        Verdict::LiftOffNotJudged => "#6f8396",
-        Verdict::ThrownOff => "#16324f",
-        Verdict::Resonance => "#d98a1c",
+        Verdict::InWorkingOrder => colours::IN_WORKING_ORDER,
+        Verdict::LiftOffDiesAway => colours::LIFT_OFF_DIES_AWAY,
+        Verdict::LiftOff => colours::LIFT_OFF,
+        Verdict::LiftOffNotJudged => colours::LIFT_OFF_NOT_JUDGED,
+        Verdict::ThrownOff => colours::THROWN_OFF,
+        Verdict::Resonance => colours::RESONANCE,
         other => ground(other),
     }
 }

@@ -4,6 +4,7 @@ mod csv;
 mod document;
 mod looks;
 mod page;
+mod panel;
 pub mod picture;
 mod pointing;
 mod report;

@@ -8,7 +8,8 @@ use crate::report::quantity::{escape, significant, with_unit};
 use crate::report::verdict::{Sort, Verdict as Answer};
 use crate::studies::axis::Axis;
 use crate::studies::map::{
-    Cell, MOST_STEPS, NEAR_HARMONIC, RESONANCE, STEADY, Study, THROWN_OFF, Verdict, summary,
+    Cell, Extreme, MOST_STEPS, NEAR_HARMONIC, RESONANCE, STEADY, Study, THROWN_OFF, Verdict,
+    summary,
 };
 use crate::studies::spread::CHANGE;
 use std::collections::BTreeMap;
@@ -118,17 +119,11 @@ fn counts(report: &MapReport<'_>) -> String {
             );
         }
         for extreme in [&panel.least, &panel.greatest] {
-            let value = |extreme: &crate::studies::map::Extreme| {
-                let y = extreme
-                    .y
-                    .as_ref()
-                    .map(|y| format!("; {y}"))
-                    .unwrap_or_default();
+            let value = |extreme: &Extreme| {
                 format!(
-                    "{}<span class=\"sub\">at {}{}</span>",
+                    "{}<span class=\"sub\">at {}</span>",
                     escape(&with_unit(extreme.value, &report.study.unit, 6)),
-                    escape(&extreme.x),
-                    escape(&y)
+                    escape(&place(report.study, extreme))
                 )
             };
             let text = extreme.as_ref().map_or("–".to_owned(), value);
@@ -140,6 +135,21 @@ fn counts(report: &MapReport<'_>) -> String {
         "<h2>Verdicts</h2>\n<div class=\"scroll\"><table>\n<thead><tr>{head}<th>least</th>\
          <th>greatest</th></tr></thead>\n<tbody>\n{rows}</tbody></table></div>\n"
     )
+}
+
+/// Values of the parameters at an extreme, with their units; one of the user's own takes
+/// no prefix.
+fn place(study: &Study<'_>, extreme: &Extreme) -> String {
+    let [x_unit, y_unit] = &study.parameter_units;
+    let shown = |value: f64, axis: &Axis, unit: &str| match axis.unit.as_str() {
+        "" => with_unit(value, unit, 6),
+        own => format!("{} {own}", significant(value, 6)),
+    };
+    let x = shown(extreme.place.0, &study.x, x_unit);
+    match study.y.as_ref().zip(extreme.place.1) {
+        Some((axis, y)) => format!("{x}; {}", shown(y, axis, y_unit)),
+        None => x,
+    }
 }
 
 /// What the verdicts that occur mean, with the bounds they rest on.
@@ -160,12 +170,12 @@ fn meanings(report: &MapReport<'_>) -> String {
 /// What a ring upon a cell means.
 fn not_determined(study: &Study<'_>) -> String {
     format!(
-        "A ring upon a cell: the loads changed by one part in {:e} move the figure by more than \
-         {:e} of its scale (ten times the tolerance of a general method, where that is more), so \
+        "A ring upon a cell: the loads changed by one part in {} move the figure by more than \
+         {} of its scale (ten times the tolerance of a general method, where that is more), so \
          that nobody knows it to the {} digits asked for. The verdict on the mechanism holds; how \
          far every figure moves is in map.csv.",
-        1.0 / CHANGE,
-        10f64.powi(-i32::from(study.digits)),
+        significant(1.0 / CHANGE, 2),
+        significant(10f64.powi(-i32::from(study.digits)), 2),
         study.digits
     )
 }

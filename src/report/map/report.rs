@@ -5,9 +5,9 @@ use crate::studies::map::{MapResult, Study};
 /// Everything that goes into the page of a map.
 #[derive(Clone, Copy, Debug)]
 pub struct MapReport<'a> {
-    /// What was asked.
+    /// Study: what was asked.
     pub study: &'a Study<'a>,
-    /// What came out.
+    /// Result: what came out.
     pub result: &'a MapResult,
     /// The command that runs the scene with the settings of all cells, word by
     /// word: `dam`, `run`, `scene.json`, `--set`, `rocker.masses=2`.

@@ -9,7 +9,7 @@ mod unicode;
 pub use latex::escape as latex_text;
 use std::f64::consts::PI;
 
-/// What a symbol's subscript says.
+/// Index: what a symbol's subscript says.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Index {
     /// No subscript.
@@ -37,7 +37,7 @@ pub struct Symbol {
     pub index: Index,
 }
 
-/// How two formulas compare.
+/// Relation between two formulas.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Relation {
     /// =

@@ -43,9 +43,9 @@ impl Placement {
 pub struct Drawing<'a> {
     /// The linkage.
     pub spec: &'a LinkageSpec,
-    /// Its positions: one placement a link.
+    /// Positions: one placement a link each.
     pub frames: Vec<Vec<Placement>>,
-    /// What leads from one position to the next.
+    /// Axis that leads from one position to the next.
     pub axis: Axis,
     /// Paths of points: coupler curves.
     pub paths: Vec<Path>,
@@ -53,14 +53,14 @@ pub struct Drawing<'a> {
     pub arrows: Vec<ArrowSet>,
 }
 
-/// What leads from one position to the next.
+/// Axis of a drawing: a quantity that leads from one position to the next.
 #[derive(Clone, Debug)]
 pub struct Axis {
-    /// Its name: `crank angle`, `time`.
+    /// Name: `crank angle`, `time`.
     pub name: String,
     /// The unit in which it is shown.
     pub unit: String,
-    /// Its value at every position, in that unit.
+    /// Values at every position, in that unit.
     pub values: Vec<f64>,
     /// Time of every position (s), for playing at true relative speed.
     pub times: Vec<f64>,
@@ -73,14 +73,14 @@ pub struct Axis {
 pub struct Path {
     /// The point: `rod.P`.
     pub name: String,
-    /// Its place at every position (m).
+    /// Places at every position (m).
     pub points: Vec<[f64; 2]>,
 }
 
 /// Arrows of one kind, all to the same scale.
 #[derive(Clone, Debug)]
 pub struct ArrowSet {
-    /// What they show: `speed`.
+    /// Name of the quantity: `speed`.
     pub name: String,
     /// SI unit of their length.
     pub unit: String,
@@ -93,9 +93,9 @@ pub struct ArrowSet {
 /// An arrow over all positions.
 #[derive(Clone, Debug)]
 pub struct Arrow {
-    /// What it belongs to: `rod.P`.
+    /// Name of the point: `rod.P`.
     pub name: String,
-    /// Where it starts at every position (m).
+    /// Starts of the arrow at every position (m).
     pub at: Vec<[f64; 2]>,
     /// The vector at every position (SI).
     pub vector: Vec<[f64; 2]>,

@@ -69,7 +69,7 @@ pub(super) struct Block {
 }
 
 impl Block {
-    /// Its corners, in the frame of its link.
+    /// Corners of the block, in the frame of its link.
     pub(super) fn outline(&self) -> [[f64; 2]; 4] {
         let (sin, cos) = self.angle.sin_cos();
         let [low, high] = self.ends;

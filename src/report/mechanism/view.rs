@@ -122,7 +122,7 @@ fn right_margin(drawing: &Drawing<'_>, area: &Area, margin: f64) -> f64 {
     widest.fold(MARGIN, f64::max).min(0.5 * WIDEST)
 }
 
-/// What has to be seen.
+/// Area that has to be seen.
 #[derive(Clone, Copy, Debug)]
 struct Area {
     low: [f64; 2],

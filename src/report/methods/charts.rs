@@ -1,6 +1,7 @@
 //! Charts of methods: error against time and work, and over a parameter.
 
 use crate::dynamics::integrate::Method;
+use crate::report::plot::palette::method_verdicts as colours;
 use crate::report::plot::{Axis, Field, Fill, Kind, Look, Mark, Plot, Rule, Series, Shape};
 use crate::report::quantity::{significant, with_unit};
 use crate::studies::methods::sweep::Sweep;
@@ -11,19 +12,19 @@ const CEILING: f64 = 10.0;
 
 /// All verdicts with their colours, and whether they are failures.
 const VERDICTS: [(Verdict, &str, bool); 10] = [
-    (Verdict::Converged, "#8fc7a3", false),
-    (Verdict::Inaccurate, "#f0c36b", true),
-    (Verdict::Unstable, "#e0705a", true),
-    (Verdict::StepFloor, "#b08ac6", true),
-    (Verdict::SwitchesMissed, "#f0996b", true),
-    (Verdict::Chatter, "#d97aa6", true),
-    (Verdict::Refused, "#c9ced5", true),
-    (Verdict::GaveUp, "#8d97a3", true),
-    (Verdict::TimeLimit, "#9db8d6", true),
-    (Verdict::NotJudged, "#eef0f3", false),
+    (Verdict::Converged, colours::CONVERGED, false),
+    (Verdict::Inaccurate, colours::INACCURATE, true),
+    (Verdict::Unstable, colours::UNSTABLE, true),
+    (Verdict::StepFloor, colours::STEP_FLOOR, true),
+    (Verdict::SwitchesMissed, colours::SWITCHES_MISSED, true),
+    (Verdict::Chatter, colours::CHATTER, true),
+    (Verdict::Refused, colours::REFUSED, true),
+    (Verdict::GaveUp, colours::GAVE_UP, true),
+    (Verdict::TimeLimit, colours::TIME_LIMIT, true),
+    (Verdict::NotJudged, colours::NOT_JUDGED, false),
 ];
 
-/// What an error is plotted against.
+/// Abscissa of the errors' chart.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Against {
     /// Median wall-clock time.
@@ -32,7 +33,7 @@ pub enum Against {
     Evaluations,
 }
 
-/// The same colour and shape for a method on every chart.
+/// Style of a method, the same colour and shape on every chart.
 fn style(method: Method) -> usize {
     let place = all_methods().iter().position(|&known| known == method);
     place.unwrap_or(0)

@@ -19,10 +19,10 @@ use words::{limits, reference_facts, timing_note};
 
 /// Width of the charts on the page (pixels).
 const WIDTH: f64 = 1184.0;
-/// Their height.
+/// Height of the charts.
 const HEIGHT: f64 = 560.0;
 
-/// What the page needs beside the study.
+/// Page of the methods: what it needs beside the study.
 #[derive(Clone, Copy, Debug)]
 pub struct MethodsReport<'a> {
     /// Title: the scene's name.

@@ -42,7 +42,7 @@ pub fn methods_csv(study: &Study) -> Result<String, csv::Error> {
     write(head.chain(figure_heads(&figures)), rows)
 }
 
-/// The same over a parameter, whose value is the first column.
+/// CSV over a parameter, whose value is the first column.
 ///
 /// # Errors
 /// Rows of unequal length.

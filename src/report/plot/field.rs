@@ -26,7 +26,7 @@ pub struct Field {
     pub rings: Vec<usize>,
     /// Middles of the cells along both axes, for rings.
     pub middles: [Vec<f64>; 2],
-    /// What is said of each cell when the pointer rests on it; may be empty.
+    /// Notes on the cells, shown when the pointer rests on one; may be empty.
     pub notes: Vec<String>,
     /// True: lines are drawn between cells of different kinds.
     pub borders: bool,
@@ -70,9 +70,9 @@ pub struct Kind {
 /// A line through values of the axes.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Contour {
-    /// What stands on it; may be empty.
+    /// Label that stands on it; may be empty.
     pub label: String,
-    /// Its parts.
+    /// Parts of the line.
     pub parts: Vec<Vec<(f64, f64)>>,
     /// True: an edge of the mechanism, heavily drawn.
     pub edge: bool,

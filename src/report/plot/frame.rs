@@ -15,7 +15,7 @@ pub(super) const STRIP: f64 = 20.0;
 /// Height of the strips of bands at the foot, one a series.
 pub(super) const BAND: f64 = 6.0;
 
-/// Where values lie in the picture.
+/// Frame of the picture: where values lie in it.
 #[derive(Clone, Debug, PartialEq)]
 pub(in crate::report) struct Frame {
     pub(in crate::report) left: f64,
@@ -58,7 +58,7 @@ pub(super) fn is_beyond(share: f64) -> bool {
 
 /// A name in the legend.
 pub(in crate::report) struct Entry {
-    /// What is drawn beside it, 26 pixels wide about a middle line at 0.
+    /// Sample that is drawn beside it, 26 pixels wide about a middle line at 0.
     pub(super) sample: String,
     pub(super) text: String,
     /// The series that it switches.

@@ -25,13 +25,13 @@ pub use page::Plots;
 /// A chart as data: quantities over one another.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plot {
-    /// What tells it from the others on a page: `rocker.delta`; may be empty.
+    /// Id that tells it from the others on a page: `rocker.delta`; may be empty.
     pub id: String,
     /// Title above the frame.
     pub title: String,
-    /// What runs to the right.
+    /// Axis to the right.
     pub x: Axis,
-    /// What runs upwards. Without a name its unit stands behind the title.
+    /// Axis upwards. Without a name its unit stands behind the title.
     pub y: Axis,
     /// The curves and points.
     pub series: Vec<Series>,
@@ -74,9 +74,9 @@ impl Default for Plot {
 /// A quantity along an axis.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Axis {
-    /// Its name or symbol: `t`.
+    /// Name or symbol: `t`.
     pub name: String,
-    /// Its unit; empty for a plain number. SI units get prefixes.
+    /// Unit; empty for a plain number. SI units get prefixes.
     pub unit: String,
     /// True: logarithmic; values that are not above zero have no place on it.
     pub log: bool,
@@ -106,16 +106,16 @@ impl Axis {
     }
 }
 
-/// One curve, or points that belong together.
+/// Series: a curve, or points that belong together.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Series {
-    /// Its name in the legend; what has no name has no entry.
+    /// Name in the legend; what has no name has no entry.
     pub label: String,
     /// (x, y); values that are not finite interrupt a curve.
     pub points: Vec<(f64, f64)>,
-    /// How it is drawn.
+    /// Look: line or points.
     pub look: Look,
-    /// Which of the twelve styles; by its place where not given.
+    /// Number of the style among twelve; by its place where not given.
     pub style: Option<usize>,
     /// Marks of the points, one a point; empty: none is marked.
     pub marks: Vec<Mark>,
@@ -132,7 +132,7 @@ impl Series {
     }
 }
 
-/// How a series is drawn.
+/// Look of a series.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Look {
     /// Straight from point to point.
@@ -149,13 +149,13 @@ pub enum Look {
 /// The mark of a point, and what is said of it when the pointer rests on it.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Mark {
-    /// Its shape.
+    /// Shape of the mark.
     pub shape: Shape,
-    /// What is said of it; may be empty.
+    /// Note on the point; may be empty.
     pub note: String,
 }
 
-/// How a point is marked.
+/// Shape of a point's mark.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Shape {
     /// No mark.
@@ -185,7 +185,7 @@ impl Shape {
 /// Shaded intervals of the horizontal axis.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Band {
-    /// Its name in the legend; may be empty.
+    /// Name in the legend; may be empty.
     pub label: String,
     /// The intervals.
     pub spans: Vec<[f64; 2]>,
@@ -210,9 +210,9 @@ impl Band {
 /// A line across the frame; its name stands in the legend.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Rule {
-    /// Where.
+    /// Place on the axis.
     pub at: f64,
-    /// What it is.
+    /// Label at the place.
     pub label: String,
     /// True: upright, at a value of the horizontal axis.
     pub upright: bool,

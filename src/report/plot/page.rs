@@ -6,7 +6,7 @@ use crate::report::quantity::escape;
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 
-/// What makes the charts of a page interactive.
+/// Script that makes the charts of a page interactive.
 pub(in crate::report) const SCRIPT: &str = include_str!("plot.js");
 
 /// The charts of a page: their numbers once, however many of them show the same.

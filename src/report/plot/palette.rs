@@ -50,10 +50,38 @@ pub(in crate::report) const SERIES: [(&str, &str, &str); 12] = [
     ("#e0609c", "#ffc2dc", "5 5 1 5"),
 ];
 
+/// Colours of the verdicts on methods, the same on light and on dark ground.
+pub(in crate::report) mod method_verdicts {
+    pub(in crate::report) const CONVERGED: &str = "#8fc7a3";
+    pub(in crate::report) const INACCURATE: &str = "#f0c36b";
+    pub(in crate::report) const UNSTABLE: &str = "#e0705a";
+    pub(in crate::report) const STEP_FLOOR: &str = "#b08ac6";
+    pub(in crate::report) const SWITCHES_MISSED: &str = "#f0996b";
+    pub(in crate::report) const CHATTER: &str = "#d97aa6";
+    pub(in crate::report) const REFUSED: &str = "#c9ced5";
+    pub(in crate::report) const GAVE_UP: &str = "#8d97a3";
+    pub(in crate::report) const TIME_LIMIT: &str = "#9db8d6";
+    pub(in crate::report) const NOT_JUDGED: &str = "#eef0f3";
+}
+
+/// Colours of the verdicts of maps, the same on light and on dark ground.
+pub(in crate::report) mod map_verdicts {
+    pub(in crate::report) const NUMERICAL_FAILURE: &str = "#b3124f";
+    pub(in crate::report) const STOPPED: &str = "#7d8791";
+    pub(in crate::report) const REFUSED: &str = "#eceff2";
+    pub(in crate::report) const WITHOUT_VALUE: &str = "#c9cfd5";
+    pub(in crate::report) const IN_WORKING_ORDER: &str = "#2f8f5b";
+    pub(in crate::report) const LIFT_OFF_DIES_AWAY: &str = "#8db8d8";
+    pub(in crate::report) const LIFT_OFF: &str = "#2d6aa8";
+    pub(in crate::report) const LIFT_OFF_NOT_JUDGED: &str = "#6f8396";
+    pub(in crate::report) const THROWN_OFF: &str = "#16324f";
+    pub(in crate::report) const RESONANCE: &str = "#d98a1c";
+}
+
 /// The style of charts, in the variables of a page.
 pub(in crate::report) const STYLE: &str = include_str!("plot.css");
 
-/// Which colour, dash and shape of marks a series has.
+/// Number of the style of a series: colour, dash and shape of marks.
 pub(super) fn style(index: usize) -> usize {
     index % SERIES.len()
 }

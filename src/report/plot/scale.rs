@@ -20,9 +20,9 @@ pub(in crate::report) struct Scale {
 /// A line of the grid.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Tick {
-    /// Where, 0 … 1 along the axis.
+    /// Place along the axis, 0 … 1.
     pub(super) share: f64,
-    /// What stands at it; empty: nothing.
+    /// Label at the tick; may be empty.
     pub(super) label: String,
     /// True between powers of ten.
     pub(super) minor: bool,

@@ -4,7 +4,7 @@ use super::units;
 use crate::dynamics::model::{ContactLaw, ObjectPart};
 use crate::report::quantity::significant;
 
-/// What the first link of an object joins.
+/// Name of what the first link of an object joins.
 pub(super) fn first_link(object: &ObjectPart) -> &'static str {
     match object.contact {
         Some(_) => "law U and mass 1, contact included",

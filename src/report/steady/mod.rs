@@ -19,7 +19,7 @@ use crate::studies::steady::Agreement;
 /// The steady motion of a machine reduced to its drive, as it is shown.
 #[derive(Clone, Copy, Debug)]
 pub struct Shown<'a> {
-    /// What machine it is: the scene's name, or where the functions come from.
+    /// Title: the scene's name, or where the functions come from.
     pub title: &'a str,
     /// Φ (rad).
     pub cycle: f64,
@@ -31,7 +31,7 @@ pub struct Shown<'a> {
     pub regime: Option<&'a Regime>,
     /// The flywheel.
     pub flywheel: Option<&'a Flywheel>,
-    /// How independent ways agree.
+    /// Agreement of independent ways.
     pub agreement: Option<&'a Agreement>,
     /// Of a table: what leaving out every second sample changes.
     pub halving: Option<&'a Halving>,

@@ -26,12 +26,14 @@ fn long_run(run: &LongRun) -> String {
     match &run.missing {
         Some(why) => format!("none: {why}"),
         None if run.settles => format!(
-            "{} turns from the scene's start settle on it, {:.1e} of its size away",
-            run.turns, run.distance
+            "{} turns from the scene's start settle on it, {} of its size away",
+            run.turns,
+            significant(run.distance, 2)
         ),
         None => format!(
-            "{} turns from the scene's start do NOT settle on it: {:.1e} of its size away",
-            run.turns, run.distance
+            "{} turns from the scene's start do NOT settle on it: {} of its size away",
+            run.turns,
+            significant(run.distance, 2)
         ),
     }
 }
@@ -73,8 +75,9 @@ fn lines(part: &PartMotion, cycle: f64) -> Vec<(&'static str, String)> {
         (
             "comes back to",
             format!(
-                "{:.1e} of its size, {} periods followed",
-                part.miss, part.iterations
+                "{} of its size, {} periods followed",
+                significant(part.miss, 2),
+                part.iterations
             ),
         ),
         ("long run", long_run(&part.long_run)),

@@ -87,20 +87,20 @@ pub(super) fn figures(shown: &Shown<'_>) -> Vec<Line> {
 pub(super) fn agreement(shown: &Shown<'_>) -> Vec<Line> {
     let mut lines = Vec::new();
     let mut add = |name: &str, text: String| lines.push((name.to_owned(), text));
-    let exponent = |value: f64| format!("{value:.1e}");
+    let short = |value: f64| significant(value, 2);
     if let Some(found) = shown.agreement {
         if let Some(check) = found.equation {
             let text = format!(
                 "ω(Φ) {} off, period {} off",
-                exponent(check.speed),
-                exponent(check.period)
+                short(check.speed),
+                short(check.period)
             );
             add("equation of motion over a cycle", text);
         }
         if let Some(apart) = found.cycle_map {
             add(
                 "cycle map and energy-mass method",
-                format!("ω(φ) {} apart", exponent(apart)),
+                format!("ω(φ) {} apart", short(apart)),
             );
         }
         if let Some(run) = found.simulation {
@@ -111,7 +111,7 @@ pub(super) fn agreement(shown: &Shown<'_>) -> Vec<Line> {
             let text = format!(
                 "{} cycles {from}: ω {} off at the end",
                 run.cycles,
-                exponent(run.speed)
+                short(run.speed)
             );
             add("simulation of the scene in time", text);
         }
@@ -122,16 +122,16 @@ pub(super) fn agreement(shown: &Shown<'_>) -> Vec<Line> {
     if let Some(halving) = shown.halving {
         let text = format!(
             "T(0) {} J, ω_min {}, ω_max {} rad/s",
-            exponent(halving.energy_at_start),
-            exponent(halving.least_speed),
-            exponent(halving.greatest_speed)
+            short(halving.energy_at_start),
+            short(halving.least_speed),
+            short(halving.greatest_speed)
         );
         add("with every second sample left out", text);
     }
     if let Some(error) = shown.figures.period_error {
         add(
             "estimated error of the period",
-            format!("{} relative", exponent(error)),
+            format!("{} relative", short(error)),
         );
     }
     let f = shown.figures;
@@ -139,7 +139,7 @@ pub(super) fn agreement(shown: &Shown<'_>) -> Vec<Line> {
     let text = format!(
         "{} evaluations, mean {} off, E₀ in [{low}, {high}] J",
         f.iterations,
-        exponent(f.miss)
+        short(f.miss)
     );
     add("iteration", text);
     lines

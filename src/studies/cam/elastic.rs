@@ -15,12 +15,12 @@ const CYCLES: f64 = 4.0;
 /// Most cycles.
 const MOST_CYCLES: f64 = 1000.0;
 
-/// What a run at one speed says of a pair.
+/// State of a pair in the steady part of a run at one speed.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Steady {
-    /// It stays closed in the last cycle.
+    /// The pair stays closed in the last cycle.
     Closed,
-    /// It opens there, or the run gave up on too many switches.
+    /// The pair opens there, or the run gave up on too many switches.
     Opens,
     /// The run was ended from outside.
     Interrupted,

@@ -10,7 +10,7 @@ use crate::studies::law::LiftOff;
 use crate::units::shown;
 use serde::Serialize;
 
-/// What of the contact force is to be left as reserve.
+/// Reserve of contact force that is to be left.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Reserve {
     /// A share of the greatest force with which the follower would leave the
@@ -32,7 +32,7 @@ pub struct ForceFigures {
     pub inertia: f64,
     /// The closing spring: all springs on the follower together.
     pub spring: ClosingSpring,
-    /// Their names.
+    /// Names of the springs.
     pub springs: Vec<String>,
     /// Least force of the pair along the displacement of the follower (N or
     /// N·m): the margin against lift-off, negative where it would lift off. Of
@@ -53,7 +53,7 @@ pub struct ForceFigures {
     /// With the follower's elasticity: the speed (rad/s of the drive) at which the pair opens in
     /// the last cycle of a run; null unless it was looked for.
     pub elastic: Option<LiftOff>,
-    /// What is left out.
+    /// Notes on what is left out.
     pub notes: Vec<String>,
 }
 

@@ -26,7 +26,7 @@ pub(super) struct Reduction<'m> {
     law: &'m Law,
     /// Nodes of the follower and behind it, drivers first.
     nodes: Vec<usize>,
-    /// Their loads, with the place of each one's node in `nodes`.
+    /// Loads, with the place of each one's node in `nodes`.
     loads: Vec<(usize, &'m Load)>,
     /// First node of the follower.
     first: usize,
@@ -37,7 +37,7 @@ pub(super) struct Reduction<'m> {
     pub(super) springs: Vec<String>,
     /// Stretches of φ on which the demand is smooth.
     pub(super) pieces: Vec<[f64; 2]>,
-    /// What is left out, in words.
+    /// Notes on what is left out, in words.
     pub(super) notes: Vec<String>,
 }
 
@@ -218,8 +218,7 @@ impl<'m> Reduction<'m> {
         found
     }
 
-    /// What the pair must give at φ of one of [`Self::pieces`], without the
-    /// closing springs.
+    /// Demand on the pair at φ of one of [`Self::pieces`], without the closing springs.
     pub(super) fn demand(&self, cam: &DiscCam, piece: usize, phi: f64) -> Demand {
         let [q, first, second] = self.follower(cam, piece, phi);
         let ratios = self.ratios(q, first);

@@ -7,7 +7,7 @@ use crate::kinematics::cam::sizing::{BaseRange, BestOffset, PressureLimits, Roll
 use crate::kinematics::cam::{At, Contact, DiscCam, Finding, Guide};
 use serde::Serialize;
 
-/// What is asked of a cam.
+/// Question about a cam.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Question {
     /// Greatest pressure angles.
@@ -17,7 +17,7 @@ pub struct Question {
     pub roller_factor: f64,
     /// Least radius of curvature of a profile under a flat face (m).
     pub least_radius: f64,
-    /// What is to be left in contact.
+    /// Reserve to be left in contact.
     pub reserve: Reserve,
 }
 
@@ -51,9 +51,9 @@ impl<T> From<Result<T, Fault>> for Answer<T> {
 /// Least radii of curvature; null where the curve is nowhere so.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Radii {
-    /// Where it is convex (m).
+    /// Least radius of curvature where it is convex (m).
     pub convex: Option<At>,
-    /// Where it is concave, as a positive number (m).
+    /// Least radius of curvature where it is concave, as a positive number (m).
     pub concave: Option<At>,
 }
 
@@ -98,7 +98,7 @@ pub struct CamFigures {
     pub pitch: Option<Radii>,
     /// Of each profile: one, two of a groove.
     pub profiles: Vec<Radii>,
-    /// How great roller and cutter may be; null under a flat face.
+    /// Limits of roller and cutter; null under a flat face.
     pub roller: Option<RollerLimits>,
     /// The flat face; null without one.
     pub face: Option<FaceFigures>,

@@ -8,6 +8,7 @@
 //! than what has been met. Where it could, A + ΣG·F is climbed to as the figures of a
 //! tree are: cut at the summits of its cubics until nothing is left above.
 
+use super::forces::Forces;
 use super::lever::Way;
 use super::smooth::{NODES, Smooth};
 use crate::dynamics::record::Tally;
@@ -21,16 +22,12 @@ const CUTS: usize = 256;
 /// Differences below this share of the greatest value so far are not looked for.
 const MARGIN: f64 = 1e-11;
 
-/// How fast A and G change at most, in radians of a grid's stretch: that of the
-/// fiftieth harmonic of what turns once in 64 stretches.
-const RATE: f64 = 5.0;
-
 /// An object that trees hang on.
 #[derive(Clone, Debug)]
 pub(super) struct Coupled {
     /// Index in the whole model.
     pub(super) object: usize,
-    /// Its forces.
+    /// Figures of its forces.
     pub(super) tally: Tally,
     /// +1 where the force of a tree adds to its own, −1 of a drive.
     sign: f64,
@@ -38,16 +35,40 @@ pub(super) struct Coupled {
     own: Smooth,
     /// G of each tree.
     levers: Vec<Smooth>,
-    /// What |G| never passes, where that is known.
+    /// Bounds of |G| over the whole run, where they are known.
     caps: Option<Vec<f64>>,
 }
 
-/// Bounds of the forces of all trees over a stretch.
-pub(super) struct Forces<'f> {
-    pub(super) ahead: &'f [Ahead],
-    pub(super) span: [f64; 2],
-    /// Length of a stretch of the grid (s).
-    pub(super) grid: f64,
+/// What a cubic between the ends of a stretch may miss of A + ΣG·F.
+#[derive(Clone, Copy, Debug, Default)]
+struct Loss {
+    /// On the middle coefficient of a quartic: it goes with the fourth power of the length.
+    middle: f64,
+    /// On all coefficients, in a part at most as much as in the whole.
+    flat: f64,
+}
+
+impl Loss {
+    /// That of A alone, over a share of the stretch.
+    fn own(own: &Smooth, share: f64) -> Self {
+        Self {
+            middle: own.fourth() * share.powi(4) / 144.0,
+            flat: 0.0,
+        }
+    }
+
+    /// Adds G·F over a share of the stretch, of whose force the bounds there are known.
+    ///
+    /// With |G⁽ᵏ⁾| ≤ rᵏ·|G|, the fourth derivative is at most the sum of F's lanes times
+    /// (|λ| + r)⁴·|G|, and that is 8 times the sum of either fourth power. A lane that
+    /// cannot be followed is off by no more than its values and slopes at the ends.
+    fn add(&mut self, lever: &Smooth, ahead: &Ahead, share: f64) {
+        let (most, slow) = (lever.most(), lever.rate4() * share.powi(4));
+        if most > 0.0 {
+            self.middle += 8.0 * most * (ahead.middle + slow / 144.0 * ahead.most);
+            self.flat += most * ahead.flat * (1.0 + slow.powf(0.25) / 8.0);
+        }
+    }
 }
 
 impl Coupled {
@@ -68,34 +89,40 @@ impl Coupled {
             .collect()
     }
 
-    /// What |G| of every tree comes to in the stretch taken up last.
+    /// Bounds of |G| of every tree in the stretch taken up last.
     pub(super) fn slopes(&self) -> impl Iterator<Item = f64> + '_ {
         self.levers.iter().map(Smooth::most)
     }
 
-    /// What |G| of every tree never passes.
+    /// Sets the bounds of |G| of every tree over the whole run.
     pub(super) fn cap(&mut self, caps: Vec<f64>) {
         self.caps = Some(caps);
     }
 
     /// True when, with what |G| never passes and an A that is always the same, it may meet
     /// what it has not met before; so it may where these are not known.
-    pub(super) fn may_rise(&self, steady: Option<f64>, forces: &Forces<'_>) -> bool {
+    pub(super) fn may_rise(&self, steady: Option<f64>, forces: &Forces) -> bool {
         let (Some(own), Some(caps)) = (steady, &self.caps) else {
             return true;
         };
-        let coupled = caps.iter().zip(forces.ahead);
+        let coupled = caps.iter().zip(&forces.ahead);
         let coupled: f64 = coupled.map(|(cap, force)| cap * force.most).sum();
         self.rises(own.abs() + coupled)
     }
 
-    /// Takes what is beside the trees at the nodes of a stretch.
-    pub(super) fn take(&mut self, states: &[Vec<ObjectState>; NODES], ways: &[Way]) {
-        let at = |k: usize| &states[k][..];
-        let own = std::array::from_fn(|k| at(k)[self.object].reaction);
+    /// Takes what is beside the trees at the nodes of a stretch: the states of all
+    /// objects, and by tree and node the slopes of the tree's way.
+    pub(super) fn take(
+        &mut self,
+        states: &[Vec<ObjectState>; NODES],
+        ways: &[Way],
+        slopes: &[[Vec<f64>; NODES]],
+    ) {
+        let own = std::array::from_fn(|k| states[k][self.object].reaction);
         self.own = Smooth::new(own);
-        for (lever, way) in self.levers.iter_mut().zip(ways) {
-            let slope = |k: usize| self.sign * way.slope(self.object, at(k));
+        let ways = ways.iter().zip(slopes);
+        for (lever, (way, slopes)) in self.levers.iter_mut().zip(ways) {
+            let slope = |k: usize| self.sign * way.slope(self.object, &slopes[k]);
             *lever = Smooth::new(std::array::from_fn(slope));
         }
     }
@@ -111,17 +138,18 @@ impl Coupled {
     pub(super) fn climb(
         &self,
         branches: &mut [Branch<'_>],
-        forces: &Forces<'_>,
+        forces: &mut Forces,
         mut found: impl FnMut(f64),
     ) {
-        let bounds = self.bounds(forces.ahead);
+        let bounds = self.bounds(&forces.ahead);
         if !self.rises(bounds) {
             return;
         }
+        let loss = self.loss(forces);
         for (sign, level) in self.tally.goals() {
             let margin = MARGIN * level.abs();
             if bounds > level + margin
-                && let Some(time) = self.summit(branches, forces, (sign, level, margin))
+                && let Some(time) = self.summit(branches, forces, &loss, (sign, level, margin))
             {
                 found(time);
             }
@@ -141,10 +169,10 @@ impl Coupled {
     fn summit(
         &self,
         branches: &mut [Branch<'_>],
-        forces: &Forces<'_>,
+        forces: &mut Forces,
+        whole: &Loss,
         (sign, level, margin): (f64, f64, f64),
     ) -> Option<f64> {
-        let [from, to] = forces.span;
         let (mut best, mut place) = (level, None);
         let mut see = |end: &End| {
             if end.f > best {
@@ -152,15 +180,16 @@ impl Coupled {
             }
             best
         };
-        let [a, b] = [from, to].map(|time| self.at(branches, forces.span, time, sign));
+        let [a, b] = forces
+            .span
+            .map(|time| self.at(branches, forces, time, sign));
         see(&a);
         let mut best_now = see(&b);
         let mut pieces = vec![Piece { a, b }];
         let mut cuts = 0;
         while let Some(piece) = pieces.pop() {
-            let (middle, flat) = self.missed(branches, forces, &piece);
-            let top = piece.range(middle, flat).1;
-            if !(top > best_now + margin) || cuts >= CUTS {
+            let goal = best_now + margin;
+            if cuts >= CUTS || !self.may_pass(branches, forces, (&piece, whole), goal) {
                 continue;
             }
             cuts += 1;
@@ -168,7 +197,7 @@ impl Coupled {
             if time <= piece.a.s || time >= piece.b.s {
                 continue;
             }
-            let cut = self.at(branches, forces.span, time, sign);
+            let cut = self.at(branches, forces, time, sign);
             best_now = see(&cut);
             pieces.push(Piece { a: cut, b: piece.b });
             pieces.push(Piece { a: piece.a, b: cut });
@@ -177,17 +206,17 @@ impl Coupled {
     }
 
     /// sign·(A + ΣG·F) and its slope at an instant of a stretch.
-    fn at(&self, branches: &mut [Branch<'_>], span: [f64; 2], time: f64, sign: f64) -> End {
-        let length = span[1] - span[0];
-        let share = (time - span[0]) / length;
+    fn at(&self, branches: &mut [Branch<'_>], forces: &mut Forces, time: f64, sign: f64) -> End {
+        let length = forces.span[1] - forces.span[0];
+        let share = (time - forces.span[0]) / length;
         let [mut value, mut slope] = self.own.at(share);
         slope /= length;
-        for (lever, branch) in self.levers.iter().zip(branches) {
+        for (tree, (lever, branch)) in self.levers.iter().zip(branches).enumerate() {
             if lever.most() == 0.0 {
                 continue;
             }
             let [g, rate] = lever.at(share);
-            let force = branch.force(time);
+            let force = forces.at(tree, branch, time);
             value += g * force.f;
             slope += g * force.g + rate / length * force.f;
         }
@@ -198,21 +227,39 @@ impl Coupled {
         }
     }
 
-    /// What a cubic between the ends of a piece may miss: of a product of what changes
-    /// slowly and a sum of modes, on the middle coefficient of a quartic and on all.
-    fn missed(&self, branches: &[Branch<'_>], forces: &Forces<'_>, piece: &Piece) -> (f64, f64) {
-        let slow = (RATE * piece.length() / forces.grid).powi(4) / 144.0;
-        let (mut middle, mut flat) = (slow * self.own.most(), 0.0);
+    /// True when a piece may pass a goal, by what is missed in the whole stretch and,
+    /// where that is more than a cubic tells of short pieces, by what is missed in it.
+    fn may_pass(
+        &self,
+        branches: &[Branch<'_>],
+        forces: &mut Forces,
+        (piece, whole): (&Piece, &Loss),
+        goal: f64,
+    ) -> bool {
+        let [from, to] = forces.span;
+        let share = piece.length() / (to - from);
+        if !(piece.range(whole.middle * share.powi(4), whole.flat).1 > goal) {
+            return false;
+        }
+        if whole.flat == 0.0 || share == 1.0 {
+            return true;
+        }
+        let mut own = Loss::own(&self.own, share);
         for (lever, branch) in self.levers.iter().zip(branches) {
-            let most = lever.most();
-            if most > 0.0 {
-                let ahead = branch.force_ahead([piece.a.s, piece.b.s]);
-                // |(G·F)⁗| is at most the sum of |F|'s lanes times (|λ| + rate of G)⁴|G|,
-                // and that is 8 times the sum of either fourth power.
-                middle += 8.0 * most * (ahead.middle + slow * ahead.most);
-                flat += most * ahead.flat;
+            if lever.most() > 0.0 {
+                let ahead = forces.ahead_in(branch, [piece.a.s, piece.b.s]);
+                own.add(lever, &ahead, share);
             }
         }
-        (middle, flat)
+        piece.range(own.middle, own.flat).1 > goal
+    }
+
+    /// The loss over the whole stretch.
+    fn loss(&self, forces: &Forces) -> Loss {
+        let mut loss = Loss::own(&self.own, 1.0);
+        for (lever, ahead) in self.levers.iter().zip(&forces.ahead) {
+            loss.add(lever, ahead, 1.0);
+        }
+        loss
     }
 }

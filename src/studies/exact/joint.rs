@@ -3,24 +3,20 @@
 //!
 //! Every tree gives its own figures and works in closed form. What no tree holds is a
 //! system of its own: its steps, be they those of an integration or laid here over
-//! motions that the drives prescribe, are looked at as those of any system. What is left
-//! are the forces on prescribed objects that trees hang on ([`super::coupled`]), and
-//! rigid objects that a mass of a tree carries.
+//! motions that the drives prescribe, are looked at as those of any system
+//! ([`super::beside`]). What is left are the forces on prescribed objects that trees hang
+//! on ([`super::coupled`]), and rigid objects that a mass of a tree carries
+//! ([`super::carried`]).
 
-use super::coupled::{Coupled, Forces};
-use super::lever::Way;
-use super::smooth::{NODES, node};
+use super::beside::Beside;
+use super::carried::{Looked, carried};
 use crate::dynamics::energy::EnergyAudit;
 use crate::dynamics::integrate::{Dynamics, Modes, SwitchEvent};
-use crate::dynamics::model::{LoadLaw, Model, NodeMotion};
-use crate::dynamics::record::{
-    Failure, Figured, Log, Observer, Recorded, RecorderSettings, Sampled, Tally, drive_cycle,
-};
+use crate::dynamics::record::{Failure, Log, Recorded, RecorderSettings, Tally, drive_cycle};
 use crate::dynamics::segment::Segment;
 use crate::dynamics::system::ObjectState;
-use crate::exact::walk::{Branch, Given, Listener, Motion, Way as Route};
-use crate::exact::{Ahead, Rest};
-use crate::kinematics::motion::DriveMotion;
+use crate::exact::Rest;
+use crate::exact::walk::{Branch, Listener, Motion, Way as Route};
 use crate::math::polynomial::Step;
 
 /// Stretches in a turn of the drive over which prescribed motions are looked at.
@@ -33,32 +29,6 @@ const IN_RUN: f64 = 64.0;
 /// tell then where it is greatest.
 const RADIANS: f64 = 1.5;
 
-/// Stretches in a period in which slopes are looked at beforehand.
-const TURN: u32 = 64;
-
-/// What no tree holds.
-pub(super) struct Beside<'a> {
-    rest: &'a Rest,
-    figured: Figured<'a>,
-    observer: Observer<'a>,
-    modes: Modes,
-    /// True where it is integrated: its steps come from outside.
-    integrated: bool,
-    /// What all objects beside the trees are doing, where nothing but angles changes.
-    steady: Option<Vec<ObjectState>>,
-    /// How far its figures have been taken (s).
-    taken: f64,
-    coupled: Vec<Coupled>,
-    ways: Vec<Way>,
-    /// What all objects of the whole are doing at the nodes of a stretch, as far as they
-    /// are beside the trees.
-    states: [Vec<ObjectState>; NODES],
-    /// The stretch whose nodes were taken up last (s).
-    noted: [f64; 2],
-    /// What the force of every tree does in the present stretch.
-    ahead: Vec<Ahead>,
-}
-
 /// Records a walk.
 pub(super) struct Joint<'a> {
     route: Route<'a>,
@@ -66,7 +36,7 @@ pub(super) struct Joint<'a> {
     log: Log<'a>,
     /// By tree, then by object of the tree.
     trees: Vec<Vec<Tally>>,
-    beside: Option<Beside<'a>>,
+    pub(super) beside: Option<Beside<'a>>,
     /// What is looked at in trees, with the tree: see [`carried`].
     carried: Vec<(usize, usize, Tally)>,
     /// Length of a stretch (s).
@@ -123,17 +93,14 @@ impl<'a> Joint<'a> {
     /// A switch in what is integrated.
     pub(super) fn switch_beside(&mut self, event: &SwitchEvent<'_>) {
         if let Some(beside) = &mut self.beside {
-            beside.figured.switch(event);
-            beside.modes.0.copy_from_slice(&event.after.0);
-            beside.noted = [f64::NAN; 2];
+            beside.switch_integrated(event);
         }
     }
 
     /// The start of what is integrated.
     pub(super) fn start_beside(&mut self, y: &[f64], modes: &Modes) {
         if let Some(beside) = &mut self.beside {
-            beside.figured.start(0.0, y, modes);
-            beside.modes.0.copy_from_slice(&modes.0);
+            beside.start_integrated(y, modes);
         }
     }
 
@@ -169,38 +136,14 @@ impl<'a> Joint<'a> {
         let Some(beside) = &mut self.beside else {
             return;
         };
-        if beside.steady.is_none() && !beside.integrated {
-            beside.take_to(span[1]);
-        }
-        if beside.coupled.is_empty() {
+        if !beside.take_stretch(motion, span) {
             return;
         }
-        let branches = motion.branches.iter();
-        for (ahead, branch) in beside.ahead.iter_mut().zip(branches) {
-            *ahead = branch.force_ahead(span);
-        }
-        let forces = Forces {
-            ahead: &beside.ahead,
-            span,
-            grid: self.length,
-        };
-        let steady = beside.steady.as_ref();
-        let may_rise = |own: &Coupled| {
-            let own_force = steady.map(|states| states[own.object].reaction);
-            own.may_rise(own_force, &forces)
-        };
-        if !beside.coupled.iter().any(may_rise) {
-            return;
-        }
-        beside.take_nodes(motion.given, span);
-        let forces = Forces {
-            ahead: &beside.ahead,
-            span,
-            grid: self.length,
-        };
         for own in &mut beside.coupled {
             self.found.clear();
-            own.climb(motion.branches, &forces, |time| self.found.push(time));
+            own.climb(motion.branches, &mut beside.forces, |time| {
+                self.found.push(time);
+            });
             for &time in &self.found {
                 motion.state(time, &mut self.y);
                 let states = self.log.observe(time, &self.y, modes);
@@ -341,176 +284,8 @@ impl Listener for Joint<'_> {
 
     fn switch(&mut self, event: &SwitchEvent<'_>) {
         self.log.switch(event);
-        let Some(beside) = self.beside.as_mut().filter(|beside| !beside.integrated) else {
-            return;
-        };
-        let modes = beside.rest.modes(event.after);
-        if modes != beside.modes {
-            beside.take_to(event.time);
-            let before = std::mem::replace(&mut beside.modes, modes);
-            beside.figured.switch(&SwitchEvent {
-                y: &[],
-                before: &before,
-                after: &beside.modes,
-                ..event.clone()
-            });
-            beside.noted = [f64::NAN; 2];
+        if let Some(beside) = self.beside.as_mut().filter(|beside| !beside.integrated) {
+            beside.switch(event);
         }
-    }
-}
-
-impl<'a> Beside<'a> {
-    fn new(
-        route: Route<'a>,
-        settings: &RecorderSettings,
-        (rest, integrated): (&'a Rest, bool),
-    ) -> Self {
-        let ways = Way::of_all(route.system, route.parts);
-        let objects = route.system.model().objects.len();
-        Self {
-            figured: Figured::new(&rest.system, settings),
-            observer: Observer::new(&rest.system),
-            modes: Modes(vec![0; rest.modes(&route.initial.modes).0.len()]),
-            integrated,
-            steady: is_uniform(rest.system.model()).then(|| vec![ObjectState::default(); objects]),
-            taken: 0.0,
-            coupled: Coupled::all(route.system, &ways, settings.window),
-            states: std::array::from_fn(|_| vec![ObjectState::default(); objects]),
-            noted: [f64::NAN; 2],
-            ahead: vec![Ahead::default(); ways.len()],
-            ways,
-            rest,
-        }
-    }
-
-    /// The start of what the drives prescribe.
-    fn start(&mut self, modes: &Modes, period: Option<f64>) {
-        self.modes = self.rest.modes(modes);
-        self.figured.start(0.0, &[], &self.modes);
-        if self.steady.is_none() {
-            return;
-        }
-        self.take_nodes(None, [0.0, period.unwrap_or(0.0)]);
-        self.steady = Some(self.states[0].clone());
-        let Some(period) = period else { return };
-        // What |G| comes to in a turn.
-        let mut most = vec![vec![0.0f64; self.ways.len()]; self.coupled.len()];
-        for k in 0..TURN {
-            let [from, to] = [k, k + 1].map(|k| period * f64::from(k) / f64::from(TURN));
-            self.take_nodes(None, [from, to]);
-            for (most, own) in most.iter_mut().zip(&self.coupled) {
-                for (most, lever) in most.iter_mut().zip(own.slopes()) {
-                    *most = most.max(lever);
-                }
-            }
-        }
-        for (most, own) in most.into_iter().zip(&mut self.coupled) {
-            own.cap(most);
-        }
-        self.noted = [f64::NAN; 2];
-    }
-
-    /// Takes figures and works of prescribed motions up to an instant.
-    fn take_to(&mut self, time: f64) {
-        if time > self.taken {
-            let step = still([self.taken, time]);
-            self.figured.step(&step, &self.modes);
-            self.taken = time;
-        }
-    }
-
-    /// Takes up what changes slowly at the nodes of a stretch.
-    fn take_nodes(&mut self, given: Option<&Given<'_>>, span: [f64; 2]) {
-        if self.noted == span {
-            return;
-        }
-        let still = still(span);
-        for k in 0..NODES {
-            let time = span[0] + node(k) * (span[1] - span[0]);
-            let states = match given {
-                Some(given) => {
-                    let s = (time - given.step.start) / given.step.length;
-                    let s = s.clamp(0.0, given.step.end);
-                    self.observer.at(given.step, s, &self.modes)
-                }
-                None => self.observer.at(&still, node(k), &self.modes),
-            };
-            for (&object, state) in self.rest.objects.iter().zip(states) {
-                self.states[k][object] = *state;
-            }
-        }
-        for own in &mut self.coupled {
-            own.take(&self.states, &self.ways);
-        }
-        self.noted = span;
-    }
-}
-
-/// A step of a system without coordinates.
-fn still([from, to]: [f64; 2]) -> Step<'static> {
-    Step {
-        start: from,
-        length: to - from,
-        end: 1.0,
-        coordinates: 0,
-        degree: 0,
-        bases: &[],
-        coefficients: &[],
-    }
-}
-
-/// True for drives of constant speed under constant loads, and nothing else.
-fn is_uniform(model: &Model) -> bool {
-    let constant = |motion: &NodeMotion| {
-        let NodeMotion::Prescribed { motion, .. } = motion else {
-            return false;
-        };
-        matches!(motion, DriveMotion::Constant { .. })
-    };
-    let steady = |law: &LoadLaw| matches!(law, LoadLaw::Constant(_));
-    model.nodes.iter().all(|node| constant(&node.motion))
-        && model.loads.iter().all(|load| steady(&load.law))
-}
-
-/// What is looked at in a tree: rigid objects that its masses carry, sums of modes, and
-/// elastic objects with inertia at their driven end, for the force there.
-fn carried(route: Route<'_>, window: Option<[f64; 2]>) -> Vec<(usize, usize, Tally)> {
-    let Route { system, parts, .. } = route;
-    let objects = 0..system.model().objects.len();
-    let own = |object: usize| {
-        let tree = parts.tree_of(object)?;
-        let elastic = parts.trees[tree].objects.contains(&object);
-        let end = system.model().objects[object].driven_end.is_some();
-        (!elastic || end).then(|| (tree, object, Tally::new(system, object, window)))
-    };
-    objects.filter_map(own).collect()
-}
-
-/// The whole system observed over parts of a stretch.
-struct Looked<'l, 'm, 'a, 's> {
-    log: &'l mut Log<'s>,
-    y: &'l mut [f64],
-    seen: &'l mut [ObjectState],
-    motion: &'l mut Motion<'m, 'a>,
-    modes: &'l Modes,
-}
-
-impl Looked<'_, '_, '_, '_> {
-    fn at(&mut self, time: f64) -> &[ObjectState] {
-        self.motion.state(time, self.y);
-        self.log.observe(time, self.y, self.modes)
-    }
-
-    /// Observes a part and hands it on.
-    fn each(&mut self, part: [f64; 2], take: impl FnOnce(&mut Sampled<'_>)) {
-        let mut seen = std::mem::take(&mut self.seen);
-        let objects = seen.len() / 7;
-        for (place, time) in Sampled::instants(part).into_iter().enumerate() {
-            let states = self.at(time);
-            seen[place * objects..][..objects].copy_from_slice(states);
-        }
-        let mut look = |time, object: usize| self.at(time)[object];
-        take(&mut Sampled::new(part, seen, &mut look));
-        self.seen = std::mem::take(&mut seen);
     }
 }

@@ -18,7 +18,7 @@ struct Step {
     lever: Lever,
 }
 
-/// What ties a node to the one that it follows.
+/// Lever that ties a node to the one that it follows.
 #[derive(Clone, Debug)]
 enum Lever {
     /// A position function.
@@ -51,7 +51,7 @@ pub(super) struct Way {
 }
 
 impl Way {
-    /// That of every tree. Objects are counted as in the whole model.
+    /// Ways of all trees. Objects are counted as in the whole model.
     pub(super) fn of_all(system: &System, parts: &Parts) -> Vec<Self> {
         let model = system.model();
         let way = |object: usize| {
@@ -104,23 +104,22 @@ impl Way {
         self.follow(model, node, Some(self.steps.len() - 1));
     }
 
-    /// Slope between an object and the tree, over all ways that lead to it; 0 where it is
-    /// on none.
-    pub(super) fn slope(&self, object: usize, states: &[ObjectState]) -> f64 {
-        let steps = self.steps.iter();
-        let own = steps.filter(|step| step.object == Some(object));
-        own.map(|step| self.product(step, states)).sum()
+    /// Slopes between the tree and where each step of the way leads, into `slopes`.
+    pub(super) fn take_slopes(&self, states: &[ObjectState], slopes: &mut Vec<f64>) {
+        slopes.clear();
+        for step in &self.steps {
+            // (The step above comes before it.)
+            let above = step.above.map_or(1.0, |above| slopes[above]);
+            slopes.push(self.single(step, states) * above);
+        }
     }
 
-    /// Slope between where a step leads and the tree.
-    fn product(&self, step: &Step, states: &[ObjectState]) -> f64 {
-        let mut product = 1.0;
-        let mut step = Some(step);
-        while let Some(own) = step {
-            product *= self.single(own, states);
-            step = own.above.map(|above| &self.steps[above]);
-        }
-        product
+    /// Slope between an object and the tree, over all ways that lead to it, by the slopes
+    /// of [`Self::take_slopes`]; 0 where it is on none.
+    pub(super) fn slope(&self, object: usize, slopes: &[f64]) -> f64 {
+        let steps = self.steps.iter().zip(slopes);
+        let own = steps.filter(|(step, _)| step.object == Some(object));
+        own.map(|(_, slope)| slope).sum()
     }
 
     /// ∂φ_above/∂φ where the node of a step stands.

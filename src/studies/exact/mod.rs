@@ -1,9 +1,14 @@
 //! Exact propagation of whole scenes, or of branches beside what is integrated.
 
+mod beside;
+mod carried;
 mod coupled;
 mod duet;
+mod forces;
 mod joint;
 mod lever;
+#[cfg(test)]
+mod many_tests;
 #[cfg(test)]
 mod mixed_tests;
 mod smooth;
@@ -29,10 +34,10 @@ pub fn whole(system: &System) -> Result<Parts, Vec<Fault>> {
     whole_with(system, &mut KeptLaws::default())
 }
 
-/// The same, with the laws of a system before that moves by the same ones.
+/// The parts of a system, with the laws of a system before that moves by the same ones.
 ///
 /// # Errors
-/// The same.
+/// As [`whole`].
 pub fn whole_with(system: &System, laws: &mut KeptLaws) -> Result<Parts, Vec<Fault>> {
     let parts = Parts::with_laws(system, laws);
     if parts.is_whole() {
@@ -59,7 +64,7 @@ pub fn whole_with(system: &System, laws: &mut KeptLaws) -> Result<Parts, Vec<Fau
     Err(faults)
 }
 
-/// The same, with the modes tried that a run may meet.
+/// The parts of a system, with the modes tried that a run may meet.
 ///
 /// # Errors
 /// As [`whole`]; or the modes of a tree cannot be separated.
@@ -100,21 +105,21 @@ pub fn mixed(system: &System) -> Option<Mixed> {
     Some(Mixed { parts, rest })
 }
 
-/// What is found of a motion.
+/// Findings about a motion.
 #[derive(Clone, Debug)]
 pub(super) struct Found {
     /// Samples, figures, audit.
     pub(super) recorded: Recorded,
-    /// How it ended.
+    /// Outcome: how it ended.
     pub(super) outcome: Outcome,
     /// Steps of the search over which a pair could not be told from its flank: there the
     /// count of switches is not guaranteed.
     pub(super) grazing: u64,
 }
 
-/// What is asked of a run: `None`: the figures of all objects and the energy audit;
-/// otherwise the figures that are named for each elastic object of the model, and
-/// nothing of others.
+/// Demand on a run: `None`: the figures of all objects and the energy audit; otherwise
+/// the figures that are named for each elastic object of the model, and nothing of
+/// others.
 pub(super) type Wanted<'w> = Option<&'w dyn Fn(usize) -> Asked>;
 
 fn request(part: &Part, limits: &Limits<'_>, end: f64, wanted: Wanted<'_>) -> Request {
@@ -200,7 +205,7 @@ pub(super) struct Deviations {
     pub(super) samples: Vec<(usize, Vec<f64>)>,
     /// Times of all switches (s).
     pub(super) switches: Vec<f64>,
-    /// How it ended.
+    /// Outcome: how it ended.
     pub(super) outcome: Outcome,
 }
 

@@ -43,6 +43,37 @@ impl Smooth {
         [value, slope]
     }
 
+    /// Coefficients of its powers, the constant first.
+    fn coefficients(&self) -> [f64; NODES] {
+        let mut found = [0.0; NODES];
+        for k in (0..NODES).rev() {
+            for j in (1..NODES).rev() {
+                found[j] = found[j - 1] - node(k) * found[j];
+            }
+            found[0] = self.differences[k] - node(k) * found[0];
+        }
+        found
+    }
+
+    /// Magnitude of its fourth derivative, by the stretch.
+    pub(super) fn fourth(&self) -> f64 {
+        24.0 * self.differences[NODES - 1].abs()
+    }
+
+    /// Fourth power of a rate r, by the stretch, with |f⁽ᵏ⁾| ≤ rᵏ·[`Self::most`] for all k.
+    pub(super) fn rate4(&self) -> f64 {
+        let most = self.most();
+        if most == 0.0 {
+            return 0.0;
+        }
+        let [_, c1, c2, c3, c4] = self.coefficients().map(f64::abs);
+        let first = (c1 + 2.0 * c2 + 3.0 * c3 + 4.0 * c4) / most;
+        let second = (2.0 * c2 + 6.0 * c3 + 12.0 * c4) / most;
+        let third = ((6.0 * c3 + 24.0 * c4) / most).cbrt();
+        let fourth = 24.0 * c4 / most;
+        (first.powi(4).max(second.powi(2))).max(third.powi(4).max(fourth))
+    }
+
     /// A bound on its magnitude: between five nodes it rises by no more than its range
     /// there (a parabola by an eighth of it).
     pub(super) fn most(&self) -> f64 {
@@ -65,7 +96,14 @@ mod tests {
             let expected = -1.0 + 6.0 * s - 4.0 * s.powi(3);
             approx::assert_abs_diff_eq!(slope, expected, epsilon = 1e-13);
             assert!(value.abs() <= smooth.most());
+            let rate = smooth.rate4().powf(0.25);
+            let higher = [slope, -12.0 * s * s, -24.0 * s, -24.0];
+            for (k, derivative) in (1..).zip(higher) {
+                let bound = rate.powi(k) * smooth.most();
+                assert!(f64::abs(derivative) <= bound * (1.0 + 1e-12));
+            }
         }
+        approx::assert_abs_diff_eq!(smooth.fourth(), 24.0, epsilon = 1e-11);
         assert_eq!(Smooth::new([0.0; NODES]).most(), 0.0);
     }
 }

@@ -8,9 +8,9 @@ type Read = Box<dyn Fn(&Row, &Forces) -> Option<f64>>;
 
 /// A quantity of every position.
 pub struct Column {
-    /// Its name: `R12.force`, `drive`, `chi`.
+    /// Name: `R12.force`, `drive`, `chi`.
     pub name: String,
-    /// Its SI unit; empty for a plain number.
+    /// SI unit; empty for a plain number.
     pub unit: String,
     /// True: its extremes are figures of the course.
     pub figure: bool,
@@ -32,7 +32,7 @@ impl Column {
         }
     }
 
-    /// Its value at a position; `None` without forces or where it has none.
+    /// Value at a position; `None` without forces or where it has none.
     pub fn value(&self, row: &Row) -> Option<f64> {
         let forces = row.forces.as_ref().ok()?;
         (self.read)(row, forces)

@@ -11,7 +11,7 @@ pub struct Counterweight {
     pub link: usize,
     /// Mass times distance from the pivot (kg·m).
     pub mass_radius: f64,
-    /// Its direction from the pivot, in the frame of the link (rad).
+    /// Direction from the pivot, in the frame of the link (rad).
     pub angle: f64,
     /// Root mean square of the shaking force without and with it (N).
     pub rms: [f64; 2],

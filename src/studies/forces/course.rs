@@ -4,7 +4,7 @@ use crate::kinematics::linkage::kinetostatics::{InputMotion, Positions};
 
 /// Gives the positions of a linkage at an input coordinate.
 pub trait PositionSource {
-    /// What it gives.
+    /// Positions that the source gives.
     type At: Positions;
     /// Positions and transfer functions at `coordinate`.
     ///
@@ -20,7 +20,7 @@ pub trait PositionSource {
     }
 }
 
-/// What is asked of one position.
+/// Question about one position: motion of the input, loads, direction.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Instant {
     /// Motion of the input.
@@ -55,7 +55,7 @@ pub enum Course {
     Instants {
         /// Times (s).
         times: Vec<f64>,
-        /// What is asked at these times.
+        /// Instants on the course.
         instants: Vec<Instant>,
         /// The motion repeats, and the last instant is the first of the next cycle.
         closed: bool,
@@ -83,7 +83,7 @@ impl Course {
         }
     }
 
-    /// What runs along the course: the input coordinate, or the time.
+    /// Parameter along the course: the input coordinate, or the time.
     pub fn parameter(&self, index: usize) -> f64 {
         match self {
             Self::Even { from, .. } => from + self.step() * index as f64,
@@ -99,7 +99,7 @@ impl Course {
         }
     }
 
-    /// What is asked at a position.
+    /// Instant at a position.
     pub fn instant(&self, index: usize) -> Instant {
         match self {
             Self::Even { .. } => self.between(self.parameter(index)),
@@ -114,8 +114,8 @@ impl Course {
         }
     }
 
-    /// What is asked anywhere on the course: between instants the coordinate is
-    /// cubic, accelerations and loads are linear.
+    /// Instant anywhere on the course: between instants the coordinate is cubic,
+    /// accelerations and loads are linear.
     pub fn between(&self, parameter: f64) -> Instant {
         match self {
             Self::Even {

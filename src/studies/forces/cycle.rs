@@ -7,7 +7,7 @@ use crate::math::quadrature::Integrals;
 /// Error of a sum that a panel may have, as a share of what flows to and fro.
 const AGREES: f64 = 1e-13;
 /// What should be zero is rounding below this share of what flows to and fro.
-const ROUNDING: f64 = 1e-10;
+const NO_FLOW: f64 = 1e-10;
 /// Evaluations for each interval of the course, all in all: some hundreds are
 /// needed for a place where friction changes its direction.
 const EVALUATIONS: usize = 100;
@@ -45,8 +45,8 @@ pub struct CycleForces {
 /// Integrands before those of the pairs' losses.
 const COMMON: usize = 6;
 
-/// What is summed up at a position: powers, driving force and its square, then
-/// the power lost in each pair.
+/// Integrands at a position: powers, driving force and its square, then the power lost in
+/// each pair.
 fn integrands(forces: &Forces, out: &mut [f64]) {
     let balance = &forces.balance;
     out[..COMMON].copy_from_slice(&[
@@ -102,7 +102,7 @@ pub(super) fn sum<S: PositionSource>(
     }
     let sums: Vec<f64> = integrals.sums.iter().map(|sum| sum * pace).collect();
     let clean = |sum: f64, size: f64| {
-        if sum.abs() <= ROUNDING * size {
+        if sum.abs() <= NO_FLOW * size {
             0.0
         } else {
             sum

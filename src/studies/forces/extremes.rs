@@ -24,7 +24,7 @@ pub struct Extreme {
 pub struct Extremes {
     /// The quantity's name.
     pub name: String,
-    /// Its unit.
+    /// Unit of the value.
     pub unit: String,
     /// The least value.
     pub least: Extreme,

@@ -31,10 +31,10 @@ use crate::kinematics::linkage::kinetostatics::{
 use crate::kinematics::linkage::spec::{LinkageSpec, PairKind};
 use row::Solver;
 
-/// What is asked.
+/// Settings of a study of forces.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ForceSettings {
-    /// How each position is solved.
+    /// Options of the solution of each position.
     pub options: Options,
     /// The output whose load the dynamic transmission ratio refers to, index
     /// into the linkage's outputs.
@@ -62,11 +62,11 @@ impl Default for ForceSettings {
 pub struct ForceStudy {
     /// The course.
     pub course: Course,
-    /// What was asked.
+    /// Settings: what was asked.
     pub settings: ForceSettings,
     /// The linkage.
     pub linkage: LinkageSpec,
-    /// One row a position; of a turn its end as well.
+    /// Rows, one a position; of a turn its end as well.
     pub rows: Vec<Row>,
     /// Least and greatest value of each quantity, between the positions too.
     pub extremes: Vec<Extremes>,

@@ -7,7 +7,7 @@ use crate::kinematics::linkage::kinetostatics::{
 };
 use std::fmt;
 
-/// One position of the course.
+/// Row: a position of the course.
 #[derive(Clone, Debug)]
 pub struct Row {
     /// Time, where the course has one (s).
@@ -41,7 +41,7 @@ impl fmt::Display for Trouble {
 pub struct Forces {
     /// The driving moment or force M₁ (N·m or N).
     pub drive: f64,
-    /// How it was found.
+    /// Qualities of the solution.
     pub solved: Solved,
     /// Driving forces of further solutions.
     pub others: Vec<f64>,
@@ -64,14 +64,14 @@ pub struct Forces {
     pub sensitivities: Option<Sensitivities>,
     /// Deviation of influence coefficients from transfer functions.
     pub influence_error: f64,
-    /// Where the links are.
+    /// Places of the links.
     pub links: Vec<LinkPlace>,
 }
 
-/// What a pair carries; on link j from link i.
+/// Forces of a pair; on link j from link i.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PairForces {
-    /// Where it is (m).
+    /// Point of the pair (m).
     pub point: [f64; 2],
     /// Total force, friction included (N).
     pub force: [f64; 2],

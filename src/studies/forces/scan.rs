@@ -2,12 +2,10 @@
 
 use super::row::Solver;
 use super::{Course, PositionSource};
-use crate::math::roots::bisect;
+use crate::math::roots::{BISECTIONS, bisect};
 
 /// Intervals of a course, at least.
 const INTERVALS: usize = 360;
-/// Bisections of a place over time.
-const BISECTIONS: u32 = 60;
 
 /// Places from the lesser end of a course to the greater, both included; `None` where it has
 /// no length.

@@ -12,10 +12,8 @@ use super::{Course, PositionSource};
 use crate::kinematics::linkage::kinetostatics::{BAD_CONDITION, ForceFailure};
 use crate::math::optimise::golden;
 use crate::math::order::Total;
-use crate::math::roots::bisect;
+use crate::math::roots::{BISECTIONS, bisect};
 
-/// Bisections of an end.
-const BISECTIONS: u32 = 60;
 /// Ratio, in parts of the greatest, at which the output stands still.
 const STANDSTILL: f64 = 1e-9;
 /// Where zones are looked for beside a reversal of the output or a singular position, in
@@ -26,7 +24,7 @@ const MOST_CHANGES: usize = 16;
 /// Steps of the search for the least distance from a change, each a golden section.
 const SEARCH: u32 = 30;
 /// A zone of this part of the course is none.
-const NOTHING: f64 = 1e-9;
+const NO_ZONE: f64 = 1e-9;
 /// Growth of a force over a tenth of the distance that has no end: by 10 where it goes with
 /// the distance, by 3 with its root; by 1 where it ends.
 const GROWTH: f64 = 2.0;
@@ -37,18 +35,18 @@ const DECADES: [i32; 4] = [-3, -4, -5, -6];
 /// passed at once is an interval of no width.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Zone {
-    /// What.
+    /// Kind of zone.
     pub kind: ZoneKind,
-    /// Where it begins: input coordinate or time, the lesser end.
+    /// Start of the zone: input coordinate or time, the lesser end.
     pub from: f64,
-    /// Where it ends.
+    /// End of the zone.
     pub to: f64,
     /// Whether forces grow without bound towards its beginning from below, and towards its
     /// end from above.
     pub unbounded: [bool; 2],
 }
 
-/// What is wrong in a zone.
+/// Kind of a zone: what is wrong in it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ZoneKind {
     /// The load drives, but friction takes more than it gives: the output
@@ -65,7 +63,7 @@ pub enum ZoneKind {
 }
 
 impl ZoneKind {
-    /// Its name in results.
+    /// Name in results.
     pub fn name(self) -> &'static str {
         match self {
             Self::SelfLocking => "self_locking",
@@ -76,7 +74,7 @@ impl ZoneKind {
         }
     }
 
-    /// What it means, in a few words.
+    /// Meaning in a few words.
     pub fn words(self) -> &'static str {
         match self {
             Self::SelfLocking => "self-locking: the load cannot drive against friction",
@@ -88,7 +86,7 @@ impl ZoneKind {
     }
 }
 
-/// What is wrong at a position.
+/// Kind of the zone that a position belongs to.
 fn state(row: &Row) -> Option<ZoneKind> {
     match &row.forces {
         Err(Trouble::OutOfReach(_)) => Some(ZoneKind::OutOfReach),
@@ -145,7 +143,7 @@ pub(super) fn find<S: PositionSource>(solver: &mut Solver<'_, S>, course: &Cours
     }
     let (first, last) = (marks[0].place, marks[marks.len() - 1].place);
     close(&mut open, last);
-    let narrow = NOTHING * (last - first);
+    let narrow = NO_ZONE * (last - first);
     zones.retain(|zone| zone.kind == ZoneKind::Dead || zone.to - zone.from > narrow);
     for index in 0..zones.len() {
         let (free, kind) = (free_sides(&zones, index, [first, last]), zones[index].kind);
@@ -226,7 +224,7 @@ impl<S: PositionSource> Scanner<'_, '_, S> {
         Some(marks)
     }
 
-    /// Where the output turns back.
+    /// Places where the output turns back.
     fn reversals(&mut self, marks: &[Mark], greatest: f64) -> Vec<f64> {
         let mut reversals = Vec::new();
         let rest = |ratio: f64| ratio.abs() <= STANDSTILL * greatest;
@@ -247,7 +245,7 @@ impl<S: PositionSource> Scanner<'_, '_, S> {
         reversals
     }
 
-    /// Where the sign of the ratio changes.
+    /// Place where the sign of the ratio changes.
     fn reversal(&mut self, ends: [f64; 2], sign: f64) -> f64 {
         let [_, reversal] = bisect(ends, BISECTIONS, |place| {
             ratio(&self.row(place)).is_some_and(|ratio| ratio * sign > 0.0)

@@ -15,7 +15,7 @@ pub const MOST_POSITIONS: usize = 1_000_000;
 /// Over what a linkage is looked at.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Over {
-    /// One period of the input.
+    /// A turn: one period of the input.
     Turn,
     /// A range of the input coordinate (rad or m).
     Range {
@@ -99,8 +99,8 @@ impl<'a> Asked<'a> {
         Self::of(model, subject, question)
     }
 
-    /// The same for a subject that is known already; the question's `object` is
-    /// not looked at.
+    /// Question about a subject that is known already; the question's `object` is not
+    /// looked at.
     ///
     /// # Errors
     /// What cannot be answered, in words.
@@ -208,7 +208,7 @@ impl<'a> Asked<'a> {
             .describe(self.linkage.structure(), turning)
     }
 
-    /// Where a turn begins.
+    /// Input coordinate at which a turn begins.
     pub(in crate::studies) fn first_input(&self) -> f64 {
         match &self.trajectory {
             Some(trajectory) => trajectory.at(0.0).value,

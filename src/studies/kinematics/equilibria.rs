@@ -6,19 +6,17 @@
 
 use super::ask::{Asked, Over, whole_travel};
 use crate::kinematics::linkage::{Linkage, Reduced, Workspace};
-use crate::math::roots::{bisect, middle};
+use crate::math::roots::{BISECTIONS, bisect, middle};
 
 /// Intervals in which a root is looked for.
 const INTERVALS: usize = 720;
-/// Bisections of a root.
-const BISECTIONS: u32 = 60;
 /// Share of the greatest force, and of the parts of a stiffness, that is rounding.
-const ROUNDING: f64 = 1e-12;
+const FORCE_ROUNDING: f64 = 1e-12;
 
 /// A position in which a linkage rests when its input is left free.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Equilibrium {
-    /// Its input coordinate (rad or m).
+    /// Input coordinate (rad or m).
     pub at: f64,
     /// k: what turns it back, by the input coordinate (N·m/rad or N/m); negative where it falls away.
     pub stiffness: f64,
@@ -100,7 +98,7 @@ impl Seeker<'_> {
         let greatest = forces.iter().filter(|w| w.is_finite());
         let greatest = greatest.fold(0.0f64, |most, w| most.max(w.abs()));
         let clean = |w: f64| {
-            if w.abs() <= ROUNDING * greatest {
+            if w.abs() <= FORCE_ROUNDING * greatest {
                 0.0
             } else {
                 w
@@ -154,7 +152,7 @@ impl Seeker<'_> {
         let reduced = self.reduced(at)?;
         let [spring, force] = [reduced.potential[2], reduced.force[1]];
         let stiffness = spring - force;
-        let rounding = ROUNDING * (spring.abs() + force.abs());
+        let rounding = FORCE_ROUNDING * (spring.abs() + force.abs());
         Some(Equilibrium {
             at,
             stiffness: if stiffness.abs() <= rounding {

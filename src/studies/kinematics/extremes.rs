@@ -1,7 +1,7 @@
 //! Least and greatest values, located between the rows.
 
 use super::ask::Asked;
-use super::columns;
+use super::values;
 use super::{Column, Extremes};
 use crate::kinematics::linkage::Workspace;
 use crate::math::optimise::{Peak, brent};
@@ -79,7 +79,7 @@ impl Seeker<'_, '_> {
         {
             return f64::NAN;
         }
-        columns::values(self.asked, &self.work, q, &mut self.values);
+        values::values(self.asked, &self.work, q, &mut self.values);
         self.values[column]
     }
 }

@@ -10,6 +10,7 @@ mod figures;
 mod study;
 mod subject;
 mod summary;
+mod values;
 
 pub use ask::{Asked, MOST_POSITIONS, Over, POSITIONS, Question, whole_travel};
 pub use columns::Quantity;
@@ -20,7 +21,7 @@ pub use subject::{Subject, linkage_of, reaches};
 use crate::dynamics::model::Coordinate;
 use crate::kinematics::linkage::Linkage;
 
-/// What a study found.
+/// Findings of a study of kinematics.
 #[derive(Clone, Debug)]
 pub struct Kinematics {
     /// The object's id.
@@ -29,14 +30,14 @@ pub struct Kinematics {
     pub linkage: Linkage,
     /// Whether the input turns or slides.
     pub input: Coordinate,
-    /// What leads from row to row.
+    /// Axis that leads from row to row.
     pub axis: Axis,
     /// Time of each row (s); where the speed of the input is not known, the
     /// input coordinate itself.
     pub times: Vec<f64>,
     /// True when the last row is one period after the first.
     pub closed: bool,
-    /// How the input moves, in words.
+    /// Motion of the input, in words.
     pub motion: String,
     /// All quantities, a value a row.
     pub columns: Vec<Column>,
@@ -46,19 +47,20 @@ pub struct Kinematics {
     pub extremes: Vec<Extremes>,
     /// Forward and return strokes of the outputs over a period.
     pub strokes: Vec<Stroke>,
-    /// Where it rests by itself, with its input free and nothing on its outputs.
+    /// Equilibria: where it rests by itself, with its input free and nothing on its
+    /// outputs.
     pub equilibria: Vec<Equilibrium>,
     /// Transmission angles.
     pub transmission: Vec<Transmission>,
-    /// Where the input's travel ends, and why.
+    /// Limits of the input's travel, and their reasons.
     pub limits: Vec<Limit>,
-    /// Where and why the rows end before what was asked.
+    /// Place and reason where the rows end before what was asked.
     pub stopped: Option<Stopped>,
-    /// What else the user should know.
+    /// Warnings to the user.
     pub warnings: Vec<String>,
 }
 
-/// What leads from row to row.
+/// Axis: the quantity that leads from row to row.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Axis {
     /// `input coordinate` or `time`.
@@ -69,13 +71,13 @@ pub struct Axis {
     pub values: Vec<f64>,
 }
 
-/// One quantity over the rows.
+/// Column: one quantity over the rows.
 #[derive(Clone, Debug)]
 pub struct Column {
-    /// What it belongs to: `input`, `links.rod`, `links.rod.P`, `pairs.guide`, or
-    /// an output by its name: `ram`.
+    /// Owner of the quantity: `input`, `links.rod`, `links.rod.P`, `pairs.guide`, or an
+    /// output by its name: `ram`.
     pub owner: String,
-    /// What it is.
+    /// Quantity of the column.
     pub quantity: Quantity,
     /// SI unit.
     pub unit: String,
@@ -104,7 +106,7 @@ pub struct Extremes {
     pub greatest: (f64, f64),
 }
 
-/// How an output goes to and fro in a period of the input.
+/// Stroke of an output: how it goes to and fro in a period of the input.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stroke {
     /// The output, or the sliding pair.
@@ -138,7 +140,7 @@ pub struct Transmission {
 pub struct Limit {
     /// Input coordinate there.
     pub at: f64,
-    /// What happens there, in words.
+    /// Cause in words.
     pub cause: String,
 }
 
@@ -149,6 +151,6 @@ pub struct Stopped {
     pub at: f64,
     /// Input coordinate there.
     pub input: f64,
-    /// What happens there, in words.
+    /// Cause in words.
     pub cause: String,
 }

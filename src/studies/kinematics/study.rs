@@ -6,6 +6,7 @@ use super::columns::{self, unit_of};
 use super::equilibria::equilibria;
 use super::extremes::extremes;
 use super::summary;
+use super::values;
 use super::{Axis, Column, Kinematics, Limit, Stopped};
 use crate::dynamics::model::Coordinate;
 use crate::kinematics::linkage::{Cause, OutOfReach, Reach, Rounding, Workspace};
@@ -97,7 +98,7 @@ fn named<'c>(mut columns: impl Iterator<Item = &'c Column>) -> Option<String> {
     })
 }
 
-/// How the input moves, in words.
+/// Motion of the input, in words.
 fn motion(asked: &Asked<'_>) -> String {
     let unit = unit_of(asked.input);
     let [speed, acceleration] = asked.rate;
@@ -231,12 +232,12 @@ impl<'q, 'a> Rows<'q, 'a> {
     fn row(&mut self, place: f64, values: &mut Vec<f64>) -> Result<(), OutOfReach> {
         let q = self.asked.input_at(place);
         self.asked.linkage.solve(q.value, 3, &mut self.work)?;
-        columns::values(self.asked, &self.work, q, values);
+        values::values(self.asked, &self.work, q, values);
         let asked = self.asked;
         self.rounding.errors(
             q.value,
             values,
-            |_, work, out| columns::values(asked, work, q, out),
+            |_, work, out| values::values(asked, work, q, out),
             &mut self.errors,
         );
         let size = asked.linkage.size();

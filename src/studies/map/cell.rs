@@ -34,7 +34,7 @@ const MOST_SAMPLES: f64 = 1e6;
 /// its own: an accepted step here, a rejected one there.
 const OWN_NOISE: f64 = 10.0;
 
-/// One point of a map.
+/// Cell: a point of a map.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cell {
     /// The figure; `None` when there is none: the run stopped, failed or never
@@ -42,7 +42,7 @@ pub struct Cell {
     pub value: Option<f64>,
     /// The verdict.
     pub verdict: Verdict,
-    /// Its cause in words.
+    /// Cause of the verdict in words.
     pub cause: String,
     /// How far the figure moves when all loads and gaps change by one part in
     /// 10¹⁰, as a share of its scale; `None`: not asked, no value, or the figure is
@@ -146,7 +146,7 @@ fn in_words(faults: &[Fault]) -> String {
     }
 }
 
-/// What is run, and what is asked of it.
+/// Task of a cell: what is run, and what is asked of it.
 #[derive(Clone, Copy)]
 struct Task<'t> {
     study: &'t Study<'t>,

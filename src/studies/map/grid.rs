@@ -30,7 +30,7 @@ pub struct Silent;
 
 impl Listener for Silent {}
 
-/// What is known of a study.
+/// Result of a study, as far as it is known.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MapResult {
     /// Cells of every panel; `None` where an interrupt came first.
@@ -86,7 +86,7 @@ struct OpenRow {
     row: usize,
     panel: usize,
     cells: Range<usize>,
-    /// Its cells, as far as they are done, with how many are missing.
+    /// Cells, as far as they are done, with how many are missing.
     done: Mutex<(Vec<Option<Cell>>, usize)>,
 }
 

@@ -17,7 +17,7 @@ use std::fmt::Write as _;
 /// Length of the digest of a line, in hexadecimal digits.
 const DIGITS: usize = 16;
 
-/// What the first line says.
+/// Head: the first line of a journal.
 #[derive(Debug, Deserialize, PartialEq, Serialize)]
 struct Head {
     dam_map: u32,
@@ -35,14 +35,14 @@ type Stored = (
     Option<f64>,
 );
 
-/// One row.
+/// Row of a journal: one cell.
 #[derive(Debug, Deserialize, Serialize)]
 struct Row {
     row: usize,
     cells: Vec<Stored>,
 }
 
-/// What a journal holds.
+/// Content of a journal.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Journal {
     /// The rows.

@@ -8,7 +8,7 @@ use crate::dynamics::record::{ObjectFigures, PairFigures};
 use crate::dynamics::system::{Regime, System};
 use std::f64::consts::TAU;
 
-/// What a verdict rests on.
+/// Evidence that a verdict rests on.
 pub(super) struct Evidence<'a> {
     /// The system.
     pub(super) system: &'a System,
@@ -25,7 +25,7 @@ pub(super) struct Evidence<'a> {
     pub(super) steady: &'a mut dyn FnMut(usize, Begun) -> Option<[f64; 2]>,
 }
 
-/// Where a motion that is looked at begins.
+/// Start of a motion that is looked at.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Begun {
     /// As the scene says.
@@ -165,7 +165,7 @@ fn resonates(evidence: &mut Evidence<'_>, object: usize) -> Option<String> {
     ))
 }
 
-/// The same model from a start on its law.
+/// The model from a start on its law.
 pub(super) fn on_law(model: &Model) -> Model {
     Model {
         start: Start::OnLaw,

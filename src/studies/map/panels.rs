@@ -9,10 +9,10 @@ pub const MOST_PANELS: usize = 64;
 const FORM: &str = "write PATH=A,B,C, or lists of the same length that go together, separated \
                     by semicolons: shaft.motion.speed=1 rev/s,10 rev/s; run.duration=5,0.5";
 
-/// One map of a study.
+/// Panel: a map of a study.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Panel {
-    /// What it differs in: `shaft.motion.speed = 1 rev/s, run.duration = 5`;
+    /// Label of what it differs in: `shaft.motion.speed = 1 rev/s, run.duration = 5`;
     /// empty for a single map.
     pub label: String,
     /// Settings `PATH=VALUE` of this map.

@@ -25,7 +25,7 @@ use crate::math::optimise::vertex;
 /// Instants looked at, over a cycle of the drive or the whole run.
 const SAMPLES: usize = 128;
 
-/// What the rigid mechanism would do.
+/// Motion that the rigid mechanism would have.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct RigidMotion {
     /// Half the stroke of each object's law, in the order of
@@ -280,7 +280,7 @@ fn places(model: &Model) -> (Vec<usize>, Vec<NodeIndex>) {
     (places, heads)
 }
 
-/// How long the rigid mechanism is followed: a cycle, if all of it repeats.
+/// Time for which the rigid mechanism is followed (s): a cycle, if all of it repeats.
 fn span(model: &Model, duration: f64) -> f64 {
     let over_time = |track: &Track| track.source == TrackSource::Time;
     match drive_cycle(model) {

@@ -28,7 +28,8 @@ struct Bench {
     kept: Kept,
 }
 
-/// What follows from the laws of motion alone, kept for as long as they are the same.
+/// Results that follow from the laws of motion alone, kept for as long as these are the
+/// same.
 #[derive(Debug, Default)]
 pub(super) struct Kept {
     /// The laws of the scene at hand; `None`: they are those of no other.
@@ -49,7 +50,7 @@ impl Kept {
         self.laws = laws;
     }
 
-    /// What the rigid mechanism of a cell would do.
+    /// Motion that the rigid mechanism of a cell would have.
     pub(super) fn rigid_motion(&mut self, model: &Model, duration: f64) -> RigidMotion {
         if let Some(path) = &self.path {
             return path.rigid_motion(model);

@@ -19,7 +19,7 @@ pub const MOST_CELLS: usize = 1_000_000;
 /// Cells of a row when there is one axis only.
 const STRETCH: usize = 8;
 
-/// What is asked of a scene.
+/// Question that a map asks of a scene.
 #[derive(Clone, Debug)]
 pub struct Question {
     /// Settings made before everything else.
@@ -58,7 +58,7 @@ pub struct Study<'a> {
     pub panels: Panels,
     /// Address of the figure.
     pub figure: String,
-    /// Its SI unit; empty for counts and answers.
+    /// SI unit; empty for counts and answers.
     pub unit: String,
     /// Units in which the x and the y parameter are written: those of the axes,
     /// else the SI unit where it is known, else empty.

@@ -17,14 +17,17 @@ pub struct Extreme {
     /// Value of the y parameter, with its unit.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub y: Option<String>,
+    /// Values of the parameters in the units of the axes.
+    #[serde(skip)]
+    pub place: (f64, Option<f64>),
     /// The verdict there.
     pub verdict: Verdict,
 }
 
-/// One panel in a few numbers.
+/// Summary of a panel in a few numbers.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct PanelSummary {
-    /// What the panel differs in.
+    /// Label of what the panel differs in.
     pub label: String,
     /// Number of cells of each verdict that occurs.
     pub verdicts: BTreeMap<Verdict, usize>,
@@ -82,11 +85,12 @@ fn extreme(
         }
     }
     let (index, value, verdict) = best?;
-    let (x, y) = study.place(index);
+    let place = study.place(index);
     Some(Extreme {
         value,
-        x: study.x.written(x),
-        y: study.y.as_ref().zip(y).map(|(axis, y)| axis.written(y)),
+        x: study.x.written(place.0),
+        y: (study.y.as_ref().zip(place.1)).map(|(axis, y)| axis.written(y)),
+        place,
         verdict,
     })
 }

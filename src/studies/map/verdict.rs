@@ -60,7 +60,7 @@ pub enum Verdict {
     Refused,
 }
 
-/// What a verdict speaks of.
+/// Family of verdicts: what they speak of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Family {
@@ -121,7 +121,7 @@ impl Verdict {
         }
     }
 
-    /// What the verdict speaks of.
+    /// Family of the verdict.
     pub fn family(self) -> Family {
         match self {
             Self::NumericalFailure => Family::Computation,

@@ -18,7 +18,7 @@ const MOST_REPEATING: f64 = 1.0;
 /// So many steps more than the length of the step asks for are no chatter.
 const FEW: f64 = 1000.0;
 
-/// What is run: a system from its start.
+/// Problem to be run: a system from its start.
 #[derive(Clone, Copy)]
 pub(super) struct Problem<'p> {
     pub(super) system: &'p System,
@@ -27,14 +27,14 @@ pub(super) struct Problem<'p> {
     pub(super) settings: &'p RunSettings,
 }
 
-/// How a point is measured.
+/// Effort with which a point is measured.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Effort<'c> {
     /// Timed runs of a point at most.
     pub(super) repeats: usize,
     /// Longest time of a point (s).
     pub(super) limit: Duration,
-    /// What may end it from outside.
+    /// Control: what may end it from outside.
     pub(super) control: Control<'c>,
 }
 
@@ -70,7 +70,7 @@ impl Attempt {
         attempt
     }
 
-    /// The same without repetitions, where its time does not matter.
+    /// Attempts a point without repetitions, where its time does not matter.
     pub(super) fn untimed(
         problem: &Problem<'_>,
         method: Method,
@@ -95,7 +95,7 @@ impl Attempt {
             .map(|result| result.figures);
     }
 
-    /// The same without repetitions and figures.
+    /// Attempts a point without repetitions and figures.
     pub(super) fn light(
         problem: &Problem<'_>,
         method: Method,

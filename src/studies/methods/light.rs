@@ -13,17 +13,17 @@ use crate::studies::run::motion;
 use crate::studies::{Control, RunSettings, exact};
 use std::time::Instant;
 
-/// What is followed of an object.
+/// Track of an object: the coordinate that is followed.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Track {
     /// Index of the object in the model.
     pub(super) object: usize,
-    /// Its coordinate in the state: δ of an elastic object, the displacement of a rotor.
+    /// Coordinate in the state: δ of an elastic object, the displacement of a rotor.
     pub(super) coordinate: usize,
 }
 
-/// What is followed in a system: δ of every elastic object, or, where nothing
-/// is elastic, the displacement of every rotor.
+/// Tracks of a system: δ of every elastic object, or, where nothing is elastic, the
+/// displacement of every rotor.
 pub(super) fn tracks(system: &System) -> Vec<Track> {
     let objects = system.model().objects.iter().enumerate();
     let all: Vec<(bool, Track)> = objects
@@ -40,7 +40,7 @@ pub(super) fn tracks(system: &System) -> Vec<Track> {
     wanted.map(|(_, track)| track).collect()
 }
 
-/// What a light run leaves.
+/// Trace of a light run: samples of its tracks and its switches.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Trace {
     /// Samples of every track at equal intervals, from t = 0 as far as the run went.
@@ -146,9 +146,9 @@ impl Sink for Listener<'_> {
 /// A run and how long it took.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Timed {
-    /// What it left.
+    /// Trace that it left.
     pub(super) trace: Trace,
-    /// How it ended.
+    /// Outcome: how it ended.
     pub(super) outcome: Outcome,
     /// Wall-clock time (s).
     pub(super) seconds: f64,
@@ -201,7 +201,7 @@ pub(super) fn light_run(
     }
 }
 
-/// The same by exact propagation, its preparation from the system included.
+/// Light run by exact propagation, its preparation from the system included.
 fn exact_run(
     system: &System,
     tracks: &[Track],

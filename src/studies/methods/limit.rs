@@ -48,7 +48,7 @@ pub struct StabilityLimit {
     /// The eigenvalue that bounds the step, real and imaginary part (1/s), all
     /// pairs engaged; null when theory knows no limit.
     pub eigenvalue: Option<[f64; 2]>,
-    /// Its place in words.
+    /// Place in words.
     pub place: Option<&'static str>,
     /// Greatest |λ|h by theory.
     pub theory: Option<f64>,
@@ -58,7 +58,7 @@ pub struct StabilityLimit {
     pub measured: Option<f64>,
     /// The step at that (s).
     pub measured_step: Option<f64>,
-    /// What there is to say where there is no limit.
+    /// Remark where there is no limit.
     pub remark: Option<&'static str>,
     /// Degree of the series at the accuracy asked for, of a method of power
     /// series; the limits are those of this degree.
@@ -66,7 +66,7 @@ pub struct StabilityLimit {
 }
 
 impl StabilityLimit {
-    /// What theory says.
+    /// Limit as theory has it.
     pub(super) fn by_theory(bound: Option<&Bound>, remark: Option<&'static str>) -> Self {
         Self {
             eigenvalue: bound.map(|bound| bound.eigenvalue),

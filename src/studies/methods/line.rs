@@ -5,7 +5,7 @@ use super::point::Point;
 use crate::dynamics::integrate::Method;
 use serde::Serialize;
 
-/// One method at all its settings.
+/// Line: one method at all its settings.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct MethodLine {
     /// The method.
@@ -14,6 +14,6 @@ pub struct MethodLine {
     pub fixed_step: bool,
     /// The limit of its stability.
     pub stability: StabilityLimit,
-    /// Its points, the coarsest first.
+    /// Points, the coarsest first.
     pub points: Vec<Point>,
 }

@@ -15,7 +15,7 @@ pub struct Point {
     pub tolerance: Option<f64>,
     /// Step (s), if it is of fixed step.
     pub step: Option<f64>,
-    /// What became of it.
+    /// Verdict on the point.
     pub verdict: Verdict,
     /// Why, in a sentence.
     pub cause: String,

@@ -13,11 +13,11 @@ pub struct Recommendation {
     pub tolerance: Option<f64>,
     /// Step to set (s), if it is of fixed step.
     pub step: Option<f64>,
-    /// Its error.
+    /// Error of the method.
     pub error: Option<f64>,
-    /// Its median wall-clock time (s); varies from run to run.
+    /// Median wall-clock time (s); varies from run to run.
     pub measured_seconds: Option<f64>,
-    /// The same as a sentence.
+    /// Recommendation as a sentence.
     pub text: String,
 }
 

@@ -27,19 +27,19 @@ pub const AGREE: f64 = 1e-3;
 pub const HORIZON: f64 = 1e-2;
 
 /// Rounding, as a share of the change of loads.
-const ROUNDING: f64 = 1e-15 / CHANGE;
+const CHANGE_ROUNDING: f64 = 1e-15 / CHANGE;
 
 /// Below this share of a coordinate's scale a deviation is none.
-const NOTHING: f64 = 1e-12;
+const NO_DEVIATION: f64 = 1e-12;
 
-/// What the errors are taken against.
+/// Reference that the errors are taken against.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Reference {
     /// The method.
     pub method: Method,
-    /// Its tolerance, if it has one.
+    /// Tolerance, if it has one.
     pub tolerance: Option<f64>,
-    /// Its step (s), if it is of fixed step.
+    /// Step (s), if it is of fixed step.
     pub step: Option<f64>,
     /// True: propagated without truncation error; false: two methods agree.
     pub exact: bool,
@@ -58,7 +58,7 @@ pub struct Reference {
     pub undetermined: Vec<String>,
 }
 
-/// How far two points are apart.
+/// Distance between two points.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Distance {
     /// One method with its setting.
@@ -130,7 +130,7 @@ pub(super) fn find(
     };
     let sizes = sizes(problem, trace(&attempts[index]), until);
     let confirmed_by = confirmation(attempts, index, &sizes, until);
-    let rounding = (ROUNDING * share).max(1e-15);
+    let rounding = (CHANGE_ROUNDING * share).max(1e-15);
     let resolution = agreement.map_or(rounding, |distance| rounding.max(distance));
     let attempt = &attempts[index];
     let end = attempt.timed.as_ref().map_or(0.0, |t| t.outcome.time);
@@ -164,11 +164,11 @@ pub(super) fn find(
 
 /// The trace of a point that ended well.
 fn trace(attempt: &Attempt) -> &Trace {
-    static NOTHING: Trace = Trace::EMPTY;
+    static NO_DEVIATION: Trace = Trace::EMPTY;
     attempt
         .timed
         .as_ref()
-        .map_or(&NOTHING, |timed| &timed.trace)
+        .map_or(&NO_DEVIATION, |timed| &timed.trace)
 }
 
 fn last_sample(trace: &Trace) -> usize {
@@ -199,7 +199,7 @@ fn sizes(problem: &Problem<'_>, trace: &Trace, until: usize) -> Vec<f64> {
     tracks
         .map(|(index, track)| {
             let greatest = greatest(trace, index, until);
-            if greatest > NOTHING * scales[track.coordinate] {
+            if greatest > NO_DEVIATION * scales[track.coordinate] {
                 greatest
             } else {
                 0.0

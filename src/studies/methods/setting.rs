@@ -14,7 +14,7 @@ const BEYOND: f64 = 1.7;
 /// Least number of steps of the first rung, where stability bounds nothing.
 const FEWEST: f64 = 8.0;
 
-/// How closely a method is asked to follow the motion.
+/// Setting of a method: how closely it is asked to follow the motion.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Setting {

@@ -23,7 +23,7 @@ const SLACK: f64 = 1e-9;
 pub(super) const SERIES_SLACK: f64 = 1e-6;
 
 /// An undamped eigenvalue has a real part of rounding only: this share of its size.
-const ROUNDING: f64 = 1e-9;
+const UNDAMPED: f64 = 1e-9;
 
 /// Most coordinates for which all eigenvalues are found (a second's work).
 const MOST_COORDINATES: usize = 150;
@@ -72,7 +72,7 @@ pub(super) fn degree(method: Method, tolerance: f64) -> Option<usize> {
     (method == Method::Taylor).then(|| series_degree(tolerance))
 }
 
-/// What theory says of a method's stability, in words, where there is no limit.
+/// Remark on a method's stability by theory, in words, where there is no limit.
 pub(super) fn remark(method: Method) -> Option<&'static str> {
     match method.name() {
         "tr_bdf2" | "esdirk34" | "rodas5p" | "radau" => Some("L-stable: no limit on the step"),
@@ -139,7 +139,7 @@ fn limit(slack: f64, eigenvalue: [f64; 2], growth: impl Fn(f64, f64) -> f64) -> 
     const FARTHEST: usize = 4000;
     let size = eigenvalue[0].hypot(eigenvalue[1]);
     let [re, im] = eigenvalue.map(|part| part / size);
-    let re = if re.abs() < ROUNDING { 0.0 } else { re };
+    let re = if re.abs() < UNDAMPED { 0.0 } else { re };
     if !(size > 0.0 && size.is_finite() && re <= 0.0) {
         return None;
     }
@@ -168,7 +168,7 @@ pub(super) struct Spectrum {
     pub(super) fastest: f64,
 }
 
-/// What bounds the step of a method.
+/// Bound of a method's step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Bound {
     /// The eigenvalue that bounds it (1/s).
@@ -203,13 +203,13 @@ impl Spectrum {
         Self { values, fastest }
     }
 
-    /// What bounds the step of a method; `None`: nothing does, or it is not
-    /// known, or depends on the tolerance.
+    /// Bound of a method's step; `None`: nothing bounds it, or it is not known, or
+    /// depends on the tolerance.
     pub(super) fn bound(&self, method: Method) -> Option<Bound> {
         self.least(|eigenvalue| stability_limit(method, eigenvalue))
     }
 
-    /// The same at a tolerance, which the degree of series follows.
+    /// Bound of a method's step at a tolerance, which the degree of series follows.
     pub(super) fn bound_at(&self, method: Method, tolerance: f64) -> Option<Bound> {
         match degree(method, tolerance) {
             Some(degree) => self.least(|eigenvalue| series_limit(degree, eigenvalue)),

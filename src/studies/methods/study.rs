@@ -17,7 +17,7 @@ use crate::studies::{Control, RunSettings};
 use serde::Serialize;
 use std::time::Duration;
 
-/// What to try.
+/// Plan of a study: what to try.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plan {
     /// Error of δ wanted, relative to max|δ|.
@@ -54,7 +54,7 @@ impl Plan {
     }
 }
 
-/// What is being done, for whoever waits.
+/// Progress: what is being done, for whoever waits.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Now {
     /// Points done.
@@ -63,7 +63,7 @@ pub struct Now {
     pub total: usize,
     /// The method under way.
     pub method: Method,
-    /// Its setting.
+    /// Setting of the method.
     pub setting: Setting,
 }
 
@@ -86,13 +86,13 @@ pub struct Study {
     pub samples: usize,
     /// Greatest rate |λ| of the system (1/s), all pairs engaged.
     pub fastest_rate: f64,
-    /// What errors are taken against; null when it cannot be known.
+    /// Reference that errors are taken against; null when it cannot be known.
     pub reference: Option<Reference>,
     /// Where there is no reference: how far the finest points are apart.
     pub mutual_distances: Vec<Distance>,
-    /// One entry a method.
+    /// Lines, one a method.
     pub methods: Vec<MethodLine>,
-    /// Which to take.
+    /// Recommendation which method to take.
     pub recommendation: Recommendation,
 }
 

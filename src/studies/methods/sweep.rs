@@ -32,7 +32,7 @@ pub struct Sweep {
     pub complete: bool,
     /// The step at which methods of fixed step are judged over the whole axis (s).
     pub fixed_step: Option<f64>,
-    /// One entry a value.
+    /// Slices, one a value.
     pub slices: Vec<Slice>,
 }
 
@@ -45,13 +45,13 @@ pub struct Slice {
     pub study: Study,
 }
 
-/// What a method does at one value.
+/// Standing of a method at one value.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Standing {
     /// The verdict at the asked accuracy (at the fixed step for methods of
     /// fixed step).
     pub verdict: Verdict,
-    /// Its cause.
+    /// Cause of the verdict.
     pub cause: String,
     /// Least time to an error within the accuracy (s); null: not reached.
     pub measured_seconds: Option<f64>,
@@ -59,12 +59,12 @@ pub struct Standing {
     pub evaluations: Option<u64>,
     /// Greatest stable step, measured (s).
     pub stable_step: Option<f64>,
-    /// The same by theory (s).
+    /// Greatest stable step by theory (s).
     pub stable_step_by_theory: Option<f64>,
 }
 
 impl Slice {
-    /// What a method does here; `None`: it was not tried.
+    /// Standing of a method here; `None`: it was not tried.
     pub fn standing(&self, method: Method) -> Option<Standing> {
         let line = self.study.methods.iter().find(|l| l.method == method)?;
         let first = line.points.first()?;

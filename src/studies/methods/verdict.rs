@@ -22,14 +22,14 @@ const CHATTER: usize = 20;
 /// So many switches at one instant are chatter.
 const AT_ONCE: usize = 32;
 
-/// What became of a point.
+/// Verdict on a point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Verdict {
     /// The error is within the tolerance; of a fixed step, within the accuracy
     /// asked for.
     Converged,
-    /// It reported success, but the error exceeds that.
+    /// Reported success, but the error exceeds that.
     Inaccurate,
     /// The motion grows as the true one does not.
     Unstable,
@@ -39,11 +39,11 @@ pub enum Verdict {
     SwitchesMissed,
     /// A pair switches to and fro far more often than in truth.
     Chatter,
-    /// It cannot be used on this scene or with this setting.
+    /// Cannot be used on this scene or with this setting.
     Refused,
-    /// It gave up for another reason.
+    /// Gave up for another reason.
     GaveUp,
-    /// It took longer than a point may.
+    /// Took longer than a point may.
     TimeLimit,
     /// Nothing is known to judge it against.
     NotJudged,
@@ -77,7 +77,7 @@ impl Verdict {
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Judgement {
     pub(super) verdict: Verdict,
-    /// One sentence.
+    /// Cause in one sentence.
     pub(super) cause: String,
     /// Error of the deviation relative to max|δ|.
     pub(super) error: Option<f64>,

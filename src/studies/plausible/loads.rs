@@ -83,7 +83,7 @@ fn acts(piece: &LinearPiece) -> bool {
     piece.value != 0.0 || piece.slope != 0.0
 }
 
-/// What a load runs over.
+/// Axis that a load runs over.
 enum Axis<'a> {
     Time,
     Way(&'a str, Coordinate),

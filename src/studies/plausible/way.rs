@@ -13,7 +13,7 @@ const INSTANTS: usize = 180;
 /// No displacement at all.
 pub(super) const NOWHERE: [f64; 2] = [f64::INFINITY, f64::NEG_INFINITY];
 
-/// What a node does over a run.
+/// Way of a node over a run.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Way {
     /// Least and greatest displacement (rad or m).
@@ -26,7 +26,7 @@ pub(super) struct Way {
     pub(super) mean_square_acceleration: f64,
 }
 
-/// How a motor's rotor is taken to move.
+/// Assumption about the motion of a motor's rotor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Rotors {
     /// Nobody knows before the run.

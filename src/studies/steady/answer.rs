@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 /// The steady motion of a machine with rigid objects.
 #[derive(Clone, Debug, Serialize)]
 pub struct RigidAnswer {
-    /// What moves it.
+    /// Forces that move it.
     pub forces: Forces,
     /// Φ (rad).
     pub cycle: f64,
@@ -21,14 +21,14 @@ pub struct RigidAnswer {
     /// The flywheel, where one was asked for; the motion is the one with it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub flywheel: Option<Flywheel>,
-    /// How well independent ways agree.
+    /// Agreement of independent ways.
     pub agreement: Agreement,
     /// The motion.
     #[serde(skip)]
     pub motion: SteadyMotion,
 }
 
-/// How well independent ways to the same motion agree.
+/// Agreement of independent ways to the same motion.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Agreement {
     /// The equation of motion, integrated over the cycle, against the energy theorem.
@@ -42,7 +42,7 @@ pub struct Agreement {
     pub simulation_missing: Option<String>,
 }
 
-/// What a simulation of the scene in time came to.
+/// Simulation of the scene in time, for comparison.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Simulation {
     /// Cycles simulated.
@@ -54,7 +54,7 @@ pub struct Simulation {
     pub speed: f64,
 }
 
-/// What moves the machine.
+/// Forces that move the machine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Forces {
@@ -64,7 +64,7 @@ pub enum Forces {
     Speed,
 }
 
-/// How a drive turns in a steady motion.
+/// Figures of how a drive turns in a steady motion.
 #[derive(Clone, Debug, Serialize)]
 pub struct DriveFigures {
     /// The drive.

@@ -6,7 +6,7 @@ use crate::units::{Quantity, parse, quantities as q};
 /// Largest table that is read (bytes).
 const LARGEST: usize = 64 << 20;
 
-/// What a column holds.
+/// Content of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Column {
     Position,

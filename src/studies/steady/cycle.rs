@@ -9,13 +9,16 @@ use crate::kinematics::position::Position;
 use crate::math::fraction::Fraction;
 use std::f64::consts::TAU;
 
-/// How everything goes on while a drive turns evenly: what repeats after which angle,
-/// and what never does.
+/// Relative differences of inertias and accelerations after a cycle that are rounding.
+pub(super) const AFTER_A_CYCLE: f64 = 1e-8;
+
+/// Rhythms of everything while a drive turns evenly: what repeats after which angle, and
+/// what never does.
 #[derive(Debug, Default)]
 pub(super) struct Rhythms {
     /// Angles after which something repeats (rad).
     periods: Vec<f64>,
-    /// What goes on without ever coming back.
+    /// Faults of what goes on without ever coming back.
     pub(super) growing: Vec<Fault>,
 }
 
@@ -66,13 +69,13 @@ fn grows(rhythm: Rhythm) -> bool {
 }
 
 impl Rhythms {
-    /// Those of everything behind a drive that turns as it likes, `moved` by node.
+    /// Rhythms of everything behind a drive that turns as it likes, `moved` by node.
     pub(super) fn behind(model: &Model, drive: NodeIndex, moved: &[bool]) -> Self {
         Self::of(model, &courses(model, Some(drive), 1.0), moved, None)
     }
 
-    /// Those of everything behind drives of constant speed; the angle is that of a drive
-    /// with `speed` (rad/s, > 0).
+    /// Rhythms of everything behind drives of constant speed; the angle is that of a
+    /// drive with `speed` (rad/s, > 0).
     pub(super) fn of_all(model: &Model, speed: f64) -> Self {
         let moved = vec![true; model.nodes.len()];
         Self::of(model, &courses(model, None, speed), &moved, Some(speed))

@@ -1,5 +1,6 @@
 //! A scene's drive with all that hangs rigidly on it.
 
+use super::cycle::AFTER_A_CYCLE;
 use crate::dynamics::integrate::Modes;
 use crate::dynamics::model::{Coordinate, Load, LoadLaw, Model, NodeMotion, TrackSource};
 use crate::dynamics::steady::cycle_map;
@@ -12,9 +13,6 @@ use std::cell::RefCell;
 /// Places at which a turn is looked at for changes of formula, besides those
 /// that the drive's own tables name.
 const LOOKS: f64 = 2048.0;
-
-/// Share of a number by which J may differ after a cycle.
-const SAME: f64 = 1e-8;
 
 /// A machine with one degree of freedom, taken from a scene: its drive turns
 /// freely, everything behind it is rigid.
@@ -313,7 +311,7 @@ impl Machine {
                     .fold(0.0, f64::max)
             })
             .fold(0.0, f64::max);
-        if (start - end).abs() <= SAME * size {
+        if (start - end).abs() <= AFTER_A_CYCLE * size {
             return Ok(());
         }
         let message = format!(

@@ -12,14 +12,14 @@ use nalgebra::DMatrix;
 /// A motion as a list of states.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Orbit {
-    /// When (s).
+    /// Times (s).
     pub(super) times: Vec<f64>,
-    /// One list of displacements a coordinate.
+    /// Columns of displacements, one a coordinate.
     pub(super) columns: Vec<Vec<f64>>,
 }
 
 impl Orbit {
-    /// One in equal steps.
+    /// An orbit in equal steps of time.
     fn even(time: f64, count: usize, columns: Vec<Vec<f64>>) -> Self {
         let step = |i: usize| time * i as f64 / count as f64;
         Self {
@@ -50,7 +50,7 @@ pub(super) trait Map {
     /// As [`Map::apply`].
     fn orbit(&self, state: &[f64], time: f64, count: usize) -> Result<Orbit, String>;
 
-    /// How long it takes (s).
+    /// Duration of the stretch (s).
     ///
     /// # Errors
     /// As [`Map::apply`].
@@ -61,7 +61,7 @@ pub(super) trait Map {
     /// Sizes of the state's entries, for differences and misses.
     fn scales(&self) -> &[f64];
 
-    /// How its derivative is found, in words.
+    /// Way in which its derivative is found, in words.
     fn how(&self) -> &'static str;
 }
 

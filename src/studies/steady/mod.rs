@@ -61,7 +61,7 @@ pub fn steady_motion(
     steady_motion_within(system, settings, spec, &Control::default())
 }
 
-/// The same, ended from outside: by a flag, or after a time.
+/// Steady motion, ended from outside: by a flag, or after a time.
 ///
 /// # Errors
 /// As [`steady_motion`]; ended before there was an answer.

@@ -7,7 +7,7 @@
 use super::answer::DriveFigures;
 use super::answer::DriveRow;
 use super::answer::StartOf;
-use super::cycle::Rhythms;
+use super::cycle::{AFTER_A_CYCLE, Rhythms};
 use super::machine::{behind, over_time, several_inputs};
 use super::map::Map;
 use super::periodic::{About, ORBIT, PeriodicAnswer, none, part, state_names};
@@ -24,14 +24,12 @@ use crate::studies::{Control, RunSettings};
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
-/// Relative difference of accelerations a cycle later that is rounding.
-const SAME: f64 = 1e-8;
 /// Share of a coordinate's usual accelerations that counts where it moves evenly.
 const USUAL: f64 = 1e-3;
 /// Places of a cycle at which accelerations are compared with those a cycle later.
 const LOOKS: usize = 97;
 
-/// What a scene asks that a motor and elastic objects have no place for.
+/// Faults of a scene that asks what a motor and elastic objects have no place for.
 fn contradictions(model: &Model, spec: &SteadySpec, moved: &[bool]) -> Vec<Fault> {
     let elastic = |part: &&crate::dynamics::model::ObjectPart| {
         let node = part.nodes[0];
@@ -68,7 +66,7 @@ fn contradictions(model: &Model, spec: &SteadySpec, moved: &[bool]) -> Vec<Fault
         .collect()
 }
 
-/// What stands against a steady motion of everything behind a motor.
+/// Faults that stand against a steady motion of everything behind a motor.
 fn obstacles(model: &Model, drive: usize, moved: &[bool]) -> Vec<Fault> {
     let others = model.objects.iter().enumerate();
     let others = others.filter(|(index, part)| part.is_drive() && *index != drive);
@@ -134,7 +132,8 @@ fn check_cycle(
     // What moves evenly has accelerations of nothing but rounding.
     let turn = map.nominal();
     let usual = |index: usize| USUAL * system.scales()[count + index] * turn;
-    let astray = (0..count).find(|&index| !(worst[index] <= SAME * (sizes[index] + usual(index))));
+    let astray =
+        (0..count).find(|&index| !(worst[index] <= AFTER_A_CYCLE * (sizes[index] + usual(index))));
     astray.map_or(Ok(()), |index| {
         let name = system.state_name(index).replace(": displacement", "");
         let message = format!(

@@ -23,23 +23,23 @@ use std::f64::consts::TAU;
 pub struct PeriodicAnswer {
     /// The angle of the drive after which the machine repeats, by its ratios (rad).
     pub cycle: f64,
-    /// How long that takes (s).
+    /// Time for that angle (s).
     pub turn: f64,
-    /// How the drive turns, where a motor drives.
+    /// Figures of how the drive turns, where a motor drives.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub drive: Option<DriveFigures>,
     /// The parts that move independently of each other.
     pub parts: Vec<PartMotion>,
     /// State y = [u, u̇] of the whole system at t = 0 of the periodic motion.
     pub state: Vec<f64>,
-    /// What is in `state`.
+    /// Names of the entries of `state`.
     pub state_names: Vec<String>,
 }
 
 /// The periodic motion of one part.
 #[derive(Clone, Debug, Serialize)]
 pub struct PartMotion {
-    /// Its objects.
+    /// Objects of the part.
     pub objects: Vec<String>,
     /// Cycles of the drive in a period.
     pub periods: usize,
@@ -49,11 +49,11 @@ pub struct PartMotion {
     pub miss: f64,
     /// Floquet multipliers, the greatest modulus first.
     pub multipliers: Vec<Multiplier>,
-    /// What becomes of small disturbances.
+    /// Stability: what becomes of small disturbances.
     pub stability: Stability,
     /// Periods followed in finding it.
     pub iterations: u32,
-    /// How the derivative of the motion was found.
+    /// Way in which the derivative of the motion was found.
     pub how: String,
     /// Unit of the deviations.
     pub unit: String,
@@ -66,7 +66,7 @@ pub struct PartMotion {
 /// The name of a coordinate and its (t, value) over a period.
 pub type Orbit = (String, Vec<(f64, f64)>);
 
-/// What becomes of small disturbances of a periodic motion.
+/// Stability of a periodic motion: what becomes of small disturbances.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Stability {
@@ -239,7 +239,8 @@ impl About {
 /// No periodic motion was found.
 pub(super) fn none(why: &str) -> Vec<Fault> {
     let message = format!("no periodic motion was found: {why}");
-    let hint = "allow more turns of the drive in a period with `periods`";
+    let hint = "allow more turns of the drive in a period with `periods`; a drive that stalls \
+                needs a stronger motor, more inertia, a start at more speed, or less load";
     vec![Fault::new("steady", message, hint)]
 }
 
@@ -339,7 +340,7 @@ pub(super) fn answer(
     })
 }
 
-/// What is in a state.
+/// Names of the entries of a state.
 pub(super) fn state_names(system: &System) -> Vec<String> {
     let entries = 0..2 * system.coordinates();
     entries.map(|index| system.state_name(index)).collect()

@@ -122,7 +122,11 @@ impl<'a> PhaseMap<'a> {
                 ));
             }
             if gained < 0.0 && speed < 0.0 {
-                return Err("the drive turns backwards".to_owned());
+                let place = at[self.rotor];
+                return Err(format!(
+                    "the drive stalls and is turned backwards, at φ = {place:.6} rad after \
+                     {time:.3} s: what drives it is too weak for what it carries"
+                ));
             }
             self.pace.set(if speed > 0.0 {
                 1.0 / speed

@@ -10,9 +10,9 @@ const STEPS: u32 = 12;
 /// Rounds of following and Newton's steps.
 const ROUNDS: u32 = 6;
 /// States this near are the same.
-const SAME: f64 = 1e-6;
+const SAME_STATE: f64 = 1e-6;
 /// Miss that is rounding, and the greatest that still is a periodic motion.
-const ROUNDING: f64 = 1e-14;
+const MISS_ROUNDING: f64 = 1e-14;
 const CLOSED: f64 = 1e-9;
 /// Greatest |a − b| relative to the scales.
 pub(super) fn distance(a: &[f64], b: &[f64], scales: &[f64]) -> f64 {
@@ -68,7 +68,7 @@ fn repeats_sooner(map: &dyn Map, state: &[f64], turn: f64, periods: usize) -> Re
     let mut end = state.to_vec();
     for turns in 1..periods {
         end = map.apply(&end, turn)?;
-        if periods.is_multiple_of(turns) && distance(state, &end, map.scales()) <= SAME {
+        if periods.is_multiple_of(turns) && distance(state, &end, map.scales()) <= SAME_STATE {
             return Ok(true);
         }
     }
@@ -88,7 +88,7 @@ fn newton(
     let mut miss = distance(&state, &end, map.scales());
     for _ in 0..STEPS {
         *nearest = nearest.min(miss);
-        if miss <= ROUNDING {
+        if miss <= MISS_ROUNDING {
             break;
         }
         let matrix = DMatrix::identity(n, n) - map.monodromy(&state, time)?;

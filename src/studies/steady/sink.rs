@@ -47,7 +47,7 @@ pub(super) struct Grid {
     step: f64,
     next: usize,
     y: Vec<f64>,
-    /// One list a coordinate.
+    /// Columns, one a coordinate.
     pub(super) columns: Vec<Vec<f64>>,
 }
 

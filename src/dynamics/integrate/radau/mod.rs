@@ -111,7 +111,7 @@ pub(super) struct Radau<const S: usize, const L: usize> {
     last: Option<(f64, f64)>,
 }
 
-/// What came of an attempt at a step.
+/// Result of an attempt at a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Attempt {
     /// The error in units of what is allowed; not a number counts as too much.

@@ -47,7 +47,7 @@ pub(super) struct Tableau<const S: usize, const L: usize> {
     /// A·T and A²·T.
     pub(super) once_eigenvectors: Matrix<S>,
     pub(super) twice_eigenvectors: Matrix<S>,
-    /// What a polynomial of degree s − 1 through the nodes is at 0.
+    /// Values at 0 of the basis polynomials of degree s − 1 through the nodes.
     pub(super) at_start: [f64; S],
     /// The continuous output.
     pub(super) output: Output<S>,

@@ -50,7 +50,7 @@ pub(super) struct Stepper {
     middle: Vec<f64>,
     /// Right-hand side of a linear system (2n).
     right: Vec<f64>,
-    /// Its reduced form (n).
+    /// Right-hand side of the reduced system (n).
     reduced: Vec<f64>,
     /// Length and error of the last accepted step, for the step control.
     last: Option<(f64, f64)>,

@@ -5,10 +5,8 @@ use super::Run;
 use crate::dynamics::integrate::locate::Located;
 use crate::dynamics::integrate::{Dynamics, EventFunction, Guard, Probe};
 use crate::math::optimise::vertex;
-use crate::math::roots::bisect;
+use crate::math::roots::{BISECTIONS, bisect};
 
-/// Bisections, down to the rounding of a place on the step.
-const BISECTIONS: u32 = 60;
 /// A probe may differ from a parabola by this part of its change.
 const UNLIKE: f64 = 0.25;
 

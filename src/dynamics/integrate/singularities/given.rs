@@ -11,7 +11,7 @@ const GROWTH: f64 = 1.1;
 /// Looks at most.
 const MOST: usize = 2000;
 
-/// What is left to an edge at an instant, and its rate.
+/// Distance that is left to an edge at an instant, and its rate.
 type Left = [f64; 2];
 
 impl<D: Dynamics> Run<'_, D> {

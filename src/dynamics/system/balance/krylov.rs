@@ -17,7 +17,7 @@ use nalgebra::{DMatrix, DVector};
 const PRODUCTS: usize = 2 * MANY;
 
 /// A residual of this share of the right-hand side is rounding.
-const ROUNDING: f64 = 1e-14;
+const RESIDUAL_ROUNDING: f64 = 1e-14;
 
 /// The greatest share at which a step counts as found.
 const FOUND: f64 = 1e-11;
@@ -103,8 +103,8 @@ fn gmres(
         column[count] = rest;
         rows.push(column);
         let (weights, miss) = least_squares(&rows, size)?;
-        let exhausted = rest <= ROUNDING * whole;
-        if exhausted || miss <= ROUNDING * size {
+        let exhausted = rest <= RESIDUAL_ROUNDING * whole;
+        if exhausted || miss <= RESIDUAL_ROUNDING * size {
             let mut found = DVector::zeros(right.len());
             for (known, weight) in basis.iter().zip(&weights) {
                 found.axpy(*weight, known, 1.0);

@@ -12,7 +12,7 @@ const TOLERANCE: f64 = 1e-14;
 /// speed, relative.
 const STEP: f64 = 1e-5;
 
-/// How a linkage moves in one question.
+/// Motion of a linkage in one question.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Moving<N> {
     /// Speed of its input.

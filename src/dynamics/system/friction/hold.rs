@@ -25,8 +25,8 @@ impl Frozen {
         work.force[group.root] = -link;
     }
 
-    /// What holds a group, handed out to its linkages in the proportion of what they
-    /// can hold at most: their parts are not determined.
+    /// Parts of the force that holds a group, handed out to its linkages in the
+    /// proportion of what they can hold at most: they are not determined.
     fn share_hold<N: Quantity>(&self, group: &Group, hold: f64, modes: &[i64], work: &mut Work<N>) {
         if hold == 0.0 {
             return;

@@ -36,12 +36,12 @@ use crate::kinematics::position::Position;
 use crate::math::quantity::Quantity;
 use std::sync::Arc;
 
-/// What follows a root rigidly, as far as joints with friction are in it.
+/// A group: all that follows a root rigidly, as far as joints with friction are in it.
 #[derive(Clone, Debug)]
 pub(super) struct Group {
     /// The root, an internal node.
     pub(super) root: usize,
-    /// Its coordinate; `None`: its motion is prescribed.
+    /// Index of the root's coordinate; `None`: its motion is prescribed.
     pub(super) coordinate: Option<usize>,
     /// The chain that it is a mass of, with the mass's number.
     pub(super) mass: Option<(usize, usize)>,
@@ -58,11 +58,11 @@ pub(super) struct Group {
 pub(super) struct Member {
     /// Index into [`Frozen::linkages`]; also its place among the memories.
     pub(super) linkage: usize,
-    /// Its input, an internal node.
+    /// Internal index of the input node.
     pub(super) node: usize,
     /// Laws from the root to its input.
     pub(super) path: Vec<usize>,
-    /// Where its direction is known from.
+    /// Source of the input's direction.
     pub(super) direction: Direction,
     /// Component of the modes that selects the piece of its course, if it has pieces.
     pub(super) segment: Option<usize>,
@@ -77,7 +77,7 @@ pub(super) struct Member {
     pub(super) object: usize,
 }
 
-/// Where the direction of a linkage's input is known from.
+/// Source of the direction of a linkage's input.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Direction {
     /// The root's, times a sign.
@@ -224,7 +224,7 @@ impl Frozen {
         self.directions = next - first;
     }
 
-    /// What a node follows rigidly, and the laws on the way to it.
+    /// Root that a node follows rigidly, and the laws on the way to it.
     fn path_to(&self, node: usize) -> (usize, Vec<usize>) {
         let (mut root, mut path) = (node, Vec::new());
         while let Some(rigid) = self.rigids.iter().find(|rigid| rigid.node == root) {

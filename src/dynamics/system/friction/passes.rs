@@ -55,7 +55,7 @@ impl Frozen {
         })
     }
 
-    /// Which corners of blocks press, as found last, of linkages whose motion is given;
+    /// Corners of blocks that press, as found last, of linkages whose motion is given;
     /// one number for all. Of those that move freely modes tell it.
     pub(in crate::dynamics::system) fn pressing_corners(&self, work: &Work<f64>) -> u64 {
         let driven = self.groups.iter().filter(|group| group.component.is_none());
@@ -127,8 +127,8 @@ impl Frozen {
         }
     }
 
-    /// How a linkage of a group moves where its root has the acceleration `root`, its
-    /// own friction, as far as `work` has it, taken off.
+    /// Motion of a linkage of a group where its root has the acceleration `root`, its own
+    /// friction, as far as `work` has it, taken off.
     pub(super) fn moving<N: Quantity>(
         &self,
         group: &Group,

@@ -14,7 +14,7 @@ use crate::kinematics::linkage::kinetostatics::ForceFailure;
 /// share, so that nothing stops and starts by rounding.
 const EXCESS: f64 = 1e-10;
 /// Speeds at t = 0 below this share of what they are the difference of are rest.
-const ROUNDING: f64 = 1e-13;
+const AT_REST: f64 = 1e-13;
 /// Places of a step at which a group at rest is looked at: between them a start is
 /// located by bisection.
 const LOOKS: usize = 8;
@@ -237,7 +237,7 @@ impl System {
             };
             if group.component.is_none() {
                 frozen.settle_driven(group, modes, &work);
-            } else if speed.abs() > ROUNDING * size {
+            } else if speed.abs() > AT_REST * size {
                 let forward = speed > 0.0;
                 let state = if forward {
                     StickSlip::Forward

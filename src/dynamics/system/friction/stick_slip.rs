@@ -51,7 +51,7 @@ impl StickSlip {
     }
 }
 
-/// What a probe does where it fires.
+/// Action of a probe where it fires.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum ProbeAction {
     /// The direction breaks loose.

@@ -20,7 +20,7 @@ use table::{Lanes, Table};
 pub(super) use table::Cursor;
 
 /// Weights count as nothing below this share of the greatest that they could be.
-const ROUNDING: f64 = 1e-12;
+const NO_WEIGHT: f64 = 1e-12;
 
 /// Share of a limited reach at each end that is not sampled.
 const EDGE: f64 = 0.05;
@@ -28,11 +28,11 @@ const EDGE: f64 = 0.05;
 /// A linkage of the frozen layout.
 #[derive(Clone, Debug)]
 pub(super) struct FrozenLinkage {
-    /// Its input: the internal node whose displacement is q.
+    /// Internal index of the input node, whose displacement is q.
     pub(super) node: usize,
     /// The linkage.
     pub(super) linkage: Arc<Linkage>,
-    /// What the right-hand side asks for.
+    /// Tables of what the right-hand side asks for.
     table: Option<Arc<Table>>,
 }
 
@@ -65,7 +65,7 @@ pub(super) struct OutputPlace {
 pub(super) struct Solved {
     linkage: Arc<Linkage>,
     workspace: Workspace,
-    /// Where it is solved; not a number: nowhere yet.
+    /// Input coordinate at which it is solved; not a number: nowhere yet.
     place: f64,
     /// Highest derivative that is solved for.
     order: usize,
@@ -127,7 +127,7 @@ impl Solved {
         let [inertia, slope, _] = reduced.inertia;
         // Weights across the motion leave rounding, which is no force.
         let weight = reduced.potential[1];
-        let rounding = ROUNDING * self.greatest_weight();
+        let rounding = NO_WEIGHT * self.greatest_weight();
         let parts = [
             inertia * acceleration + 0.5 * slope * rate * rate,
             if weight.abs() <= rounding {
@@ -142,7 +142,8 @@ impl Solved {
         if sum.is_finite() { sum } else { 0.0 }
     }
 
-    /// What the weights would be at the input if all of them acted along the motion.
+    /// Moment (or force) of the weights at the input if all of them acted along the
+    /// motion.
     fn greatest_weight(&self) -> f64 {
         let spec = self.linkage.spec();
         let [gx, gy] = spec.gravity;

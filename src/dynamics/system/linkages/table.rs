@@ -43,7 +43,7 @@ pub(crate) struct Table {
     width: usize,
 }
 
-/// Where a piece lies: x = (place − centre)·scale.
+/// Place within a piece: x = (place − centre)·scale.
 #[derive(Clone, Copy, Debug)]
 struct Piece {
     centre: f64,
@@ -145,7 +145,7 @@ impl Table {
         self.fours[place.piece * self.width].values(place.x)
     }
 
-    /// Their derivatives by the input.
+    /// Derivatives of the values by the input.
     pub(super) fn slopes(&self, place: Place) -> Lanes {
         let slopes = self.fours[place.piece * self.width].slopes(place.x);
         slopes.map(|slope| slope * self.pieces[place.piece].scale)
@@ -216,7 +216,7 @@ impl Four {
         })
     }
 
-    /// Their derivatives by x.
+    /// Derivatives of the values by x.
     fn slopes(&self, x: f64) -> Lanes {
         let (mut value, mut first) = ([0.0; 4], [0.0; 4]);
         for c in self.0.as_flattened().rchunks_exact(4) {

@@ -66,7 +66,7 @@ fn sizes(polynomial: &[f64; DEGREE + 1]) -> [f64; 2] {
 /// What rounding may put into a coefficient: so many times that of U′, near whose zeros
 /// the terms of size U″ and U‴ that it is the difference of count. Taken for a bend of the
 /// law it would shorten steps, and all the more relative to what is left, the shorter they are.
-const ROUNDING: f64 = 64.0 * f64::EPSILON;
+const COEFFICIENT_ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// Powers whose share of U′ is below this are left out.
 const NEGLIGIBLE: f64 = 1e-18;
@@ -133,7 +133,7 @@ pub(super) struct LawSeries {
     radius: f64,
     /// c_j.
     polynomial: [f64; DEGREE + 1],
-    /// How many times too great r is for the polynomial to be good.
+    /// Factor by which r is too great for the polynomial to be good.
     excess: f64,
     /// Number of powers x¹ … that count.
     terms: usize,
@@ -165,7 +165,7 @@ impl LawSeries {
         self.polynomial = polynomial(middle, jet(phi - radius), jet(phi + radius), radius);
         let [size, last] = sizes(&self.polynomial);
         let bends = (1.0 + phi.abs()) * (middle.second.abs() + middle.third.abs());
-        let last = (last - ROUNDING * (middle.first.abs() + bends)).max(0.0);
+        let last = (last - COEFFICIENT_ROUNDING * (middle.first.abs() + bends)).max(0.0);
         self.excess = (last / (allowed * size)).powf(1.0 / DEGREE as f64).max(1.0);
         // What is not a number counts.
         let counts = |c: &f64| !(c.abs() <= NEGLIGIBLE * size);

@@ -18,7 +18,7 @@ const FARTHER: f64 = 2.0;
 /// of the degree: the series of exp(2x) has its greatest term at 2x.
 const STEP: f64 = 0.45;
 
-/// What a load that is not linear needs to know of its earlier coefficients.
+/// Earlier coefficients of a load that is not linear.
 #[derive(Clone, Debug)]
 pub(super) struct LoadSeries {
     /// tanh(φ̇/width), or the motor's torque.

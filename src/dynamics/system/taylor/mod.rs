@@ -105,7 +105,7 @@ impl Taylor {
     }
 }
 
-/// Where a motion starts.
+/// State at which a motion starts.
 pub(super) struct Start<'a> {
     pub(super) time: f64,
     pub(super) y: &'a [f64],

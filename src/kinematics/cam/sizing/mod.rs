@@ -39,7 +39,7 @@ pub struct BestOffset {
     pub base_radius: f64,
 }
 
-/// How great rollers and cutters may be, the pitch curve being what it is.
+/// Limits of rollers and cutters, the pitch curve being what it is.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct RollerLimits {
     /// Radius of the roller at which the profile first has a cusp: the least
@@ -247,8 +247,7 @@ impl DiscCam {
         }
     }
 
-    /// How great rollers and cutters may be on this pitch curve; `None` under a
-    /// flat face.
+    /// Limits of rollers and cutters on this pitch curve; `None` under a flat face.
     pub fn roller_limits(&self, factor: f64) -> Option<RollerLimits> {
         let roller = self.geometry().roller()?;
         let [least, most] = self.bends();

@@ -10,7 +10,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 /// Steps of a scan.
 const STEPS: usize = 160;
 
-/// What a scan leaves: where the share is at most 1, and where it is least.
+/// Result of a scan: where the share is at most 1, and where it is least.
 pub(super) struct Scan {
     pub(super) ranges: Vec<BaseRange>,
     /// Base radius and share.

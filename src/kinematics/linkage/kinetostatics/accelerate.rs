@@ -11,15 +11,15 @@ use super::solve::{ForceFailure, InputMotion, Options, Solved};
 use super::workspace::ForceWorkspace;
 use super::{Kinetostatics, Unknown};
 
-/// What the linkage does next.
+/// Outcome: what the linkage does next.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Outcome {
-    /// It moves with this acceleration (rad/s² or m/s²).
+    /// The linkage moves with this acceleration (rad/s² or m/s²).
     Moves {
         /// Acceleration of the input.
         acceleration: f64,
     },
-    /// It rests: friction holds it in both directions.
+    /// The linkage rests: friction holds it in both directions.
     Rests,
     /// From rest it may start in either direction: the motion is not determined.
     Undetermined {
@@ -33,7 +33,7 @@ pub enum Outcome {
 /// Acceleration of a linkage and how it was found.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Acceleration {
-    /// What it does next.
+    /// Outcome: what the linkage does next.
     pub outcome: Outcome,
     /// Course of the solution; `None` where the linkage rests.
     pub solved: Option<Solved>,

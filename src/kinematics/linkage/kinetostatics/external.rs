@@ -9,7 +9,7 @@ use crate::kinematics::linkage::spec::{ForceLaw, PointOf};
 pub(super) struct Wrench {
     /// The link; `None`: the ground.
     pub(super) link: Option<usize>,
-    /// Where the force acts, with its motion.
+    /// Point that the force acts on, with its motion.
     pub(super) point: PointPosition,
     /// The force (N).
     pub(super) force: [f64; 2],
@@ -22,7 +22,7 @@ pub(super) struct Wrench {
 pub(super) struct Input {
     /// Coordinate (rad or m).
     pub(super) coordinate: f64,
-    /// Its speed.
+    /// Speed of the point.
     pub(super) speed: f64,
 }
 

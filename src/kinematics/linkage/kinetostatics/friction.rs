@@ -13,13 +13,13 @@
 //! the factorised equations give, what is sought is τ = f(F₀ − K·τ): as many
 //! equations as there are scalars, not 3 a link.
 
-/// How the friction of one pair follows from its reactions; couples are
-/// divided by the length scale of the linkage, so that every τ is a force.
+/// Friction of one pair as it follows from its reactions; couples are divided by the
+/// length scale of the linkage, so that every τ is a force.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Term {
     /// Place of the pair's first reaction among the unknowns.
     pub(super) unknown: usize,
-    /// Its first τ.
+    /// Column of its first τ.
     pub(super) column: usize,
     /// Pin or guide.
     pub(super) law: Law,

@@ -6,7 +6,7 @@
 
 use super::workspace::ForceWorkspace;
 
-/// How the friction was found.
+/// Method by which the friction was found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Method {
     /// There is no friction.
@@ -24,7 +24,7 @@ pub enum Method {
 /// Course of the iteration.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Convergence {
-    /// What led to the result.
+    /// Method that led to the result.
     pub method: Method,
     /// Iterations of all methods tried.
     pub iterations: usize,
@@ -38,7 +38,7 @@ const DAMPINGS: [f64; 3] = [0.5, 0.2, 0.05];
 /// Iterations of Newton's method at most.
 const NEWTON: usize = 25;
 /// At a standstill, Newton's method may move by this part of the scale.
-const NEAR: f64 = 1e-6;
+const AT_STANDSTILL: f64 = 1e-6;
 /// What is to come of an iteration when its number is up, in parts of the
 /// scale, that still counts as nearly converged.
 const NEARLY: f64 = 1e-2;
@@ -46,7 +46,7 @@ const NEARLY: f64 = 1e-2;
 const RESIDUAL: f64 = 1e-11;
 /// Rounding of F = F₀ − K·τ in parts of F₀: next to a singular position the difference is
 /// much smaller than its terms, and no iteration comes below their rounding.
-const ROUNDING: f64 = 8.0 * f64::EPSILON;
+const FORCE_ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 impl ForceWorkspace {
     /// Sets the friction to zero and F to F₀.
@@ -59,9 +59,9 @@ impl ForceWorkspace {
         self.bare = self.scale();
     }
 
-    /// What F is known to.
+    /// Rounding error of F.
     fn rounding(&self) -> f64 {
-        ROUNDING * self.bare
+        FORCE_ROUNDING * self.bare
     }
 
     /// Finds τ and F; `None` in `Ok` if no method converged.
@@ -119,12 +119,12 @@ impl ForceWorkspace {
                 f64::INFINITY
             };
             if change <= tolerance * scale + self.rounding() {
-                return ratio < 0.5 || self.polish(NEAR * scale, course);
+                return ratio < 0.5 || self.polish(AT_STANDSTILL * scale, course);
             }
             before = [change, before[0]];
         }
         let scale = self.scale();
-        rest <= NEARLY * scale && self.polish(3.0 * rest + NEAR * scale, course)
+        rest <= NEARLY * scale && self.polish(3.0 * rest + AT_STANDSTILL * scale, course)
     }
 
     /// A few steps of Newton's method; false if they lead farther than `near`.

@@ -49,14 +49,14 @@ use super::spec::{LinkageSpec, PairKind, PairSpec};
 use crate::fault::{Fault, Faults};
 use friction::Law;
 
-/// Which unknown stands in the last column of W.
+/// Unknown in the last column of W.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Unknown {
     /// The driver's force; the motion is given.
     Drive,
     /// The acceleration of the input; the driver's force is given.
     Acceleration,
-    /// What friction takes of the input's force.
+    /// Friction's share of the input's force.
     Resistance {
         /// Acceleration per unit of it (1/(kg·m) or 1/kg).
         mobility: f64,

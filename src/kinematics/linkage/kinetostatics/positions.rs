@@ -24,9 +24,9 @@ pub struct LinkPosition {
 pub struct PointPosition {
     /// The place (m).
     pub place: [f64; 2],
-    /// Its first derivative.
+    /// First derivative of the point.
     pub first: [f64; 2],
-    /// Its second derivative.
+    /// Second derivative of the point.
     pub second: [f64; 2],
 }
 

@@ -19,7 +19,7 @@ pub enum Convention {
 }
 
 impl Convention {
-    /// Its name in results.
+    /// Name in results.
     pub fn name(self) -> &'static str {
         match self {
             Self::Paper => "paper",

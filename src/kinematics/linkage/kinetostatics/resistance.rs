@@ -25,9 +25,9 @@ use super::{Kinetostatics, Unknown};
 pub struct Resisted<'a> {
     /// Input coordinate q (rad or m).
     pub coordinate: f64,
-    /// Its speed (rad/s or m/s).
+    /// Speed of the input (rad/s or m/s).
     pub speed: f64,
-    /// Its acceleration a₀ without friction of this linkage.
+    /// Acceleration a₀ of the input without friction of this linkage.
     pub free_acceleration: f64,
     /// s = ∂q̈/∂T ≥ 0 (1/(kg·m²) or 1/kg): 0 where the motion is given.
     pub mobility: f64,
@@ -46,7 +46,7 @@ pub struct Resisted<'a> {
     pub pressed: Option<u64>,
 }
 
-/// What friction does at the input.
+/// Resistance: what friction does at the input.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Resistance {
     /// Generalised force T of all friction on the input (N·m or N): T·q̇ ≤ 0.

@@ -42,7 +42,7 @@ pub struct Balance {
     /// Part of the power that flows in which reaches something else than
     /// friction: 1 − loss/(sum of all that is positive); `None` if no power flows.
     pub efficiency: Option<f64>,
-    /// What the balance misses, relative to its greatest part (at least to a
+    /// Residual of the power balance, relative to its greatest part (at least to a
     /// millionth of the greatest reaction times the speed of the links).
     pub residual: f64,
 }
@@ -63,7 +63,7 @@ impl ForceWorkspace {
         self.pairs[pair].sense
     }
 
-    /// Where a pair is: the pin, or the block's reference point (m).
+    /// Point of a pair: the pin, or the block's reference point (m).
     pub fn pair_point(&self, pair: usize) -> [f64; 2] {
         self.pairs[pair].point
     }

@@ -23,7 +23,7 @@ const HALVINGS: u32 = 512;
 /// Bisections, down to rounding.
 const BISECTIONS: u32 = 80;
 /// Two changes closer than this share of the whole are one.
-const SAME: f64 = 1e-12;
+const SAME_CHANGE: f64 = 1e-12;
 
 /// The course of an input in pieces within which no pair that has friction
 /// changes the direction in which it slides.
@@ -59,7 +59,7 @@ impl Reversals {
             .collect();
         let mut points = course.roots(&rubbing);
         points.sort_by(f64::total_cmp);
-        points.dedup_by(|a, b| (*a - *b).abs() <= SAME * span);
+        points.dedup_by(|a, b| (*a - *b).abs() <= SAME_CHANGE * span);
         let breaks = Breaks { points, period };
         let senses = course.senses(&breaks, &rubbing);
         Self { breaks, senses }
@@ -134,7 +134,7 @@ impl Course<'_> {
             }
         }
         // The end of a period is the beginning of the next.
-        let end = self.start + self.span * (1.0 - SAME);
+        let end = self.start + self.span * (1.0 - SAME_CHANGE);
         if self.periodic {
             let span = self.span;
             for root in &mut found {

@@ -15,7 +15,7 @@ const DIRECTIONS: usize = 4;
 /// Sizes of the starts, in greatest reactions without friction.
 const SIZES: [f64; 4] = [0.3, 2.0, 12.0, 300.0];
 /// Two solutions closer than this part of the scale are one.
-const SAME: f64 = 1e-7;
+const SAME_SOLUTION: f64 = 1e-7;
 
 impl ForceWorkspace {
     /// True if τ ↦ f(F₀ − K·τ) is proved to be a contraction: the solution
@@ -111,7 +111,7 @@ impl ForceWorkspace {
         if !self.newton(course) {
             return;
         }
-        let near = SAME * self.scale();
+        let near = SAME_SOLUTION * self.scale();
         let known = found.iter().any(|other| {
             let pairs = other.iter().zip(&self.friction);
             pairs.fold(0.0f64, |most, (a, b)| most.max((a - b).abs())) <= near

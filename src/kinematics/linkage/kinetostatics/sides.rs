@@ -11,7 +11,7 @@ use super::workspace::ForceWorkspace;
 const PAIRS: usize = 31;
 /// Normal forces below this part of the greatest reaction are rounding; more, where
 /// the equations are badly conditioned.
-const ROUNDING: f64 = 1e-12;
+const NO_NORMAL_FORCE: f64 = 1e-12;
 const ROUNDINGS: f64 = 8.0 * f64::EPSILON;
 /// The reaction of a pin that turns by more than a right angle is smooth as long as it
 /// keeps this part of the greatest reaction.
@@ -70,7 +70,7 @@ impl Kinetostatics {
         });
         let least = least.fold(f64::INFINITY, f64::min);
         if scale > 0.0 {
-            least / scale + ROUNDING.max(ROUNDINGS / w.factors.pivots())
+            least / scale + NO_NORMAL_FORCE.max(ROUNDINGS / w.factors.pivots())
         } else {
             f64::INFINITY
         }

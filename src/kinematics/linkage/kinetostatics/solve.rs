@@ -26,7 +26,7 @@ pub struct InputMotion {
     pub acceleration: f64,
 }
 
-/// How to solve.
+/// Options of the solution.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Options {
     /// False: all friction is left out.
@@ -55,7 +55,7 @@ impl Default for Options {
     }
 }
 
-/// What is known of a solution besides its numbers.
+/// Qualities of a solution besides its numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Solved {
     /// Course of the iteration.

@@ -4,7 +4,7 @@ use super::friction::Term;
 use super::positions::{LinkPosition, PointPosition};
 use crate::math::linear::Factors;
 
-/// Where a pair is and how it slides.
+/// Place of a pair, and how it slides.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct PairPlace {
     /// The pin, or the block's reference point (m).
@@ -13,7 +13,7 @@ pub(super) struct PairPlace {
     pub(super) tangent: [f64; 2],
     /// Relative coordinate; filled in for torsion springs only.
     pub(super) coordinate: f64,
-    /// Its first three derivatives by the input coordinate.
+    /// First three derivatives of its coordinate by the input coordinate.
     pub(super) rates: [f64; 3],
     /// Sign of the sliding just after the position: −1, 0 or 1.
     pub(super) sense: f64,

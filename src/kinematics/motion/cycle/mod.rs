@@ -35,7 +35,7 @@ pub struct Cycle {
 struct Segment {
     /// The driver's displacement where it begins.
     from: f64,
-    /// Its length.
+    /// Length of the segment.
     span: f64,
     /// Displacements at both ends.
     ends: [f64; 2],
@@ -190,12 +190,12 @@ impl Cycle {
         self.segments[segment].jet(part, phi)
     }
 
-    /// Where the formula changes.
+    /// Breaks: where the formula changes.
     pub fn breaks(&self) -> &Breaks {
         &self.breaks
     }
 
-    /// What it was made from.
+    /// Numbers that it was made from.
     pub fn spec(&self) -> &CycleSpec {
         &self.spec
     }

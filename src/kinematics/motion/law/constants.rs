@@ -12,9 +12,9 @@ pub struct Jump {
     pub at: f64,
     /// Order of the derivative: 1 speed, 2 acceleration, 3 jerk.
     pub order: usize,
-    /// Its value just before.
+    /// Value just before the joint.
     pub before: f64,
-    /// Its value just after.
+    /// Value just after the joint.
     pub after: f64,
 }
 

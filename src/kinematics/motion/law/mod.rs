@@ -32,9 +32,9 @@ use form::Form;
 /// θ′(0) = 0; θ′(1) = 0 too for the law of a stroke.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Law {
-    /// Where the formula changes, strictly between 0 and 1, ascending.
+    /// Joints, where the formula changes: strictly between 0 and 1, ascending.
     joints: Vec<f64>,
-    /// One more than joints.
+    /// Pieces, one more than joints.
     pieces: Vec<Piece>,
     /// True: it ends in uniform motion, not at rest.
     run_up: bool,
@@ -75,7 +75,7 @@ impl Piece {
 }
 
 impl Law {
-    /// Where the formula changes, strictly between 0 and 1, ascending.
+    /// Joints, where the formula changes: strictly between 0 and 1, ascending.
     pub fn joints(&self) -> &[f64] {
         &self.joints
     }

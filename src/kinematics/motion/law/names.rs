@@ -67,7 +67,7 @@ impl LawName {
         }
     }
 
-    /// What it is, in a few words.
+    /// Description in a few words.
     pub fn words(self) -> &'static str {
         match self {
             Self::Parabolic => "constant acceleration and deceleration",

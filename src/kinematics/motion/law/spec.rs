@@ -68,7 +68,7 @@ pub enum RunLawSpec {
 }
 
 impl LawSpec {
-    /// What it is, in a few words: `cycloidal`, `SCCA b = 0.25, d = 0.75`.
+    /// Description in a few words: `cycloidal`, `SCCA b = 0.25, d = 0.75`.
     pub fn words(&self) -> String {
         match self {
             Self::Named(name) => name.name().to_owned(),
@@ -85,7 +85,7 @@ impl LawSpec {
 }
 
 impl RunLawSpec {
-    /// What it is, in a few words: `sine`, `trapezoid 0.2, 0.3`.
+    /// Description in a few words: `sine`, `trapezoid 0.2, 0.3`.
     pub fn words(&self) -> String {
         match self {
             Self::Trapezoid { s1, s2 } => {

@@ -26,7 +26,7 @@ impl Criterion {
         }
     }
 
-    /// Its value for a stroke, counted in the direction of the stroke.
+    /// Value of the criterion for a stroke, counted in the direction of the stroke.
     pub fn of(self, figures: &StrokeFigures) -> f64 {
         match self {
             Self::Acceleration { weight } => {

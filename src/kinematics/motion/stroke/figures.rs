@@ -18,7 +18,7 @@ pub struct StrokeSpec {
     pub stroke: Option<f64>,
     /// φ_III > 0.
     pub span: Option<f64>,
-    /// Where the skewness f comes from.
+    /// Source of the skewness f.
     pub skewness: Skewness,
     /// ζ_Π, 0 ≤ ζ_Π < 1; not together with `uniform_span`.
     pub uniform_stroke: Option<f64>,
@@ -30,10 +30,10 @@ pub struct StrokeSpec {
     pub peak_speed: Option<f64>,
 }
 
-/// Where the skewness f = (φ_III − φ_II)/φ_I comes from.
+/// Source of the skewness f = (φ_III − φ_II)/φ_I.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Skewness {
-    /// It is given, > 0 (problem 1).
+    /// Given skewness, > 0 (problem 1).
     Given(f64),
     /// From λ > 0, the greatest acceleration of the run-up by that of the
     /// run-out (problem 2): f = λ·ν1/ν2, (1.20).

@@ -6,7 +6,7 @@ use crate::kinematics::motion::law::{Law, RunLawSpec, Trapezoid};
 /// The law of a run-up or, counted backwards, of a run-out.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RunSection {
-    /// What was asked for.
+    /// Numbers that were asked for.
     pub spec: RunLawSpec,
     /// The law θ(τ).
     pub law: Law,

@@ -7,7 +7,7 @@ use crate::dynamics::model::{
 use crate::report::math::{Expr, Index, Relation, Symbol, symbol};
 use crate::report::show::units;
 
-/// How a contact stands in front of mass 1.
+/// Shape of the equations: how a contact stands in front of mass 1.
 pub(super) enum Shape {
     /// Between law and a massless point, from which link 1 leads on.
     Point,
@@ -38,7 +38,7 @@ pub(super) fn far_end(contact: Option<&ContactElement>) -> Symbol {
     }
 }
 
-/// What x is.
+/// Meaning of x.
 pub(super) fn deformation(contact: Option<&ContactElement>) -> &'static str {
     match contact {
         Some(_) => "deformation of the contact",

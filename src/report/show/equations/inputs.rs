@@ -7,7 +7,7 @@ use crate::kinematics::constraint::Constraint;
 use crate::report::math::{Expr, Index, Symbol, symbol};
 use crate::report::quantity::significant;
 
-/// What the inputs of an object ask for.
+/// Motion that the inputs of an object ask for, as formulas.
 pub(super) struct Asked {
     /// `sun and ring`, the ids of what drives it.
     pub(super) drivers: String,

@@ -6,7 +6,7 @@ use crate::kinematics::linkage::spec::ForceLaw;
 use crate::report::math::Expr;
 use crate::report::show::units;
 
-/// Which forces a linkage has.
+/// Forces that a linkage has.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Parts {
     /// Weights or springs.

@@ -26,7 +26,7 @@ use crate::report::order::drivers_first;
 /// Chains with more masses than this are abbreviated.
 const LONGEST_WRITTEN_OUT: usize = 4;
 
-/// How to read the letters, above the equations.
+/// Notation: how to read the letters, above the equations.
 const NOTATION: &str = "\
 Letters with a mass number belong to the object of their section, letters with a word to the
 object or load of that name: φ_shaft is the displacement of the last mass of shaft, F_rocker and
@@ -36,7 +36,7 @@ with respect to the driver's displacement.";
 /// The equations of a model.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Equations {
-    /// One section an object, drivers first.
+    /// Sections, one an object, drivers first.
     pub sections: Vec<Section>,
 }
 
@@ -49,22 +49,22 @@ pub struct Section {
     pub heading: String,
     /// The equations.
     pub lines: Vec<Line>,
-    /// What the letters stand for.
+    /// Legend of the letters.
     pub legend: Vec<Entry>,
 }
 
-/// One equation.
+/// Line with one equation.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Line {
     /// Left of the sign.
     pub left: Expr,
     /// Right of it.
     pub right: Expr,
-    /// What else is to be said: `m = 2 … 9`; may be empty.
+    /// Remark: `m = 2 … 9`; may be empty.
     pub remark: String,
 }
 
-/// One entry of a legend.
+/// Entry of a legend.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Entry {
     /// The letter, or the first and last of a row of them.
@@ -75,7 +75,7 @@ pub struct Entry {
     pub values: Vec<f64>,
     /// Unit of the values.
     pub unit: &'static str,
-    /// What the letter means.
+    /// Meaning of the letter.
     pub meaning: &'static str,
 }
 
@@ -157,7 +157,7 @@ fn linkage_of(model: &Model, node: NodeIndex) -> Option<&LinkageBody> {
     model.linkages.iter().find(|body| body.node == node)
 }
 
-/// What the followers of a node add to its equation, moved to the node by the
+/// Terms that the followers of a node add to its equation, moved to the node by the
 /// transfer functions of the rigid objects in between.
 struct Reflected {
     /// Factors of φ̈ on the left: J·U′².

@@ -10,7 +10,7 @@ use crate::studies::spread::{CHANGE, DETERMINED, changed_loads, is_result};
 /// Differences are told relative to at least this share of max|δ|.
 const LEAST: f64 = 1e-3;
 
-/// The same run with loads and gaps changed by one part in 10¹⁰.
+/// The reference's run with loads and gaps changed by one part in 10¹⁰.
 pub(super) struct Moved {
     attempt: Option<Attempt>,
 }

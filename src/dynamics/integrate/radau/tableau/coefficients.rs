@@ -27,7 +27,7 @@ pub(super) struct Coefficients {
 }
 
 impl Coefficients {
-    /// Those of a number of stages, which is odd.
+    /// Coefficients of a number of stages, which is odd.
     pub(super) fn new(stages: usize) -> Self {
         let nodes = nodes(stages);
         let quadrature = Quadrature::new();

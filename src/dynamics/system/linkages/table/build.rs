@@ -48,7 +48,7 @@ pub(super) fn repeats(linkage: &Linkage, start: f64, span: f64) -> bool {
     })
 }
 
-/// What an output gains in a period; `None` where that cannot be told.
+/// Gain of an output in a period; `None` where that cannot be told.
 pub(super) fn period_of_outputs(linkage: &Linkage, output: usize, ends: [f64; 2]) -> Option<f64> {
     let mut workspace = linkage.workspace();
     let mut value = |q: f64| -> Option<f64> {

@@ -1,0 +1,83 @@
+//! Loads on nodes.
+
+use super::NodeIndex;
+use crate::dynamics::load::LoadFunction;
+use std::sync::Arc;
+
+/// A load on a node. Positive forces act towards positive displacement.
+#[derive(Clone, Debug)]
+pub struct Load {
+    /// Node that it acts on.
+    pub node: NodeIndex,
+    /// `object.loads.name`, for messages and equations.
+    pub name: String,
+    /// Law of the force.
+    pub law: LoadLaw,
+}
+
+/// Force law of a load.
+#[derive(Clone, Debug)]
+pub enum LoadLaw {
+    /// W.
+    Constant(f64),
+    /// Piecewise-linear in time or in a driver's displacement; the track
+    /// selects the piece. Piece i is `value[i] + slope[i]·(x − start[i])`.
+    Pieces {
+        /// Index of the track whose piece counts.
+        track: usize,
+        /// Pieces, one for each of the track's.
+        pieces: Vec<LinearPiece>,
+    },
+    /// −preload − rate·φ.
+    Spring {
+        /// Rate.
+        rate: f64,
+        /// Force at φ = 0, towards negative displacement.
+        preload: f64,
+    },
+    /// −b·φ̇.
+    Viscous(f64),
+    /// −force·tanh(φ̇/width).
+    Friction {
+        /// Sliding friction.
+        force: f64,
+        /// Regularisation width (speed).
+        width: f64,
+    },
+    /// T₀·(1 − ω/ω₀).
+    LinearMotor {
+        /// T₀.
+        stall_torque: f64,
+        /// ω₀.
+        no_load_speed: f64,
+    },
+    /// Kloss: 2·T_b/(s/s_b + s_b/s), written without poles as 2·T_b·s·s_b/(s² + s_b²).
+    Kloss {
+        /// T_b.
+        breakdown_torque: f64,
+        /// s_b.
+        breakdown_slip: f64,
+        /// ω_s.
+        synchronous_speed: f64,
+    },
+    /// Torque over speed, linear between the points, constant outside.
+    SpeedTable(Vec<(f64, f64)>),
+    /// `factor` times anything else over displacement and speed of the node.
+    Custom {
+        /// The force.
+        function: Arc<dyn LoadFunction>,
+        /// Factor on it.
+        factor: f64,
+    },
+}
+
+/// A straight piece of a table.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct LinearPiece {
+    /// Argument (of the first period) at which the force is `value`.
+    pub start: f64,
+    /// Force there.
+    pub value: f64,
+    /// Change of force per unit of the argument.
+    pub slope: f64,
+}

@@ -1,0 +1,160 @@
+//! How a prescribed motion goes on for ever: evenly, or in periods.
+
+use super::prescribed::{PrescribedMotion, Stage, straight};
+use crate::kinematics::motion::DriveMotion;
+use crate::kinematics::position::Position;
+use std::f64::consts::TAU;
+
+/// Rhythm: how a motion goes on for ever after some time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Rhythm {
+    /// With constant speed (rad/s).
+    Uniform(f64),
+    /// It repeats with this period (s), advanced by so much (rad).
+    Periodic(f64, f64),
+    /// Neither.
+    None,
+}
+
+impl PrescribedMotion {
+    /// Period of a motion that repeats itself from t = 0 on (s); 0 where it is uniform.
+    pub(super) fn period(&self) -> Option<f64> {
+        match (self.settled() <= 0.0).then(|| self.rhythm())? {
+            Rhythm::Uniform(_) => Some(0.0),
+            Rhythm::Periodic(period, _) => Some(period),
+            Rhythm::None => None,
+        }
+    }
+
+    /// Rhythm of the motion after [`Self::settled`].
+    pub(crate) fn rhythm(&self) -> Rhythm {
+        let settled = self.settled();
+        let formulas = self.formulas(settled);
+        let speed = self.at(&formulas, 0, settled).speed;
+        let mut rhythm = match self.drive() {
+            None => {
+                let terms = self.terms().iter();
+                let terms = terms.map(|(ratio, term)| term.rhythm().scaled(*ratio));
+                terms.fold(Rhythm::Uniform(0.0), Rhythm::with)
+            }
+            Some(DriveMotion::Accelerated { acceleration, .. }) if *acceleration != 0.0 => {
+                Rhythm::None
+            }
+            Some(DriveMotion::Plan(plan)) => {
+                let spec = plan.spec();
+                let repeats = |period| Rhythm::Periodic(period, spec.advance);
+                spec.period.map_or(Rhythm::Uniform(speed), repeats)
+            }
+            Some(_) => Rhythm::Uniform(speed),
+        };
+        for stage in &self.stages {
+            rhythm = stage.rhythm(rhythm);
+        }
+        rhythm
+    }
+}
+
+impl Rhythm {
+    /// Rhythm of the motion times a ratio.
+    fn scaled(self, ratio: f64) -> Self {
+        match self {
+            Self::Uniform(speed) => Self::Uniform(ratio * speed),
+            Self::Periodic(period, advance) => Self::Periodic(period, ratio * advance),
+            Self::None => Self::None,
+        }
+    }
+
+    /// Rhythm of the sum of two motions.
+    fn with(self, other: Self) -> Self {
+        match (self, other) {
+            (Self::Uniform(one), Self::Uniform(other)) => Self::Uniform(one + other),
+            (Self::Uniform(speed), Self::Periodic(period, advance))
+            | (Self::Periodic(period, advance), Self::Uniform(speed)) => {
+                Self::Periodic(period, advance + speed * period)
+            }
+            (Self::Periodic(one, advance), Self::Periodic(other, gained)) => {
+                // The longer period, of which the other is a whole fraction.
+                if let Some(turns) = whole(one / other) {
+                    Self::Periodic(one, advance + turns * gained)
+                } else if let Some(turns) = whole(other / one) {
+                    Self::Periodic(other, turns * advance + gained)
+                } else {
+                    Self::None
+                }
+            }
+            _ => Self::None,
+        }
+    }
+}
+
+impl Stage {
+    /// Period of U over its argument and its advance in it; `None`: U is
+    /// straight (`Ok` holds its slope) or repeats nowhere (`Err`).
+    fn period(&self) -> Result<(f64, f64), Option<f64>> {
+        match &self.position {
+            position if straight(position).is_some() => Err(straight(position).map(|line| line.0)),
+            Position::Sine { harmonic, .. } if *harmonic == 0.0 => Err(Some(0.0)),
+            Position::Sine { harmonic, .. } => Ok((TAU / harmonic.abs(), 0.0)),
+            Position::SliderCrank(_) => Ok((TAU, 0.0)),
+            Position::Cam(_) => Ok((TAU, 0.0)),
+            Position::FourBar(linkage) => {
+                let turn = linkage.jet(TAU).value - linkage.jet(0.0).value;
+                if turn.is_finite() {
+                    Ok((TAU, TAU * (turn / TAU).round()))
+                } else {
+                    Err(None)
+                }
+            }
+            Position::SlottedLink(linkage) => match linkage.advance() {
+                Some(advance) => Ok((TAU, advance)),
+                None => Err(None),
+            },
+            Position::Plan(plan) if plan.spec().period.is_some() => {
+                let spec = plan.spec();
+                Ok((spec.period.unwrap_or(TAU), spec.advance))
+            }
+            Position::Linkage(output) => output.period().ok_or(None),
+            Position::Table(table) if table.is_periodic() => {
+                let (first, last) = table.ends();
+                Ok((last - first, 0.0))
+            }
+            _ => Err(None),
+        }
+    }
+
+    /// Rhythm of what the stage makes of an input.
+    fn rhythm(&self, input: Rhythm) -> Rhythm {
+        match (self.period(), input) {
+            (_, Rhythm::None) => Rhythm::None,
+            (_, Rhythm::Uniform(0.0)) => Rhythm::Uniform(0.0),
+            (_, Rhythm::Periodic(time, 0.0)) => Rhythm::Periodic(time, 0.0),
+            (Err(Some(slope)), Rhythm::Uniform(speed)) => {
+                Rhythm::Uniform(self.lever * slope * speed)
+            }
+            (Err(Some(slope)), Rhythm::Periodic(time, advance)) => {
+                Rhythm::Periodic(time, self.lever * slope * advance)
+            }
+            (Err(None), _) => Rhythm::None,
+            (Ok((period, turn)), Rhythm::Uniform(speed)) => {
+                Rhythm::Periodic(period / speed.abs(), self.lever * turn * speed.signum())
+            }
+            (Ok((period, turn)), Rhythm::Periodic(time, advance)) => {
+                let (times, turns) = match whole(advance / period) {
+                    Some(turns) => (1.0, turns),
+                    None => match whole(period / advance) {
+                        Some(times) => (times.abs(), times.signum()),
+                        None => return Rhythm::None,
+                    },
+                };
+                Rhythm::Periodic(time * times, self.lever * turn * turns)
+            }
+        }
+    }
+}
+
+/// A ratio that is a whole number of moderate size, other than zero.
+fn whole(ratio: f64) -> Option<f64> {
+    let nearest = ratio.round();
+    let near = (ratio - nearest).abs() <= 1e-12 * nearest.abs();
+    (near && nearest != 0.0 && nearest.abs() <= 64.0).then_some(nearest)
+}

@@ -1,0 +1,213 @@
+//! What no tree holds, beside trees that are propagated exactly.
+
+use super::coupled::Coupled;
+use super::forces::Forces;
+use super::lever::Way;
+use super::smooth::{NODES, node};
+use crate::dynamics::integrate::{Modes, SwitchEvent};
+use crate::dynamics::model::{LoadLaw, Model, NodeMotion};
+use crate::dynamics::record::{Figured, Observer, RecorderSettings};
+use crate::dynamics::system::ObjectState;
+use crate::exact::Rest;
+use crate::exact::walk::{Given, Motion, Way as Route};
+use crate::kinematics::motion::DriveMotion;
+use crate::math::polynomial::Step;
+
+/// Stretches in a period in which slopes are looked at beforehand.
+const TURN: u32 = 64;
+
+/// What no tree holds.
+pub(super) struct Beside<'a> {
+    pub(super) rest: &'a Rest,
+    pub(super) figured: Figured<'a>,
+    observer: Observer<'a>,
+    modes: Modes,
+    /// True where it is integrated: its steps come from outside.
+    pub(super) integrated: bool,
+    /// What all objects beside the trees are doing, where nothing but angles changes.
+    steady: Option<Vec<ObjectState>>,
+    /// How far its figures have been taken (s).
+    taken: f64,
+    pub(super) coupled: Vec<Coupled>,
+    ways: Vec<Way>,
+    /// What all objects of the whole are doing at the nodes of a stretch, as far as they
+    /// are beside the trees.
+    states: [Vec<ObjectState>; NODES],
+    /// The stretch whose nodes were taken up last (s).
+    noted: [f64; 2],
+    /// By tree and node, the slopes of the tree's way in the stretch taken up last.
+    slopes: Vec<[Vec<f64>; NODES]>,
+    /// Forces of the trees in the present stretch.
+    pub(super) forces: Forces,
+}
+
+impl<'a> Beside<'a> {
+    /// What is beside the trees of a route; true with it where it is integrated.
+    pub(super) fn new(
+        route: Route<'a>,
+        settings: &RecorderSettings,
+        (rest, integrated): (&'a Rest, bool),
+    ) -> Self {
+        let ways = Way::of_all(route.system, route.parts);
+        let objects = route.system.model().objects.len();
+        Self {
+            figured: Figured::new(&rest.system, settings),
+            observer: Observer::new(&rest.system),
+            modes: Modes(vec![0; rest.modes(&route.initial.modes).0.len()]),
+            integrated,
+            steady: is_uniform(rest.system.model()).then(|| vec![ObjectState::default(); objects]),
+            taken: 0.0,
+            coupled: Coupled::all(route.system, &ways, settings.window),
+            states: std::array::from_fn(|_| vec![ObjectState::default(); objects]),
+            noted: [f64::NAN; 2],
+            slopes: vec![std::array::from_fn(|_| Vec::new()); ways.len()],
+            forces: Forces::new(ways.len()),
+            ways,
+            rest,
+        }
+    }
+
+    /// The start of what is integrated.
+    pub(super) fn start_integrated(&mut self, y: &[f64], modes: &Modes) {
+        self.figured.start(0.0, y, modes);
+        self.modes.0.copy_from_slice(&modes.0);
+    }
+
+    /// The start of what the drives prescribe.
+    pub(super) fn start(&mut self, modes: &Modes, period: Option<f64>) {
+        self.modes = self.rest.modes(modes);
+        self.figured.start(0.0, &[], &self.modes);
+        if self.steady.is_none() {
+            return;
+        }
+        self.take_nodes(None, [0.0, period.unwrap_or(0.0)]);
+        self.steady = Some(self.states[0].clone());
+        let Some(period) = period else { return };
+        // What |G| comes to in a turn.
+        let mut most = vec![vec![0.0f64; self.ways.len()]; self.coupled.len()];
+        for k in 0..TURN {
+            let [from, to] = [k, k + 1].map(|k| period * f64::from(k) / f64::from(TURN));
+            self.take_nodes(None, [from, to]);
+            for (most, own) in most.iter_mut().zip(&self.coupled) {
+                for (most, lever) in most.iter_mut().zip(own.slopes()) {
+                    *most = most.max(lever);
+                }
+            }
+        }
+        for (most, own) in most.into_iter().zip(&mut self.coupled) {
+            own.cap(most);
+        }
+        self.noted = [f64::NAN; 2];
+    }
+
+    /// A switch in what is integrated.
+    pub(super) fn switch_integrated(&mut self, event: &SwitchEvent<'_>) {
+        self.figured.switch(event);
+        self.modes.0.copy_from_slice(&event.after.0);
+        self.noted = [f64::NAN; 2];
+    }
+
+    /// A switch of the whole, which may change a formula of what the drives prescribe.
+    pub(super) fn switch(&mut self, event: &SwitchEvent<'_>) {
+        let modes = self.rest.modes(event.after);
+        if modes == self.modes {
+            return;
+        }
+        self.take_to(event.time);
+        let before = std::mem::replace(&mut self.modes, modes);
+        self.figured.switch(&SwitchEvent {
+            y: &[],
+            before: &before,
+            after: &self.modes,
+            ..event.clone()
+        });
+        self.noted = [f64::NAN; 2];
+    }
+
+    /// Takes up a stretch; false where no force can meet in it what it has not met before.
+    pub(super) fn take_stretch(&mut self, motion: &Motion<'_, '_>, span: [f64; 2]) -> bool {
+        if self.steady.is_none() && !self.integrated {
+            self.take_to(span[1]);
+        }
+        if self.coupled.is_empty() {
+            return false;
+        }
+        self.forces.take(motion.branches, span);
+        let steady = self.steady.as_ref();
+        let may_rise = |own: &Coupled| {
+            let own_force = steady.map(|states| states[own.object].reaction);
+            own.may_rise(own_force, &self.forces)
+        };
+        if !self.coupled.iter().any(may_rise) {
+            return false;
+        }
+        self.take_nodes(motion.given, span);
+        true
+    }
+
+    /// Takes figures and works of prescribed motions up to an instant.
+    pub(super) fn take_to(&mut self, time: f64) {
+        if time > self.taken {
+            let step = still([self.taken, time]);
+            self.figured.step(&step, &self.modes);
+            self.taken = time;
+        }
+    }
+
+    /// Takes up what changes slowly at the nodes of a stretch.
+    fn take_nodes(&mut self, given: Option<&Given<'_>>, span: [f64; 2]) {
+        if self.noted == span {
+            return;
+        }
+        let still = still(span);
+        for k in 0..NODES {
+            let time = span[0] + node(k) * (span[1] - span[0]);
+            let states = match given {
+                Some(given) => {
+                    let s = (time - given.step.start) / given.step.length;
+                    let s = s.clamp(0.0, given.step.end);
+                    self.observer.at(given.step, s, &self.modes)
+                }
+                None => self.observer.at(&still, node(k), &self.modes),
+            };
+            for (&object, state) in self.rest.objects.iter().zip(states) {
+                self.states[k][object] = *state;
+            }
+        }
+        for (slopes, way) in self.slopes.iter_mut().zip(&self.ways) {
+            for (slopes, states) in slopes.iter_mut().zip(&self.states) {
+                way.take_slopes(states, slopes);
+            }
+        }
+        for own in &mut self.coupled {
+            own.take(&self.states, &self.ways, &self.slopes);
+        }
+        self.noted = span;
+    }
+}
+
+/// A step of a system without coordinates.
+fn still([from, to]: [f64; 2]) -> Step<'static> {
+    Step {
+        start: from,
+        length: to - from,
+        end: 1.0,
+        coordinates: 0,
+        degree: 0,
+        bases: &[],
+        coefficients: &[],
+    }
+}
+
+/// True for drives of constant speed under constant loads, and nothing else.
+fn is_uniform(model: &Model) -> bool {
+    let constant = |motion: &NodeMotion| {
+        let NodeMotion::Prescribed { motion, .. } = motion else {
+            return false;
+        };
+        matches!(motion, DriveMotion::Constant { .. })
+    };
+    let steady = |law: &LoadLaw| matches!(law, LoadLaw::Constant(_));
+    model.nodes.iter().all(|node| constant(&node.motion))
+        && model.loads.iter().all(|load| steady(&load.law))
+}
