@@ -40,6 +40,8 @@ pub struct Model {
     pub tracks: Vec<Track>,
     /// Elastic objects that are reduced to vibration modes.
     pub reduced: Vec<Reduced>,
+    /// One-sided stops against the ground.
+    pub stops: Vec<StopPart>,
     /// The scene's objects and their outputs, in the order of their ids; then the inner
     /// parts of objects ([`ObjectPart::is_inner`]).
     pub objects: Vec<ObjectPart>,
@@ -50,6 +52,15 @@ pub struct Model {
 }
 
 impl Model {
+    /// The stop that an object part is.
+    pub fn stop(&self, part: usize) -> Option<Stop> {
+        let own = self.stops.iter().find(|stop| stop.part == part)?;
+        match self.loads[own.load].law {
+            LoadLaw::Stop(stop) => Some(stop),
+            _ => None,
+        }
+    }
+
     /// What an object is reduced to, if it is reduced to modes.
     pub fn reduced(&self, object: usize) -> Option<&Reduced> {
         self.reduced.iter().find(|reduced| reduced.object == object)
@@ -279,6 +290,26 @@ pub enum ContactLaw {
 }
 
 impl ContactLaw {
+    /// The law of the pair in the link that such a contact is, with the damping of that link;
+    /// `compliance`: of an undamped link in series with it, in a contact by Hertz.
+    pub fn of_link(self, compliance: f64) -> (DampingLaw, f64) {
+        match self {
+            Self::KelvinVoigt { damping } => (DampingLaw::KelvinVoigt, damping),
+            Self::HuntCrossley { dissipation } if dissipation > 0.0 => {
+                let kappa = Some(dissipation);
+                (DampingLaw::HuntCrossley { kappa }, 0.0)
+            }
+            Self::Hertz { dissipation } => {
+                let law = DampingLaw::Hertz {
+                    dissipation,
+                    compliance,
+                };
+                (law, 0.0)
+            }
+            Self::Elastic | Self::HuntCrossley { .. } => (DampingLaw::KelvinVoigt, 0.0),
+        }
+    }
+
     /// True when it takes no energy.
     pub fn is_lossless(self) -> bool {
         match self {
@@ -357,6 +388,8 @@ pub enum LoadLaw {
     },
     /// Torque over speed, linear between the points, constant outside.
     SpeedTable(Vec<(f64, f64)>),
+    /// A one-sided stop against the ground.
+    Stop(Stop),
     /// `factor` times anything else over displacement and speed of the node.
     Custom {
         /// The force.
@@ -364,6 +397,47 @@ pub enum LoadLaw {
         /// Factor on it.
         factor: f64,
     },
+}
+
+/// A one-sided stop of a node against the ground: a contact that presses where the node
+/// passes a displacement, and never pulls. Its indentation is p = side·(φ − at), and it
+/// pushes with −side·N. It is engaged while p > 0 and N > 0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stop {
+    /// Displacement at which it is touched (rad or m).
+    pub at: f64,
+    /// −1: it holds the node from going below `at`; +1: from going above.
+    pub side: f64,
+    /// k (N/m or N·m/rad), or K of a contact in a point.
+    pub stiffness: f64,
+    /// Law of its contact.
+    pub law: ContactLaw,
+}
+
+impl Stop {
+    /// It as a pair of the deformation x = φ − at, with the damping of its link.
+    pub fn pair(&self) -> (Pair, f64) {
+        let (law, damping) = self.law.of_link(0.0);
+        let pair = Pair {
+            closure: Closure::Force,
+            gap: 0.0,
+            opens: -self.side,
+            law,
+        };
+        (pair, damping)
+    }
+}
+
+/// A stop of an object, which stands in the model as an inner part of it, `valve.seat`:
+/// its displacement is that of the object's last mass, its contact force that of the stop.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct StopPart {
+    /// The object that it stops, index into [`Model::objects`].
+    pub object: usize,
+    /// The stop itself, index into [`Model::objects`].
+    pub part: usize,
+    /// Its load, a [`LoadLaw::Stop`], index into [`Model::loads`].
+    pub load: usize,
 }
 
 /// A straight piece of a table.
@@ -455,7 +529,8 @@ pub struct ObjectPart {
     /// Id in the scene; of an output `object.output`.
     pub id: String,
     /// Kind in the scene; [`OUTPUT`] of an output, [`DRIVEN_END`] of the inertia of an
-    /// elastic object that moves with its law, [`MODE`] of one of its vibration modes.
+    /// elastic object that moves with its law, [`MODE`] of one of its vibration modes,
+    /// [`STOP`] of a stop.
     pub kind: &'static str,
     /// Turning or sliding.
     pub coordinate: Coordinate,
@@ -514,7 +589,7 @@ impl ObjectPart {
 
     /// True of a part of an object that nothing can hang on and that no scene names.
     pub fn is_inner(&self) -> bool {
-        self.kind == DRIVEN_END || self.kind == MODE
+        self.kind == DRIVEN_END || self.kind == MODE || self.kind == STOP
     }
 
     /// True when one of the inputs hangs on that object part.
@@ -533,6 +608,9 @@ pub const DRIVEN_END: &str = "driven_end";
 /// The kind of an object part that is a vibration mode of an elastic object:
 /// `object.mode_1`, `object.residual`.
 pub const MODE: &str = "mode";
+
+/// The kind of an object part that is a stop of an object: `valve.seat`.
+pub const STOP: &str = "stop";
 
 /// State at t = 0.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -32,6 +32,31 @@ builder! {
     }
 }
 
+builder! {
+    /// A one-sided stop of the last mass of an object against the ground: a valve seat, an
+    /// end stop.
+    Stop {
+        /// Displacement at which it is touched (rad or m).
+        at;
+        /// `"-"`: it holds the mass from going below that; `"+"`: from going above.
+        side;
+        /// Its contact.
+        contact;
+    }
+}
+
+impl Stop {
+    /// Holds the mass from going below a displacement.
+    pub fn below(at: impl Into<Node>, contact: impl Into<Node>) -> Self {
+        Self(only("at", at)).side("-").contact(contact)
+    }
+
+    /// Holds the mass from going above a displacement.
+    pub fn above(at: impl Into<Node>, contact: impl Into<Node>) -> Self {
+        Self(only("at", at)).side("+").contact(contact)
+    }
+}
+
 impl Contact {
     /// N = k·p.
     pub fn elastic(stiffness: impl Into<Node>) -> Self {

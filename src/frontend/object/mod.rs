@@ -33,6 +33,7 @@ mod position;
 mod rocker;
 mod shaft;
 mod slider;
+mod stop;
 
 use crate::dynamics::model::Coordinate;
 use crate::kinematics::cam::CamGeometry;

@@ -51,6 +51,20 @@ const OBJECT_FIGURES: &[Figure] = &[
     ("time_at_rest", |_| q::TIME.into()),
 ];
 
+/// Figures of a stop, beside those of the mass that it stops.
+const STOP_FIGURES: &[Figure] = &[
+    ("stop.closures", |_| q::NUMBER.into()),
+    ("stop.contact_time", |_| q::TIME.into()),
+    ("stop.max_approach_speed", Measures::speed),
+    ("stop.max_contact_force", Measures::force),
+    ("stop.max_indentation", Measures::displacement),
+    ("peak_speed", Measures::speed),
+    ("peak_acceleration", Measures::acceleration),
+    ("peak_reaction", Measures::force),
+    ("final.displacement", Measures::displacement),
+    ("final.speed", Measures::speed),
+];
+
 /// Figures of the run.
 const RUN_FIGURES: &[&str] = &[
     "time",
@@ -225,7 +239,9 @@ fn absolute(fields: &mut Fields<'_>, within: Within, value: f64) -> Option<f64> 
 /// The address of a figure, with what it measures.
 fn figure(mut slot: Slot<'_>, known: &Known) -> Option<About> {
     let address = slot.look(|slot| slot.text())?;
-    let (owner, name) = owner_of(&address, |id| known.objects.contains_key(id));
+    let (owner, name) = owner_of(&address, |id| {
+        known.objects.contains_key(id) || known.stops.contains_key(id)
+    });
     if owner == "run" {
         if RUN_FIGURES.contains(&name) {
             let wanted = if name == "time" { q::TIME } else { q::NUMBER };
@@ -245,24 +261,30 @@ fn figure(mut slot: Slot<'_>, known: &Known) -> Option<About> {
     if owner == "kinematics" || owner == "forces" {
         return study_figure(&mut slot, known, address);
     }
-    let Some(object) = known.objects.get(owner) else {
-        let ids = known.objects.keys().map(String::as_str).chain(["run"]);
-        let guess = closest(owner, ids);
-        let fault = slot.refuse("unknown-object", format!("unknown object `{owner}`"));
-        fault.hints.push(match guess {
-            Some(guess) => format!("did you mean `{guess}`?"),
-            None => "figures are addressed as `object.figure` or `run.figure`".to_owned(),
-        });
-        return None;
+    let object = known.objects.get(owner).map(|object| object.coordinate);
+    let (coordinate, figures, pair) = match (object, known.stops.get(owner)) {
+        (Some(coordinate), _) => (coordinate, OBJECT_FIGURES, "pair"),
+        (None, Some(&coordinate)) => (coordinate, STOP_FIGURES, "stop"),
+        (None, None) => {
+            let ids = known.objects.keys().map(String::as_str).chain(["run"]);
+            let guess = closest(owner, ids);
+            let fault = slot.refuse("unknown-object", format!("unknown object `{owner}`"));
+            fault.hints.push(match guess {
+                Some(guess) => format!("did you mean `{guess}`?"),
+                None => "figures are addressed as `object.figure` or `run.figure`".to_owned(),
+            });
+            return None;
+        }
     };
-    let index = name.strip_prefix("pair.switch_times.");
+    let index = name.strip_prefix(pair);
+    let index = index.and_then(|rest| rest.strip_prefix(".switch_times."));
     if index.is_some_and(|index| index.parse::<usize>().is_ok()) {
         return Some(About::Figure(address, q::TIME.into()));
     }
-    let found = OBJECT_FIGURES.iter().find(|figure| figure.0 == name);
+    let found = figures.iter().find(|figure| figure.0 == name);
     match found {
         Some((_, measure)) => {
-            let wanted = measure(Measures(object.coordinate));
+            let wanted = measure(Measures(coordinate));
             Some(About::Figure(address, wanted))
         }
         None => {
@@ -270,7 +292,7 @@ fn figure(mut slot: Slot<'_>, known: &Known) -> Option<About> {
                 &mut slot,
                 owner,
                 name,
-                OBJECT_FIGURES.iter().map(|figure| figure.0),
+                figures.iter().map(|figure| figure.0),
             );
             None
         }
