@@ -91,8 +91,12 @@ fn every_property_of_every_kind_can_be_built() {
         &schema,
         &["rocker", "pair", "contact"],
         Contact::PROPERTIES,
-        &[],
+        &["from"],
     );
+    let from = ["rocker", "pair", "contact", "from"];
+    let [line, point] = ["line", "point"].map(|shape| [&from[..], &[shape]].concat());
+    same(&schema, &line, LineContact::PROPERTIES, &[]);
+    same(&schema, &point, PointContact::PROPERTIES, &[]);
 }
 
 #[test]

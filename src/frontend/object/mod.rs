@@ -12,6 +12,7 @@ mod cam_follower;
 mod cam_geometry;
 pub mod chain;
 mod contact;
+mod contact_geometry;
 mod context;
 mod crank;
 mod differential;
