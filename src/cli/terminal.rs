@@ -90,6 +90,18 @@ fn object_block(text: &mut String, id: &str, object: &ObjectFigures, units: Opti
     if let Some(pair) = &object.pair {
         pair_rows(&mut row, pair, length, force);
     }
+    if let Some(stop) = &object.stop {
+        row("closures", stop.closures.to_string(), "");
+        row("time in contact", number(stop.contact_time), "s");
+        let speed = number(stop.max_approach_speed);
+        row("greatest approach speed", speed, &rate("s"));
+        row(
+            "greatest contact force",
+            number(stop.max_contact_force),
+            force,
+        );
+        row("greatest indentation", number(stop.max_indentation), length);
+    }
 }
 
 fn pair_rows(

@@ -13,6 +13,7 @@
 
 mod loads;
 mod part;
+mod stop;
 
 use crate::kinematics::breaks::Breaks;
 use crate::kinematics::constraint::Constraint;
@@ -24,7 +25,8 @@ use serde::Serialize;
 use std::sync::Arc;
 
 pub use loads::{LinearPiece, Load, LoadLaw};
-pub use part::{DRIVEN_END, MODE, OUTPUT, ObjectPart, PartInput, owner_of};
+pub use part::{DRIVEN_END, MODE, OUTPUT, ObjectPart, PartInput, STOP, owner_of};
+pub use stop::{Stop, StopPart};
 
 /// Index of a node in [`Model::nodes`].
 pub type NodeIndex = usize;
@@ -45,6 +47,8 @@ pub struct Model {
     pub tracks: Vec<Track>,
     /// Elastic objects that are reduced to vibration modes.
     pub reduced: Vec<Reduced>,
+    /// One-sided stops against the ground.
+    pub stops: Vec<StopPart>,
     /// The scene's objects and their outputs, in the order of their ids; then the inner
     /// parts of objects ([`ObjectPart::is_inner`]).
     pub objects: Vec<ObjectPart>,
@@ -55,6 +59,15 @@ pub struct Model {
 }
 
 impl Model {
+    /// The stop that an object part is.
+    pub fn stop(&self, part: usize) -> Option<Stop> {
+        let own = self.stops.iter().find(|stop| stop.part == part)?;
+        match self.loads[own.load].law {
+            LoadLaw::Stop(stop) => Some(stop),
+            _ => None,
+        }
+    }
+
     /// Reduction of an object to modes, if it is reduced to modes.
     pub fn reduced(&self, object: usize) -> Option<&Reduced> {
         self.reduced.iter().find(|reduced| reduced.object == object)
@@ -284,6 +297,26 @@ pub enum ContactLaw {
 }
 
 impl ContactLaw {
+    /// The law of the pair in the link that such a contact is, with the damping of that link;
+    /// `compliance`: of an undamped link in series with it, in a contact by Hertz.
+    pub fn of_link(self, compliance: f64) -> (DampingLaw, f64) {
+        match self {
+            Self::KelvinVoigt { damping } => (DampingLaw::KelvinVoigt, damping),
+            Self::HuntCrossley { dissipation } if dissipation > 0.0 => {
+                let kappa = Some(dissipation);
+                (DampingLaw::HuntCrossley { kappa }, 0.0)
+            }
+            Self::Hertz { dissipation } => {
+                let law = DampingLaw::Hertz {
+                    dissipation,
+                    compliance,
+                };
+                (law, 0.0)
+            }
+            Self::Elastic | Self::HuntCrossley { .. } => (DampingLaw::KelvinVoigt, 0.0),
+        }
+    }
+
     /// True when it takes no energy.
     pub fn is_lossless(self) -> bool {
         match self {

@@ -4,6 +4,7 @@
 pub mod breaks;
 pub mod cam;
 pub mod constraint;
+pub(crate) mod hertzian;
 pub mod linkage;
 pub mod motion;
 pub mod position;

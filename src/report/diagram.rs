@@ -2,7 +2,7 @@
 
 use super::order::drivers_first;
 use crate::dynamics::model::{
-    Closure, Coordinate, LinkageBody, Model, NodeMotion, ObjectPart, Pair, PartInput,
+    Closure, Coordinate, LinkageBody, Model, NodeMotion, ObjectPart, Pair, PartInput, STOP,
 };
 use crate::report::show::{equations, motion, position};
 
@@ -74,7 +74,10 @@ impl Diagram {
                 ObjectBox {
                     id: object.id.clone(),
                     kind: object.kind.to_owned(),
-                    detail: detail(model, object),
+                    detail: match model.stop(index) {
+                        Some(stop) => equations::stop_words(&stop, object.coordinate),
+                        None => detail(model, object),
+                    },
                     inputs: inputs(object, place),
                     position: law_text(model, index),
                     closure: pair.map_or(Closure::Bilateral, |pair| pair.closure),
@@ -192,6 +195,7 @@ fn law_text(model: &Model, index: usize) -> String {
     let object = &model.objects[index];
     let motion = object.nodes.first().map(|&node| &model.nodes[node].motion);
     match motion {
+        _ if object.kind == STOP => String::new(),
         Some(NodeMotion::Mass { law } | NodeMotion::Rigid { law }) => {
             position::summary(law, object.coordinate)
         }

@@ -8,7 +8,8 @@ use crate::dynamics::model::{
     Closure, Coordinate, DampingLaw, LinkBase, LinkageBody, Model, ObjectPart,
 };
 use crate::dynamics::record::{
-    EnergyAudit, Figures, JointFigures, ObjectFigures, PairFigures, Recorded, RunSummary, Units,
+    EnergyAudit, Figures, JointFigures, ObjectFigures, PairFigures, Recorded, RunSummary,
+    StopFigures, Units,
 };
 use crate::units::shown;
 
@@ -144,6 +145,15 @@ fn returns(switch_times: &[f64]) -> Option<(usize, f64)> {
 fn pair_warnings(model: &Model, object: usize, recorded: &Recorded, time: f64) -> Vec<Warning> {
     let mut warnings = Vec::new();
     let part = &model.objects[object];
+    if let Some(stop) = &recorded.figures[object].stop
+        && let Some((returns, time)) = returns(&stop.switch_times)
+    {
+        warnings.push(Warning::SwitchesUndetermined {
+            object: part.id.clone(),
+            returns,
+            time,
+        });
+    }
     let Some(pair) = &recorded.figures[object].pair else {
         return warnings;
     };
@@ -201,10 +211,9 @@ pub(super) fn document(
 /// The document of a run that has not begun: every figure that a run of this
 /// model will have, at zero.
 pub(super) fn blank(model: &Model) -> Figures {
-    let figures: Vec<ObjectFigures> = model
-        .objects
-        .iter()
-        .map(|part| ObjectFigures {
+    let figures: Vec<ObjectFigures> = (model.objects.iter().enumerate())
+        .map(|(index, part)| ObjectFigures {
+            stop: model.stop(index).map(|_| StopFigures::default()),
             pair: can_open(model, part).then(|| PairFigures {
                 margin: part.rigid_pair.map(|_| 0.0),
                 max_indentation: part.contact.map(|_| 0.0),

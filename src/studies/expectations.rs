@@ -90,7 +90,7 @@ pub fn unknown_figures(expectations: &[Expectation], model: &Model) -> Vec<Fault
             return None;
         };
         // How many switches there will be is not known before the run.
-        if figure.contains(".pair.switch_times.") || !of_run(expectation) {
+        if figure.contains(".switch_times.") || !of_run(expectation) {
             return None;
         }
         let Err(AddressError::Unknown { close }) = figures.value(figure) else {

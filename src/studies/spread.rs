@@ -114,7 +114,7 @@ pub(super) fn is_result(figure: &str) -> bool {
         || !(of_run || figure.contains(".switch_times."))
 }
 
-/// The model with all loads and gaps multiplied by `factor`.
+/// The model with all loads, gaps and places of stops multiplied by `factor`.
 pub(super) fn changed_loads(mut model: Model, factor: f64) -> Model {
     for load in &mut model.loads {
         change_load(&mut load.law, factor);
@@ -141,6 +141,7 @@ fn change_load(law: &mut LoadLaw, factor: f64) {
             *preload *= factor;
         }
         LoadLaw::Friction { force, .. } => *force *= factor,
+        LoadLaw::Stop(stop) => stop.at *= factor,
         LoadLaw::Custom { factor: own, .. } => *own *= factor,
         LoadLaw::LinearMotor { stall_torque, .. } => *stall_torque *= factor,
         LoadLaw::Kloss {

@@ -192,6 +192,7 @@ impl ModelBuilder {
                 modes,
                 split,
             };
+            self.check_stops(at, spec);
             return self.modal(at, &law, (spec, pair), body);
         }
         let nodes = match (&spec.body, &spec.pair.contact) {
@@ -211,6 +212,7 @@ impl ModelBuilder {
         for load in &spec.loads {
             self.load(at, load, &loaded(load, &nodes, end), driver);
         }
+        self.stops(at, spec, &nodes);
     }
 
     /// The law that the driver asks for.

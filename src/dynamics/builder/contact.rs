@@ -10,17 +10,7 @@ use crate::dynamics::model::{
 impl ModelBuilder {
     /// The faults of a contact element's numbers, and of what it stands in front of.
     pub(super) fn check_contact(&mut self, at: &Place, spec: &ChainSpec, contact: &ContactSpec) {
-        let path = |name: &str| at.path(&format!("pair.contact.{name}"));
-        self.faults.positive(&path("stiffness"), contact.stiffness);
-        match contact.law {
-            ContactLaw::Elastic => {}
-            ContactLaw::KelvinVoigt { damping } => {
-                self.faults.not_negative(&path("damping"), damping);
-            }
-            ContactLaw::HuntCrossley { dissipation } | ContactLaw::Hertz { dissipation } => {
-                self.faults.not_negative(&path("dissipation"), dissipation);
-            }
-        }
+        self.check_contact_numbers(at, "pair.contact", contact);
         if spec.pair.law != DampingLaw::KelvinVoigt {
             let message = "a contact element has a law of its own";
             let hint = "remove `pair.law`, or `pair.contact`";
@@ -47,6 +37,26 @@ impl ModelBuilder {
         }
     }
 
+    /// The faults of the numbers of a contact at a property.
+    pub(super) fn check_contact_numbers(
+        &mut self,
+        at: &Place,
+        property: &str,
+        contact: &ContactSpec,
+    ) {
+        let path = |name: &str| at.path(&format!("{property}.{name}"));
+        self.faults.positive(&path("stiffness"), contact.stiffness);
+        match contact.law {
+            ContactLaw::Elastic => {}
+            ContactLaw::KelvinVoigt { damping } => {
+                self.faults.not_negative(&path("damping"), damping);
+            }
+            ContactLaw::HuntCrossley { dissipation } | ContactLaw::Hertz { dissipation } => {
+                self.faults.not_negative(&path("dissipation"), dissipation);
+            }
+        }
+    }
+
     /// An object behind a contact element: a rigid body on it, or a chain of which link 1
     /// is a plain fragment.
     pub(super) fn touching(
@@ -59,7 +69,7 @@ impl ModelBuilder {
     ) -> Vec<NodeIndex> {
         let stiffness = contact.stiffness;
         let plain = |compliance| Pair {
-            law: damping_law(contact.law, compliance),
+            law: contact.law.of_link(compliance).0,
             ..pair
         };
         let (parameters, pair) = match body {
@@ -68,7 +78,7 @@ impl ModelBuilder {
                     driven_end: 0.0,
                     inertias: vec![*inertia],
                     stiffnesses: vec![stiffness],
-                    dampings: vec![contact_damping(contact.law)],
+                    dampings: vec![contact.law.of_link(0.0).1],
                 };
                 (alone, plain(0.0))
             }
@@ -124,7 +134,7 @@ impl ModelBuilder {
             mass: point,
             base: LinkBase::Law { pair },
             stiffness: contact.stiffness,
-            damping: contact_damping(contact.law),
+            damping: contact.law.of_link(0.0).1,
         });
         self.model.objects[at.object].contact = Some(ContactElement {
             law: contact.law,
@@ -133,27 +143,5 @@ impl ModelBuilder {
             point: Some(point),
         });
         self.masses_on(at, law, parameters, LinkBase::Mass(point))
-    }
-}
-
-/// b of the link that a contact is.
-fn contact_damping(law: ContactLaw) -> f64 {
-    match law {
-        ContactLaw::KelvinVoigt { damping } => damping,
-        _ => 0.0,
-    }
-}
-
-/// The law of the pair in a link that a contact is.
-fn damping_law(law: ContactLaw, compliance: f64) -> DampingLaw {
-    match law {
-        ContactLaw::HuntCrossley { dissipation } if dissipation > 0.0 => DampingLaw::HuntCrossley {
-            kappa: Some(dissipation),
-        },
-        ContactLaw::Hertz { dissipation } => DampingLaw::Hertz {
-            dissipation,
-            compliance,
-        },
-        _ => DampingLaw::KelvinVoigt,
     }
 }

@@ -26,6 +26,7 @@ mod pieces;
 mod place;
 mod reach;
 pub mod spec;
+mod stop;
 
 pub use chain::ChainParameters;
 pub(crate) use driven_end::{BALANCED_BEHIND_AN_OPENING_PAIR, INSTEAD_OF_BALANCED};

@@ -93,6 +93,8 @@ pub struct ChainSpec {
     pub pair: PairSpec,
     /// Loads in the order of their names.
     pub loads: Vec<LoadSpec>,
+    /// One-sided stops of the last mass against the ground, in the order of their names.
+    pub stops: Vec<StopSpec>,
 }
 
 impl ChainSpec {
@@ -214,6 +216,19 @@ pub struct ContactSpec {
     pub stiffness: f64,
     /// Law of the contact force.
     pub law: ContactLaw,
+}
+
+/// A named stop of the last mass against the ground.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StopSpec {
+    /// Its name in the scene.
+    pub name: String,
+    /// Displacement at which it is touched (rad or m).
+    pub at: f64,
+    /// −1: it holds the mass from going below `at`; +1: from going above.
+    pub side: f64,
+    /// Its contact.
+    pub contact: ContactSpec,
 }
 
 /// A named load.

@@ -1,6 +1,6 @@
 //! Loads on nodes.
 
-use super::NodeIndex;
+use super::{NodeIndex, Stop};
 use crate::dynamics::load::LoadFunction;
 use std::sync::Arc;
 
@@ -62,6 +62,8 @@ pub enum LoadLaw {
     },
     /// Torque over speed, linear between the points, constant outside.
     SpeedTable(Vec<(f64, f64)>),
+    /// A one-sided stop against the ground.
+    Stop(Stop),
     /// `factor` times anything else over displacement and speed of the node.
     Custom {
         /// The force.

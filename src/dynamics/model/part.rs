@@ -82,7 +82,7 @@ impl ObjectPart {
 
     /// True of a part of an object that nothing can hang on and that no scene names.
     pub fn is_inner(&self) -> bool {
-        self.kind == DRIVEN_END || self.kind == MODE
+        self.kind == DRIVEN_END || self.kind == MODE || self.kind == STOP
     }
 
     /// True when one of the inputs hangs on that object part.
@@ -101,3 +101,6 @@ pub const DRIVEN_END: &str = "driven_end";
 /// The kind of an object part that is a vibration mode of an elastic object:
 /// `object.mode_1`, `object.residual`.
 pub const MODE: &str = "mode";
+
+/// The kind of an object part that is a stop of an object: `valve.seat`.
+pub const STOP: &str = "stop";

@@ -70,15 +70,25 @@ impl Figures {
             | "sigma"
             | "final.displacement"
             | "pair.max_lift"
-            | "pair.max_indentation" => displacement.to_owned(),
-            "peak_speed" | "final.speed" | "pair.max_approach_speed" => {
+            | "pair.max_indentation"
+            | "stop.max_indentation" => displacement.to_owned(),
+            "peak_speed"
+            | "final.speed"
+            | "pair.max_approach_speed"
+            | "stop.max_approach_speed" => {
                 format!("{displacement}/s")
             }
             "peak_acceleration" => format!("{displacement}/s²"),
-            "peak_reaction" | "pair.max_contact_force" | "pair.margin" => units.force.to_owned(),
-            "pair.separated_time" | "pair.longest_separation" | "time_at_rest" => "s".to_owned(),
+            "peak_reaction"
+            | "pair.max_contact_force"
+            | "pair.margin"
+            | "stop.max_contact_force" => units.force.to_owned(),
+            "pair.separated_time"
+            | "pair.longest_separation"
+            | "time_at_rest"
+            | "stop.contact_time" => "s".to_owned(),
             "friction_loss" => "J".to_owned(),
-            name if name.starts_with("pair.switch_times.") => "s".to_owned(),
+            name if name.contains(".switch_times.") => "s".to_owned(),
             _ => String::new(),
         }
     }
@@ -102,9 +112,11 @@ impl Figures {
             "delta_abs" | "delta_max" | "delta_min" | "sigma" | "pair.max_lift" => delta,
             "final.displacement" if delta > 0.0 => delta,
             "final.speed" => object.peak_speed,
-            "pair.separations" | "pair.closures" | "pair.in_working_order" => 1.0,
-            "pair.separated_time" | "pair.longest_separation" => self.run.time,
-            _ if figure.starts_with("pair.switch_times") => self.run.time,
+            "pair.separations" | "pair.closures" | "pair.in_working_order" | "stop.closures" => 1.0,
+            "pair.separated_time" | "pair.longest_separation" | "stop.contact_time" => {
+                self.run.time
+            }
+            _ if figure.contains(".switch_times") => self.run.time,
             _ => own,
         }
     }

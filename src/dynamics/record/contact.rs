@@ -3,19 +3,30 @@
 use super::subdivision::{maximum, minimum};
 use crate::dynamics::model::{Closure, Pair};
 use crate::math::polynomial::first_positive;
-use crate::math::polynomial::{Coefficients, MAX_DEGREE};
+use crate::math::polynomial::{Coefficients, MAX_DEGREE, Step};
 
 /// A pair that can open, and where its deformation is found.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Opening {
     /// Component of the modes: 0 open, −1 on the lower flank, +1 on the upper.
     pub(super) component: usize,
-    /// Coordinate x of link 1.
+    /// Signal that is the deformation x of link 1, but for `zero`.
     pub(super) coordinate: usize,
+    /// What the signal is where x = 0: the place of a stop.
+    pub(super) zero: f64,
     pub(super) pair: Pair,
 }
 
 impl Opening {
+    /// Bernstein coefficients of x over a step.
+    pub(super) fn deformation<'r>(&self, step: &Step<'_>, room: &'r mut Coefficients) -> &'r [f64] {
+        let count = step.signal(self.coordinate, room).len();
+        if self.zero != 0.0 {
+            room[..count].iter_mut().for_each(|x| *x -= self.zero);
+        }
+        &room[..count]
+    }
+
     /// Place in an open step where x leaves the flank that it still penetrates: the power
     /// lost there has a kink. (A pair opens inside its flank when damping takes the force
     /// to zero first.)
@@ -87,6 +98,7 @@ mod tests {
         Opening {
             component: 0,
             coordinate: 0,
+            zero: 0.0,
             pair: Pair {
                 closure,
                 gap,

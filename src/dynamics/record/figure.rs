@@ -50,11 +50,21 @@ pub enum Figure {
     TimeAtRest,
     /// Energy lost to the friction of its joints (J).
     FrictionLoss,
+    /// How often a mass comes onto a stop.
+    StopClosures,
+    /// Total time for which a stop is engaged (s).
+    StopContactTime,
+    /// Greatest speed at which a mass comes onto a stop.
+    StopApproachSpeed,
+    /// Greatest force of a stop.
+    StopForce,
+    /// Greatest indentation of a stop.
+    StopIndentation,
 }
 
 impl Figure {
     /// All figures.
-    pub const ALL: [Self; 22] = [
+    pub const ALL: [Self; 27] = [
         Self::DeltaAbs,
         Self::DeltaMax,
         Self::DeltaMin,
@@ -77,6 +87,11 @@ impl Figure {
         Self::Standstills,
         Self::TimeAtRest,
         Self::FrictionLoss,
+        Self::StopClosures,
+        Self::StopContactTime,
+        Self::StopApproachSpeed,
+        Self::StopForce,
+        Self::StopIndentation,
     ];
 
     /// Address within the object: `pair.max_lift`.
@@ -104,6 +119,11 @@ impl Figure {
             Self::Standstills => "standstills",
             Self::TimeAtRest => "time_at_rest",
             Self::FrictionLoss => "friction_loss",
+            Self::StopClosures => "stop.closures",
+            Self::StopContactTime => "stop.contact_time",
+            Self::StopApproachSpeed => "stop.max_approach_speed",
+            Self::StopForce => "stop.max_contact_force",
+            Self::StopIndentation => "stop.max_indentation",
         }
     }
 }
@@ -118,7 +138,7 @@ impl ObjectFigures {
     /// The value of a figure; `None`: the object has none such, or it has no value
     /// (a bilateral pair, no window).
     pub fn value(&self, figure: Figure) -> Option<f64> {
-        let joints = self.joints.as_ref();
+        let (joints, stop) = (self.joints.as_ref(), self.stop.as_ref());
         Some(match figure {
             Figure::DeltaAbs => self.delta_abs,
             Figure::DeltaMax => self.delta_max,
@@ -132,6 +152,11 @@ impl ObjectFigures {
             Figure::Standstills => joints?.standstills as f64,
             Figure::TimeAtRest => joints?.time_at_rest,
             Figure::FrictionLoss => joints?.friction_loss,
+            Figure::StopClosures => stop?.closures as f64,
+            Figure::StopContactTime => stop?.contact_time,
+            Figure::StopApproachSpeed => stop?.max_approach_speed,
+            Figure::StopForce => stop?.max_contact_force,
+            Figure::StopIndentation => stop?.max_indentation,
             of_pair => return self.pair.as_ref()?.value(of_pair),
         })
     }
@@ -161,7 +186,7 @@ impl PairFigures {
 mod tests {
     use super::Figure;
     use crate::dynamics::record::{
-        Figures, FinalState, JointFigures, ObjectFigures, PairFigures, RunSummary,
+        Figures, FinalState, JointFigures, ObjectFigures, PairFigures, RunSummary, StopFigures,
     };
     use std::collections::{BTreeMap, BTreeSet};
 
@@ -196,6 +221,14 @@ mod tests {
                 standstills: 17,
                 time_at_rest: 18.0,
                 friction_loss: 19.0,
+            }),
+            stop: Some(StopFigures {
+                closures: 22,
+                contact_time: 23.0,
+                max_approach_speed: 24.0,
+                max_contact_force: 25.0,
+                max_indentation: 26.0,
+                switch_times: Vec::new(),
             }),
         }
     }

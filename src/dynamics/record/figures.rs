@@ -63,6 +63,9 @@ pub struct ObjectFigures {
     /// Friction in the joints of a linkage, where it acts on the motion.
     #[serde(flatten, skip_serializing_if = "Option::is_none")]
     pub joints: Option<JointFigures>,
+    /// The contact of a stop, which is an object part of its own, `valve.seat`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub stop: Option<StopFigures>,
 }
 
 /// The greatest magnitude between two extremes; not a number where one of them is none.
@@ -84,6 +87,24 @@ pub struct JointFigures {
     pub friction_loss: f64,
 }
 
+/// Figures of a one-sided stop. The other figures of its part are those of the mass that
+/// it stops.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct StopFigures {
+    /// How often the mass comes onto it, t > 0: more than once an event where it bounces.
+    pub closures: u64,
+    /// Total time in contact (s).
+    pub contact_time: f64,
+    /// Greatest speed at which the mass comes onto it; 0 if it never does.
+    pub max_approach_speed: f64,
+    /// Greatest force.
+    pub max_contact_force: f64,
+    /// Greatest indentation.
+    pub max_indentation: f64,
+    /// Times of all switches (s).
+    pub switch_times: Vec<f64>,
+}
+
 /// State of the last mass at the end of the run.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct FinalState {
@@ -96,11 +117,12 @@ pub struct FinalState {
 /// Figures of a driving pair.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct PairFigures {
-    /// Engaged → open, t > 0.
+    /// Engaged → open, t > 0; but for openings at which the object is held by a stop.
     pub separations: u64,
     /// Open → engaged, t > 0.
     pub closures: u64,
-    /// Total time open (s).
+    /// Total time open (s); but for the time after the object has come to a stop, until
+    /// the pair is engaged again.
     pub separated_time: f64,
     /// Longest time open (s).
     pub longest_separation: f64,

@@ -7,7 +7,7 @@ use super::pairs::PairTracker;
 use super::rows::{Rows, Seen, is_finite};
 use super::settings::RecorderSettings;
 use super::tally::Tally;
-use super::{Interval, ObjectFigures, PairFigures, Record, Recorded, SwitchRow};
+use super::{Interval, ObjectFigures, PairFigures, Record, Recorded, StopFigures, SwitchRow};
 use crate::dynamics::energy::EnergyAudit;
 use crate::dynamics::integrate::{Modes, SwitchEvent};
 use crate::dynamics::system::{MassState, ObjectState, System};
@@ -68,7 +68,12 @@ impl<'s> Log<'s> {
         let model = system.model();
         let all_masses = (0..model.objects.len()).map(|object| system.masses(object));
         let all_masses: usize = all_masses.sum();
-        let pair = |object| Some(PairTracker::new(object, system.pair_component(object)?));
+        let pair = |object| {
+            let stops = system.stops_of_object(object).collect();
+            let mut pair = PairTracker::new(object, system.pair_component(object)?, stops);
+            pair.is_stop = model.stop(object).is_some();
+            Some(pair)
+        };
         Self {
             observer: Observer::new(system),
             rows: Rows::new(system, settings.masses, settings.samples, settings.duration),
@@ -93,7 +98,7 @@ impl<'s> Log<'s> {
     pub(crate) fn start(&mut self, time: f64, y: &[f64], modes: &Modes) -> &[ObjectState] {
         (self.start, self.time) = (time, time);
         for pair in &mut self.pairs {
-            pair.start(time, modes.0[pair.component]);
+            pair.start(time, &modes.0);
         }
         let states = self.observer.state(time, y, modes);
         let bad = states.iter().position(|state| !is_finite(state));
@@ -147,21 +152,32 @@ impl<'s> Log<'s> {
         let changed = |pair: &&mut PairTracker| {
             event.before.0[pair.component] != event.after.0[pair.component]
         };
-        let mut any = false;
+        let (mut any, mut off) = (false, Vec::new());
         for pair in self.pairs.iter_mut().filter(changed) {
             any = true;
-            let component = pair.component;
+            let (component, held) = (pair.component, pair.is_held(&event.after.0));
             let state = self.observer.state(event.time, event.y, event.before)[pair.object];
             pair.switch(
                 (
                     &self.observer.system().model().objects[pair.object].id,
                     event.time,
                 ),
-                (event.before.0[component], event.after.0[component]),
+                (event.before.0[component], event.after.0[component], held),
                 &state,
                 &mut self.switches,
-                &mut self.separations,
+                match pair.is_stop {
+                    true => &mut off,
+                    false => &mut self.separations,
+                },
             );
+        }
+        for pair in self
+            .pairs
+            .iter_mut()
+            .filter(|pair| pair.is_held(&event.after.0))
+        {
+            let id = &self.observer.system().model().objects[pair.object].id;
+            pair.hold(id, event.time, &mut self.separations);
         }
         if any && self.settings.closeups {
             self.budget = CLOSEUPS;
@@ -292,7 +308,20 @@ impl<'s> Log<'s> {
         let mut figures: Vec<ObjectFigures> = figures.collect();
         for tracker in std::mem::take(&mut self.pairs) {
             let object = tracker.object;
-            let id = &self.observer.system().model().objects[object].id;
+            let model = self.observer.system().model();
+            let id = &model.objects[object].id;
+            if model.stop(object).is_some() {
+                let pair = tracker.finish(id, time, &mut Vec::new());
+                figures[object].stop = Some(StopFigures {
+                    closures: pair.closures,
+                    contact_time: (duration - pair.separated_time).max(0.0),
+                    max_approach_speed: pair.max_approach_speed,
+                    max_contact_force: tallies[object].contact_force(),
+                    max_indentation: tallies[object].indentation().unwrap_or(0.0),
+                    switch_times: pair.switch_times,
+                });
+                continue;
+            }
             let mut pair = tracker.finish(id, time, &mut self.separations);
             pair.max_lift = tallies[object].lift();
             pair.max_contact_force = tallies[object].contact_force();

@@ -31,7 +31,7 @@ pub use addresses::AddressError;
 pub use failure::Failure;
 pub use figure::Figure;
 pub use figures::{
-    Figures, FinalState, JointFigures, ObjectFigures, PairFigures, RunSummary, Units,
+    Figures, FinalState, JointFigures, ObjectFigures, PairFigures, RunSummary, StopFigures, Units,
     greatest_magnitude,
 };
 pub use quantity::Quantity;

@@ -27,14 +27,26 @@ impl Coordinates {
         let model = system.model();
         let part = &model.objects[object];
         let opening = || {
+            if let Some((coordinate, zero, pair)) = system.stop_signal(object) {
+                let component = system.pair_component(object)?;
+                return Some(Opening {
+                    component,
+                    coordinate,
+                    zero,
+                    pair,
+                });
+            }
             Some(Opening {
+                zero: 0.0,
                 component: system.pair_component(object)?,
                 coordinate: system.first_coordinate(object)?,
                 pair: model.elastic_pair(part)?,
             })
         };
         Self {
-            deviation: system.last_coordinate(object).filter(|_| !part.is_drive()),
+            deviation: system
+                .last_coordinate(object)
+                .filter(|_| system.deviates(object)),
             opening: opening(),
         }
     }
@@ -105,7 +117,7 @@ impl Segment for Observed<'_, '_> {
             }),
             Signal::Clearance => own.opening.and_then(|opening| {
                 (self.modes.0[opening.component] == 0).then_some(())?;
-                let x = step.signal(opening.coordinate, &mut room);
+                let x = opening.deformation(step, &mut room);
                 opening.greatest_clearance(x, end, peak.value)
             }),
             _ => {

@@ -10,32 +10,51 @@ pub(crate) struct PairTracker {
     pub(crate) object: usize,
     /// Component of the modes: 0 open, −1 on the lower flank, +1 on the upper.
     pub(crate) component: usize,
+    /// True of a stop: that it is open is no separation.
+    pub(crate) is_stop: bool,
+    /// Components of the modes of the object's stops.
+    stops: Vec<usize>,
     figures: PairFigures,
     open_since: Option<f64>,
 }
 
 impl PairTracker {
-    /// A pair of an object whose mode is `components[component]`.
-    pub(crate) fn new(object: usize, component: usize) -> Self {
+    /// A pair of an object whose mode is `components[component]`; `stops`: components of
+    /// the modes of the object's stops.
+    pub(crate) fn new(object: usize, component: usize, stops: Vec<usize>) -> Self {
         Self {
             object,
             component,
+            is_stop: false,
+            stops,
             figures: PairFigures::default(),
             open_since: None,
         }
     }
 
     /// The state just after the start; taking it is no switch.
-    pub(crate) fn start(&mut self, time: f64, mode: i64) {
-        self.open_since = (mode == 0).then_some(time);
+    pub(crate) fn start(&mut self, time: f64, modes: &[i64]) {
+        let open = modes[self.component] == 0 && !self.is_held(modes);
+        self.open_since = open.then_some(time);
     }
 
-    /// A change of mode at `time`; `state` is the object's state then. Rows and
+    /// True when one of the object's stops holds it: what rests on a seat has not lost
+    /// its driver.
+    pub(crate) fn is_held(&self, modes: &[i64]) -> bool {
+        self.stops.iter().any(|&stop| modes[stop] != 0)
+    }
+
+    /// The object comes to one of its stops: from there on its pair is not lost.
+    pub(crate) fn hold(&mut self, id: &str, time: f64, intervals: &mut Vec<Interval>) {
+        self.close_interval(id, time, intervals);
+    }
+
+    /// A change of mode at `time`, `held` by a stop of the object or not; `state` is the object's state then. Rows and
     /// closed intervals are added to the record.
     pub(crate) fn switch(
         &mut self,
         (id, time): (&str, f64),
-        (before, after): (i64, i64),
+        (before, after, held): (i64, i64, bool),
         state: &ObjectState,
         rows: &mut Vec<SwitchRow>,
         intervals: &mut Vec<Interval>,
@@ -53,8 +72,10 @@ impl PairTracker {
         };
         self.figures.switch_times.push(time);
         if before != 0 {
-            self.figures.separations += 1;
-            self.open_since = Some(time);
+            if !held {
+                self.figures.separations += 1;
+                self.open_since = Some(time);
+            }
             row("opens", before, -speed_into(before));
         }
         if after != 0 {
@@ -108,13 +129,13 @@ mod tests {
 
     #[test]
     fn openings_and_closings_are_counted_and_timed() {
-        let mut tracker = PairTracker::new(0, 0);
+        let mut tracker = PairTracker::new(0, 0, Vec::new());
         let (mut rows, mut intervals) = (Vec::new(), Vec::new());
-        tracker.start(0.0, 0);
-        let mut at = |time, modes, speed| {
+        tracker.start(0.0, &[0]);
+        let mut at = |time, (before, after), speed| {
             tracker.switch(
                 ("rocker", time),
-                modes,
+                (before, after, false),
                 &moving(speed),
                 &mut rows,
                 &mut intervals,
@@ -139,15 +160,40 @@ mod tests {
     }
 
     #[test]
-    fn the_upper_flank_is_approached_upwards() {
-        let mut tracker = PairTracker::new(0, 0);
+    fn what_a_stop_holds_is_not_separated() {
+        let mut tracker = PairTracker::new(0, 0, vec![1]);
         let (mut rows, mut intervals) = (Vec::new(), Vec::new());
-        tracker.start(0.0, 0);
-        tracker.switch(("p", 1.0), (0, 1), &moving(4.0), &mut rows, &mut intervals);
+        tracker.start(0.0, &[0, -1]);
+        let mut at = |time, modes| {
+            tracker.switch(("v", time), modes, &moving(1.0), &mut rows, &mut intervals);
+        };
+        at(0.25, (0, -1, true));
+        at(0.5, (-1, 0, true));
+        at(0.75, (0, -1, false));
+        at(1.0, (-1, 0, false));
+        tracker.hold("v", 1.5, &mut intervals);
+        let figures = tracker.finish("v", 2.0, &mut intervals);
+        assert_eq!((figures.separations, figures.closures), (1, 2));
+        assert_eq!(figures.separated_time, 0.5);
+        assert_eq!((intervals.len(), intervals[0].to), (1, 1.5));
+    }
+
+    #[test]
+    fn the_upper_flank_is_approached_upwards() {
+        let mut tracker = PairTracker::new(0, 0, Vec::new());
+        let (mut rows, mut intervals) = (Vec::new(), Vec::new());
+        tracker.start(0.0, &[0]);
+        tracker.switch(
+            ("p", 1.0),
+            (0, 1, false),
+            &moving(4.0),
+            &mut rows,
+            &mut intervals,
+        );
         // Straight over to the other flank (no gap): an opening and a closing at once.
         tracker.switch(
             ("p", 2.0),
-            (1, -1),
+            (1, -1, false),
             &moving(-5.0),
             &mut rows,
             &mut intervals,

@@ -53,6 +53,9 @@ impl Indentation {
     fn of(system: &System, object: usize) -> Option<Self> {
         system.pair_component(object)?;
         let model = system.model();
+        if model.stop(object).is_some() {
+            return Some(Self::Followed(Peak::NONE));
+        }
         let part = &model.objects[object];
         let contact = part.contact?;
         Some(match contact.law {

@@ -230,6 +230,7 @@ impl Frozen {
         miss: &mut [N],
     ) {
         let chain = &self.chains[index];
+        let rests = self.rests(index, modes);
         let (u, _) = self.deviations(chain, state);
         let miss = &mut miss[chain.coordinates()];
         let stiffness = &self.stiffness[chain.coordinates()];
@@ -242,6 +243,11 @@ impl Frozen {
             if carried.value().abs() <= NO_FORCE * size {
                 carried = carried - N::from(carried.value());
             }
+            if m == 0 && rests {
+                // The pair carries nothing: all that acts is in balance on the stop.
+                miss[0] = -carried.scale(1.0 / stiffness[0]);
+                continue;
+            }
             let below = if m > 0 {
                 u[m - 1]
             } else {
@@ -251,6 +257,10 @@ impl Frozen {
                 None => u[m] - below - carried.scale(1.0 / stiffness[m]),
                 Some(hertz) => u[m] - below - carried.lift(|force| hertz.deflection(force))[0],
             };
+        }
+        if rests {
+            work.reaction[index] = N::from(0.0);
+            return;
         }
         work.reaction[index] = carried;
         let reaction = carried * work.laws[chain.law].first;
@@ -287,15 +297,16 @@ impl Frozen {
     fn law_accelerations<N: Quantity>(&self, time: N, modes: &[i64], work: &mut Work<N>) {
         self.apply_loads(time, modes, Extent::Full, work);
         self.own_masses(Extent::Full, work);
-        self.reduce_to_rotors(work);
-        self.follow_rotors(work);
+        self.reduce_to_rotors(modes, work);
+        self.follow_rotors(modes, work);
         if self.couple(Extent::Full, Chains::Rigid, work) {
-            self.follow_rotors(work);
+            self.follow_rotors(modes, work);
         }
     }
 
-    /// Hands inertia and forces of all nodes to the rotors, chains like rigid bodies.
-    fn reduce_to_rotors<N: Quantity>(&self, work: &mut Work<N>) {
+    /// Hands inertia and forces of all nodes to the rotors, chains like rigid bodies; but
+    /// for those that rest on a stop.
+    fn reduce_to_rotors<N: Quantity>(&self, modes: &[i64], work: &mut Work<N>) {
         for step in self.steps.iter().rev() {
             match step {
                 Step::Prescribed(_) | Step::Rotor(_) => {}
@@ -303,6 +314,7 @@ impl Frozen {
                     let rigid = self.rigids[*index];
                     self.reduce_node(rigid.law, rigid.node, work);
                 }
+                Step::Chain(index) if self.rests(*index, modes) => {}
                 Step::Chain(index) => {
                     let chain = &self.chains[*index];
                     for node in chain.nodes() {
@@ -319,7 +331,7 @@ impl Frozen {
 
     /// Accelerations of the rotors from what has been handed to them, and of all that
     /// follows.
-    fn follow_rotors<N: Quantity>(&self, work: &mut Work<N>) {
+    fn follow_rotors<N: Quantity>(&self, modes: &[i64], work: &mut Work<N>) {
         for step in &self.steps {
             match step {
                 Step::Prescribed(_) => {}
@@ -332,7 +344,10 @@ impl Frozen {
                 }
                 Step::Chain(index) => {
                     let chain = &self.chains[*index];
-                    let base = self.law_acceleration(chain.law, work);
+                    let base = match self.rests(*index, modes) {
+                        true => N::from(0.0),
+                        false => self.law_acceleration(chain.law, work),
+                    };
                     work.acceleration[chain.nodes()].fill(base);
                 }
                 Step::Constrained(index) => {

@@ -6,7 +6,8 @@ use super::frozen::{Chain, Frozen, FrozenLaw, FrozenTrack, Prescribed, Rigid, Ro
 use super::linkages::{FrozenLinkage, OutputPlace};
 use super::loads::{Argument, FrozenLoad};
 use super::pairs::Contact;
-use crate::dynamics::model::{Law, LinkBase, LoadLaw, Model, NodeMotion, TrackSource};
+use super::stops::FrozenStop;
+use crate::dynamics::model::{Law, LinkBase, LoadLaw, Model, NodeMotion, Stop, TrackSource};
 use crate::fault::Fault;
 
 /// Lays a model out; the faults of all its parts together.
@@ -56,6 +57,8 @@ impl<'a> Builder<'a> {
         };
         // Only their number matters yet: tracks are numbered after the pairs.
         frozen.pairs = vec![usize::MAX; chains.iter().filter(opening).count()];
+        let stops = (model.loads.iter()).filter(|load| matches!(load.law, LoadLaw::Stop(_)));
+        frozen.stops = vec![FrozenStop::UNPLACED; stops.count()];
         Self {
             model,
             frozen,
@@ -286,8 +289,10 @@ impl<'a> Builder<'a> {
     }
 
     fn place_loads(&mut self) {
+        let mut stops = 0;
         for load in &self.model.loads {
             let node = self.frozen.internal[load.node];
+            let mut stop = None;
             let argument = match &load.law {
                 LoadLaw::Constant(force) => {
                     self.frozen.constant_force[node] += force;
@@ -298,14 +303,49 @@ impl<'a> Builder<'a> {
                     let place = self.frozen.tracks[*track].node;
                     Some(Argument::new(&self.model.tracks[*track], component, place))
                 }
+                LoadLaw::Stop(own) => {
+                    self.place_stop(own, (node, stops), &load.name);
+                    stop = Some(stops);
+                    stops += 1;
+                    None
+                }
                 _ => None,
             };
             self.frozen.loads.push(FrozenLoad {
                 node,
                 law: load.law.clone(),
                 argument,
+                stop,
             });
         }
+    }
+
+    /// Gives a stop its place, the `index`-th of all.
+    fn place_stop(&mut self, stop: &Stop, (node, index): (usize, usize), name: &str) {
+        let (pair, damping) = stop.pair();
+        let contact = match Contact::new(&pair, stop.stiffness, damping, name) {
+            Ok(contact) => contact,
+            Err(fault) => return self.faults.push(fault),
+        };
+        let mut chains = self.frozen.chains.iter();
+        let Some(chain) = chains.position(|chain| chain.nodes().contains(&node)) else {
+            self.faults.push(Fault::new(
+                name,
+                "a stop of what is no mass: nothing gives way between it and its driver",
+                "an object with masses, or with a contact element",
+            ));
+            return;
+        };
+        let signal = self.frozen.signal(node);
+        let component = self.frozen.pairs.len() + index;
+        self.frozen.stops[index] = FrozenStop {
+            node,
+            chain,
+            signal,
+            component,
+            at: stop.at,
+            contact,
+        };
     }
 }
 

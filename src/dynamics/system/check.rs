@@ -253,6 +253,10 @@ fn check_loads(model: &Model, faults: &mut Vec<Fault>) {
                 finite(&[*breakdown_torque, *breakdown_slip, 1.0 / synchronous_speed])
                     && *breakdown_slip > 0.0
             }
+            LoadLaw::Stop(stop) => {
+                let side = stop.side.abs() == 1.0;
+                side && stop.stiffness > 0.0 && finite(&[stop.at, stop.stiffness])
+            }
             LoadLaw::Custom { function, factor } => finite(&[*factor, function.magnitude()]),
             LoadLaw::SpeedTable(points) => {
                 let ascending = points.windows(2).all(|pair| pair[0].0 < pair[1].0);

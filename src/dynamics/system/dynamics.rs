@@ -298,6 +298,6 @@ impl Dynamics for System {
     }
 
     fn is_pair(&self, component: usize) -> bool {
-        component < self.frozen.pairs.len()
+        component < self.frozen.contacts()
     }
 }

@@ -7,7 +7,7 @@ use crate::dynamics::integrate::Modes;
 use crate::math::quantity::Quantity;
 
 impl System {
-    /// Kinetic energy of all inertias; elastic energy of links and pairs with
+    /// Kinetic energy of all inertias; elastic energy of links, pairs and stops with
     /// the potential energy of the weights and springs of linkages.
     /// Springs that are loads are not counted: they are in the work of the
     /// loads. Allocates nothing.
@@ -44,6 +44,10 @@ impl Frozen {
                 let stretch = pair[1] - pair[0];
                 elastic += (stretch * stretch).scale(0.5 * stiffness);
             }
+        }
+        for stop in &self.stops {
+            let x = stop.deformation(work.displacement[stop.node]);
+            elastic += stop.contact.stored(x);
         }
         for (index, linkage) in self.linkages.iter().enumerate() {
             let reduced = self.linkage(index, work);

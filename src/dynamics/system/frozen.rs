@@ -10,6 +10,7 @@ use super::friction::Group;
 use super::linkages::{FrozenLinkage, OutputPlace};
 use super::loads::FrozenLoad;
 use super::pairs::Contact;
+use super::stops::FrozenStop;
 use super::trains::Train;
 use crate::kinematics::breaks::Breaks;
 use crate::kinematics::motion::DriveMotion;
@@ -61,7 +62,9 @@ pub(super) struct Frozen {
     pub(super) inverse_inertia: Vec<f64>,
     /// Chain of each pair that can open: the first components of the modes.
     pub(super) pairs: Vec<usize>,
-    /// The tracks: the components of the modes after the pairs.
+    /// The stops: the components of the modes after the pairs.
+    pub(super) stops: Vec<FrozenStop>,
+    /// The tracks: the components of the modes after pairs and stops.
     pub(super) tracks: Vec<FrozenTrack>,
     /// Groups of what moves together where joints have friction.
     pub(super) groups: Vec<Group>,
@@ -264,8 +267,14 @@ impl Frozen {
         roots.any(|root| self.coordinate[root].is_some())
     }
 
+    /// Number of pairs that can open, and of stops: the components of the modes before
+    /// the tracks.
+    pub(super) fn contacts(&self) -> usize {
+        self.pairs.len() + self.stops.len()
+    }
+
     /// Component of the modes of a track.
     pub(super) fn track_component(&self, track: usize) -> usize {
-        self.pairs.len() + track
+        self.contacts() + track
     }
 }

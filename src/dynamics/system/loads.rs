@@ -13,6 +13,8 @@ pub(super) struct FrozenLoad {
     pub(super) law: LoadLaw,
     /// Of [`LoadLaw::Pieces`]: what runs along the table.
     pub(super) argument: Option<Argument>,
+    /// Of [`LoadLaw::Stop`]: index into [`Frozen::stops`](super::frozen::Frozen::stops).
+    pub(super) stop: Option<usize>,
 }
 
 /// Argument of a load's table: what it runs over.
@@ -49,6 +51,8 @@ impl FrozenLoad {
     ) -> N {
         match &self.law {
             LoadLaw::Constant(force) => N::from(*force),
+            // (A stop's force depends on its mode.)
+            LoadLaw::Stop(_) => N::from(0.0),
             LoadLaw::Pieces { pieces, .. } => match &self.argument {
                 Some(axis) => {
                     let (x, segment) = argument(axis);
@@ -110,7 +114,10 @@ impl FrozenLoad {
 /// True for laws that are functions of speed.
 pub(super) fn needs_speed(law: &LoadLaw) -> bool {
     match law {
-        LoadLaw::Constant(_) | LoadLaw::Pieces { .. } | LoadLaw::Spring { .. } => false,
+        LoadLaw::Constant(_)
+        | LoadLaw::Pieces { .. }
+        | LoadLaw::Spring { .. }
+        | LoadLaw::Stop(_) => false,
         LoadLaw::Viscous(_)
         | LoadLaw::Friction { .. }
         | LoadLaw::LinearMotor { .. }

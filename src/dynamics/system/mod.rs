@@ -44,6 +44,7 @@ mod start;
 mod start_messages;
 #[cfg(test)]
 mod start_tests;
+mod stops;
 mod switches;
 mod taylor;
 #[cfg(test)]
@@ -60,7 +61,7 @@ pub use linearised::Regime;
 pub use reduce::Reduced;
 
 use crate::dynamics::integrate::Modes;
-use crate::dynamics::model::Model;
+use crate::dynamics::model::{LoadLaw, Model};
 use crate::fault::Fault;
 use crate::math::number::{Dual, Duals};
 use frozen::{Frozen, Step};
@@ -188,6 +189,11 @@ impl System {
         for reduced in &model.reduced {
             places[reduced.object].modal = Some(Modal::of(&frozen, &model, reduced));
         }
+        let is_stop = |load: usize| matches!(model.loads[load].law, LoadLaw::Stop(_));
+        for stop in &model.stops {
+            let before = (0..stop.load).filter(|&load| is_stop(load)).count();
+            places[stop.part].body = Body::Stop(before);
+        }
         let mut system = Self {
             model,
             frozen,
@@ -248,8 +254,20 @@ impl System {
 
     /// Component of [`Modes`] of an object's pair, when it can open.
     /// Values: 0 open, −1 engaged on the lower flank (x < 0), +1 on the upper.
+    /// A stop has one too: it is a pair between its mass and the ground.
     pub fn pair_component(&self, object: usize) -> Option<usize> {
-        self.chain(object).and_then(|chain| chain.component)
+        match self.stop_of(object) {
+            Some(stop) => Some(self.frozen.stops[stop].component),
+            None => self.chain(object).and_then(|chain| chain.component),
+        }
+    }
+
+    /// The stop that an object part is, index into [`Frozen::stops`].
+    fn stop_of(&self, part: usize) -> Option<usize> {
+        match self.places[part].body {
+            Body::Stop(stop) => Some(stop),
+            _ => None,
+        }
     }
 
     fn chain(&self, object: usize) -> Option<&frozen::Chain> {

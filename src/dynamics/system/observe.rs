@@ -37,6 +37,8 @@ pub(super) enum Body {
     Rigid(Rigid, Pair),
     /// A chain, index into [`Frozen::chains`].
     Chain(usize),
+    /// A stop, index into [`Frozen::stops`].
+    Stop(usize),
 }
 
 impl Rigid {
@@ -187,6 +189,7 @@ impl System {
                     out.reaction = rigid.pull(work);
                     out.contact_force = pressed(pair, out.reaction);
                 }
+                Body::Stop(stop) => self.frozen.stops[*stop].observe(&modes.0, work, out),
                 Body::Chain(chain) => {
                     let reaction = work.reaction[*chain];
                     self.observe_chain(&self.frozen.chains[*chain], y, modes, reaction, out);
@@ -248,7 +251,9 @@ impl System {
             _ => 0.0,
         };
         let constant = frozen.constant_force.iter().zip(&work.speed);
-        let varying = (0..frozen.loads.len()).map(|load| {
+        // (What stops take is stored or lost.)
+        let loads = (0..frozen.loads.len()).filter(|&load| frozen.loads[load].stop.is_none());
+        let varying = loads.map(|load| {
             frozen.load(load, time, &modes.0, work) * work.speed[frozen.loads[load].node]
         });
         let (mut applied, mut damped) = (0.0, 0.0);
@@ -266,6 +271,9 @@ impl System {
             dissipated: chains
                 .map(|chain| frozen.dissipated(chain, y, modes))
                 .sum::<f64>()
+                + (frozen.stops.iter())
+                    .map(|stop| stop.dissipated(&modes.0, work))
+                    .sum::<f64>()
                 + damped,
             friction: frozen
                 .friction_losses(&modes.0, work)

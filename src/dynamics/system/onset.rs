@@ -8,7 +8,7 @@
 
 use super::System;
 use super::frozen::Frozen;
-use super::pairs::OPEN;
+use super::pairs::{Contact, OPEN};
 use super::passes::{Extent, Work};
 use crate::math::bounded_series::{ORDER, Series};
 
@@ -18,12 +18,17 @@ impl System {
     /// numbers whose rounding is in each state entry.
     pub(super) fn settle_pairs(&self, state: &[f64], noise: &[f64], modes: &mut [i64]) {
         let frozen = &self.frozen;
-        if frozen.pairs.is_empty() {
+        if frozen.contacts() == 0 {
             return;
         }
         let mut decided = true;
-        for (pair, mode) in modes[..frozen.pairs.len()].iter_mut().enumerate() {
-            match frozen.mode_of_state(pair, state, noise) {
+        let now = frozen.state_of(state, noise);
+        let deformations = frozen.deformations(&now, modes);
+        for (contact, mode) in deformations
+            .iter()
+            .zip(modes[..frozen.contacts()].iter_mut())
+        {
+            match contact.mode_now() {
                 Some(now) => *mode = now,
                 None => decided = false,
             }
@@ -37,11 +42,11 @@ impl System {
         while !tried.iter().any(|before| before == modes) {
             tried.push(modes.to_vec());
             let motion = frozen.develop(state, noise, modes);
-            let contradicted = (0..frozen.pairs.len())
-                .map(|pair| (pair, frozen.mode_of_motion(pair, &motion)))
-                .find(|&(pair, mode)| mode != modes[pair]);
+            let contradicted = frozen.deformations(&motion, modes);
+            let contradicted = (contradicted.iter().map(Deformation::mode_ahead).enumerate())
+                .find(|&(contact, mode)| mode != modes[contact]);
             match contradicted {
-                Some((pair, mode)) => modes[pair] = mode,
+                Some((contact, mode)) => modes[contact] = mode,
                 None => return,
             }
         }
@@ -49,7 +54,86 @@ impl System {
     }
 }
 
+/// The deformation of a pair that can open, or of a stop, in a motion.
+struct Deformation<'f> {
+    contact: &'f Contact,
+    x: Series,
+    v: Series,
+}
+
+impl Deformation<'_> {
+    fn presses(&self, side: i64) -> [Series; 2] {
+        self.contact.presses(side, self.x, self.v)
+    }
+
+    /// True when a motion of which the powers up to `known` of displacements and
+    /// rates are known decides the contact: what is not known yet comes after the
+    /// first derivative that does not vanish.
+    fn tells(&self, known: usize) -> bool {
+        let sides = self.contact.sides().iter();
+        let mut guards = sides.flat_map(|&side| self.presses(side).map(|guard| guard.leading()));
+        guards.all(|power| power.is_some_and(|power| power <= known))
+    }
+
+    /// The mode by the state alone, without looking ahead; `None` when it just touches
+    /// or just presses.
+    fn mode_now(&self) -> Option<i64> {
+        let mut mode = OPEN;
+        for &side in self.contact.sides() {
+            let [depth, pressing] = self.presses(side).map(|guard| guard.sign());
+            if depth > 0.0 && pressing > 0.0 {
+                mode = side;
+            } else if depth >= 0.0 && pressing >= 0.0 {
+                return None;
+            }
+        }
+        Some(mode)
+    }
+
+    /// The mode in the motion.
+    fn mode_ahead(&self) -> i64 {
+        let pressed = |&&side: &&i64| self.presses(side).iter().all(|guard| guard.sign() > 0.0);
+        let side = self.contact.sides().iter().find(pressed);
+        side.copied().unwrap_or(OPEN)
+    }
+}
+
 impl Frozen {
+    /// A state as series that know nothing of its motion: [u, u̇].
+    fn state_of(&self, state: &[f64], noise: &[f64]) -> Vec<Series> {
+        let entries = state.iter().zip(noise);
+        let entries = entries.map(|(&value, &noise)| Series::constant(value, noise));
+        entries.collect()
+    }
+
+    /// The deformations of all pairs that can open, then of all stops, in a motion.
+    fn deformations(&self, motion: &[Series], modes: &[i64]) -> Vec<Deformation<'_>> {
+        let pairs = self.pairs.iter().map(|&chain| {
+            let chain = &self.chains[chain];
+            let (u, v) = self.deviations(chain, motion);
+            let (x, v) = (u[0], v[0]);
+            let contact = &chain.contact;
+            Deformation { contact, x, v }
+        });
+        let mut all: Vec<Deformation<'_>> = pairs.collect();
+        if self.stops.is_empty() {
+            return all;
+        }
+        let mut work = Work::new(self);
+        let time = Series::time(ORDER);
+        self.motion(time, motion, modes, Extent::Full, &mut work);
+        all.extend(self.stops.iter().map(|stop| {
+            // (The rounding of the place at which it stands.)
+            let at = Series::constant(stop.at, stop.at.abs());
+            Deformation {
+                contact: &stop.contact,
+                x: work.displacement[stop.node] - at,
+                v: work.speed[stop.node],
+            }
+        }));
+        all
+    }
+
     /// The motion that leaves a state, as series: [u, u̇]; no further than it
     /// takes to tell what every pair does.
     fn develop(&self, state: &[f64], noise: &[f64], modes: &[i64]) -> Vec<Series> {
@@ -82,67 +166,11 @@ impl Frozen {
                 motion[index].set(power + 2, value, factor * acceleration.magnitude(power));
                 motion[n + index] = motion[index].rate();
             }
-            if self.tells(&motion, power + 1) {
+            let deformations = self.deformations(&motion, modes);
+            if deformations.iter().all(|one| one.tells(power + 1)) {
                 break;
             }
         }
         motion
-    }
-
-    /// True when a motion of which the powers up to `known` of displacements and
-    /// rates are known decides every pair: what is not known yet comes after the
-    /// first derivative that does not vanish.
-    fn tells(&self, motion: &[Series], known: usize) -> bool {
-        self.pairs.iter().all(|&chain| {
-            let chain = &self.chains[chain];
-            let (u, v) = self.deviations(chain, motion);
-            let mut guards = chain.contact.sides().iter().flat_map(|&side| {
-                let presses = chain.contact.presses(side, u[0], v[0]);
-                presses.map(|guard| guard.leading())
-            });
-            guards.all(|power| power.is_some_and(|power| power <= known))
-        })
-    }
-
-    /// The mode that a pair has by its state alone, without looking ahead;
-    /// `None` when it just touches or just presses.
-    fn mode_of_state(&self, pair: usize, state: &[f64], noise: &[f64]) -> Option<i64> {
-        let chain = &self.chains[self.pairs[pair]];
-        let (x, v) = (
-            chain.first_coordinate,
-            chain.first_coordinate + self.coordinates,
-        );
-        let (x, v) = (
-            Series::constant(state[x], noise[x]),
-            Series::constant(state[v], noise[v]),
-        );
-        let mut mode = OPEN;
-        for &side in chain.contact.sides() {
-            let presses = chain.contact.presses(side, x, v);
-            let [depth, pressing] = presses.map(|guard| guard.sign());
-            if depth > 0.0 && pressing > 0.0 {
-                mode = side;
-            } else if depth >= 0.0 && pressing >= 0.0 {
-                return None;
-            }
-        }
-        Some(mode)
-    }
-
-    /// The mode that a pair has in a motion.
-    fn mode_of_motion(&self, pair: usize, motion: &[Series]) -> i64 {
-        let chain = &self.chains[self.pairs[pair]];
-        let (u, v) = self.deviations(chain, motion);
-        let engaged = |&&side: &&i64| {
-            let presses = chain.contact.presses(side, u[0], v[0]);
-            presses.iter().all(|guard| guard.sign() > 0.0)
-        };
-        chain
-            .contact
-            .sides()
-            .iter()
-            .find(engaged)
-            .copied()
-            .unwrap_or(OPEN)
     }
 }

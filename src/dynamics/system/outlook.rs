@@ -45,6 +45,8 @@ impl System {
             Some("a load from outside the library")
         } else if (frozen.chains.iter()).any(|chain| chain.contact.hertz().is_some()) {
             Some("a contact by Hertz, whose force has no series where it begins,")
+        } else if self.stop_without_series() {
+            Some("a stop by Hertz, whose force has no series where it begins,")
         } else {
             None
         }
@@ -137,7 +139,7 @@ impl Frozen {
     /// which it is known, and the greatest |U′|.
     fn follow_law(&self, law: &FrozenLaw, driver: f64, reach: f64) -> [f64; 2] {
         let piece = |phi: f64| {
-            let track = law.component.map(|c| &self.tracks[c - self.pairs.len()]);
+            let track = law.component.map(|c| &self.tracks[c - self.contacts()]);
             track.map_or(0, |track| track.breaks.locate(phi, 1.0))
         };
         let jet = |piece: i64, phi: f64| law.position.jet(piece, phi).scaled(law.lever);

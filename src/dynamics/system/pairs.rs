@@ -35,6 +35,17 @@ pub(super) struct Contact {
 }
 
 impl Contact {
+    /// One that never presses, in the place of what is still to be found.
+    pub(super) const NONE: Self = Self {
+        closure: Closure::Bilateral,
+        half_gap: 0.0,
+        side: 1.0,
+        stiffness: 0.0,
+        damping: 0.0,
+        kappa: None,
+        hertz: None,
+    };
+
     /// A pair on a link. A κ still to be found (from the static penetration)
     /// is 0 until [`Contact::kappa`] is set.
     pub(super) fn new(
@@ -125,6 +136,14 @@ impl Contact {
         }
     }
 
+    /// Penetration of a flank at rest under a force N ≥ 0.
+    pub(super) fn depth_under(&self, force: f64) -> f64 {
+        match self.hertz {
+            None => force / self.stiffness,
+            Some(hertz) => hertz.penetration(force),
+        }
+    }
+
     /// The elastic force where it is no c·p.
     pub(super) fn hertz(&self) -> Option<Hertz> {
         self.hertz
@@ -170,12 +189,12 @@ impl Contact {
         }
     }
 
-    /// Guards over the coordinate x of the two quantities of [`Self::presses`].
-    fn guards(&self, side: i64, coordinate: usize) -> [Guard; 2] {
+    /// Guards over a signal, x = signal − `zero`, of the two quantities of [`Self::presses`].
+    fn guards(&self, side: i64, (signal, zero): (usize, f64)) -> [Guard; 2] {
         let side = side as f64;
         let depth = Guard {
-            signal: coordinate,
-            offset: -self.half_gap,
+            signal,
+            offset: -self.half_gap - side * zero,
             displacement: side,
             speed: 0.0,
         };
@@ -185,7 +204,7 @@ impl Contact {
                 ..depth
             },
             Some(kappa) => Guard {
-                signal: coordinate,
+                signal,
                 offset: 1.0,
                 displacement: 0.0,
                 speed: side * kappa,
@@ -194,17 +213,17 @@ impl Contact {
         [depth, pressing]
     }
 
-    /// The switches to look for in a mode.
+    /// The switches to look for in a mode; the deformation x is a signal less `zero`.
     pub(super) fn event_functions(
         &self,
         mode: i64,
-        coordinate: usize,
+        (signal, zero): (usize, f64),
         component: usize,
         out: &mut Vec<EventFunction>,
     ) {
         if mode != OPEN {
             out.push(EventFunction {
-                guards: self.guards(mode, coordinate),
+                guards: self.guards(mode, (signal, zero)),
                 rising: false,
                 component,
                 target: OPEN,
@@ -213,7 +232,7 @@ impl Contact {
         }
         for &side in self.sides() {
             out.push(EventFunction {
-                guards: self.guards(side, coordinate),
+                guards: self.guards(side, (signal, zero)),
                 rising: true,
                 component,
                 target: side,

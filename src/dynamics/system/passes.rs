@@ -248,6 +248,10 @@ impl Frozen {
     ) -> N {
         let load = &self.loads[index];
         let (displacement, speed) = (work.displacement[load.node], work.speed[load.node]);
+        if let Some(stop) = load.stop {
+            let stop = &self.stops[stop];
+            return stop.force(modes[stop.component], displacement, speed);
+        }
         load.force(displacement, speed, |axis| {
             let place = axis.node.map_or(time, |node| work.displacement[node]);
             (place, modes[axis.component])

@@ -7,7 +7,7 @@ use super::passes::{Extent, Work};
 impl Frozen {
     /// Modes with every pair open and every track in segment 0.
     pub(super) fn no_modes(&self) -> Vec<i64> {
-        vec![0; self.pairs.len() + self.tracks.len() + self.directions]
+        vec![0; self.contacts() + self.tracks.len() + self.directions]
     }
 
     /// The state on the law: u = 0, u̇ = 0, rotors at their start.
@@ -40,9 +40,15 @@ impl Frozen {
         for _ in 0..8 + 2 * modes.len() {
             let balanced = self.balance(kind, &state, modes)?;
             let before = modes.to_vec();
+            let mut balanced = balanced;
             for (component, &chain) in self.pairs.iter().enumerate() {
-                modes[component] = resting_mode(&self.chains[chain], balanced.reactions[chain]);
+                // (What rests on a stop tells by its place whether it touches its flanks.)
+                if !self.rests(chain, &before) {
+                    let reaction = balanced.reactions[chain];
+                    modes[component] = resting_mode(&self.chains[chain], reaction);
+                }
             }
+            self.settle_stops(&mut balanced, &before, modes);
             self.locate_tracks(&balanced.state, modes);
             if *modes == before {
                 return Some(balanced);

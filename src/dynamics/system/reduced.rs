@@ -62,7 +62,9 @@ impl System {
     /// True when an object has a deviation δ from its law.
     pub(crate) fn deviates(&self, object: usize) -> bool {
         self.places[object].modal.is_some()
-            || (self.last_coordinate(object).is_some() && !self.model.objects[object].is_drive())
+            || (self.last_coordinate(object).is_some()
+                && !self.model.objects[object].is_drive()
+                && self.stop_of(object).is_none())
     }
 
     /// Completes the state of an object that is reduced to modes, of which the sum of its

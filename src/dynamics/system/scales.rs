@@ -162,6 +162,8 @@ fn magnitude(load: &FrozenLoad, range: &Range) -> f64 {
             breakdown_torque, ..
         } => breakdown_torque.abs(),
         LoadLaw::SpeedTable(points) => points.iter().map(|point| point.1.abs()).fold(0.0, f64::max),
+        // (It presses no more than it is pressed by all others.)
+        LoadLaw::Stop(_) => 0.0,
         LoadLaw::Custom { function, factor } => (factor * function.magnitude()).abs(),
     }
 }
@@ -323,8 +325,8 @@ fn law_sample(frozen: &Frozen, law: &FrozenLaw, motion: &[[f64; 3]]) -> ([f64; 3
     // Laws without break points look at no modes.
     let mut modes = Vec::new();
     if let Some(component) = law.component {
-        modes.resize(frozen.pairs.len() + frozen.tracks.len(), 0);
-        let track = &frozen.tracks[component - frozen.pairs.len()];
+        modes.resize(frozen.contacts() + frozen.tracks.len(), 0);
+        let track = &frozen.tracks[component - frozen.contacts()];
         modes[component] = track.breaks.locate(displacement, speed);
     }
     let jet = law.jet(&modes, displacement);

@@ -96,6 +96,9 @@ impl System {
         let mut faults = Vec::new();
         for (index, chain) in frozen.chains.iter().enumerate() {
             let reaction = balanced.reactions[index];
+            if frozen.rests(index, modes) {
+                continue;
+            }
             let open = frozen.pair_mode(chain, modes) == super::pairs::OPEN;
             if chain.contact.closure == Closure::Force && open && reaction != 0.0 {
                 faults.push(self.pulled_open(kind, index, reaction));

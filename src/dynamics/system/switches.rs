@@ -16,9 +16,13 @@ impl Frozen {
         out.clear();
         for (component, &chain) in self.pairs.iter().enumerate() {
             let chain = &self.chains[chain];
+            let x = (chain.first_coordinate, 0.0);
             chain
                 .contact
-                .event_functions(modes[component], chain.first_coordinate, component, out);
+                .event_functions(modes[component], x, component, out);
+        }
+        for stop in &self.stops {
+            stop.event_functions(modes[stop.component], out);
         }
         for (index, track) in self.tracks.iter().enumerate() {
             let Some(signal) = track.signal.filter(|_| !track.stops) else {
@@ -125,9 +129,10 @@ impl System {
         modes: &mut Modes,
     ) -> Result<(), PhysicalStop> {
         let frozen = &self.frozen;
-        if watch.component >= frozen.pairs.len() + frozen.tracks.len() {
+        if watch.component >= frozen.contacts() + frozen.tracks.len() {
             return self.pass_direction(time, y, watch.component, watch.target, modes);
         }
+        // (A stop has one flank and no gap: it opens where it is left.)
         if watch.component >= frozen.pairs.len() {
             modes.0[watch.component] = watch.target;
         } else {
@@ -153,7 +158,7 @@ impl System {
 
     /// The end of a run at an edge: a dead position, or the end of a travel.
     pub(super) fn end_of_reach(&self, time: f64, edge: &Singularity) -> PhysicalStop {
-        let track = &self.frozen.tracks[edge.component - self.frozen.pairs.len()];
+        let track = &self.frozen.tracks[edge.component - self.frozen.contacts()];
         let part = &self.model.objects[track.object];
         let driver = part.driver().map(|driver| &self.model.objects[driver]);
         let place = match driver.map(|driver| driver.coordinate) {

@@ -5,7 +5,7 @@ mod loads;
 use super::prescribed::{PrescribedMotion, straight};
 use super::{Holder, KeptLaws, MassPlace, Part, Parts, law, load};
 use crate::dynamics::model::{
-    Closure, DampingLaw, Law as ModelLaw, LinkBase, Model, NodeMotion, ObjectPart, Pair,
+    Closure, DampingLaw, Law as ModelLaw, LinkBase, Model, NodeMotion, ObjectPart, Pair, STOP,
     TrackSource,
 };
 use crate::dynamics::system::System;
@@ -99,6 +99,10 @@ impl<'m> Builder<'m> {
     fn object(&mut self, object: usize) {
         let part = &self.model.objects[object];
         let node = part.nodes[0];
+        if part.kind == STOP {
+            // A load on a mass that has its place already.
+            return;
+        }
         if let Some(combination) = part.combination {
             self.combine(object, combination);
         }

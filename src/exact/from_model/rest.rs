@@ -4,7 +4,7 @@ use super::{Holder, Parts};
 use crate::dynamics::integrate::{Dynamics, Modes};
 use crate::dynamics::model::{
     Law, Link, LinkBase, LinkageBody, Load, LoadLaw, Model, Node, NodeIndex, NodeMotion,
-    ObjectPart, Reduced, Start, TrackSource,
+    ObjectPart, Reduced, Start, StopPart, TrackSource,
 };
 use crate::dynamics::system::{InitialState, System};
 
@@ -175,6 +175,16 @@ fn cut_out(model: &Model, kept: &[usize]) -> Option<(Model, Vec<usize>)> {
     out.reduced = reduced
         .map(|one| numbers.reduced(one, kept))
         .collect::<Option<_>>()?;
+    let held = |index: &usize| here(model.loads[*index].node);
+    let loads: Vec<usize> = (0..model.loads.len()).filter(held).collect();
+    let object = |old: usize| kept.iter().position(|&own| own == old);
+    for stop in model.stops.iter().filter(|stop| kept.contains(&stop.part)) {
+        out.stops.push(StopPart {
+            object: object(stop.object)?,
+            part: object(stop.part)?,
+            load: loads.iter().position(|&own| own == stop.load)?,
+        });
+    }
     out.start = start(&model.start, kept);
     Some((out, tracks))
 }

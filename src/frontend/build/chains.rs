@@ -60,6 +60,12 @@ macro_rules! chain {
                 self.set("from", catalogued)
             }
 
+            /// Adds a one-sided stop of the last mass against the ground.
+            pub fn stop(mut self, name: &str, stop: impl Into<Node>) -> Self {
+                self.0.property("stops").put(name, stop);
+                self
+            }
+
             /// Adds a load, positive towards positive displacement.
             pub fn load(mut self, name: &str, load: impl Into<Node>) -> Self {
                 self.0.property("loads").put(name, load);

@@ -41,7 +41,7 @@ pub use drive::{Drive, Force, Torque};
 pub use linkage::{Assembly, Joint, Link, Linkage, LinkageForce, Output};
 pub use load::Load;
 pub use other::{AnyObject, OwnObject};
-pub use pair::{Contact, DiscCam, Geometry, Pair};
+pub use pair::{Contact, DiscCam, Geometry, LineContact, Pair, PointContact, Stop};
 pub use position::{Law, Position, Station};
 
 use crate::frontend::read::Node;

@@ -32,7 +32,110 @@ builder! {
     }
 }
 
+builder! {
+    /// A one-sided stop of the last mass of an object against the ground: a valve seat, an
+    /// end stop.
+    Stop {
+        /// Displacement at which it is touched (rad or m).
+        at;
+        /// `"-"`: it holds the mass from going below that; `"+"`: from going above.
+        side;
+        /// Its contact.
+        contact;
+    }
+}
+
+impl Stop {
+    /// Holds the mass from going below a displacement.
+    pub fn below(at: impl Into<Node>, contact: impl Into<Node>) -> Self {
+        Self(only("at", at)).side("-").contact(contact)
+    }
+
+    /// Holds the mass from going above a displacement.
+    pub fn above(at: impl Into<Node>, contact: impl Into<Node>) -> Self {
+        Self(only("at", at)).side("+").contact(contact)
+    }
+}
+
+builder! {
+    /// Geometry of a contact along a line, from which its stiffness follows. Lengths in m;
+    /// radii are positive convex, negative hollow, absent: flat.
+    LineContact {
+        /// Radius of the object.
+        radius;
+        /// Depth below a flat or hollow surface of the object from which its approach counts.
+        depth;
+        /// Radius of the counter-body.
+        counter_radius;
+        /// Depth below a flat or hollow surface of the counter-body.
+        counter_depth;
+        /// Length of the line of contact.
+        width;
+        /// Contact force at which the stiffness is the secant (N).
+        load;
+        /// Young's modulus of the object (Pa).
+        modulus;
+        /// Poisson's ratio of the object; default 0.3.
+        poisson_ratio;
+        /// Young's modulus of the counter-body; default: that of the object.
+        counter_modulus;
+        /// Poisson's ratio of the counter-body; default: that of the object.
+        counter_poisson_ratio;
+        /// Arm on which the contact acts, of an object that turns.
+        arm;
+    }
+}
+
+impl LineContact {
+    /// A line of a length (m), under a load (N), of bodies with this Young's modulus (Pa).
+    pub fn new(width: impl Into<Node>, load: impl Into<Node>, modulus: impl Into<Node>) -> Self {
+        Self(only("width", width)).load(load).modulus(modulus)
+    }
+}
+
+builder! {
+    /// Geometry of a contact in a point, from which its stiffness follows by Hertz. Lengths in
+    /// m; radii are positive convex, negative hollow, absent: flat.
+    PointContact {
+        /// Radius of the object.
+        radius;
+        /// Radius of the object across its motion; default: `radius`, a ball.
+        crown_radius;
+        /// Radius of the counter-body.
+        counter_radius;
+        /// Radius of the counter-body across the motion.
+        counter_crown_radius;
+        /// Young's modulus of the object (Pa).
+        modulus;
+        /// Poisson's ratio of the object; default 0.3.
+        poisson_ratio;
+        /// Young's modulus of the counter-body; default: that of the object.
+        counter_modulus;
+        /// Poisson's ratio of the counter-body; default: that of the object.
+        counter_poisson_ratio;
+        /// Arm on which the contact acts, of an object that turns.
+        arm;
+    }
+}
+
+impl PointContact {
+    /// A ball of this radius (m) on a plate, both with this Young's modulus (Pa).
+    pub fn ball(radius: impl Into<Node>, modulus: impl Into<Node>) -> Self {
+        Self(only("radius", radius)).modulus(modulus)
+    }
+}
+
 impl Contact {
+    /// N = k·p, k from the geometry of a contact along a line.
+    pub fn line(line: impl Into<Node>) -> Self {
+        Self(only("from", only("line", line)))
+    }
+
+    /// N = K·p^(3/2), K from the geometry of a contact in a point.
+    pub fn point(point: impl Into<Node>) -> Self {
+        Self(only("from", only("point", point))).law("hertz")
+    }
+
     /// N = k·p.
     pub fn elastic(stiffness: impl Into<Node>) -> Self {
         Self(only("stiffness", stiffness))

@@ -40,7 +40,7 @@ fn same(schema: &Json, path: &[&str], methods: &[&str], others: &[&str]) {
 #[test]
 fn every_property_of_every_kind_can_be_built() {
     let schema = schema(&Registry::standard());
-    let of_chains = ["kind", "input", "from", "loads"];
+    let of_chains = ["kind", "input", "from", "loads", "stops"];
     same(&schema, &["shaft"], Shaft::PROPERTIES, &of_chains);
     same(&schema, &["crank"], Crank::PROPERTIES, &of_chains);
     same(&schema, &["rocker"], Rocker::PROPERTIES, &of_chains);
@@ -86,12 +86,17 @@ fn every_property_of_every_kind_can_be_built() {
         &["revolute", "sliding"],
     );
     same(&schema, &["rocker", "pair"], Pair::PROPERTIES, &["closure"]);
+    same(&schema, &["sliding_stop"], Stop::PROPERTIES, &[]);
     same(
         &schema,
         &["rocker", "pair", "contact"],
         Contact::PROPERTIES,
-        &[],
+        &["from"],
     );
+    let from = ["rocker", "pair", "contact", "from"];
+    let [line, point] = ["line", "point"].map(|shape| [&from[..], &[shape]].concat());
+    same(&schema, &line, LineContact::PROPERTIES, &[]);
+    same(&schema, &point, PointContact::PROPERTIES, &[]);
 }
 
 #[test]

@@ -16,6 +16,7 @@ use super::measures::Measures;
 use super::pair;
 use super::position;
 use super::spec::{ChainSpec, InertiaSplit, LoadLawSpec, LoadSpec, PairSpec};
+use super::stop;
 use super::{Context, INPUT, Inputs, Kind, ModelBuilder, Object, Place, Ports};
 use crate::dynamics::model::{Closure, Coordinate, DampingLaw};
 use crate::frontend::read::{Bounds, Fields};
@@ -167,6 +168,7 @@ pub fn read_behind(
             masses,
         },
     );
+    let stops = stop::read_all(fields, own);
     let chain = ChainSpec {
         coordinate: rules.coordinate?,
         position: position?,
@@ -174,8 +176,10 @@ pub fn read_behind(
         body: body?,
         pair: pair?,
         loads: loads?,
+        stops: stops?,
     };
     warn_never_closed(fields, &chain);
+    stop::check(fields, &chain)?;
     level::check(fields, &chain)?;
     Some(chain)
 }

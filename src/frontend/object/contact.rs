@@ -1,5 +1,6 @@
 //! Contact elements.
 
+use super::contact_geometry::{self, Touching};
 use super::measures::Measures;
 use super::spec::ContactSpec;
 use crate::dynamics::model::ContactLaw;
@@ -32,7 +33,12 @@ pub(super) fn read(slot: Slot<'_>, own: Measures) -> Option<ContactSpec> {
             json!("elastic"),
             |slot| slot.choice(&LAWS),
         );
-        let stiffness = fields.need(
+        let from = fields.maybe(
+            "from",
+            "Geometry from which the stiffness follows, in its place.",
+            |slot| contact_geometry::read(slot, own),
+        );
+        let stiffness = fields.maybe(
             "stiffness",
             "Stiffness k of the contact; of `hertz` K, a bare number in N/m^(3/2) or N m/rad^(3/2)",
             |slot| match law {
@@ -49,12 +55,54 @@ pub(super) fn read(slot: Slot<'_>, own: Measures) -> Option<ContactSpec> {
             "χ of `hunt_crossley` and `hertz`, seconds per unit of indentation",
             |slot| slot.quantity(own.time_per_displacement(), Bounds::NOT_NEGATIVE),
         );
+        let stiffness = stiffness_of(fields, law?, from?, stiffness?);
         let law = of_name(fields, law?, damping?, dissipation?);
         Some(ContactSpec {
             stiffness: stiffness?,
             law: law?,
         })
     })
+}
+
+/// The stiffness as given, or from the geometry of a contact that has such a law.
+fn stiffness_of(
+    fields: &mut Fields<'_>,
+    law: Name,
+    from: Option<(Touching, f64)>,
+    given: Option<f64>,
+) -> Option<f64> {
+    if fields.clash(
+        "stiffness",
+        "from",
+        "the stiffness follows from the geometry",
+    ) {
+        return None;
+    }
+    let Some((touching, stiffness)) = from else {
+        if given.is_none() {
+            let hint = "give it, or the geometry that it follows from, `from`";
+            fields.lack("stiffness", Some(hint.to_owned()));
+        }
+        return given;
+    };
+    let (fits, message, hint) = match touching {
+        Touching::Point => (
+            law == Name::Hertz,
+            "a contact in a point has the law `hertz`",
+            "set `law` to \"hertz\", or give a `line`",
+        ),
+        Touching::Line => (
+            law != Name::Hertz,
+            "the law `hertz` is that of a contact in a point",
+            "give a `point`, or another `law`",
+        ),
+    };
+    if !fits {
+        let fault = fields.refuse("from", "contradiction", message);
+        fault.hints.push(hint.to_owned());
+        return None;
+    }
+    Some(stiffness)
 }
 
 /// The law with its loss; each takes only one sort.

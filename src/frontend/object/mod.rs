@@ -12,6 +12,7 @@ mod cam_follower;
 mod cam_geometry;
 pub mod chain;
 mod contact;
+mod contact_geometry;
 mod context;
 mod crank;
 mod differential;
@@ -33,6 +34,7 @@ mod position;
 mod rocker;
 mod shaft;
 mod slider;
+mod stop;
 
 use crate::dynamics::model::Coordinate;
 use crate::kinematics::cam::CamGeometry;

@@ -51,6 +51,20 @@ const OBJECT_FIGURES: &[Figure] = &[
     ("time_at_rest", |_| q::TIME.into()),
 ];
 
+/// Figures of a stop, beside those of the mass that it stops.
+const STOP_FIGURES: &[Figure] = &[
+    ("stop.closures", |_| q::NUMBER.into()),
+    ("stop.contact_time", |_| q::TIME.into()),
+    ("stop.max_approach_speed", Measures::speed),
+    ("stop.max_contact_force", Measures::force),
+    ("stop.max_indentation", Measures::displacement),
+    ("peak_speed", Measures::speed),
+    ("peak_acceleration", Measures::acceleration),
+    ("peak_reaction", Measures::force),
+    ("final.displacement", Measures::displacement),
+    ("final.speed", Measures::speed),
+];
+
 /// Figures of the run.
 const RUN_FIGURES: &[&str] = &[
     "time",
@@ -248,7 +262,9 @@ pub(super) fn figure_of_run(slot: &mut Slot<'_>, address: &str, known: &Known) -
 }
 
 fn about(slot: &mut Slot<'_>, address: String, known: &Known) -> Option<About> {
-    let (owner, name) = owner_of(&address, |id| known.objects.contains_key(id));
+    let (owner, name) = owner_of(&address, |id| {
+        known.objects.contains_key(id) || known.stops.contains_key(id)
+    });
     if owner == "run" {
         if RUN_FIGURES.contains(&name) {
             let wanted = if name == "time" { q::TIME } else { q::NUMBER };
@@ -268,33 +284,34 @@ fn about(slot: &mut Slot<'_>, address: String, known: &Known) -> Option<About> {
     if owner == "kinematics" || owner == "forces" {
         return study_figure(slot, known, address);
     }
-    let Some(object) = known.objects.get(owner) else {
-        let ids = known.objects.keys().map(String::as_str).chain(["run"]);
-        let guess = closest(owner, ids);
-        let fault = slot.refuse("unknown-object", format!("unknown object `{owner}`"));
-        fault.hints.push(match guess {
-            Some(guess) => format!("did you mean `{guess}`?"),
-            None => "figures are addressed as `object.figure` or `run.figure`".to_owned(),
-        });
-        return None;
+    let object = known.objects.get(owner).map(|object| object.coordinate);
+    let (coordinate, figures, pair) = match (object, known.stops.get(owner)) {
+        (Some(coordinate), _) => (coordinate, OBJECT_FIGURES, "pair"),
+        (None, Some(&coordinate)) => (coordinate, STOP_FIGURES, "stop"),
+        (None, None) => {
+            let ids = known.objects.keys().map(String::as_str).chain(["run"]);
+            let guess = closest(owner, ids);
+            let fault = slot.refuse("unknown-object", format!("unknown object `{owner}`"));
+            fault.hints.push(match guess {
+                Some(guess) => format!("did you mean `{guess}`?"),
+                None => "figures are addressed as `object.figure` or `run.figure`".to_owned(),
+            });
+            return None;
+        }
     };
-    let index = name.strip_prefix("pair.switch_times.");
+    let index = name.strip_prefix(pair);
+    let index = index.and_then(|rest| rest.strip_prefix(".switch_times."));
     if index.is_some_and(|index| index.parse::<usize>().is_ok()) {
         return Some(About::Figure(address, q::TIME.into()));
     }
-    let found = OBJECT_FIGURES.iter().find(|figure| figure.0 == name);
+    let found = figures.iter().find(|figure| figure.0 == name);
     match found {
         Some((_, measure)) => {
-            let wanted = measure(Measures(object.coordinate));
+            let wanted = measure(Measures(coordinate));
             Some(About::Figure(address, wanted))
         }
         None => {
-            unknown(
-                slot,
-                owner,
-                name,
-                OBJECT_FIGURES.iter().map(|figure| figure.0),
-            );
+            unknown(slot, owner, name, figures.iter().map(|figure| figure.0));
             None
         }
     }

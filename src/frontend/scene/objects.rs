@@ -2,6 +2,7 @@
 
 use super::address::RESERVED;
 use super::{Catalogue, SceneObject};
+use crate::dynamics::model::Coordinate;
 use crate::frontend::diagnostics::{Diagnostic, Related};
 use crate::frontend::graph::MechanismGraph;
 use crate::frontend::object::{Context, Inputs, Kind, KnownObject, Object, OwnObject, Registry};
@@ -16,6 +17,8 @@ pub(super) struct Known {
     pub(super) registry: Registry,
     /// By id; outputs of objects as `object.output`.
     pub(super) objects: BTreeMap<String, KnownObject>,
+    /// Stops of objects as `object.stop`, with what their object does: turn or slide.
+    pub(super) stops: BTreeMap<String, Option<Coordinate>>,
     /// Names that editors offer for `from`, with the kind of each.
     offered: Vec<(String, String)>,
 }
@@ -26,6 +29,7 @@ impl Known {
         Self {
             registry: registry.clone(),
             objects: BTreeMap::new(),
+            stops: BTreeMap::new(),
             offered: Vec::new(),
         }
     }
@@ -77,6 +81,9 @@ impl Known {
             (None, Some(kind)) => ((kind.coordinate)(node), (kind.outputs)(node)),
             (None, None) => (None, Vec::new()),
         };
+        for stop in node.get("stops").map_or(&[][..], Node::members) {
+            self.stops.insert(format!("{id}.{}", stop.name), coordinate);
+        }
         let masses = None;
         self.objects
             .insert(id.to_owned(), KnownObject { coordinate, masses });

@@ -57,6 +57,7 @@ pub fn page(report: &RunReport<'_>) -> String {
     body.push_str("<h2>Figures</h2>\n");
     body.push_str(&tables::figures(figures));
     body.push_str(&tables::pairs(figures));
+    body.push_str(&tables::stops(figures));
     body.push_str(&tables::joints(figures));
     body.push_str(&window_note(figures, record.times.len()));
     if let Some(certificate) = report.certificate {

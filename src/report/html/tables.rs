@@ -125,6 +125,38 @@ pub fn pairs(figures: &Figures) -> String {
     table(&head, &rows)
 }
 
+/// Figures of every stop; nothing when there is none.
+pub fn stops(figures: &Figures) -> String {
+    let row = |(id, object): (&String, &ObjectFigures)| {
+        let (stop, units) = (object.stop.as_ref()?, units(figures, id));
+        Some(format!(
+            "<tr>{}<td>{}</td>{}{}{}{}</tr>\n",
+            name(id),
+            stop.closures,
+            cell(stop.contact_time, "s"),
+            cell(
+                stop.max_approach_speed,
+                &format!("{}/s", units.displacement)
+            ),
+            cell(stop.max_contact_force, units.force),
+            cell(stop.max_indentation, units.displacement),
+        ))
+    };
+    let rows: String = figures.objects.iter().filter_map(row).collect();
+    if rows.is_empty() {
+        return String::new();
+    }
+    let head = head(&[
+        "Stop",
+        "closures",
+        "time in contact",
+        "greatest approach speed",
+        "greatest contact force",
+        "greatest indentation",
+    ]);
+    table(&head, &rows)
+}
+
 /// Figures of every linkage whose joints have friction; nothing when there is none.
 pub fn joints(figures: &Figures) -> String {
     let row = |(id, object): (&String, &ObjectFigures)| {

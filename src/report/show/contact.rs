@@ -1,7 +1,7 @@
 //! Contact elements in words.
 
 use super::units;
-use crate::dynamics::model::{ContactLaw, ObjectPart};
+use crate::dynamics::model::{ContactLaw, Coordinate, ObjectPart};
 use crate::report::quantity::significant;
 
 /// Name of what the first link of an object joins.
@@ -17,14 +17,20 @@ pub(super) fn summary(object: &ObjectPart) -> String {
     let Some(contact) = object.contact else {
         return String::new();
     };
-    let unit = units(object.coordinate);
+    summary_of(contact.law, contact.stiffness, object.coordinate)
+}
+
+/// Law and numbers of a contact.
+pub(super) fn summary_of(law: ContactLaw, stiffness: f64, coordinate: Coordinate) -> String {
+    let unit = units(coordinate);
     let number = |value: f64| significant(value, 6);
-    let stiffness = format!("k = {} {}", number(contact.stiffness), unit.stiffness);
+    let of_point = stiffness;
+    let stiffness = format!("k = {} {}", number(stiffness), unit.stiffness);
     let dissipation = |chi: f64| match chi {
         0.0 => String::new(),
         chi => format!(", χ = {} s/{}", number(chi), unit.displacement),
     };
-    match contact.law {
+    match law {
         ContactLaw::Elastic => format!("contact, elastic, {stiffness}"),
         ContactLaw::KelvinVoigt { damping } => format!(
             "contact, Kelvin–Voigt, {stiffness}, b = {} {}",
@@ -36,7 +42,7 @@ pub(super) fn summary(object: &ObjectPart) -> String {
         }
         ContactLaw::Hertz { dissipation: chi } => format!(
             "contact, Hertz, k = {} {}/{}^(3/2){}",
-            number(contact.stiffness),
+            number(of_point),
             unit.force,
             unit.displacement,
             dissipation(chi)

@@ -3,7 +3,7 @@
 use super::table::Table;
 use super::{contact, equations, load_word, units};
 use crate::dynamics::model::{
-    Closure, Coordinate, DampingLaw, LinkBase, Model, NodeMotion, OUTPUT, ObjectPart, Pair,
+    Closure, Coordinate, DampingLaw, LinkBase, Model, NodeMotion, OUTPUT, ObjectPart, Pair, STOP,
 };
 use crate::kinematics::linkage::spec::{LinkageSpec, PairKind, PairSpec};
 use crate::report::diagram::pair;
@@ -58,7 +58,7 @@ fn masses(model: &Model) -> Table {
         vec!["object", "kind", "mass", "inertia J", "", "motion"],
         &[2, 3],
     );
-    for object in objects(model).filter(|object| object.kind != OUTPUT) {
+    for object in objects(model).filter(|object| object.kind != OUTPUT && object.kind != STOP) {
         let drivers = object.inputs.iter();
         let drivers: Vec<&str> = drivers
             .map(|input| model.objects[input.driver].id.as_str())
@@ -191,7 +191,8 @@ fn pairs(model: &Model) -> Table {
         let mut bodies = model.linkages.iter();
         object.kind == OUTPUT || bodies.any(|body| object.nodes.contains(&body.node))
     };
-    for object in objects(model).filter(|one| !one.is_drive() && !linkage(one)) {
+    for object in objects(model).filter(|one| !one.is_drive() && one.kind != STOP && !linkage(one))
+    {
         let bilateral = Pair {
             closure: Closure::Bilateral,
             gap: 0.0,
@@ -238,7 +239,7 @@ fn pairs(model: &Model) -> Table {
 
 fn loads(model: &Model) -> Table {
     let mut table = Table::new(vec!["object", "load", "mass", "law"], &[2]);
-    for object in objects(model) {
+    for object in objects(model).filter(|object| object.kind != STOP) {
         for (place, node) in object.nodes.iter().enumerate() {
             for load in model.loads.iter().filter(|load| load.node == *node) {
                 table.push(vec![

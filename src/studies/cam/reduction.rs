@@ -110,6 +110,12 @@ impl<'m> Reduction<'m> {
                 {
                     return Err(format!("{} changes over time, not with the cam", load.name));
                 }
+                LoadLaw::Stop(_) => {
+                    self.notes.push(format!(
+                        "{} (a stop) is left out: the cam is taken to carry the follower",
+                        load.name
+                    ));
+                }
                 LoadLaw::Custom { .. } => {
                     return Err(format!("{} is no load that this study knows", load.name));
                 }

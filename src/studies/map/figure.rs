@@ -39,7 +39,7 @@ pub(super) fn check_figure(figure: &str, model: &Model) -> Result<(), Fault> {
         return Ok(());
     };
     // How many switches there will be is not known before a run.
-    if figure.contains(".pair.switch_times.") {
+    if figure.contains(".switch_times.") {
         return Ok(());
     }
     let hint = match close.is_empty() {
@@ -55,7 +55,7 @@ pub(super) fn check_figure(figure: &str, model: &Model) -> Result<(), Fault> {
 
 /// A figure of an object by its name, where it is a number in every run.
 fn of_object(figures: &ObjectFigures, name: &str) -> Option<f64> {
-    let pair = figures.pair.as_ref();
+    let (pair, stop) = (figures.pair.as_ref(), figures.stop.as_ref());
     Some(match name {
         "delta_abs" => figures.delta_abs,
         "delta_max" => figures.delta_max,
@@ -73,6 +73,11 @@ fn of_object(figures: &ObjectFigures, name: &str) -> Option<f64> {
         "pair.max_lift" => pair?.max_lift,
         "pair.max_approach_speed" => pair?.max_approach_speed,
         "pair.max_contact_force" => pair?.max_contact_force,
+        "stop.closures" => stop?.closures as f64,
+        "stop.contact_time" => stop?.contact_time,
+        "stop.max_approach_speed" => stop?.max_approach_speed,
+        "stop.max_contact_force" => stop?.max_contact_force,
+        "stop.max_indentation" => stop?.max_indentation,
         _ => return None,
     })
 }

@@ -245,6 +245,8 @@ impl Path {
                 })
             }
             LoadLaw::Spring { rate, preload } => -preload - rate * displacement,
+            // What a stop takes off a pair keeps no pair shut.
+            LoadLaw::Stop(_) => 0.0,
             LoadLaw::Viscous(damping) => -damping * speed,
             LoadLaw::Friction { force, width } => -force * (speed / width).tanh(),
             LoadLaw::Custom { function, factor } => {

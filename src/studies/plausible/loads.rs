@@ -75,6 +75,7 @@ fn is_zero(law: &LoadLaw) -> bool {
             breakdown_torque, ..
         } => *breakdown_torque == 0.0,
         LoadLaw::SpeedTable(points) => points.iter().all(|point| point.1 == 0.0),
+        LoadLaw::Stop(_) => false,
         LoadLaw::Custom { factor, .. } => *factor == 0.0,
     }
 }

@@ -171,3 +171,29 @@ fn a_rigid_body_on_a_contact_is_a_chain_of_one_mass() {
         }
     }
 }
+
+#[test]
+fn a_ball_of_given_radius_and_material() {
+    // Hertz: (4/3)·E*·√R, E* = E/(2(1 − ν²)) between bodies of one material; on an arm the force
+    // has the moment N·arm at p = arm·φ.
+    let (v, radius, modulus) = (0.4f64, 0.01f64, 206e9);
+    let stiffness = 4.0 / 3.0 * modulus / (2.0 * (1.0 - 0.09)) * radius.sqrt();
+    let contact = format!(
+        r#"{{ "law": "hertz", "from": {{ "point": {{ "radius": {radius:?}, "modulus": {modulus:?} }} }} }}"#
+    );
+    let result = Wall::rigid(&contact, v, 1e-3).run(Method::Radau);
+    let depth = (1.25 * v * v / stiffness).powf(0.4);
+    let force = stiffness * depth.powf(1.5);
+    approx::assert_relative_eq!(pair(&result).max_contact_force, force, max_relative = 1e-6);
+    let arm = 0.05f64;
+    let turning = Wall::rigid(&contact, v, 2e-2)
+        .text()
+        .replace("\"slider\"", "\"rocker\"")
+        .replace("\"coordinate\": \"sliding\", ", "")
+        .replace("\"modulus\"", &format!("\"arm\": {arm:?}, \"modulus\""));
+    let result = run_text(&turning, Some(Method::Radau));
+    let stiffness = stiffness * arm.powf(2.5);
+    let depth = (1.25 * v * v / stiffness).powf(0.4);
+    let moment = stiffness * depth.powf(1.5);
+    approx::assert_relative_eq!(pair(&result).max_contact_force, moment, max_relative = 1e-6);
+}

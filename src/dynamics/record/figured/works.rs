@@ -20,7 +20,7 @@ impl Figured<'_> {
             let mut room = [0.0; MAX_DEGREE + 1];
             let mode = modes.0[opening.component];
             (mode == 0).then_some(())?;
-            let x = step.signal(opening.coordinate, &mut room);
+            let x = opening.deformation(step, &mut room);
             opening.leaves_flank(mode, x, step.end)
         }));
         self.add_kinks_of_friction(step, modes);

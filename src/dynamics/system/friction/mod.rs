@@ -206,7 +206,7 @@ impl Frozen {
 
     /// Numbers the components of the directions, after those of all tracks.
     pub(super) fn number_directions(&mut self) {
-        let first = self.pairs.len() + self.tracks.len();
+        let first = self.contacts() + self.tracks.len();
         let mut next = first;
         let mut number = || {
             next += 1;

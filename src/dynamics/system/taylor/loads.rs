@@ -73,8 +73,11 @@ impl LoadSeries {
         pieces: f64,
     ) -> f64 {
         match law {
-            // The latter two are not expanded.
-            LoadLaw::Constant(_) | LoadLaw::SpeedTable(_) | LoadLaw::Custom { .. } => 0.0,
+            // Those that are not constant are not expanded here.
+            LoadLaw::Constant(_)
+            | LoadLaw::SpeedTable(_)
+            | LoadLaw::Custom { .. }
+            | LoadLaw::Stop(_) => 0.0,
             LoadLaw::Pieces { .. } => pieces,
             LoadLaw::Spring { rate, .. } => -rate * displacement[order],
             LoadLaw::Viscous(damping) => -damping * speed[order],

@@ -25,6 +25,7 @@ use super::constraints::Constrained;
 use super::frozen::{Chain, Frozen, Rigid, Step};
 use super::pairs::OPEN;
 use super::passes::Work;
+use super::stops::FrozenStop;
 use crate::dynamics::model::{Closure, LoadLaw};
 use crate::kinematics::position::Position;
 use law::{LawSeries, Series, against, product};
@@ -126,6 +127,7 @@ impl Frozen {
             .chains
             .iter()
             .all(|chain| chain.contact.hertz().is_none());
+        let smooth = smooth && !self.stops.iter().any(|stop| stop.contact.hertz().is_some());
         let known = self.loads.iter().all(|load| known(&load.law));
         sums && smooth && self.linkages.is_empty() && known
     }
@@ -185,6 +187,8 @@ impl Frozen {
                 let place = [load.node].map(|node| taylor.speed[node][0]);
                 taylor.loads[index].begin(&load.law, place[0]);
                 self.load(index, start.time, start.modes, work)
+            } else if let Some(stop) = load.stop {
+                self.stop_of_order(&self.stops[stop], start.modes, order, taylor)
             } else {
                 let argument = load.argument.as_ref().map(|axis| {
                     let time = if order == 1 { taylor.length } else { 0.0 };
@@ -232,6 +236,28 @@ impl Frozen {
         let depth = side * x[order] - clearance;
         let crossed = product(x, v, order) - side * contact.half_gap * v[order];
         side * c * (depth + kappa * crossed)
+    }
+
+    /// Force of a stop on its mass at an order ≥ 1.
+    fn stop_of_order(
+        &self,
+        stop: &FrozenStop,
+        modes: &[i64],
+        order: usize,
+        taylor: &Taylor,
+    ) -> f64 {
+        let mode = modes[stop.component];
+        if mode == OPEN {
+            return 0.0;
+        }
+        let (x, v) = (&taylor.displacement[stop.node], &taylor.speed[stop.node]);
+        let (c, (b, kappa)) = (stop.contact.stiffness(), stop.contact.losses());
+        let Some(kappa) = kappa else {
+            return -(c * x[order] + b * v[order]);
+        };
+        // c·x·(1 + κ·s·v), x = φ − at.
+        let crossed = product(x, v, order) - stop.at * v[order];
+        -c * (x[order] + mode as f64 * kappa * crossed)
     }
 
     /// Rigid nodes hand inertia and forces of an order to their drivers.

@@ -47,6 +47,9 @@ impl<'m> Builder<'m> {
             LoadLaw::Friction { .. } => {
                 self.refuse_load(load, on, "is friction, which is not linear")
             }
+            LoadLaw::Stop(_) => {
+                self.refuse_load(load, on, "presses on one side alone, at a place of its own");
+            }
             LoadLaw::Custom { .. } => self.refuse_load(load, on, "is not known to be linear"),
             LoadLaw::LinearMotor { .. } | LoadLaw::Kloss { .. } | LoadLaw::SpeedTable(_) => {
                 self.refuse_load(load, on, "is a motor's torque over its speed");
@@ -59,7 +62,11 @@ impl<'m> Builder<'m> {
         let holds = |part: &ObjectPart| part.nodes.contains(&load.node);
         let object = self.model.objects.iter().position(holds).unwrap_or(0);
         let name = load.name.rsplit('.').next().unwrap_or(&load.name);
-        let reason = format!("its load `{name}` {reason}");
+        let what = match load.law {
+            LoadLaw::Stop(_) => "stop",
+            _ => "load",
+        };
+        let reason = format!("its {what} `{name}` {reason}");
         let id = &self.model.objects[object].id;
         // A load on all masses is one load.
         if !self

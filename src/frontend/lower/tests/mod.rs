@@ -139,6 +139,7 @@ fn chain(coordinate: Coordinate, position: PositionSpec, body: BodySpec) -> Chai
             contact: None,
         },
         loads: Vec::new(),
+        stops: Vec::new(),
     }
 }
 

@@ -2,10 +2,12 @@
 
 use super::{Section, of_mass, of_object};
 use crate::dynamics::model::{
-    Coordinate, LinearPiece, Load, LoadLaw, Model, NodeMotion, ObjectPart, TrackSource,
+    ContactLaw, Coordinate, LinearPiece, Load, LoadLaw, Model, NodeMotion, ObjectPart, Stop,
+    TrackSource,
 };
 use crate::report::math::{Expr, Index, Relation, Symbol, symbol};
 use crate::report::quantity::{significant, with_unit};
+use crate::report::show::contact::summary_of as contact_summary;
 use crate::report::show::{load_word, units};
 
 /// Tables with more pieces than this are described instead of written out.
@@ -132,6 +134,7 @@ impl OneLoad<'_> {
                 let argument = Box::new(rate.expr().over(v));
                 r.expr().times(Expr::Function("tanh", argument)).negative()
             }
+            LoadLaw::Stop(stop) => return self.stop(*stop, phi, section),
             LoadLaw::Custom { function, .. } => Expr::Words(function.description()),
             motor => self.motor(motor, rate, section),
         };
@@ -140,6 +143,65 @@ impl OneLoad<'_> {
             None => self.remark.clone(),
         };
         section.line(self.letter("W"), law, remark);
+    }
+
+    /// A stop: its indentation, and what it pushes with.
+    fn stop(&self, stop: Stop, phi: Symbol, section: &mut Section) {
+        let unit = units(self.part().coordinate);
+        let (p, at, k) = (self.letter("p"), self.letter("a"), self.letter("k"));
+        let own = unit.displacement;
+        section.entry(at.clone(), stop.at, own, "place of the stop");
+        let sliding = own == "m";
+        let of_contact = match (stop.law, sliding) {
+            (ContactLaw::Hertz { .. }, true) => "N/m^(3/2)",
+            (ContactLaw::Hertz { .. }, false) => "N m/rad^(3/2)",
+            _ => unit.stiffness,
+        };
+        section.entry(
+            k.clone(),
+            stop.stiffness,
+            of_contact,
+            "stiffness of the stop",
+        );
+        let depth = match stop.side > 0.0 {
+            true => phi.expr().minus(at),
+            false => at.expr().minus(phi),
+        };
+        section.line(p.clone(), depth, "indentation of the stop");
+        let linear = k.clone().expr().times(p.clone());
+        let growth = |section: &mut Section, dissipation: f64, force: Expr| {
+            if dissipation == 0.0 {
+                return force;
+            }
+            let (chi, rate) = (self.letter("χ"), p.clone().rate());
+            let of_rate = if sliding { "s/m" } else { "s/rad" };
+            section.entry(chi.clone(), dissipation, of_rate, "dissipation of the stop");
+            force.times(Expr::Number(1.0).plus(chi.expr().times(rate)))
+        };
+        let force = match stop.law {
+            ContactLaw::Elastic => linear,
+            ContactLaw::KelvinVoigt { damping } => {
+                let b = self.letter("b");
+                section.entry(b.clone(), damping, unit.damping, "damping of the stop");
+                linear.plus(b.expr().times(p.clone().rate()))
+            }
+            ContactLaw::HuntCrossley { dissipation } => growth(section, dissipation, linear),
+            ContactLaw::Hertz { dissipation } => {
+                let root = Expr::Root(Box::new(p.clone().expr()));
+                growth(section, dissipation, linear.times(root))
+            }
+        };
+        let pushes = Expr::Greater(Box::new(Expr::Number(0.0)), Box::new(force));
+        let pushes = match stop.side > 0.0 {
+            true => pushes.negative(),
+            false => pushes,
+        };
+        let touched = p.expr().compare(Relation::Greater, Expr::Number(0.0));
+        let law = Expr::Cases(vec![
+            (pushes, touched),
+            (Expr::Number(0.0), Expr::Words("otherwise".into())),
+        ]);
+        section.line(self.letter("W"), law, self.remark.clone());
     }
 
     /// Torque characteristics.
@@ -291,6 +353,18 @@ pub fn summary(law: &LoadLaw, coordinate: Coordinate) -> String {
         LoadLaw::SpeedTable(points) => {
             format!("table over speed, {} points", points.len())
         }
+        LoadLaw::Stop(stop) => format!(
+            "stop, {}; {}",
+            stop_words(stop, coordinate),
+            contact_summary(stop.law, stop.stiffness, coordinate)
+        ),
         LoadLaw::Custom { function, .. } => function.description(),
     }
+}
+
+/// What a stop holds: `φ ≥ 0 m`.
+pub fn stop_words(stop: &Stop, coordinate: Coordinate) -> String {
+    let relation = if stop.side > 0.0 { "≤" } else { "≥" };
+    let place = with_unit(stop.at, units(coordinate).displacement, 6);
+    format!("φ {relation} {place}")
 }

@@ -16,10 +16,10 @@ mod text;
 
 pub(crate) use inputs::summary as inputs_summary;
 pub use latex::latex;
-pub use loads::summary as load_summary;
+pub use loads::{stop_words, summary as load_summary};
 pub use text::text;
 
-use crate::dynamics::model::{LinkageBody, Model, NodeIndex, NodeMotion, OUTPUT};
+use crate::dynamics::model::{LinkageBody, Model, NodeIndex, NodeMotion, OUTPUT, STOP};
 use crate::report::math::{Expr, Index, Symbol, symbol};
 use crate::report::order::drivers_first;
 
@@ -116,7 +116,9 @@ impl Section {
 /// Writes out the equations of a model.
 pub fn equations(model: &Model) -> Equations {
     let objects = drivers_first(model).into_iter();
-    let shown = objects.filter(|&object| !only_looked_at(model, object));
+    // (A stop is a load on the mass that it stops.)
+    let shown = objects
+        .filter(|&object| !only_looked_at(model, object) && model.objects[object].kind != STOP);
     let sections = shown.map(|object| {
         let first = model.objects[object].nodes.first();
         match first.map(|&node| &model.nodes[node].motion) {
@@ -187,7 +189,10 @@ struct Transfer {
 }
 
 fn descend(model: &Model, driver: usize, above: Option<&Transfer>, out: &mut Reflected) {
-    let followers = (0..model.objects.len()).filter(|&o| model.objects[o].is_driven_by(driver));
+    let followers = (0..model.objects.len()).filter(|&o| {
+        let part = &model.objects[o];
+        part.is_driven_by(driver) && part.kind != STOP
+    });
     for follower in followers {
         let object = &model.objects[follower];
         if object.inputs.len() > 1 {

@@ -1,0 +1,87 @@
+//! One-sided stops of the last mass of an object against the ground.
+
+use super::spec::{BodySpec, ChainSpec, StopSpec};
+use super::{ModelBuilder, Place};
+use crate::dynamics::model::{Load, LoadLaw, NodeIndex, STOP, Stop, StopPart};
+
+impl ModelBuilder {
+    /// Adds the stops of an object with these masses.
+    pub(super) fn stops(&mut self, at: &Place, spec: &ChainSpec, masses: &[NodeIndex]) {
+        self.check_stops(at, spec);
+        let Some(&node) = masses.last().filter(|_| spec.masses() > 0) else {
+            return;
+        };
+        for own in &spec.stops {
+            let stop = Stop {
+                at: own.at,
+                side: own.side,
+                stiffness: own.contact.stiffness,
+                law: own.contact.law,
+            };
+            let part = self.add_part(at, &own.name, STOP);
+            self.model.objects[part].nodes.push(node);
+            self.model.objects[part].inputs =
+                crate::dynamics::model::PartInput::only(Some(at.object));
+            self.model.objects[part].combination = None;
+            self.model.loads.push(Load {
+                node,
+                name: at.path(&format!("stops.{}", own.name)),
+                law: LoadLaw::Stop(stop),
+            });
+            self.model.stops.push(StopPart {
+                object: at.object,
+                part,
+                load: self.model.loads.len() - 1,
+            });
+        }
+    }
+
+    /// The faults of an object's stops.
+    pub(super) fn check_stops(&mut self, at: &Place, spec: &ChainSpec) {
+        if spec.stops.is_empty() {
+            return;
+        }
+        if let BodySpec::Modes { .. } = spec.body {
+            let message =
+                "its modes are those of the object free at its output: a stop would hold it there";
+            let hint = "give `masses` in place of `modes`";
+            self.fault(at, "stops", message, hint);
+        }
+        if spec.masses() == 0 {
+            let message = "nothing gives way between a rigid object's driver and a stop";
+            let hint = "give the object at least one mass, or its pair a `contact`";
+            self.fault(at, "stops", message, hint);
+        }
+        for own in &spec.stops {
+            self.check_stop(at, own);
+        }
+        let lower = spec.stops.iter().filter(|stop| stop.side < 0.0);
+        for lower in lower {
+            let upper = spec.stops.iter().filter(|stop| stop.side > 0.0);
+            if let Some(upper) = upper.into_iter().find(|upper| upper.at <= lower.at) {
+                let message = format!(
+                    "the stop `{}` from below, at {}, stands no lower than `{}` from above, at {}: \
+                     nothing is left between them",
+                    lower.name, lower.at, upper.name, upper.at
+                );
+                let hint = "exchange their sides, or move one of them";
+                self.fault(at, &format!("stops.{}.at", lower.name), message, hint);
+            }
+        }
+    }
+
+    fn check_stop(&mut self, at: &Place, stop: &StopSpec) {
+        let property = format!("stops.{}", stop.name);
+        let path = |name: &str| at.path(&format!("{property}.{name}"));
+        self.faults.finite(&path("at"), stop.at);
+        if stop.side != 1.0 && stop.side != -1.0 {
+            let message = format!("{} is no side", stop.side);
+            self.fault(at, &format!("{property}.side"), message, "give + or -");
+        }
+        self.check_contact_numbers(at, &format!("{property}.contact"), &stop.contact);
+        if self.indices.contains_key(&at.path(&stop.name)) {
+            let message = format!("`{}` is the name of another part of the object", stop.name);
+            self.fault(at, &property, message, "give the stop another name");
+        }
+    }
+}

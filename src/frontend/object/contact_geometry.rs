@@ -1,0 +1,182 @@
+//! Stiffness of a contact from the geometry of its bodies.
+
+use super::measures::Measures;
+use crate::dynamics::model::Coordinate;
+use crate::frontend::read::{Bounds, Fields, Slot};
+use crate::kinematics::hertzian::{
+    Backing, Material, contact_modulus, line_approach, point_stiffness,
+};
+use crate::units::quantities as q;
+use serde_json::json;
+
+/// What kind of contact a stiffness is of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Touching {
+    /// k of a contact along a line, the secant at a load.
+    Line,
+    /// K of a contact in a point.
+    Point,
+}
+
+/// Reads `from`: the stiffness along or about the object's own coordinate.
+pub(super) fn read(slot: Slot<'_>, own: Measures) -> Option<(Touching, f64)> {
+    slot.record(|fields| {
+        let mut shape = fields.one_of("the shape of its contact");
+        shape.case(
+            "line",
+            "Contact along a line (roller, flat face): k is the secant N/p at a stated load.",
+            |slot| Some((Touching::Line, slot.record(|fields| line(fields, own))?)),
+        );
+        shape.case(
+            "point",
+            "Contact in a point, by Hertz: K; the law is `hertz`.",
+            |slot| Some((Touching::Point, slot.record(|fields| point(fields, own))?)),
+        );
+        shape.finish()
+    })
+}
+
+fn length(fields: &mut Fields<'_>, name: &'static str, doc: &str) -> Option<Option<f64>> {
+    fields.maybe(name, doc, |slot| slot.quantity(q::LENGTH, Bounds::NOT_ZERO))
+}
+
+fn positive_length(fields: &mut Fields<'_>, name: &'static str, doc: &str) -> Option<Option<f64>> {
+    fields.maybe(name, doc, |slot| slot.quantity(q::LENGTH, Bounds::POSITIVE))
+}
+
+/// The arm on which the contact acts: 1 of what slides.
+fn arm(fields: &mut Fields<'_>, own: Measures) -> Option<f64> {
+    let doc = "Arm on which the contact acts, of an object that turns";
+    match own.0 {
+        Some(Coordinate::Sliding) => Some(1.0),
+        Some(Coordinate::Turning) => fields.need("arm", doc, |slot| {
+            slot.quantity(q::LENGTH, Bounds::POSITIVE)
+        }),
+        None => Some(positive_length(fields, "arm", doc)?.unwrap_or(1.0)),
+    }
+}
+
+/// What both bodies are made of, the object's own first.
+fn materials(fields: &mut Fields<'_>) -> Option<[Material; 2]> {
+    let ratio = |slot: Slot<'_>| slot.quantity(q::NUMBER, Bounds::between(0.0, 0.5));
+    let modulus = fields.need("modulus", "Young's modulus of the object", |slot| {
+        slot.quantity(q::MODULUS, Bounds::POSITIVE)
+    });
+    let poisson = fields.or(
+        "poisson_ratio",
+        "Poisson's ratio of the object.",
+        json!(0.3),
+        ratio,
+    );
+    let doc = "Young's modulus of the counter-body; absent: that of the object";
+    let other = fields.maybe("counter_modulus", doc, |slot| {
+        slot.quantity(q::MODULUS, Bounds::POSITIVE)
+    });
+    let doc = "Poisson's ratio of the counter-body; absent: that of the object";
+    let other_poisson = fields.maybe("counter_poisson_ratio", doc, ratio);
+    let (modulus, poisson_ratio) = (modulus?, poisson?);
+    let own = Material {
+        modulus,
+        poisson_ratio,
+    };
+    let counter = Material {
+        modulus: other?.unwrap_or(modulus),
+        poisson_ratio: other_poisson?.unwrap_or(poisson_ratio),
+    };
+    Some([own, counter])
+}
+
+fn curvature(radius: Option<f64>) -> f64 {
+    radius.map_or(0.0, f64::recip)
+}
+
+fn point(fields: &mut Fields<'_>, own: Measures) -> Option<f64> {
+    let doc = "Radius of the object: positive convex, negative hollow; absent: flat";
+    let radius = length(fields, "radius", doc);
+    let doc = "Radius of the object across its motion; absent: `radius`, a ball";
+    let crown = length(fields, "crown_radius", doc);
+    let doc = "Radius of the counter-body: positive convex, negative hollow; absent: flat";
+    let counter = length(fields, "counter_radius", doc);
+    let doc = "Radius of the counter-body across the motion; absent: flat";
+    let counter_crown = length(fields, "counter_crown_radius", doc);
+    let (materials, arm) = (materials(fields), arm(fields, own));
+    let (radius, crown, counter, counter_crown) = (radius?, crown?, counter?, counter_crown?);
+    let along = curvature(radius) + curvature(counter);
+    let across = curvature(crown.or(radius)) + curvature(counter_crown);
+    let Some(stiffness) = point_stiffness(contact_modulus(materials?), [along, across]) else {
+        let message = "these bodies touch in more than a point: in one plane their curvatures add up to nothing, or to a hollow";
+        let fault = fields.refuse("", "contradiction", message);
+        let hint = "give radii that bulge towards each other in both planes, or a `line`";
+        fault.hints.push(hint.to_owned());
+        return None;
+    };
+    // N·arm over p = arm·φ.
+    Some(stiffness * arm?.powf(2.5))
+}
+
+fn line(fields: &mut Fields<'_>, own: Measures) -> Option<f64> {
+    let doc = "Radius of the object: positive convex, negative hollow; absent: flat";
+    let radius = length(fields, "radius", doc);
+    let doc = "Depth below the object's surface from which its approach is counted, where that is flat or hollow";
+    let depth = positive_length(fields, "depth", doc);
+    let doc = "Radius of the counter-body: positive convex, negative hollow; absent: flat";
+    let counter = length(fields, "counter_radius", doc);
+    let doc = "Depth below the counter-body's surface from which its approach is counted, where that is flat or hollow";
+    let counter_depth = positive_length(fields, "counter_depth", doc);
+    let width = fields.need("width", "Length of the line of contact", |slot| {
+        slot.quantity(q::LENGTH, Bounds::POSITIVE)
+    });
+    let load = fields.need(
+        "load",
+        "Contact force at which k is the secant N/p",
+        |slot| slot.quantity(q::FORCE, Bounds::POSITIVE),
+    );
+    let (materials, arm) = (materials(fields), arm(fields, own));
+    let own = backing(fields, radius?, depth?, ["radius", "depth"]);
+    let other = backing(
+        fields,
+        counter?,
+        counter_depth?,
+        ["counter_radius", "counter_depth"],
+    );
+    let ([first, second], width, load, arm) = (materials?, width?, load?, arm?);
+    let bodies = [(first, own?), (second, other?)];
+    let Some(approach) = line_approach(load / width, bodies) else {
+        let message = "these bodies have no small contact along a line: their surfaces fit into each other, or the load presses them flat";
+        let fault = fields.refuse("", "contradiction", message);
+        let hint = "give radii that bulge towards each other, and a load that the bodies can bear";
+        fault.hints.push(hint.to_owned());
+        return None;
+    };
+    Some(load / approach * arm * arm)
+}
+
+/// What the approach of one body is counted from.
+fn backing(
+    fields: &mut Fields<'_>,
+    radius: Option<f64>,
+    depth: Option<f64>,
+    [radius_name, depth_name]: [&'static str; 2],
+) -> Option<Backing> {
+    match (radius, depth) {
+        (Some(radius), None) if radius > 0.0 => Some(Backing::Cylinder(radius)),
+        (Some(radius), Some(_)) if radius > 0.0 => {
+            let message = format!("`{depth_name}` has no meaning for a convex body");
+            let fault = fields.refuse(depth_name, "contradiction", message);
+            let hint = "remove it: the approach of a cylinder is counted from its axis";
+            fault.hints.push(hint.to_owned());
+            None
+        }
+        (_, Some(depth)) => Some(Backing::Depth {
+            curvature: curvature(radius),
+            depth,
+        }),
+        (_, None) => {
+            let hint = format!(
+                "the approach of a flat or hollow body is counted from a depth; or give a `{radius_name}` greater than 0"
+            );
+            fields.lack(depth_name, Some(hint));
+            None
+        }
+    }
+}
