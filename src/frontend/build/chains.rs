@@ -16,7 +16,8 @@ macro_rules! chain {
                 position;
                 /// Factor on the position function.
                 lever_ratio;
-                /// Number of masses; 0: rigid. Default 1.
+                /// Number of masses; 0: rigid; `"auto"`: as the accuracy of the run needs.
+                /// Default 1.
                 masses;
                 /// Total inertia J (kg·m², or kg of what slides).
                 inertia;
@@ -34,6 +35,9 @@ macro_rules! chain {
                 lumping;
                 /// Number of vibration modes, in place of `masses`.
                 modes;
+                /// `"static"`: it gives way as under slow forces, without vibrations; in place
+                /// of `masses`.
+                flexibility;
                 /// Inertia of each mass, in place of `inertia`.
                 inertias;
                 /// Stiffness of each link, in place of `stiffness`.

@@ -116,7 +116,8 @@ impl<'s> Trials<'s> {
         let entry = self.scene.objects.get(id);
         let chain = entry.and_then(|entry| entry.object.chain());
         chain.is_some_and(|chain| {
-            chain.pair.contact.is_none() && chain.pair.closure != Closure::Form
+            let free = chain.pair.contact.is_none() && chain.stops.is_empty();
+            free && chain.pair.closure != Closure::Form
         })
     }
 
