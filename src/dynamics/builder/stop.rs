@@ -2,7 +2,7 @@
 
 use super::spec::{BodySpec, ChainSpec, StopSpec};
 use super::{ModelBuilder, Place};
-use crate::dynamics::model::{Load, LoadLaw, NodeIndex, STOP, Stop, StopPart};
+use crate::dynamics::model::{Load, LoadLaw, NodeIndex, PartInput, STOP, Stop, StopPart};
 
 impl ModelBuilder {
     /// Adds the stops of an object with these masses.
@@ -20,8 +20,7 @@ impl ModelBuilder {
             };
             let part = self.add_part(at, &own.name, STOP);
             self.model.objects[part].nodes.push(node);
-            self.model.objects[part].inputs =
-                crate::dynamics::model::PartInput::only(Some(at.object));
+            self.model.objects[part].inputs = PartInput::only(Some(at.object));
             self.model.objects[part].combination = None;
             self.model.loads.push(Load {
                 node,
@@ -55,10 +54,9 @@ impl ModelBuilder {
         for own in &spec.stops {
             self.check_stop(at, own);
         }
-        let lower = spec.stops.iter().filter(|stop| stop.side < 0.0);
-        for lower in lower {
-            let upper = spec.stops.iter().filter(|stop| stop.side > 0.0);
-            if let Some(upper) = upper.into_iter().find(|upper| upper.at <= lower.at) {
+        let upper = || spec.stops.iter().filter(|stop| stop.side > 0.0);
+        for lower in spec.stops.iter().filter(|stop| stop.side < 0.0) {
+            if let Some(upper) = upper().find(|upper| upper.at <= lower.at) {
                 let message = format!(
                     "the stop `{}` from below, at {}, stands no lower than `{}` from above, at {}: \
                      nothing is left between them",
