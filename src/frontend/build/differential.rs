@@ -32,6 +32,9 @@ builder! {
         lumping;
         /// Number of vibration modes, in place of `masses`.
         modes;
+        /// `"static"`: it gives way as under slow forces, without vibrations; in place of
+        /// `masses`.
+        flexibility;
         /// Inertia of each mass, in place of `inertia`.
         inertias;
         /// Stiffness of each link, in place of `stiffness`.
@@ -96,6 +99,12 @@ impl Differential {
     /// A lever whose output is at this place (m) along it.
     pub fn lever(self, output: impl Into<Node>) -> Self {
         self.set("lever.output", output)
+    }
+
+    /// Adds a one-sided stop of the last mass against the ground.
+    pub fn stop(mut self, name: &str, stop: impl Into<Node>) -> Self {
+        self.0.property("stops").put(name, stop);
+        self
     }
 
     /// Adds a load, positive towards positive displacement.

@@ -51,7 +51,15 @@ fn every_property_of_every_kind_can_be_built() {
         CamFollower::PROPERTIES,
         &of_chains,
     );
-    let of_sums = ["kind", "from", "inputs", "loads", "planetary", "lever"];
+    let of_sums = [
+        "kind",
+        "from",
+        "inputs",
+        "loads",
+        "stops",
+        "planetary",
+        "lever",
+    ];
     same(
         &schema,
         &["differential"],
