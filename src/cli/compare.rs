@@ -194,6 +194,7 @@ fn files(
     let report = page(&CompareReport {
         title: scene,
         runs: &runs,
+        enough: &comparison.enough(),
         diagram: &Diagram::of(model),
         scene: input.text(),
         version: env!("CARGO_PKG_VERSION"),

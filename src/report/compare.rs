@@ -28,6 +28,8 @@ pub struct CompareReport<'a> {
     pub title: &'a str,
     /// The runs, at least one.
     pub runs: &'a [ComparedRun<'a>],
+    /// How many masses or modes are enough, a sentence a figure.
+    pub enough: &'a [String],
     /// The object graph of the scene.
     pub diagram: &'a Diagram,
     /// The scene's text.
@@ -104,6 +106,9 @@ pub fn page(report: &CompareReport<'_>) -> String {
     let subtitle = format!("{} runs compared; errors against {last}", runs.len());
     let mut body = header(report.title, &subtitle, Some(&answer(runs)));
     body.push_str("<main>\n");
+    for sentence in report.enough {
+        body.push_str(&format!("<p>{}</p>\n", escape(sentence)));
+    }
     body.push_str(&verdicts(runs));
     body.push_str(&all_warnings(runs));
     body.push_str(&mechanism(report.diagram));
@@ -359,6 +364,7 @@ mod tests {
         let page = page(&CompareReport {
             title: "The paper's <figures>",
             runs: &runs,
+            enough: &[],
             diagram: &Diagram::of(&fixture::rocker(2)),
             scene: include_str!("fixture/scene.json"),
             version: "0.1.0",

@@ -11,6 +11,7 @@
 mod asked;
 mod certificate;
 mod choose;
+mod judge;
 mod limits;
 mod row;
 pub mod settling;
