@@ -167,7 +167,9 @@ impl super::Scene {
     /// # Errors
     /// Everything that is wrong with it or with the settings.
     pub fn run_with(&self, options: &RunOptions<'_>) -> Result<RunResult, Error> {
-        let changed = options.apply(self.clone()).prepare()?;
+        let changed = options
+            .apply(self.clone())
+            .prepare_within(&options.control)?;
         changed.run_within(&options.control)
     }
 }

@@ -1,6 +1,6 @@
 //! Scenes as the library's user holds them.
 
-use super::Mechanism;
+use super::{Judging, Mechanism};
 use crate::Error;
 use crate::frontend::diagnostics::{Diagnostic, Diagnostics};
 use crate::frontend::object::{Kind, Registry};
@@ -8,6 +8,7 @@ use crate::frontend::read::Node;
 use crate::frontend::scene::{
     BuiltIn, Catalogue, Document, Folder, Layered, Overrides, Reading, read_bounded,
 };
+use crate::studies::Control;
 use crate::studies::compare::{Comparison, compare};
 use crate::studies::forces::ForceStudy;
 use crate::studies::kinematics::{Kinematics, Question};
@@ -215,7 +216,15 @@ impl Scene {
     /// # Errors
     /// Everything that is wrong with it.
     pub fn prepare(&self) -> Result<Mechanism, Error> {
-        Mechanism::of(self.decode()?)
+        self.prepare_within(&Control::default())
+    }
+
+    /// The same, ended from outside: where the level of an object is chosen, scenes are run.
+    ///
+    /// # Errors
+    /// As of [`Self::prepare`].
+    pub fn prepare_within(&self, control: &Control<'_>) -> Result<Mechanism, Error> {
+        Mechanism::of_within(self.decode()?, Judging::Needed, control)
     }
 
     /// Whether the scene is right; what its user should know all the same, a line each.
@@ -223,7 +232,7 @@ impl Scene {
     /// # Errors
     /// Everything that is wrong with it.
     pub fn check(&self) -> Result<Vec<String>, Error> {
-        Ok(self.prepare()?.warnings())
+        Ok(Mechanism::of_within(self.decode()?, Judging::Never, &Control::default())?.warnings())
     }
 
     /// Runs the scene.

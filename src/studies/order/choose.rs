@@ -44,10 +44,14 @@ pub fn choose(
         }
         enough(trials, row, &asked_for)
     })?;
-    let courses: Vec<Course> = asked_for
-        .iter()
-        .map(|one| row.course(&trials, one))
-        .collect();
+    if row.runs.is_empty() {
+        // The first run ended early, or is in doubt: nothing can be told from it.
+        let base = trials.at(&base(&families))?;
+        let found = &trials.made[base].figures;
+        asked_for = asked(trials.scene, &trials.elastic, found);
+    }
+    let courses = asked_for.iter().map(|one| row.course(&trials, one));
+    let courses: Vec<Course> = courses.collect();
     let judge = Judge {
         asked: &asked_for,
         courses: &courses,
@@ -111,12 +115,8 @@ fn least(
             break;
         }
     }
-    // A row without runs: the first model ended early, or is in doubt.
     let Some(mut found) = found else {
-        let base = families
-            .iter()
-            .map(|(id, family)| (id.clone(), family.base()));
-        return trials.at(&base.collect());
+        return trials.at(&base(families));
     };
     if !judge.accepts(trials, found) {
         return Ok(found);
@@ -187,6 +187,12 @@ fn spent(trials: &Trials<'_>) -> bool {
     let costs = || trials.made.iter().map(|trial| trial.cost);
     let dearest = costs().fold(0.0, f64::max);
     costs().sum::<f64>() > MOST_COST * dearest + FREE_COST
+}
+
+/// The levels where nothing can be judged.
+fn base(families: &Families) -> Levels {
+    let one = |(id, family): (&String, &Family)| (id.clone(), family.base());
+    families.iter().map(one).collect()
 }
 
 impl Family {

@@ -78,10 +78,11 @@ impl<'s> Trials<'s> {
         let exact = result.figures.run.method == "exact";
         let statistics = &result.outcome.statistics;
         let passes = (statistics.steps + statistics.evaluations) as f64;
-        let doubt = match (result.is_complete(), result.is_trusted()) {
-            (true, true) => None,
-            (false, _) => result.figures.run.stopped_because.clone(),
-            (true, false) => Some("its figures are in doubt".to_owned()),
+        // A mechanism that stops by itself has perfectly good figures.
+        let doubt = match (result.is_trusted(), result.outcome.stop.is_from_outside()) {
+            (true, false) => None,
+            (_, true) => result.figures.run.stopped_because.clone(),
+            (false, false) => Some("its figures are in doubt".to_owned()),
         };
         self.made.push(Trial {
             levels: levels.clone(),
