@@ -252,3 +252,91 @@ fn an_object_may_give_way_without_vibrations() {
         "{error}"
     );
 }
+
+#[test]
+fn figures_are_compared_with_where_they_lead() {
+    let scene = Scene::from_json(TWO_MASSES).expect("a scene");
+    let mut reading = scene
+        .set("rocker.masses", 12)
+        .decode()
+        .expect("a sound scene");
+    let settings = dam::studies::RunSettings::of(&reading.scene).expect("settings");
+    let figures = [
+        "rocker.delta_max",
+        "rocker.pair.max_contact_force",
+        "rocker.pair.in_working_order",
+    ];
+    let figures = figures.iter().map(|figure| (*figure).to_owned());
+    let found =
+        dam::studies::order::limits(&mut reading.scene, &settings, figures, &Control::default());
+    let found = found.expect("limits");
+    let deviation = &found["rocker.delta_max"];
+    let (value, error) = (
+        deviation.value.expect("a limit"),
+        deviation.error.expect("an error"),
+    );
+    assert!(
+        (value - 0.007_486_72).abs() <= error && error < 1e-6,
+        "{deviation:?}"
+    );
+    // Masses at the far ends of their cells: first order.
+    assert!(
+        (deviation.order.expect("an order") - 1.0).abs() < 0.1,
+        "{deviation:?}"
+    );
+    let force = &found["rocker.pair.max_contact_force"];
+    assert!(force.value.is_none() && force.why.is_some());
+    assert_eq!(found["rocker.pair.in_working_order"].value, Some(0.0));
+}
+
+#[test]
+fn a_map_has_one_level_for_all_its_points() {
+    let open = Scene::from_json(TWO_MASSES).expect("a scene").duration(0.1);
+    let open = open.set("rocker.masses", "auto");
+    let asked = |scene: &Scene| {
+        let axis = Axis::linear("rocker.inertia", 0.05, 0.2, 3);
+        let question = scene
+            .map(axis)
+            .figure("rocker", Figure::DeltaAbs)
+            .unchecked();
+        question.ask().expect("a map")
+    };
+    let found = asked(&open);
+    // The levels that single points choose; the map takes the finest.
+    let masses = [0.05, 0.125, 0.2].map(|inertia| {
+        let accuracy = open.clone().set("rocker.inertia", inertia);
+        let accuracy = accuracy.set("run.accuracy", figure_within("rocker.delta_abs"));
+        let mechanism = accuracy.prepare().expect("a mechanism");
+        mechanism.certificate.expect("a certificate").models["rocker"].coordinates
+    });
+    let finest = masses.iter().max().copied().expect("three");
+    let fixed = asked(&open.clone().set("rocker.masses", finest));
+    for column in 0..3 {
+        assert_eq!(
+            found[(0, column)].value,
+            fixed[(0, column)].value,
+            "{masses:?}"
+        );
+    }
+}
+
+fn figure_within(figure: &str) -> dam::read::Node {
+    let mut node = dam::read::Node::object();
+    node.put(figure, "1 %");
+    node
+}
+
+#[test]
+fn a_scene_that_cannot_be_judged_says_so() {
+    let scene = Scene::from_json(TWO_MASSES).expect("a scene");
+    let scene = scene
+        .set("rocker.masses", "auto")
+        .set("run.max_switches", 3);
+    let mechanism = scene.prepare().expect("a mechanism");
+    let certificate = mechanism.certificate.expect("a certificate");
+    assert!(!certificate.accuracy.is_empty());
+    for (figure, found) in &certificate.accuracy {
+        assert_eq!(found.kind, Certainty::NotDetermined, "{figure}");
+        assert!(found.why.is_some() && found.error.is_none());
+    }
+}

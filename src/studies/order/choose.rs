@@ -1,12 +1,13 @@
 //! The least model that gives the figures asked for within their accuracy.
 
-use super::asked::{Asked, asked};
-use super::certificate::Certificate;
+use super::asked::{Asked, asked, no_limit};
+use super::certificate::{Certainty, Certificate};
 use super::judge::{Judge, value};
 use super::row::{Course, Families, Family, Row, coarsened};
 use super::trial::{Trials, with};
 use crate::dynamics::builder::spec::Level;
 use crate::fault::Fault;
+use crate::frontend::lower::lower;
 use crate::frontend::scene::{Levels, TypedScene};
 use crate::studies::{Control, RunSettings};
 
@@ -58,14 +59,31 @@ pub fn choose(
     };
     let found = least(&mut trials, &families, &row, &judge)?;
     let levels = trials.made[found].levels.clone();
-    let certificate = judge.certificate(&trials, &families, found);
+    let mut certificate = judge.certificate(&trials, &families, found);
     let open: Vec<String> = trials.elastic.open().cloned().collect();
     trials.elastic.clone().set(trials.scene, &levels);
+    tell_no_limit(&trials, found, &mut certificate)?;
     let levels = levels.into_iter().filter(|(id, _)| open.contains(id));
     Ok(Chosen {
         levels: levels.collect(),
         certificate,
     })
+}
+
+/// Says of the model that was chosen why figures have no limit.
+fn tell_no_limit(
+    trials: &Trials<'_>,
+    chosen: usize,
+    certificate: &mut Certificate,
+) -> Result<(), Vec<Fault>> {
+    let model = lower(trials.scene)?;
+    let figures = &trials.made[chosen].figures;
+    for (figure, found) in &mut certificate.accuracy {
+        if found.kind == Certainty::NoLimit {
+            found.why = no_limit(trials.scene, &model, figure, figures).or(found.why.take());
+        }
+    }
+    Ok(())
 }
 
 /// The levels that each elastic object goes through.
