@@ -132,7 +132,9 @@ fn figures_of_comparisons_carry_their_units() {
     };
     let table = called(&with(&["-q"]));
     let line = |figure: &str| {
-        let found = table.lines().find(|line| line.starts_with(figure));
+        // (Above the table stand sentences.)
+        let mut rows = table.lines().skip_while(|line| !line.starts_with("figure"));
+        let found = rows.find(|line| line.starts_with(figure));
         found
             .unwrap_or_else(|| panic!("{figure}: {table}"))
             .to_owned()

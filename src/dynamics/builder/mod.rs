@@ -18,6 +18,7 @@ mod continuum;
 mod drive;
 mod driven_end;
 mod level;
+mod level_of_body;
 mod linkage;
 mod load;
 mod modes;

@@ -4,13 +4,12 @@
 //! model. Angles in radians; for sliding objects read m for rad, kg for kg·m²,
 //! N for N·m.
 
-pub use super::level::{Level, Uniform};
+pub use super::level::{InertiaSplit, Level, Lumping, Uniform};
 use crate::dynamics::load::CustomLoad;
 use crate::dynamics::model::{Closure, ContactLaw, Coordinate, DampingLaw};
 use crate::kinematics::linkage::spec::LinkageSpec;
 pub use crate::kinematics::motion::DriveMotionSpec;
 use crate::kinematics::position::PositionSpec;
-use serde::Serialize;
 
 /// A drive: the source of motion.
 #[derive(Clone, Debug, PartialEq)]
@@ -169,29 +168,6 @@ impl BodySpec {
             Self::Lists { inertias, .. } => inertias.len(),
         }
     }
-}
-
-/// Split of a chain's total inertia over its masses.
-#[derive(Clone, Debug, PartialEq)]
-pub enum InertiaSplit {
-    /// `"cubes"`: J_m = J·(m³ − (m−1)³)/n³, a uniform lever.
-    Cubes,
-    /// `"equal"`: J/n.
-    Equal,
-    /// Shares, summing to 1.
-    Shares(Vec<f64>),
-}
-
-/// Place of the inertia of each of the n cells of a chain.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Lumping {
-    /// `"ends"`: all of it at the end of the cell that is away from the driver.
-    #[default]
-    Ends,
-    /// `"balanced"`: at both ends of the cell, so that its first moment of compliance
-    /// is kept. What lies at the driven end moves with the law.
-    Balanced,
 }
 
 /// The kinematic pair of link 1 (or of a rigid object).

@@ -16,7 +16,14 @@ pub(super) enum Masses {
 }
 
 /// Reads `masses`.
-pub(super) fn masses(slot: Slot<'_>, most: u64) -> Option<Masses> {
+pub(super) fn masses(mut slot: Slot<'_>, most: u64) -> Option<Masses> {
+    let text = slot.node().and_then(|node| node.text());
+    if let Some(text) = text.filter(|text| *text != "auto") {
+        let message = format!("`masses` must be a whole number or \"auto\", found {text:?}");
+        slot.refuse("wrong-type", message).label =
+            "expected a whole number, or \"auto\"".to_owned();
+        return None;
+    }
     slot.text_or(
         |slot| slot.choice(&[("auto", Masses::Auto)]),
         |slot| {

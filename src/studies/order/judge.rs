@@ -55,11 +55,17 @@ impl Judge<'_> {
 
     /// True when a trial is accurate enough, and the pairs of reduced objects stay closed.
     pub(super) fn accepts(&self, trials: &Trials<'_>, made: usize) -> bool {
+        self.counts(trials, made) && self.ruled_out(&trials.made[made]).is_none()
+    }
+
+    /// True when a trial says anything: it is trusted, and no pair that it takes to stay
+    /// closed would open.
+    fn counts(&self, trials: &Trials<'_>, made: usize) -> bool {
         let trial = &trials.made[made];
         let closed = |(id, level): (&String, &Level)| {
             matches!(level, Level::Masses { .. }) || !trials.would_open(made, id)
         };
-        trial.doubt.is_none() && trial.levels.iter().all(closed) && self.ruled_out(trial).is_none()
+        trial.doubt.is_none() && trial.levels.iter().all(closed)
     }
 }
 
@@ -80,7 +86,7 @@ impl Judge<'_> {
             (id.clone(), model)
         });
         let mut tried: Vec<Tried> = (trials.made.iter().enumerate())
-            .filter(|(made, trial)| trial.doubt.is_none() || *made == found)
+            .filter(|(made, _)| self.counts(trials, *made) || *made == found)
             .map(|(made, trial)| self.tried(trial, made == found))
             .collect();
         tried.sort_by_key(|one| one.coordinates);

@@ -108,7 +108,7 @@ impl Row {
     pub(super) fn course(&self, trials: &Trials<'_>, asked: &Asked) -> Course {
         let figure = asked.figure.as_str();
         let runs = || self.runs.iter().map(|&run| &trials.made[run]);
-        let Some(last) = runs().last() else {
+        let Some(last) = runs().next_back() else {
             return Course::Open(f64::NAN);
         };
         let why =
