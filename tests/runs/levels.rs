@@ -279,11 +279,15 @@ fn what_has_no_such_level_is_refused_by_name() {
         }
     };
     let body = r#""inertia": 1, "stiffness": 1"#;
-    for level in [r#""lumping": "balanced""#, r#""modes": 2"#] {
-        for closure in ["force", "form"] {
-            let object = format!(r#"{body}, {level}, "pair": {{ "closure": "{closure}" }}"#);
-            refused(&object, &["cannot open", "bilateral"]);
-        }
+    for (level, closure, words) in [
+        (r#""lumping": "balanced""#, "force", "cannot open"),
+        (r#""lumping": "balanced""#, "form", "cannot open"),
+        // Behind a closing force they hold as long as the pair stays closed.
+        (r#""modes": 2"#, "form", "stays closed"),
+        (r#""flexibility": "static""#, "form", "stays closed"),
+    ] {
+        let object = format!(r#"{body}, {level}, "pair": {{ "closure": "{closure}" }}"#);
+        refused(&object, &[words, "bilateral"]);
     }
     let lists = r#""inertias": [1, 2], "stiffnesses": [3, 4]"#;
     refused(

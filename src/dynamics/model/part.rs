@@ -50,7 +50,7 @@ pub struct ObjectPart {
 pub struct PartInput {
     /// Name of the port; empty of an output, which its own object drives.
     pub port: String,
-    /// The driving object or output, index into [`Model::objects`].
+    /// The driving object or output, index into [`objects`](super::Model::objects).
     pub driver: usize,
 }
 
@@ -71,7 +71,7 @@ impl ObjectPart {
         self.inputs.is_empty()
     }
 
-    /// Driver of an object with one input, index into [`Model::objects`]; `None` for a
+    /// Driver of an object with one input, index into [`objects`](super::Model::objects); `None` for a
     /// drive, and where there are several.
     pub fn driver(&self) -> Option<usize> {
         match self.inputs[..] {

@@ -35,10 +35,10 @@ impl Stop {
 /// its displacement is that of the object's last mass, its contact force that of the stop.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct StopPart {
-    /// The object that it stops, index into [`Model::objects`].
+    /// The object that it stops, index into [`objects`](super::Model::objects).
     pub object: usize,
-    /// The stop itself, index into [`Model::objects`].
+    /// The stop itself, index into [`objects`](super::Model::objects).
     pub part: usize,
-    /// Its load, a [`LoadLaw::Stop`], index into [`Model::loads`].
+    /// Its load, a [`Stop`](super::LoadLaw::Stop), index into [`loads`](super::Model::loads).
     pub load: usize,
 }

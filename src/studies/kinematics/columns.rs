@@ -285,7 +285,7 @@ const SLIDE: [Quantity; 12] = [
     Quantity::CoriolisAcceleration,
 ];
 
-/// The columns of a linkage, in the order in which [`values`] fills them:
+/// The columns of a linkage, in the order in which `values` fills them:
 /// input, links, their named points, sliding pairs, outputs.
 pub(super) fn headings(asked: &Asked<'_>) -> Vec<Heading> {
     let spec = asked.linkage.spec();

@@ -5,7 +5,7 @@
 //! continuum; chains of masses and vibration modes are models of it (explicit lists are
 //! their own truth). The scene is run with models of doubled coordinates until the figures
 //! that are asked for settle ([`settling`]); of the models run, and of some in which single
-//! objects are less ([`choose`]), the least that is within the accuracy is taken. What was
+//! objects are less ([`choose()`]), the least that is within the accuracy is taken. What was
 //! found stands in the [`Certificate`].
 
 mod asked;
