@@ -96,6 +96,9 @@ fn limits_of(
     let finest = (0..counts.len()).max_by_key(|&at| counts[at]);
     let setting = finest.and_then(|at| over.settings().nth(at));
     let mut reading = input.decode(&setting.into_iter().collect::<Vec<_>>())?;
+    if reading.scene.elastic().objects.is_empty() {
+        return Ok(None);
+    }
     let diagnose = |faults: Vec<Fault>| reading.places.diagnose(&faults);
     let settings = RunSettings::of(&reading.scene).map_err(|fault| diagnose(vec![fault]))?;
     let figures = comparison.table.rows.iter().map(|row| row.figure.clone());

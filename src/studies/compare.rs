@@ -141,7 +141,10 @@ impl Comparison {
         };
         let within = |found: &Option<f64>| {
             let off = (found.unwrap_or(f64::NAN) - value).abs() + error;
-            off / value.abs()
+            match off == 0.0 {
+                true => 0.0,
+                false => off / value.abs(),
+            }
         };
         let shares: Vec<f64> = row.values.iter().map(within).collect();
         // From a value on: all after it are near enough too.
@@ -162,12 +165,12 @@ impl Comparison {
                 shown(100.0 * share, 2)
             ),
             None => match shares.last() {
-                Some(share) => format!(
+                Some(share) if share.is_finite() => format!(
                     "{limit}; at {} it is {} % off",
                     name(shares.len() - 1),
                     shown(100.0 * share, 2)
                 ),
-                None => limit,
+                _ => limit,
             },
         }
     }
