@@ -15,7 +15,7 @@ use super::measures::Ends;
 use super::measures::Measures;
 use super::pair;
 use super::position;
-use super::spec::{ChainSpec, InertiaSplit, LoadLawSpec, LoadSpec, PairSpec};
+use super::spec::{BodySpec, ChainSpec, InertiaSplit, LoadLawSpec, LoadSpec, PairSpec};
 use super::stop;
 use super::{Context, INPUT, Inputs, Kind, ModelBuilder, Object, Place, Ports};
 use crate::dynamics::model::{Closure, Coordinate, DampingLaw};
@@ -158,8 +158,8 @@ pub fn read_behind(
     let own = Measures(rules.coordinate);
     let driver = Measures(driver);
     let body = body::read(fields, own, rules.beam, rules.split.clone());
-    let masses = body.as_ref().map(|body| body.masses());
-    let pair = read_pair(fields, own, rules, masses);
+    let masses = body.as_ref().map(BodySpec::masses);
+    let pair = read_pair(fields, own, rules, body.as_ref());
     let loads = load::read_all(
         fields,
         On::Chain {
@@ -238,7 +238,7 @@ fn read_pair(
     fields: &mut Fields<'_>,
     own: Measures,
     rules: &Rules,
-    masses: Option<usize>,
+    body: Option<&BodySpec>,
 ) -> Option<PairSpec> {
     let backlash = match rules.geared {
         true => fields.maybe("backlash", "Backlash: gap of a form-closed pair", |slot| {
@@ -266,12 +266,18 @@ fn read_pair(
             contact: None,
         };
     }
-    if masses == Some(0) && pair.closure == Closure::Form && pair.contact.is_none() {
-        let fault = fields.refuse(
-            gap_name,
-            "contradiction",
-            "a rigid object cannot have a pair with a gap",
-        );
+    let massless = body.filter(|body| body.masses() == 0);
+    if let Some(body) = massless
+        && pair.closure == Closure::Form
+        && pair.contact.is_none()
+    {
+        let message = match body {
+            BodySpec::Modes { .. } => {
+                "an object without vibrations needs a pair that stays closed, this one has a gap"
+            }
+            _ => "a rigid object cannot have a pair with a gap",
+        };
+        let fault = fields.refuse(gap_name, "contradiction", message);
         fault.hints.push(
             "give the object at least one mass, or its pair a `contact`, or closure `bilateral` or `force`".to_owned(),
         );
