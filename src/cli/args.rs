@@ -5,6 +5,7 @@ mod course;
 mod forces;
 mod kinematics;
 mod methods;
+mod reduce;
 pub(crate) mod scene;
 
 pub(crate) use cam::{CamArgs, CamForm};
@@ -12,6 +13,7 @@ pub(crate) use course::CourseArgs;
 pub(crate) use forces::{ConventionName, Direction, ForcesArgs};
 pub(crate) use kinematics::KinematicsArgs;
 pub(crate) use methods::MethodsArgs;
+pub(crate) use reduce::ReduceArgs;
 
 use super::law::args::LawCommand;
 use super::steady::args::SteadyArgs;
@@ -51,6 +53,8 @@ pub(crate) enum Command {
     Show(ShowArgs),
     /// Run a scene for several values of a parameter and compare the figures
     Compare(CompareArgs),
+    /// Find the smallest scene that gives figures within their accuracy, and say what was left out
+    Reduce(ReduceArgs),
     /// Laws of motion: list, show, synthesize, cycle, compare
     #[command(subcommand)]
     Law(LawCommand),
@@ -80,6 +84,7 @@ impl Command {
             | Self::Check(CheckArgs { scene })
             | Self::Show(ShowArgs { scene, .. })
             | Self::Compare(CompareArgs { scene, .. })
+            | Self::Reduce(ReduceArgs { scene, .. })
             | Self::Cam(CamArgs { scene, .. })
             | Self::Map(MapArgs { scene, .. })
             | Self::Methods(MethodsArgs { scene, .. })

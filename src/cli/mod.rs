@@ -1,6 +1,7 @@
 //! The command-line program: arguments, files, terminal. Everything else is in
 //! the library.
 
+mod accuracy;
 mod args;
 mod cam;
 mod check;
@@ -20,6 +21,7 @@ mod methods;
 mod new;
 mod output;
 mod progress;
+mod reduce;
 mod run;
 mod show;
 mod status;
@@ -62,6 +64,7 @@ fn run(command: &Command) -> Result<Status, Failure> {
         Command::Manual(args) => manual::page(args),
         Command::Show(args) => show::command(args),
         Command::Compare(args) => compare::command(args),
+        Command::Reduce(args) => reduce::command(args),
         Command::Law(args) => law::command(args),
         Command::Cam(args) => cam::command(args),
         Command::Map(args) => map::command(args),

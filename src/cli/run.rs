@@ -58,7 +58,7 @@ impl Document<'_> {
 /// Runs the command.
 pub(crate) fn command(args: &RunArgs) -> Result<Status, Failure> {
     let input = Input::load(&args.scene)?;
-    let accuracy = accuracy_setting(&args.accuracy)?;
+    let accuracy = super::accuracy::setting(&args.accuracy, &[])?;
     let ready = input.prepare_judging(&accuracy, Judging::Asked)?;
     let folder = OutputFolder::asked(&args.out, &ready.scene().name, &FILES)?;
     let quiet = args.scene.quiet;
@@ -126,32 +126,6 @@ pub(crate) fn command(args: &RunArgs) -> Result<Status, Failure> {
         }
     }
     Ok(status(&result, &verdicts))
-}
-
-/// The setting of `run.accuracy` that `--accuracy` stands for: a share of all figures, or
-/// FIGURE=ACCURACY of each.
-fn accuracy_setting(given: &[String]) -> Result<Vec<String>, Failure> {
-    if let [share] = given
-        && !share.contains('=')
-    {
-        return Ok(vec![format!("run.accuracy={share}")]);
-    }
-    let mut figures = serde_json::Map::new();
-    for one in given {
-        let Some((figure, accuracy)) = one.split_once('=') else {
-            return Err(Failure::Other(format!(
-                "--accuracy {one}: a share of all figures stands alone; of several write \
-                 FIGURE=ACCURACY, for example rocker.delta_abs=\"1 %\""
-            )));
-        };
-        let number = accuracy.trim().parse::<f64>().ok().map(Value::from);
-        let accuracy = number.unwrap_or_else(|| Value::from(accuracy.trim()));
-        figures.insert(figure.trim().to_owned(), accuracy);
-    }
-    Ok(match figures.is_empty() {
-        true => Vec::new(),
-        false => vec![format!("run.accuracy={}", Value::from(figures))],
-    })
 }
 
 /// Warns of figures that the scene expects and that have no limit with the number of masses.

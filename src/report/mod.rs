@@ -37,6 +37,7 @@ pub mod methods;
 mod order;
 pub mod plot;
 pub mod quantity;
+pub mod reduce;
 pub mod show;
 pub mod steady;
 pub mod svg;

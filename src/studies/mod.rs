@@ -20,6 +20,7 @@ mod method;
 pub mod methods;
 pub mod order;
 pub mod plausible;
+pub mod reduce;
 pub mod run;
 mod settings;
 pub mod spread;

@@ -1,6 +1,7 @@
 //! Levels: how much of a uniform elastic object is modelled.
 
 use serde::Serialize;
+use std::fmt;
 
 /// A uniform elastic object, of which the model says how much is kept.
 #[derive(Clone, Debug, PartialEq)]
@@ -58,6 +59,26 @@ impl Level {
                 count: count * times,
                 lumping,
             }),
+        }
+    }
+}
+
+impl fmt::Display for Level {
+    /// `2 modes`, `8 masses, balanced`, `static flexibility`.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::Rigid => f.write_str("rigid"),
+            Self::Static => f.write_str("static flexibility"),
+            Self::Modes { count: 1 } => f.write_str("1 mode"),
+            Self::Modes { count } => write!(f, "{count} modes"),
+            Self::Masses { count, lumping } => {
+                let masses = if count == 1 { "mass" } else { "masses" };
+                write!(f, "{count} {masses}")?;
+                match lumping {
+                    Lumping::Ends => Ok(()),
+                    Lumping::Balanced => f.write_str(", balanced"),
+                }
+            }
         }
     }
 }

@@ -88,6 +88,23 @@ impl Document {
         self.rewritten = Some(OnceLock::new());
     }
 
+    /// The document as it was decoded: catalogue objects copied in, properties overridden.
+    #[must_use]
+    pub fn decoded(&self, places: &Places) -> Self {
+        Self {
+            sources: places.sources.clone(),
+            root: places.root.clone(),
+            registry: self.registry.clone(),
+            levels: self.levels.clone(),
+            rewritten: Some(OnceLock::new()),
+        }
+    }
+
+    /// The tree.
+    pub fn root(&self) -> &Node {
+        &self.root
+    }
+
     /// The document with the kinds of objects of a registry.
     #[must_use]
     pub fn with_kinds(self, registry: Registry) -> Self {

@@ -4,6 +4,7 @@ mod accuracy;
 mod address;
 mod catalogue;
 mod document;
+pub mod edit;
 mod expect;
 mod folder;
 mod levels;

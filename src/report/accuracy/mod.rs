@@ -3,33 +3,12 @@
 mod page;
 mod text;
 
-pub(in crate::report) use page::section;
+pub(in crate::report) use page::{section, tables};
 pub use text::text;
 
-use crate::dynamics::builder::spec::{Level, Lumping};
 use crate::report::quantity::significant;
 use crate::studies::order::{Certainty, Certificate, FigureAccuracy};
 use serde_json::{Value, json};
-
-/// The level in words: `2 modes`, `8 masses, balanced`, `static flexibility`.
-pub fn in_words(level: Level) -> String {
-    let many = |count: usize, one: &str, more: &str| match count {
-        1 => format!("1 {one}"),
-        _ => format!("{count} {more}"),
-    };
-    match level {
-        Level::Rigid => "rigid".to_owned(),
-        Level::Static => "static flexibility".to_owned(),
-        Level::Modes { count } => many(count, "mode", "modes"),
-        Level::Masses { count, lumping } => {
-            let masses = many(count, "mass", "masses");
-            match lumping {
-                Lumping::Ends => masses,
-                Lumping::Balanced => masses + ", balanced",
-            }
-        }
-    }
-}
 
 /// How far a figure may be off, and how sure that is.
 fn worth(figure: &FigureAccuracy) -> String {

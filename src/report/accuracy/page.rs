@@ -1,6 +1,6 @@
 //! What the figures of a run are worth, on its page.
 
-use super::{in_words, worth};
+use super::worth;
 use crate::report::plot::{Axis, Mark, Plot, Plots, Rule, Series, Shape};
 use crate::report::quantity::{escape, significant, with_unit};
 use crate::studies::order::{Certificate, FigureAccuracy, Tried};
@@ -8,14 +8,22 @@ use std::fmt::Write as _;
 
 /// The section: a table of figures, one of objects, and the error of every model tried.
 pub(in crate::report) fn section(certificate: &Certificate, plots: &mut Plots) -> String {
+    let mut out = tables(certificate);
+    if let Some(chart) = chart(certificate) {
+        out.push_str(&plots.figure(&chart, [900.0, 420.0], ""));
+    }
+    out
+}
+
+/// A table of figures and one of objects.
+pub(in crate::report) fn tables(certificate: &Certificate) -> String {
     let mut out = String::from(
         "<h2>Accuracy</h2>\n<p>How far each figure may be from that of the continuum that the \
          objects' data describe: the error of the model included.</p>\n",
     );
     out.push_str(&figures(certificate));
-    out.push_str(&objects(certificate));
-    if let Some(chart) = chart(certificate) {
-        out.push_str(&plots.figure(&chart, [900.0, 420.0], ""));
+    if !certificate.models.is_empty() {
+        out.push_str(&objects(certificate));
     }
     out
 }
@@ -57,13 +65,13 @@ fn objects(certificate: &Certificate) -> String {
                 .get(&less.figure)
                 .map_or("", |one| &one.unit);
             let off = with_unit(less.error, unit, 2);
-            format!("{}: {} is {off} off", in_words(less.level), less.figure)
+            format!("{}: {} is {off} off", less.level, less.figure)
         });
         let _ = writeln!(
             rows,
             "<tr><th>{}</th><td>{}</td><td>{}</td><td>{}</td></tr>",
             escape(id),
-            escape(&in_words(model.level)),
+            escape(&model.level.to_string()),
             escape(&model.why),
             escape(&less),
         );
@@ -131,9 +139,7 @@ fn chart(certificate: &Certificate) -> Option<Plot> {
 /// Filled for the model chosen, open for the others.
 fn mark(tried: &Tried, figure: &FigureAccuracy, value: f64) -> Mark {
     let levels = tried.levels.iter();
-    let levels: Vec<String> = levels
-        .map(|(id, level)| format!("{id}: {}", in_words(*level)))
-        .collect();
+    let levels: Vec<String> = levels.map(|(id, level)| format!("{id}: {level}")).collect();
     let chosen = if tried.chosen { ", chosen" } else { "" };
     Mark {
         shape: if tried.chosen {

@@ -1,6 +1,6 @@
 //! What the figures of a run are worth, on the terminal: a line each.
 
-use super::{in_words, worth};
+use super::worth;
 use crate::studies::order::{Certificate, ObjectModel};
 use crate::units::shown;
 use std::fmt::Write as _;
@@ -25,6 +25,9 @@ pub fn text(certificate: &Certificate) -> String {
             let _ = writeln!(text, "  {:<width$}  {why}", "");
         }
     }
+    if certificate.models.is_empty() {
+        return text;
+    }
     text.push_str("\nmodels\n");
     let width = certificate
         .models
@@ -39,7 +42,7 @@ pub fn text(certificate: &Certificate) -> String {
 }
 
 fn object(model: &ObjectModel, certificate: &Certificate) -> String {
-    let level = in_words(model.level);
+    let level = model.level;
     match &model.next_cheaper {
         Some(less) => {
             let unit = certificate
@@ -48,7 +51,7 @@ fn object(model: &ObjectModel, certificate: &Certificate) -> String {
                 .map_or("", |one| &one.unit);
             format!(
                 "{level}: with {} {} is {} off",
-                in_words(less.level),
+                less.level,
                 less.figure,
                 format!("{} {unit}", shown(less.error, 2)).trim_end()
             )

@@ -20,7 +20,11 @@ pub struct Asked {
 
 /// The figures that a scene asks for: those of `run.accuracy`; else those that it expects;
 /// else the greatest |δ| and the contact force of its elastic objects.
-pub(super) fn asked(scene: &TypedScene, elastic: &Elastic, first: &Figures) -> Vec<Asked> {
+pub(in crate::studies) fn asked(
+    scene: &TypedScene,
+    elastic: &Elastic,
+    first: &Figures,
+) -> Vec<Asked> {
     let accuracy = match &scene.run.accuracy {
         Some(AccuracySpec::Figures(figures)) => {
             let one = |(figure, accuracy): &(String, Accuracy)| Asked {
@@ -37,7 +41,10 @@ pub(super) fn asked(scene: &TypedScene, elastic: &Elastic, first: &Figures) -> V
         Expected::Figure { figure, .. } => Some(figure.clone()),
         Expected::Stops { .. } => None,
     });
-    let mut figures: Vec<String> = expected.filter(|figure| depends(figure)).collect();
+    // A share of nothing is nothing.
+    let says = |figure: &String| is_count(figure) || first.value(figure).ok() != Some(0.0);
+    let expected = expected.filter(|figure| depends(figure) && says(figure));
+    let mut figures: Vec<String> = expected.collect();
     if figures.is_empty() {
         let open: Vec<&String> = elastic.open().collect();
         let ids = elastic.objects.keys();
@@ -61,7 +68,7 @@ fn depends(figure: &str) -> bool {
 }
 
 /// True for figures that count or answer: they are exact, or not.
-pub(super) fn is_count(figure: &str) -> bool {
+pub(in crate::studies) fn is_count(figure: &str) -> bool {
     const COUNTS: [&str; 5] = [
         ".pair.separations",
         ".pair.closures",
@@ -73,7 +80,7 @@ pub(super) fn is_count(figure: &str) -> bool {
 }
 
 /// Why a figure has no limit with the number of masses; `None`: it has one.
-pub(super) fn no_limit(
+pub(in crate::studies) fn no_limit(
     scene: &TypedScene,
     model: &Model,
     figure: &str,

@@ -9,19 +9,19 @@ use super::trial::{Trial, Trials, coordinates};
 use crate::dynamics::builder::spec::Level;
 use crate::math::order::Total;
 
-pub(super) fn value(trial: &Trial, asked: &Asked) -> f64 {
+pub(in crate::studies) fn value(trial: &Trial, asked: &Asked) -> f64 {
     trial.figures.value(&asked.figure).unwrap_or(f64::NAN)
 }
 
 /// The figures asked for, with what they do along the row.
-pub(super) struct Judge<'j> {
-    pub(super) asked: &'j [Asked],
-    pub(super) courses: &'j [Course],
+pub(in crate::studies) struct Judge<'j> {
+    pub(in crate::studies) asked: &'j [Asked],
+    pub(in crate::studies) courses: &'j [Course],
 }
 
 impl Judge<'_> {
     /// Error of a figure by a trial; `None`: it has none.
-    fn error(trial: &Trial, asked: &Asked, course: &Course) -> Option<f64> {
+    pub(in crate::studies) fn error(trial: &Trial, asked: &Asked, course: &Course) -> Option<f64> {
         let value = value(trial, asked);
         match course {
             Course::Limit(found) => Some((value - found.limit).abs() + found.error),
@@ -30,15 +30,28 @@ impl Judge<'_> {
         }
     }
 
+    /// Greatest error that is asked for of a figure; `None`: nothing is known of where it
+    /// leads.
+    pub(in crate::studies) fn bound(asked: &Asked, course: &Course) -> Option<f64> {
+        match course {
+            Course::Limit(found) => Some(asked.accuracy.bound(found.limit)),
+            Course::Counts(_) => Some(0.0),
+            Course::NoLimit(_) | Course::Open(_) => None,
+        }
+    }
+
+    /// True when there is a figure to judge a model by.
+    pub(in crate::studies) fn decides(&self) -> bool {
+        let mut all = self.asked.iter().zip(self.courses);
+        all.any(|(asked, course)| Self::bound(asked, course).is_some())
+    }
+
     /// The figure that rules a trial out, with its error; `None`: all are within their
     /// accuracy.
     fn ruled_out(&self, trial: &Trial) -> Option<(&Asked, f64)> {
         let excess = |(asked, course): (&'_ Asked, &Course)| {
             let error = Self::error(trial, asked, course)?;
-            let bound = match course {
-                Course::Limit(found) => asked.accuracy.bound(found.limit),
-                _ => 0.0,
-            };
+            let bound = Self::bound(asked, course)?;
             // Written so that a number that is none is ruled out.
             let beyond = if error <= bound {
                 None
@@ -54,24 +67,59 @@ impl Judge<'_> {
     }
 
     /// True when a trial is accurate enough, and the pairs of reduced objects stay closed.
-    pub(super) fn accepts(&self, trials: &Trials<'_>, made: usize) -> bool {
-        self.counts(trials, made) && self.ruled_out(&trials.made[made]).is_none()
+    pub(in crate::studies) fn accepts(&self, trials: &Trials<'_>, made: usize) -> bool {
+        self.objection(trials, made).is_none()
     }
 
-    /// True when a trial says anything: it is trusted, and no pair that it takes to stay
-    /// closed would open.
-    fn counts(&self, trials: &Trials<'_>, made: usize) -> bool {
+    /// What stands against a trial; `None`: nothing.
+    pub(in crate::studies) fn objection(
+        &self,
+        trials: &Trials<'_>,
+        made: usize,
+    ) -> Option<Objection> {
         let trial = &trials.made[made];
-        let closed = |(id, level): (&String, &Level)| {
-            matches!(level, Level::Masses { .. }) || !trials.would_open(made, id)
+        let figure = || {
+            let (asked, error) = self.ruled_out(trial)?;
+            let figure = asked.figure.clone();
+            Some(Objection::Figure { figure, error })
         };
-        trial.doubt.is_none() && trial.levels.iter().all(closed)
+        self.meaningless(trials, made).or_else(figure)
     }
+
+    /// Why a trial says nothing: it is not trusted, or a pair that it takes to stay closed
+    /// would open.
+    fn meaningless(&self, trials: &Trials<'_>, made: usize) -> Option<Objection> {
+        let trial = &trials.made[made];
+        if let Some(doubt) = &trial.doubt {
+            return Some(Objection::Doubt(doubt.clone()));
+        }
+        let opens = |(id, level): &(&String, &Level)| {
+            !matches!(level, Level::Masses { .. }) && trials.would_open(made, id)
+        };
+        let opened = trial.levels.iter().find(opens);
+        opened.map(|(id, _)| Objection::Opens(id.clone()))
+    }
+}
+
+/// Why a model is not accurate enough.
+#[derive(Clone, Debug, PartialEq)]
+pub(in crate::studies) enum Objection {
+    /// Its run ended early, or is not trusted: for a reason.
+    Doubt(String),
+    /// The pair of this object is taken to stay closed, and would open.
+    Opens(String),
+    /// A figure is not accurate enough.
+    Figure {
+        /// Its address.
+        figure: String,
+        /// How far it may be off.
+        error: f64,
+    },
 }
 
 impl Judge<'_> {
     /// What is said of the trial that was chosen.
-    pub(super) fn certificate(
+    pub(in crate::studies) fn certificate(
         &self,
         trials: &Trials<'_>,
         families: &Families,
@@ -86,7 +134,7 @@ impl Judge<'_> {
             (id.clone(), model)
         });
         let mut tried: Vec<Tried> = (trials.made.iter().enumerate())
-            .filter(|(made, _)| self.counts(trials, *made) || *made == found)
+            .filter(|(made, _)| self.meaningless(trials, *made).is_none() || *made == found)
             .map(|(made, trial)| self.tried(trial, made == found))
             .collect();
         tried.sort_by_key(|one| one.coordinates);

@@ -8,14 +8,16 @@
 //! objects are less ([`choose()`]), the least that is within the accuracy is taken. What was
 //! found stands in the [`Certificate`].
 
-mod asked;
+pub(super) mod asked;
 mod certificate;
-mod choose;
-mod judge;
+pub(super) mod choose;
+pub(super) mod judge;
+pub(super) mod known;
+pub(super) mod lessen;
 mod limits;
-mod row;
+pub(super) mod row;
 pub mod settling;
-mod trial;
+pub(super) mod trial;
 
 pub use asked::Asked;
 pub use certificate::{

@@ -16,7 +16,7 @@ const MOST_RUNS: usize = 12;
 
 /// The levels that an object goes through.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Family {
+pub(in crate::studies) enum Family {
     /// Vibration modes: of an object whose level is open, its pair stays closed.
     Modes,
     /// Masses at the far ends of their cells: of an object whose level is open.
@@ -40,17 +40,17 @@ impl Family {
         }
     }
 
-    pub(super) fn is_open(self) -> bool {
+    pub(in crate::studies) fn is_open(self) -> bool {
         !matches!(self, Self::Given(_))
     }
 }
 
 /// The families of all elastic objects.
-pub(super) type Families = BTreeMap<String, Family>;
+pub(in crate::studies) type Families = BTreeMap<String, Family>;
 
 /// What a figure does along the row.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Course {
+pub(in crate::studies) enum Course {
     /// It has a limit.
     Limit(Settled),
     /// It counts, and the last runs count the same.
@@ -62,9 +62,9 @@ pub(super) enum Course {
 }
 
 /// Runs at levels that are refined together.
-pub(super) struct Row {
+pub(in crate::studies) struct Row {
     /// Numbers of the trials.
-    pub(super) runs: Vec<usize>,
+    pub(in crate::studies) runs: Vec<usize>,
 }
 
 impl Row {
@@ -73,7 +73,7 @@ impl Row {
     ///
     /// # Errors
     /// Faults of the first model; later ones end the row.
-    pub(super) fn walk(
+    pub(in crate::studies) fn walk(
         trials: &mut Trials<'_>,
         families: &mut Families,
         mut enough: impl FnMut(&mut Trials<'_>, &Row) -> bool,
@@ -105,7 +105,7 @@ impl Row {
     }
 
     /// What a figure does along the row.
-    pub(super) fn course(&self, trials: &Trials<'_>, asked: &Asked) -> Course {
+    pub(in crate::studies) fn course(&self, trials: &Trials<'_>, asked: &Asked) -> Course {
         let figure = asked.figure.as_str();
         let runs = || self.runs.iter().map(|&run| &trials.made[run]);
         let Some(last) = runs().next_back() else {
@@ -181,7 +181,7 @@ fn halvings(families: &Families) -> u32 {
 }
 
 /// A level with another number of coordinates.
-pub(super) fn coarsened(level: Level, count: usize) -> Level {
+pub(in crate::studies) fn coarsened(level: Level, count: usize) -> Level {
     match level {
         Level::Modes { .. } => Level::Modes { count },
         Level::Masses { lumping, .. } => Level::Masses { count, lumping },

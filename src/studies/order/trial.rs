@@ -9,31 +9,36 @@ use crate::frontend::lower::lower;
 use crate::frontend::scene::{Elastic, Levels, TypedScene};
 use crate::studies::run::run;
 use crate::studies::{Control, RunSettings};
+use std::time::Instant;
 
 /// A run at some levels.
 #[derive(Clone, Debug)]
-pub(super) struct Trial {
+pub(in crate::studies) struct Trial {
     /// The level of every elastic object.
-    pub(super) levels: Levels,
+    pub(in crate::studies) levels: Levels,
     /// What it found; with the warnings, but without samples.
-    pub(super) figures: Figures,
+    pub(in crate::studies) figures: Figures,
     /// Error that the integration leaves, relative to the scale of a figure.
-    pub(super) integration: f64,
+    pub(in crate::studies) integration: f64,
     /// Why it does not count: it ended early, or is not trusted.
-    pub(super) doubt: Option<String>,
+    pub(in crate::studies) doubt: Option<String>,
     /// How much it took: evaluations of all coordinates.
-    pub(super) cost: f64,
+    pub(in crate::studies) cost: f64,
+    /// Time that the run took (s), by the clock.
+    pub(in crate::studies) seconds: f64,
 }
 
 /// The scene, and all runs of it made so far.
-pub(super) struct Trials<'s> {
-    pub(super) scene: &'s mut TypedScene,
-    pub(super) elastic: Elastic,
+pub(in crate::studies) struct Trials<'s> {
+    pub(in crate::studies) scene: &'s mut TypedScene,
+    pub(in crate::studies) elastic: Elastic,
     settings: RunSettings,
     control: &'s Control<'s>,
-    pub(super) made: Vec<Trial>,
+    pub(in crate::studies) made: Vec<Trial>,
     /// The model of the last run.
     model: Option<Model>,
+    /// True when a run was ended from outside.
+    pub(in crate::studies) interrupted: bool,
 }
 
 /// Error of exact propagation, relative: rounding.
@@ -41,7 +46,7 @@ const OF_EXACT: f64 = 1e-11;
 
 impl<'s> Trials<'s> {
     /// No runs yet.
-    pub(super) fn new(
+    pub(in crate::studies) fn new(
         scene: &'s mut TypedScene,
         settings: &RunSettings,
         control: &'s Control<'s>,
@@ -61,20 +66,37 @@ impl<'s> Trials<'s> {
             control,
             made: Vec::new(),
             model: None,
+            interrupted: false,
         }
+    }
+
+    /// No runs yet, and the levels of all objects are to be chosen, given or not.
+    pub(in crate::studies) fn all_open(
+        scene: &'s mut TypedScene,
+        settings: &RunSettings,
+        control: &'s Control<'s>,
+    ) -> Self {
+        let mut trials = Self::new(scene, settings, control);
+        for object in trials.elastic.objects.values_mut() {
+            object.1 = None;
+        }
+        trials
     }
 
     /// The run at these levels; each is made once. Its number among all.
     ///
     /// # Errors
     /// The model at these levels cannot be built or started.
-    pub(super) fn at(&mut self, levels: &Levels) -> Result<usize, Vec<Fault>> {
+    pub(in crate::studies) fn at(&mut self, levels: &Levels) -> Result<usize, Vec<Fault>> {
         if let Some(known) = self.made.iter().position(|trial| trial.levels == *levels) {
             return Ok(known);
         }
         self.elastic.set(self.scene, levels);
         let system = System::new(lower(self.scene)?)?;
+        let begun = Instant::now();
         let result = run(&system, &self.settings, self.control, &mut [])?;
+        let seconds = begun.elapsed().as_secs_f64();
+        self.interrupted |= result.outcome.stop.is_from_outside();
         let exact = result.figures.run.method == "exact";
         let statistics = &result.outcome.statistics;
         let passes = (statistics.steps + statistics.evaluations) as f64;
@@ -93,6 +115,7 @@ impl<'s> Trials<'s> {
             },
             doubt,
             cost: passes * (1.0 + coordinates(levels) as f64),
+            seconds,
             figures: result.figures,
         });
         self.model = Some(system.model().clone());
@@ -100,12 +123,12 @@ impl<'s> Trials<'s> {
     }
 
     /// The model of the last run.
-    pub(super) fn model(&self) -> Option<&Model> {
+    pub(in crate::studies) fn model(&self) -> Option<&Model> {
         self.model.as_ref()
     }
 
     /// True when the pair of an object that is taken to stay closed would open.
-    pub(super) fn would_open(&self, trial: usize, id: &str) -> bool {
+    pub(in crate::studies) fn would_open(&self, trial: usize, id: &str) -> bool {
         let object = self.made[trial].figures.objects.get(id);
         let margin = object.and_then(|object| object.pair.as_ref()?.margin);
         margin.is_some_and(|margin| margin <= 0.0)
@@ -113,7 +136,7 @@ impl<'s> Trials<'s> {
 
     /// Whether an object may be reduced to what holds for a pair that stays closed: its
     /// modes, its static flexibility.
-    pub(super) fn may_be_reduced(&self, id: &str) -> bool {
+    pub(in crate::studies) fn may_be_reduced(&self, id: &str) -> bool {
         let entry = self.scene.objects.get(id);
         let chain = entry.and_then(|entry| entry.object.chain());
         chain.is_some_and(|chain| {
@@ -123,7 +146,7 @@ impl<'s> Trials<'s> {
     }
 
     /// Whether an object may be rigid.
-    pub(super) fn may_be_rigid(&self, id: &str) -> bool {
+    pub(in crate::studies) fn may_be_rigid(&self, id: &str) -> bool {
         let entry = self.scene.objects.get(id);
         let chain = entry.and_then(|entry| entry.object.chain());
         chain.is_some_and(|chain| {
@@ -133,12 +156,12 @@ impl<'s> Trials<'s> {
 }
 
 /// Coordinates of all objects, as their levels name them.
-pub(super) fn coordinates(levels: &Levels) -> usize {
+pub(in crate::studies) fn coordinates(levels: &Levels) -> usize {
     levels.values().map(|level| level.coordinates()).sum()
 }
 
 /// The levels with that of one object changed.
-pub(super) fn with(levels: &Levels, id: &str, level: Level) -> Levels {
+pub(in crate::studies) fn with(levels: &Levels, id: &str, level: Level) -> Levels {
     let mut changed = levels.clone();
     changed.insert(id.to_owned(), level);
     changed

@@ -1,0 +1,91 @@
+//! Error against cost over models.
+
+use crate::report::plot::{Axis, Look, Mark, Plot, Rule, Series, Shape};
+use crate::report::quantity::{significant, with_unit};
+use crate::studies::order::FigureAccuracy;
+use crate::studies::reduce::{ModelTried, Reduction, Role};
+
+/// Errors below this share of a figure are drawn at it.
+const LEAST: f64 = 1e-12;
+
+/// How far each figure may be off by every model that was run, over the time of its run;
+/// `None`: no figure has a limit that a share can be taken of.
+pub(super) fn chart(reduction: &Reduction) -> Option<Plot> {
+    let figures = reduction.certificate.accuracy.iter();
+    let series: Vec<Series> = figures
+        .filter_map(|(name, figure)| {
+            let limit = figure.limit.filter(|limit| *limit != 0.0)?;
+            let points = reduction.models.iter().filter_map(|model| {
+                let error = (*model.errors.get(name)?)?;
+                let share = (error / limit.abs()).max(LEAST);
+                let point = (1e3 * model.seconds, share);
+                Some((point, mark(model, figure, error)))
+            });
+            let mut points: Vec<_> = points.collect();
+            points.sort_by(|a, b| a.0.0.total_cmp(&b.0.0));
+            let (points, marks): (Vec<_>, Vec<_>) = points.into_iter().unzip();
+            Some(Series {
+                marks,
+                look: Look::Points,
+                ..Series::line(name, points)
+            })
+        })
+        .filter(|series| !series.points.is_empty())
+        .collect();
+    if series.is_empty() {
+        return None;
+    }
+    let allowed = reduction
+        .certificate
+        .accuracy
+        .values()
+        .filter_map(|figure| {
+            let share = figure.asked / figure.limit?.abs();
+            (share.is_finite() && share > 0.0).then_some(share)
+        });
+    let allowed = allowed.fold(f64::INFINITY, f64::min);
+    let rule = |at: f64| Rule {
+        at,
+        label: format!("asked for: {} %", significant(100.0 * at, 2)),
+        upright: false,
+    };
+    Some(Plot {
+        id: "models".to_owned(),
+        title: "Error of each figure against the time of a run, over models".to_owned(),
+        x: Axis {
+            log: true,
+            ..Axis::new("time of a run", "ms")
+        },
+        y: Axis {
+            log: true,
+            ..Axis::new("error of the figure", "")
+        },
+        series,
+        rules: allowed
+            .is_finite()
+            .then(|| rule(allowed))
+            .into_iter()
+            .collect(),
+        ..Plot::default()
+    })
+}
+
+/// Filled for the reduced scene, crossed for the scene as given, open for the others.
+fn mark(model: &ModelTried, figure: &FigureAccuracy, error: f64) -> Mark {
+    let levels = model.levels.iter();
+    let mut words: Vec<String> = levels.map(|(id, level)| format!("{id}: {level}")).collect();
+    words.extend(model.without.iter().cloned());
+    let (shape, role) = match model.role {
+        Role::Given => (Shape::Cross, "as given, "),
+        Role::Tried => (Shape::Open, ""),
+        Role::Reduced => (Shape::Good, "the reduced scene, "),
+    };
+    Mark {
+        shape,
+        note: format!(
+            "{role}{}: {} off",
+            words.join("; "),
+            with_unit(error, &figure.unit, 2)
+        ),
+    }
+}

@@ -1,0 +1,159 @@
+//! The smallest scene: what was left out of it and what stays, as text, JSON and page.
+
+mod chart;
+mod page;
+mod text;
+
+pub use page::{ReduceReport, page};
+pub use text::text;
+
+use crate::report::quantity::{significant, with_unit};
+use crate::studies::reduce::{Part, Reduction, Refusal, Role, Step};
+use serde_json::{Value, json};
+
+/// The answer in a sentence.
+fn answer(reduction: &Reduction) -> String {
+    let figures = reduction.certificate.accuracy.values();
+    let judged = figures.filter(|figure| figure.error.is_some()).count();
+    if judged == 0 {
+        return "No figure that is asked for has a limit: there is nothing to judge a simpler \
+                scene by."
+            .to_owned();
+    }
+    if !reduction.holds() {
+        return "Not even the finest model is as accurate as is asked for: nothing is left out."
+            .to_owned();
+    }
+    let left_out = reduction.removed().count();
+    let coordinates = |role| reduction.model(role).map(|model| model.coordinates);
+    let size = match (coordinates(Role::Given), coordinates(Role::Reduced)) {
+        (Some(given), Some(reduced)) if given != reduced => {
+            format!(
+                " Its elastic objects need {} in place of {given}.",
+                counted(reduced, "coordinate")
+            )
+        }
+        _ => String::new(),
+    };
+    match left_out {
+        0 => "Nothing can be left out of the scene within the accuracy asked for.".to_owned(),
+        _ => format!(
+            "{} can be left out or made simpler, and {} within {} accuracy.{size}",
+            counted(left_out, "thing"),
+            match judged {
+                1 => "the figure stays".to_owned(),
+                _ => format!("all {judged} figures stay"),
+            },
+            if judged == 1 { "its" } else { "their" },
+        ),
+    }
+}
+
+fn counted(count: usize, what: &str) -> String {
+    match count {
+        1 => format!("1 {what}"),
+        _ => format!("{count} {what}s"),
+    }
+}
+
+/// What a step changes most, in words.
+fn greatest(reduction: &Reduction, step: &Step) -> String {
+    let Some((figure, change)) = step.greatest() else {
+        return "no figure that is asked for is left to compare".to_owned();
+    };
+    if change.change == 0.0 {
+        return "changes nothing that is asked for".to_owned();
+    }
+    let by = with_unit(change.change.abs(), unit(reduction, figure), 2);
+    match change.share {
+        Some(share) => format!(
+            "changes {figure} by {by}, {} % of what is allowed",
+            significant(100.0 * share, 2)
+        ),
+        None => format!("changes {figure} by {by}"),
+    }
+}
+
+/// Why a step is not made, in words.
+fn why(reduction: &Reduction, refused: &Refusal) -> String {
+    match refused {
+        Refusal::Figure {
+            figure,
+            error: Some(error),
+        } => {
+            let off = with_unit(*error, unit(reduction, figure), 2);
+            format!("{figure} would be up to {off} off")
+        }
+        Refusal::Figure {
+            figure,
+            error: None,
+        } => format!("there would be no {figure}"),
+        Refusal::Opens(id) => format!("the pair of {id} would open"),
+        Refusal::Doubt(why) => format!("its run cannot be trusted: {why}"),
+        Refusal::Impossible(why) => format!("there is no such scene: {why}"),
+    }
+}
+
+fn unit<'r>(reduction: &'r Reduction, figure: &str) -> &'r str {
+    let found = reduction.certificate.accuracy.get(figure);
+    found.map_or("", |found| &found.unit)
+}
+
+/// The document: figures, models, steps, and the reduced scene itself.
+pub fn document(reduction: &Reduction) -> Value {
+    let scene = serde_json::from_str(reduction.document.text()).unwrap_or(Value::Null);
+    json!({
+        "dam": 1,
+        "scene": reduction.scene,
+        "complete": reduction.complete,
+        "holds": reduction.holds(),
+        "answer": answer(reduction),
+        "accuracy": reduction.certificate.accuracy,
+        "objects": reduction.certificate.models,
+        "steps": reduction.steps.iter().map(step).collect::<Vec<_>>(),
+        "models": reduction.models,
+        "reduced": scene,
+    })
+}
+
+fn step(step: &Step) -> Value {
+    let (part, name) = part(&step.removal.part);
+    let mut document = json!({
+        "object": step.removal.object,
+        "part": part,
+        "what": step.removal.part.to_string(),
+        "left_out": step.refused.is_none(),
+        "changes": step.changes,
+    });
+    if let Some(name) = name {
+        document["name"] = json!(name);
+    }
+    if let Part::Level { from, to } = step.removal.part {
+        document["from"] = json!(from);
+        document["to"] = json!(to);
+    }
+    if let Some(refused) = &step.refused {
+        document["refused"] = match refused {
+            Refusal::Figure { figure, error } => json!({ "figure": figure, "error": error }),
+            Refusal::Opens(id) => json!({ "opens": id }),
+            Refusal::Doubt(why) => json!({ "doubt": why }),
+            Refusal::Impossible(why) => json!({ "impossible": why }),
+        };
+    }
+    document
+}
+
+fn part(part: &Part) -> (&'static str, Option<&str>) {
+    match part {
+        Part::Level { .. } => ("level", None),
+        Part::Opening => ("opening", None),
+        Part::Contact => ("contact", None),
+        Part::Load(name) => ("load", Some(name)),
+        Part::Stop(name) => ("stop", Some(name)),
+        Part::JointFriction => ("joint_friction", None),
+        Part::Friction(name) => ("friction", Some(name)),
+        Part::Gravity => ("gravity", None),
+        Part::Masses => ("masses", None),
+        Part::Mass(name) => ("mass", Some(name)),
+    }
+}

@@ -1,0 +1,127 @@
+//! What is known of the figures that a scene asks for, by refining its models.
+
+use super::asked::{Asked, asked};
+use super::judge::{Judge, value};
+use super::row::{Course, Families, Family, Row};
+use super::trial::Trials;
+use crate::dynamics::builder::spec::Level;
+use crate::fault::Fault;
+use crate::frontend::scene::Levels;
+
+/// The figures asked for, with the row of runs that tells where they lead.
+pub(in crate::studies) struct Known {
+    pub(in crate::studies) row: Row,
+    pub(in crate::studies) asked: Vec<Asked>,
+    pub(in crate::studies) courses: Vec<Course>,
+}
+
+impl Known {
+    /// Refines until it is known as well as it is asked to be.
+    ///
+    /// # Errors
+    /// The model cannot be built or started.
+    pub(in crate::studies) fn of(
+        trials: &mut Trials<'_>,
+        families: &mut Families,
+    ) -> Result<Self, Vec<Fault>> {
+        let mut asked_for = Vec::new();
+        let row = Row::walk(trials, families, |trials, row| {
+            if asked_for.is_empty() {
+                let first = &trials.made[row.runs[0]].figures;
+                asked_for = asked(trials.scene, &trials.elastic, first);
+            }
+            enough(trials, row, &asked_for)
+        })?;
+        if row.runs.is_empty() {
+            // The first run ended early, or is in doubt: nothing can be told from it.
+            let base = trials.at(&base(families))?;
+            let found = &trials.made[base].figures;
+            asked_for = asked(trials.scene, &trials.elastic, found);
+        }
+        let courses = asked_for.iter().map(|one| row.course(trials, one));
+        Ok(Self {
+            courses: courses.collect(),
+            row,
+            asked: asked_for,
+        })
+    }
+
+    pub(in crate::studies) fn judge(&self) -> Judge<'_> {
+        Judge {
+            asked: &self.asked,
+            courses: &self.courses,
+        }
+    }
+}
+
+/// The first trial of a row that is accurate enough; the finest one if none is.
+///
+/// # Errors
+/// No model can be built or started.
+pub(in crate::studies) fn first_enough(
+    trials: &mut Trials<'_>,
+    families: &Families,
+    row: &Row,
+    judge: &Judge<'_>,
+) -> Result<usize, Vec<Fault>> {
+    let mut found = None;
+    for &run in &row.runs {
+        let levels = as_given(&trials.made[run].levels, families);
+        let Ok(made) = trials.at(&levels) else {
+            continue;
+        };
+        found = Some(made);
+        if judge.accepts(trials, made) {
+            break;
+        }
+    }
+    match found {
+        Some(found) => Ok(found),
+        None => trials.at(&base(families)),
+    }
+}
+
+/// True when every figure that has a limit is known as well as it is asked to be; where
+/// there is nothing to choose, when every one has settled.
+fn enough(trials: &Trials<'_>, row: &Row, asked: &[Asked]) -> bool {
+    let choice = trials.elastic.open().next().is_some();
+    let last = row.runs[row.runs.len() - 1];
+    asked.iter().all(|one| match row.course(trials, one) {
+        Course::NoLimit(_) | Course::Counts(_) => true,
+        Course::Open(_) => false,
+        Course::Limit(found) => {
+            let bound = one.accuracy.bound(found.limit);
+            let off = (value(&trials.made[last], one) - found.limit).abs();
+            !choice || off + found.error <= bound
+        }
+    })
+}
+
+/// The levels of a run with those that the scene gives as it gives them.
+fn as_given(levels: &Levels, families: &Families) -> Levels {
+    let level = |(id, level): (&String, &Level)| match families[id] {
+        Family::Given(given) => (id.clone(), given),
+        _ => (id.clone(), *level),
+    };
+    levels.iter().map(level).collect()
+}
+
+/// The levels where nothing can be judged.
+fn base(families: &Families) -> Levels {
+    let one = |(id, family): (&String, &Family)| (id.clone(), family.base());
+    families.iter().map(one).collect()
+}
+
+impl Family {
+    /// The level where nothing can be judged.
+    fn base(self) -> Level {
+        match self {
+            Self::Given(level) => level,
+            Self::Modes => Level::Modes { count: 1 },
+            Self::Ends => Level::Masses {
+                count: 1,
+                lumping: Default::default(),
+            },
+        }
+    }
+}
