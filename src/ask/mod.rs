@@ -9,6 +9,7 @@
 //! | [`run`](Scene::run) | how does it move | [`RunResult`] |
 //! | [`compare`](Scene::compare) | what does a parameter change | [`Comparison`](crate::studies::compare::Comparison) |
 //! | [`map`](Scene::map) | in which range does it work | [`Map`] |
+//! | [`reduce`](Scene::reduce) | how little of it is needed | [`Reduction`](crate::studies::reduce::Reduction) |
 //! | [`kinematics`](Scene::kinematics) | how does a linkage move | [`Kinematics`](crate::studies::kinematics::Kinematics) |
 //! | [`forces`](Scene::forces) | which forces do its pairs carry | [`ForceStudy`](crate::studies::forces::ForceStudy) |
 //! | [`steady`](Scene::steady) | how evenly does the machine turn | [`Answer`](crate::studies::steady::Answer) |
@@ -18,6 +19,7 @@
 mod linkages;
 mod map;
 mod mechanism;
+mod reduce;
 mod run;
 mod scene;
 

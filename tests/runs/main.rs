@@ -15,5 +15,6 @@ mod order;
 mod ports;
 mod random_scenes;
 mod read_scene;
+mod reduce;
 mod reference_rocker;
 mod short_steps;

@@ -28,15 +28,19 @@ fn answer(reduction: &Reduction) -> String {
     let coordinates = |role| reduction.model(role).map(|model| model.coordinates);
     let size = match (coordinates(Role::Given), coordinates(Role::Reduced)) {
         (Some(given), Some(reduced)) if given != reduced => {
+            let not = match reduction.given_holds() {
+                true => "",
+                false => " As given it is not that accurate.",
+            };
             format!(
-                " Its elastic objects need {} in place of {given}.",
+                "{not} Its elastic objects need {} in place of {given}.",
                 counted(reduced, "coordinate")
             )
         }
         _ => String::new(),
     };
     match left_out {
-        0 => "Nothing can be left out of the scene within the accuracy asked for.".to_owned(),
+        0 => format!("Nothing can be left out of the scene within the accuracy asked for.{size}"),
         _ => format!(
             "{} can be left out or made simpler, and {} within {} accuracy.{size}",
             counted(left_out, "thing"),

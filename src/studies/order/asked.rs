@@ -38,12 +38,13 @@ pub(in crate::studies) fn asked(
     };
     let expected = scene.expect.iter().filter(|one| of_run(one));
     let expected = expected.filter_map(|one| match &one.what {
-        Expected::Figure { figure, .. } => Some(figure.clone()),
+        Expected::Figure { figure, value, .. } => Some((figure, *value)),
         Expected::Stops { .. } => None,
     });
     // A share of nothing is nothing.
-    let says = |figure: &String| is_count(figure) || first.value(figure).ok() != Some(0.0);
-    let expected = expected.filter(|figure| depends(figure) && says(figure));
+    let says =
+        |(figure, value): &(&String, f64)| depends(figure) && (*value != 0.0 || is_count(figure));
+    let expected = expected.filter(says).map(|(figure, _)| figure.clone());
     let mut figures: Vec<String> = expected.collect();
     if figures.is_empty() {
         let open: Vec<&String> = elastic.open().collect();

@@ -1,9 +1,11 @@
 //! What the descriptions of a reduced scene say.
 
-use super::findings::{Reduction, Step};
+use super::findings::{Reduction, Role, Step};
+use super::removal::Part;
 use crate::frontend::read::{Node, Value};
 use crate::frontend::scene::edit::{property, put, take};
 use crate::units::shown;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Writes into the scene what was left out of it and why that is allowed. What it expects of
 /// a run was expected of the whole scene and goes.
@@ -12,17 +14,14 @@ pub(super) fn describe(root: &mut Node, reduction: &Reduction) {
     if let Value::Object(members) = &mut root.value {
         members.retain(|member| member.name != "expect");
     }
-    let mut ids: Vec<&String> = reduction
-        .removed()
-        .map(|step| &step.removal.object)
-        .collect();
-    ids.sort();
-    ids.dedup();
+    let levels = levels(reduction);
+    let removed = || reduction.removed().filter(|step| !is_level(step));
+    let ids = removed().map(|step| &step.removal.object);
+    let ids: BTreeSet<&String> = ids.chain(levels.keys().copied()).collect();
     for id in ids {
-        let own = reduction
-            .removed()
-            .filter(|step| step.removal.object == *id);
-        let said: Vec<String> = own.map(sentence).collect();
+        let own = removed().filter(|step| step.removal.object == *id);
+        let own = own.map(|step| sentence(step, reduction));
+        let said: Vec<String> = levels.get(id).cloned().into_iter().chain(own).collect();
         let address = format!("{id}.description");
         let before = property(root, &address).and_then(Node::text);
         let text = joined(before, &format!("Reduced: {}.", said.join("; ")));
@@ -48,6 +47,23 @@ pub(super) fn describe(root: &mut Node, reduction: &Reduction) {
     }
 }
 
+/// The levels that the reduced scene has in place of others.
+fn levels(reduction: &Reduction) -> BTreeMap<&String, String> {
+    let levels = |role| reduction.model(role).map(|model| &model.levels);
+    let (Some(given), Some(reduced)) = (levels(Role::Given), levels(Role::Reduced)) else {
+        return BTreeMap::new();
+    };
+    let changed = given.iter().filter_map(|(id, from)| {
+        let to = reduced.get(id).filter(|to| *to != from)?;
+        Some((id, format!("{to} in place of {from}")))
+    });
+    changed.collect()
+}
+
+fn is_level(step: &Step) -> bool {
+    matches!(step.removal.part, Part::Level { .. })
+}
+
 /// Sets the description of the scene, behind its name where it had none.
 fn put_description(root: &mut Node, text: String) {
     let has = root.get("description").is_some();
@@ -56,8 +72,8 @@ fn put_description(root: &mut Node, text: String) {
         return;
     };
     let name = members.iter().position(|member| member.name == "name");
-    if let (false, Some(name), Some(last)) = (has, name, members.pop()) {
-        members.insert(name + 1, last);
+    if let (false, Some(name)) = (has, name) {
+        members[name + 1..].rotate_right(1);
     }
 }
 
@@ -69,13 +85,16 @@ fn joined(before: Option<&str>, said: &str) -> String {
 }
 
 /// What was left out, and the figure that it changes most.
-fn sentence(step: &Step) -> String {
+fn sentence(step: &Step, reduction: &Reduction) -> String {
     let part = &step.removal.part;
     match step.greatest() {
         Some((_, change)) if change.change == 0.0 => format!("{part}, which changes nothing"),
         Some((figure, change)) => {
             let by = shown(change.change.abs(), 2);
-            format!("{part}, which changes {figure} by {by}")
+            let found = reduction.certificate.accuracy.get(figure);
+            let unit = found.map_or("", |found| &found.unit);
+            let said = format!("{part}, which changes {figure} by {by} {unit}");
+            said.trim_end().to_owned()
         }
         None => part.to_string(),
     }

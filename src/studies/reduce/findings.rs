@@ -108,6 +108,16 @@ impl Reduction {
         self.models.iter().find(|model| model.role == role)
     }
 
+    /// True when the scene as given is as accurate as it is asked to be.
+    pub fn given_holds(&self) -> bool {
+        let within = |(figure, error): (&String, &Option<f64>)| {
+            let asked = self.certificate.accuracy.get(figure).map(|one| one.asked);
+            error.is_some_and(|error| asked.is_some_and(|asked| error <= asked))
+        };
+        let given = self.model(Role::Given);
+        given.is_some_and(|model| model.errors.iter().all(within))
+    }
+
     /// True when every figure that has a limit is as accurate as it is asked to be, and
     /// there is at least one.
     pub fn holds(&self) -> bool {

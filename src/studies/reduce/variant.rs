@@ -2,7 +2,8 @@
 
 use super::removal::{Removal, set_level};
 use crate::fault::Fault;
-use crate::frontend::diagnostics::{Diagnostics, Severity};
+use crate::frontend::diagnostics::Severity;
+use crate::frontend::scene::edit::take;
 use crate::frontend::scene::{BuiltIn, Document, Levels, Overrides, TypedScene};
 
 /// The scene with what is left out of it.
@@ -10,35 +11,42 @@ use crate::frontend::scene::{BuiltIn, Document, Levels, Overrides, TypedScene};
 /// # Errors
 /// There is no such scene: the first thing that is wrong with it.
 pub(super) fn without(whole: &Document, removals: &[Removal]) -> Result<TypedScene, String> {
-    let changed = changed(whole, removals);
-    let reading = changed.scene(&BuiltIn, &Overrides::none());
-    reading
-        .map(|reading| reading.scene)
-        .map_err(|faults| first(&faults))
-}
-
-/// The document with what is left out of it.
-fn changed(whole: &Document, removals: &[Removal]) -> Document {
     let mut document = whole.clone();
     document.edit(|root| removals.iter().for_each(|one| one.apply(root)));
-    document
+    tidied(document).1
 }
 
-/// The same with the levels of its elastic objects.
+/// The document with what is left out of it, and with the levels of its elastic objects.
 pub(super) fn at_levels(whole: &Document, removals: &[Removal], levels: &Levels) -> Document {
-    let mut document = changed(whole, removals);
+    let mut document = whole.clone();
     document.edit(|root| {
+        removals.iter().for_each(|one| one.apply(root));
         for (id, level) in levels {
             set_level(root, id, *level);
         }
     });
-    document
+    tidied(document).0
 }
 
-fn first(faults: &Diagnostics) -> String {
-    let mut items = faults.items.iter();
-    let first = items.find(|item| item.severity == Severity::Error);
-    first.map_or(String::new(), |item| item.message.clone())
+/// The document without dimensions to which nothing refers any more, and its scene.
+fn tidied(mut document: Document) -> (Document, Result<TypedScene, String>) {
+    loop {
+        let faults = match document.scene(&BuiltIn, &Overrides::none()) {
+            Ok(reading) => return (document, Ok(reading.scene)),
+            Err(faults) => faults,
+        };
+        let errors = || (faults.items.iter()).filter(|item| item.severity == Severity::Error);
+        let mut taken = false;
+        document.edit(|root| {
+            for one in errors().filter(|item| item.code == "unknown-dimension") {
+                taken |= one.path.contains(".dimensions.") && take(root, &one.path);
+            }
+        });
+        if !taken {
+            let first = errors().next().map(|item| item.message.clone());
+            return (document, Err(first.unwrap_or_default()));
+        }
+    }
 }
 
 /// What is wrong with a model, in a line.
