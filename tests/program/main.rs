@@ -8,6 +8,7 @@ mod map;
 mod meaning;
 mod outside;
 mod page;
+mod reduce;
 mod scenarios;
 mod schema;
 mod steady;

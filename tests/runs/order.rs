@@ -340,3 +340,28 @@ fn a_scene_that_cannot_be_judged_says_so() {
         assert!(found.why.is_some() && found.error.is_none());
     }
 }
+
+/// Beyond its limit of speed a valve train lifts off; with a contact of its own its force
+/// has a limit: 1119.5 ± 1 N, by chains of 64 to 512 masses of another program.
+#[test]
+fn the_contact_force_of_a_valve_train_leads_to_its_limit() {
+    let scene = Scene::read("scenarios/valve_train/in_working_order.json").expect("a scene");
+    let figure = "valve.pair.max_contact_force";
+    let mut contact = dam::read::Node::object();
+    contact.put("stiffness", 3e7);
+    let mut asked = dam::read::Node::object();
+    asked.put(figure, "1 %");
+    let scene = scene
+        .set("camshaft.motion.speed", "1950 rpm")
+        .set("valve.pair.contact", contact)
+        .set("valve.masses", "auto")
+        .set("run.accuracy", asked);
+    let certificate = scene.prepare().expect("a mechanism").certificate;
+    let certificate = certificate.expect("a certificate");
+    let found = of(&certificate, figure);
+    let error = found.error.expect("an error");
+    assert!(
+        found.holds && (found.value - 1119.5).abs() <= error + 1.0,
+        "{found:?}"
+    );
+}

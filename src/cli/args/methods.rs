@@ -9,8 +9,8 @@ use clap::Args;
 pub(crate) struct MethodsArgs {
     #[command(flatten)]
     pub(crate) scene: SceneArgs,
-    /// Error of δ wanted, relative to max|δ|: a method is recommended for it
-    /// [default: run.tolerance of the scene]
+    /// Error of δ wanted, relative to max|δ|: a method is recommended for it; with --models the
+    /// model is chosen for it too [default: run.tolerance of the scene; with --models 0.01]
     #[arg(long, value_name = "ERROR", value_parser = share)]
     pub(crate) accuracy: Option<f64>,
     /// Methods to try, by name; errors are taken against `exact` where it applies,
@@ -25,6 +25,10 @@ pub(crate) struct MethodsArgs {
     /// [default: from just beyond the greatest stable step downwards, halved each time]
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = positive_seconds)]
     pub(crate) steps: Vec<f64>,
+    /// Choose the model too (rigid, static, modes, masses), and chart its error as a floor under
+    /// the methods: they need to be no better than a tenth of it
+    #[arg(long, conflicts_with = "x")]
+    pub(crate) models: bool,
     /// Timed runs of each point; their median counts
     #[arg(long, value_name = "COUNT", default_value_t = 5,
           value_parser = clap::value_parser!(u32).range(1..=1000))]

@@ -11,11 +11,13 @@ use super::input::{Input, Ready};
 use super::interrupt;
 use super::output::{self, OutputFolder};
 use super::status::Status;
+use crate::ask::Judging;
 use crate::dynamics::integrate::Method;
-use crate::studies::Control;
+use crate::fault::Fault;
 use crate::studies::axis::Axis;
 use crate::studies::methods::sweep::{Sweep, sweep};
-use crate::studies::methods::{Plan, Study, all_methods, study};
+use crate::studies::methods::{Models, Plan, Study, all_methods, models, study};
+use crate::studies::{Control, RunSettings};
 use bar::PointBar;
 use std::time::Duration;
 
@@ -28,14 +30,20 @@ pub(crate) fn command(args: &MethodsArgs) -> Result<Status, Failure> {
     let axis = args.x.as_deref().map(axis).transpose()?;
     // Of an axis the first value shows whether the scene can take it.
     let further: Vec<String> = axis.iter().map(|axis| axis.setting(axis.from)).collect();
-    let ready = input.prepare(&further)?;
-    let plan = plan(args, &ready)?;
+    let (ready, models) = match args.models {
+        true => with_model(args, &input)?,
+        false => (input.prepare(&further)?, None),
+    };
+    let plan = plan(args, &ready, models.as_ref())?;
     let folder = prepare_folder(args, &ready)?;
     let control = interrupt::budget();
     let hash = &ready.scene().hash;
     let complete = match &axis {
         None => {
-            let found = single(args, &ready, &plan, control)?;
+            let mut found = single(args, &ready, &plan, control)?;
+            if let Some(models) = models {
+                found = found.with_models(models);
+            }
             let files = || files::of_study(input.text(), &ready, &found);
             let show = || show(args, &found, || text::study(&found));
             output::deliver(folder.as_ref(), "methods", hash, files, show)?;
@@ -57,6 +65,22 @@ pub(crate) fn command(args: &MethodsArgs) -> Result<Status, Failure> {
         true => Status::Answered,
         false => interrupt::status(),
     })
+}
+
+/// How accurate max|δ| is to be where nothing is said.
+const USUAL: f64 = 0.01;
+
+/// The scene with the least model that is accurate enough, and the errors of all models.
+fn with_model(args: &MethodsArgs, input: &Input) -> Result<(Ready, Option<Models>), Failure> {
+    let control = interrupt::budget();
+    let mut reading = input.decode(&[])?;
+    let places = reading.places.clone();
+    let diagnose = |faults: Vec<Fault>| places.diagnose(&faults);
+    let settings = RunSettings::of(&reading.scene).map_err(|fault| diagnose(vec![fault]))?;
+    let asked = args.accuracy.unwrap_or(USUAL);
+    let found = models(&mut reading.scene, &settings, asked, control).map_err(diagnose)?;
+    let ready = Ready::of_within(reading, Judging::Never, control)?;
+    Ok((ready, Some(found)))
 }
 
 /// The folder for the results, checked before the work.
@@ -93,8 +117,11 @@ fn axis(text: &str) -> Result<Axis, Failure> {
 }
 
 /// Plan that the arguments and the scene ask for.
-fn plan(args: &MethodsArgs, ready: &Ready) -> Result<Plan, Failure> {
-    let accuracy = args.accuracy.unwrap_or(ready.settings.tolerance);
+fn plan(args: &MethodsArgs, ready: &Ready, models: Option<&Models>) -> Result<Plan, Failure> {
+    let accuracy = match models {
+        Some(models) => models.accuracy_of_methods(),
+        None => args.accuracy.unwrap_or(ready.settings.tolerance),
+    };
     let mut plan = Plan {
         repeats: args.repeats as usize,
         point_limit: Duration::from_secs_f64(args.point_limit),

@@ -2,7 +2,8 @@
 
 use crate::dynamics::integrate::Method;
 use crate::studies::methods::sweep::{Standing, Sweep};
-use crate::studies::methods::{MethodLine, Point, Study, Verdict};
+use crate::studies::methods::{MethodLine, Point, Study, Verdict, in_words};
+use crate::units::shown;
 use std::fmt::Write as _;
 
 /// A study as text.
@@ -24,6 +25,7 @@ pub(super) fn study(study: &Study) -> String {
         }
     }
     limits(&mut text, study);
+    models(&mut text, study);
     let _ = writeln!(text, "\n{}", study.recommendation.text);
     if !study.complete {
         text.push_str("INTERRUPTED: points that were not run are missing\n");
@@ -111,6 +113,29 @@ fn time(seconds: Option<f64>) -> String {
         Some(seconds) if seconds < 1e-3 => format!("{:.1} µs", 1e6 * seconds),
         Some(seconds) if seconds < 1.0 => format!("{:.3} ms", 1e3 * seconds),
         Some(seconds) => format!("{seconds:.3} s"),
+    }
+}
+
+/// The models with their errors.
+fn models(text: &mut String, study: &Study) {
+    let Some(models) = &study.models else { return };
+    let _ = writeln!(
+        text,
+        "\nmodels: error of max|δ| against the continuum, the worst object"
+    );
+    for model in &models.tried {
+        let mark = match (model.levels == models.levels, model.given) {
+            (true, true) => "  studied above, as given",
+            (true, false) => "  studied above",
+            (false, true) => "  as given",
+            (false, false) => "",
+        };
+        let _ = writeln!(
+            text,
+            "  {:>9} %  {}{mark}",
+            shown(100.0 * model.error, 2),
+            in_words(&model.levels)
+        );
     }
 }
 

@@ -3,9 +3,11 @@
 use crate::dynamics::integrate::Method;
 use crate::report::plot::palette::method_verdicts as colours;
 use crate::report::plot::{Axis, Field, Fill, Kind, Look, Mark, Plot, Rule, Series, Shape};
-use crate::report::quantity::{significant, with_unit};
+use crate::report::quantity::{shortened, significant, with_unit};
 use crate::studies::methods::sweep::Sweep;
-use crate::studies::methods::{MethodLine, Point, Study, Verdict, all_methods};
+use crate::studies::methods::{
+    MethodLine, ModelError, Point, Study, Verdict, all_methods, in_words,
+};
 
 /// Errors above this are beyond the chart.
 const CEILING: f64 = 10.0;
@@ -55,6 +57,9 @@ pub fn work_precision(study: &Study, against: Against) -> Plot {
         true => String::new(),
         false => format!(" (refused: {})", refused.join(", ")),
     };
+    let methods = study.methods.iter();
+    let methods = methods.map(|line| series(line, against));
+    let methods: Vec<Series> = methods.filter(|series| !series.points.is_empty()).collect();
     let reference = study.reference.as_ref();
     let shaded = reference.filter(|r| r.resolution > 3e-15);
     Plot {
@@ -68,12 +73,7 @@ pub fn work_precision(study: &Study, against: Against) -> Plot {
             ceiling: Some(CEILING),
             ..Axis::new("error of δ relative to max|δ|", "")
         },
-        series: study
-            .methods
-            .iter()
-            .map(|line| series(line, against))
-            .filter(|series| !series.points.is_empty())
-            .collect(),
+        series: with_floors(study, methods),
         rules: vec![rule(
             study.accuracy,
             format!("asked for: {}", significant(study.accuracy, 2)),
@@ -83,6 +83,59 @@ pub fn work_precision(study: &Study, against: Against) -> Plot {
         ..Plot::default()
     }
 }
+
+/// Errors of models that lie closer than this factor share a line.
+const APART: f64 = 3.0;
+/// Most models that are drawn.
+const MOST_MODELS: usize = 4;
+
+/// The methods, and the errors of models as floors under them: the model that the methods
+/// run first.
+fn with_floors(study: &Study, mut methods: Vec<Series>) -> Vec<Series> {
+    let Some(models) = &study.models else {
+        return methods;
+    };
+    let points = methods.iter().flat_map(|series| &series.points);
+    let (from, to) = points.fold((f64::INFINITY, 0.0_f64), |(from, to), (x, _)| {
+        (from.min(*x), to.max(*x))
+    });
+    let studied = |model: &&ModelError| model.levels == models.levels;
+    let given = |model: &&ModelError| model.given;
+    let all = || models.tried.iter().filter(|model| model.error > 0.0);
+    let ordered = all()
+        .filter(studied)
+        .chain(all().filter(given))
+        .chain(all());
+    let mut drawn: Vec<f64> = Vec::new();
+    for model in ordered {
+        let near = |other: &f64| (other / model.error).ln().abs() < APART.ln();
+        if drawn.iter().any(near) || drawn.len() == MOST_MODELS {
+            continue;
+        }
+        drawn.push(model.error);
+        let role = match (studied(&model), model.given) {
+            (true, _) => "model: ",
+            (false, true) => "as given: ",
+            (false, false) => "",
+        };
+        let label = format!(
+            "{role}{}, {} % off",
+            in_words(&model.levels),
+            significant(100.0 * model.error, 2)
+        );
+        methods.push(Series {
+            look: Look::Theory,
+            ..Series::line(
+                &shortened(&label, MOST_OF_LABEL),
+                vec![(from, model.error), (to, model.error)],
+            )
+        });
+    }
+    methods
+}
+
+/// Longest label of a line (characters).
+const MOST_OF_LABEL: usize = 60;
 
 /// A line across the frame.
 fn rule(at: f64, label: String) -> Rule {

@@ -13,7 +13,7 @@ use crate::report::plot::Plots;
 use crate::report::quantity::{escape, significant, with_unit};
 use crate::report::verdict::{Sort, Verdict as Answer};
 use crate::studies::methods::sweep::{Slice, Sweep};
-use crate::studies::methods::{MethodLine, Point, Study, Verdict};
+use crate::studies::methods::{MethodLine, ModelError, Point, Study, Verdict, in_words};
 use charts::{Against, cost, regions, stable_steps, work_precision};
 use words::{limits, reference_facts, timing_note};
 
@@ -56,6 +56,7 @@ pub fn page(report: &MethodsReport<'_>, study: &Study) -> String {
     body.push_str("<h2>Error against evaluations</h2>\n");
     body.push_str(&chart(Against::Evaluations, "evaluations"));
     body.push_str(&format!("<h2>Reference</h2>\n{}", reference_facts(study)));
+    body.push_str(&models(study));
     body.push_str(&points(study));
     body.push_str(&limits(study));
     body.push_str(&ending(report, &study.hash));
@@ -170,6 +171,34 @@ fn class(verdict: Verdict) -> &'static str {
         Verdict::NotJudged => "soft",
         _ => "no",
     }
+}
+
+/// Table of the models with their errors; nothing where they were not asked for.
+fn models(study: &Study) -> String {
+    let Some(models) = &study.models else {
+        return String::new();
+    };
+    let row = |model: &ModelError| {
+        let role = match (model.levels == models.levels, model.given) {
+            (true, true) => "as given; the methods run it",
+            (true, false) => "the methods run it",
+            (false, true) => "as given",
+            (false, false) => "",
+        };
+        format!(
+            "<tr><th>{}</th><td>{}</td><td>{} %</td><td class=\"left\">{role}</td></tr>\n",
+            escape(&in_words(&model.levels)),
+            model.coordinates,
+            significant(100.0 * model.error, 2)
+        )
+    };
+    let rows: String = models.tried.iter().map(row).collect();
+    format!(
+        "<h2>Models</h2>\n<p class=\"soft\">Error of max|δ| against the continuum that the \
+         objects' data describe, of the worst object: the lines across the charts.</p>\n\
+         <div class=\"scroll\"><table>\n<thead><tr><th>Model</th><th>coordinates</th>\
+         <th>error</th><th class=\"left\"></th></tr></thead>\n<tbody>\n{rows}</tbody></table></div>\n"
+    )
 }
 
 /// Table of all points.

@@ -16,6 +16,7 @@ mod attempt;
 mod light;
 mod limit;
 mod line;
+mod models;
 mod point;
 mod recommend;
 mod reference;
@@ -27,6 +28,7 @@ mod verdict;
 
 pub use limit::StabilityLimit;
 pub use line::MethodLine;
+pub use models::{ModelError, Models, in_words, models};
 pub use point::{FigureError, Point};
 pub use recommend::{Recommendation, recommend};
 pub use reference::{AGREE, Distance, HORIZON, Reference};

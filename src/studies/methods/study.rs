@@ -4,6 +4,7 @@ use super::attempt::{Attempt, Effort, Problem};
 use super::light::tracks;
 use super::limit::{StabilityLimit, too_long};
 use super::line::MethodLine;
+use super::models::Models;
 use super::point::Point;
 use super::recommend::{Recommendation, recommend};
 use super::reference::{Distance, Reference, ReferenceInUse, find};
@@ -94,6 +95,9 @@ pub struct Study {
     pub methods: Vec<MethodLine>,
     /// Recommendation which method to take.
     pub recommendation: Recommendation,
+    /// Errors of the models of the scene, where they were asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub models: Option<Models>,
 }
 
 /// Tries every method of a plan on a system; `progress` hears of every point.
@@ -153,6 +157,7 @@ pub fn study(
         mutual_distances,
         recommendation: recommend(&methods, plan.accuracy),
         methods,
+        models: None,
     })
 }
 
