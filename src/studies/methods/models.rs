@@ -1,8 +1,6 @@
 //! The error of the model as a floor under the methods: nobody needs to integrate to nine
 //! digits what is wrong by five per cent.
 
-use super::recommend::recommend;
-use super::study::Study;
 use crate::fault::Fault;
 use crate::frontend::scene::{Accuracy, AccuracySpec, Levels, TypedScene};
 use crate::math::order::Total;
@@ -167,7 +165,8 @@ impl Models {
         in_words(&self.levels)
     }
 
-    fn sentence(&self) -> String {
+    /// The model, and how good it is.
+    pub(super) fn sentence(&self) -> String {
         let model = self.in_words();
         let off = match (self.error, &self.why) {
             (Some(error), _) => format!(
@@ -190,17 +189,4 @@ pub fn in_words(levels: &Levels) -> String {
     let levels = levels.iter();
     let words: Vec<String> = levels.map(|(id, level)| format!("{id} {level}")).collect();
     words.join(", ")
-}
-
-impl Study {
-    /// The study with the errors of the models: the recommendation names model, method and
-    /// tolerance together.
-    #[must_use]
-    pub fn with_models(mut self, models: Models) -> Self {
-        self.recommendation = recommend(&self.methods, self.accuracy);
-        let method = &self.recommendation.text;
-        self.recommendation.text = format!("{}; {method}", models.sentence());
-        self.models = Some(models);
-        self
-    }
 }

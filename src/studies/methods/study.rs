@@ -100,6 +100,19 @@ pub struct Study {
     pub models: Option<Models>,
 }
 
+impl Study {
+    /// The study with the errors of the models: the recommendation names model, method and
+    /// tolerance together.
+    #[must_use]
+    pub fn with_models(mut self, models: Models) -> Self {
+        self.recommendation = recommend(&self.methods, self.accuracy);
+        let method = &self.recommendation.text;
+        self.recommendation.text = format!("{}; {method}", models.sentence());
+        self.models = Some(models);
+        self
+    }
+}
+
 /// Tries every method of a plan on a system; `progress` hears of every point.
 ///
 /// # Errors
