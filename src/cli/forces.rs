@@ -320,7 +320,7 @@ fn behind<'m>(model: &'m Model, object: &str) -> Vec<&'m str> {
 /// All that the user should know besides the figures.
 fn warnings(args: &ForcesArgs, found: &ForceStudy, behind: &[&str]) -> Vec<String> {
     let mut warnings = found.warnings();
-    if !behind.is_empty() && args.record.is_none() {
+    if !behind.is_empty() && args.record.is_none() && !found.course.has_loads() {
         warnings.push(format!(
             "the forces of what the linkage drives ({}) are not among its loads; take them from a \
              run with --record",

@@ -53,6 +53,20 @@ impl<'a> Step<'a> {
         (self.bases[index] + difference, slope / self.length)
     }
 
+    /// Second derivative of a signal by the time at s.
+    pub fn second(&self, index: usize, s: f64) -> f64 {
+        let (row, degree) = (self.differences(index), self.degree);
+        if degree < 2 {
+            return 0.0;
+        }
+        let mut room = [0.0; MAX_DEGREE + 1];
+        for (bend, three) in room.iter_mut().zip(row.windows(3)) {
+            *bend = (three[2] - three[1]) - (three[1] - three[0]);
+        }
+        let factor = (degree * (degree - 1)) as f64 / (self.length * self.length);
+        factor * evaluate(&room[..=degree - 2], s).0
+    }
+
     /// Time at s.
     pub fn time(&self, s: f64) -> f64 {
         self.start + s * self.length

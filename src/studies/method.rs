@@ -6,6 +6,8 @@ use super::demand::Demand;
 use super::document::can_open;
 use super::exact::{Mixed, mixed, tried};
 use super::settings::RunSettings;
+use super::warning::Warning;
+use crate::dynamics::energy::EnergyAudit;
 use crate::dynamics::integrate::{Chosen, Dynamics, Method, Situation, Vibration, choose};
 use crate::dynamics::model::{Model, NodeMotion, Start};
 use crate::dynamics::system::System;
@@ -147,8 +149,8 @@ fn why_exact(parts: &Parts) -> String {
     )
 }
 
-/// Situation on which the choice depends.
-fn situation(system: &System, settings: &RunSettings) -> Situation {
+/// Fastest rate of a system (1/s), and all eigenvalues where they are not too many.
+fn rates(system: &System) -> (f64, Option<Vec<[f64; 2]>>) {
     let few = system.coordinates() <= MANY;
     let eigenvalues = few.then(|| system.eigenvalues()).flatten();
     let size = |[re, im]: &[f64; 2]| re.hypot(*im);
@@ -156,6 +158,27 @@ fn situation(system: &System, settings: &RunSettings) -> Situation {
         Some(values) => values.iter().map(size).fold(0.0, f64::max),
         None => system.fastest_rate(),
     };
+    (fastest, eigenvalues)
+}
+
+/// What a step of `rk4` (s) leaves of a vibration's phase: (ω·h)⁵/120 in a step, from
+/// e^{iωh} and its series to the fourth power.
+///
+/// Nothing where it is within what the balance of the energies allows at the tolerance.
+pub(super) fn fixed_step(system: &System, settings: &RunSettings, step: f64) -> Option<Warning> {
+    let (fastest, _) = rates(system);
+    let phase = fastest * settings.duration * (fastest * step).powi(4) / 120.0;
+    let allowed = EnergyAudit::bound(settings.tolerance);
+    (phase > allowed).then(|| Warning::FixedStep {
+        fastest,
+        phase,
+        step: step * (allowed / phase).powf(0.25),
+    })
+}
+
+/// Situation on which the choice depends.
+fn situation(system: &System, settings: &RunSettings) -> Situation {
+    let (fastest, eigenvalues) = rates(system);
     let modes = eigenvalues.unwrap_or_default();
     let duration = settings.duration;
     let vibrations = shown_frequencies(system).map(|frequency| nearest(frequency, &modes));

@@ -4,7 +4,7 @@ use super::choice::Choice;
 use super::demand::Demand;
 use super::document::{document, summary, warnings_of};
 use super::exact;
-use super::method::{choose_general, choose_method};
+use super::method::{choose_general, choose_method, fixed_step};
 use super::plausible;
 use super::settings::{Control, RunSettings};
 use super::warning::Warning;
@@ -93,6 +93,11 @@ pub fn run(
     if outcome.stop == Stop::Complete {
         let unused = plausible::warnings_after(system.model(), &recorded.record);
         warnings.extend(unused.into_iter().map(Warning::Meaning));
+    }
+    if let (Method::Rk4, Some(step), true) =
+        (choice.method, settings.step, system.coordinates() > 0)
+    {
+        warnings.extend(fixed_step(system, settings, step));
     }
     warnings.extend(warnings_of(system.model(), settings, &recorded, &run));
     let figures = document(system.model(), settings, &recorded.figures, run, &warnings);
@@ -197,6 +202,7 @@ fn attempt(
         closeups: settings.closeups && !light,
         window: window.as_ref().ok().copied(),
         long_steps: matches!(choice.method, Method::Taylor | Method::Radau),
+        implicit: matches!(choice.method, Method::Radau | Method::Rodas5p),
         tolerance: settings.tolerance,
     };
     let plan = Settings {
@@ -276,8 +282,10 @@ fn stopped_at_failure(outcome: Outcome, recorded: &mut Recorded) -> Outcome {
 /// Steps in a turn of the drive where every motion is given: continuous output of
 /// order 6 is then exact to rounding for smooth laws.
 const STEPS_IN_CYCLE: f64 = 256.0;
-/// Steps in such a run at least.
+/// Steps in such a run at least …
 const STEPS_IN_RUN: f64 = 1024.0;
+/// … unless a turn would have more than these: laws bend no faster in a short run.
+const MOST_STEPS_IN_CYCLE: f64 = 16384.0;
 
 /// Integrates; follows the drives, finely enough, when there is nothing to integrate.
 fn follow(
@@ -290,8 +298,12 @@ fn follow(
 ) -> Outcome {
     let mut plan = plan.clone();
     if system.coordinates() == 0 {
-        let cycle = drive_cycle(system.model()).map_or(f64::INFINITY, |c| c / STEPS_IN_CYCLE);
-        let greatest = cycle.min(duration / STEPS_IN_RUN);
+        let cycle = drive_cycle(system.model()).ok();
+        let [longest, shortest] = match cycle {
+            Some(cycle) => [cycle / STEPS_IN_CYCLE, cycle / MOST_STEPS_IN_CYCLE],
+            None => [f64::INFINITY, 0.0],
+        };
+        let greatest = longest.min(duration / STEPS_IN_RUN).max(shortest);
         plan.step = Some(plan.step.map_or(greatest, |step| step.min(greatest)));
     }
     let InitialState { y, modes, .. } = initial;

@@ -18,6 +18,15 @@ pub enum Warning {
     },
     /// A force or an acceleration was not a finite number.
     NotFinite,
+    /// A fixed step keeps no tolerance.
+    FixedStep {
+        /// Fastest rate of the system (1/s).
+        fastest: f64,
+        /// What such a vibration is out of phase by at the end (rad).
+        phase: f64,
+        /// A step with which it would keep what the tolerance allows (s).
+        step: f64,
+    },
     /// There is no window in which the working order could be judged.
     WindowMissing {
         /// Why.
@@ -83,6 +92,17 @@ impl fmt::Display for Warning {
             Self::NotFinite => f.write_str(
                 "not to be trusted: a force or an acceleration was not a finite number; \
                  look for the object whose column holds it",
+            ),
+            Self::FixedStep {
+                fastest,
+                phase,
+                step,
+            } => write!(
+                f,
+                "a fixed step keeps no tolerance: a vibration of the fastest rate of the \
+                 mechanism, {fastest:.2e} 1/s, is out of phase by some {phase:.1e} rad at the end, \
+                 and figures that it decides are off as much; a step of {step:.1e} s or another \
+                 method keeps it"
             ),
             Self::WindowMissing { reason } => write!(
                 f,

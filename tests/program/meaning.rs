@@ -338,6 +338,49 @@ fn a_window_behind_a_motor_is_judged_by_the_run() {
     assert!(!long.contains("never acts"), "{long}");
 }
 
+/// Levers with a cam each beside each other on an elastic shaft, in all places of their
+/// motion.
+fn levers(count: usize) -> Value {
+    let mut objects = json!({
+        "motor": { "kind": "drive", "motion": { "speed": "600 rpm" } },
+        "shaft": {
+            "kind": "shaft", "input": "motor", "position": { "ratio": 1 }, "inertia": 0.1,
+            "stiffness": "1 MN m/rad", "damping_capacity": 0.3
+        }
+    });
+    for index in 0..count {
+        objects[format!("lever{index}")] = json!({
+            "kind": "rocker", "input": "shaft", "inertia": "0.02 kg m^2",
+            "stiffness": "20 kN m/rad", "damping_capacity": 0.3,
+            "position": { "cam": {
+                "lift": "10 deg", "rise": "70 deg", "dwell": "10 deg", "return": "70 deg",
+                "law": "4-5-6-7", "phase": format!("{} deg", 37 * index % 360)
+            } }
+        });
+    }
+    json!({ "dam": 1, "name": "levers", "objects": objects, "run": { "duration": 0.001 } })
+}
+
+#[test]
+fn what_rests_in_a_short_run_is_not_out_of_proportion() {
+    assert!(warnings(&levers(13), &[]).is_empty());
+    // Each that is, once.
+    let found = warnings(
+        &levers(13),
+        &[
+            "lever3.stiffness=2e13 N m/rad",
+            "lever7.inertia=2e-12 kg m^2",
+        ],
+    );
+    assert_eq!(found.len(), 2, "{found:?}");
+    assert!(found[0].contains("stiffness of `lever3`"), "{found:?}");
+    assert!(found[1].contains("inertia of `lever7`"), "{found:?}");
+    // Of one among many that fit each other it is that one.
+    let found = warnings(&levers(13), &["shaft.stiffness=1e15 N m/rad"]);
+    assert_eq!(found.len(), 1, "{found:?}");
+    assert!(found[0].contains("stiffness of `shaft`"), "{found:?}");
+}
+
 #[test]
 fn stiffnesses_and_masses_out_of_proportion_are_named() {
     let scene = json!({

@@ -66,7 +66,7 @@ impl<'s> Figured<'s> {
     pub(crate) fn new(system: &'s System, settings: &RecorderSettings) -> Self {
         let count = system.model().objects.len();
         Self {
-            observer: Observer::new(system),
+            observer: Observer::new(system).of_steps(settings.implicit),
             coordinates: (0..count)
                 .map(|object| Coordinates::of(system, object))
                 .collect(),
@@ -148,6 +148,7 @@ impl<'s> Figured<'s> {
         if step.end <= 0.0 || self.failure.is_some() {
             return;
         }
+        self.observer.begin(step.length);
         let (length, most) = (step.end * step.length, pieces::most(step.degree));
         self.longest = self.longest.max(length);
         // What is short already needs no pieces.

@@ -11,6 +11,7 @@ use super::{Interval, ObjectFigures, PairFigures, Record, Recorded, StopFigures,
 use crate::dynamics::energy::EnergyAudit;
 use crate::dynamics::integrate::{Modes, SwitchEvent};
 use crate::dynamics::system::{MassState, ObjectState, System};
+use crate::math::polynomial::Step;
 
 /// Closeups behind a switch at most.
 const CLOSEUPS: usize = 96;
@@ -75,7 +76,7 @@ impl<'s> Log<'s> {
             Some(pair)
         };
         Self {
-            observer: Observer::new(system),
+            observer: Observer::new(system).of_steps(settings.implicit),
             rows: Rows::new(system, settings.masses, settings.samples, settings.duration),
             pairs: (0..model.objects.len()).filter_map(pair).collect(),
             switches: Vec::new(),
@@ -113,11 +114,11 @@ impl<'s> Log<'s> {
         self.observer.states()
     }
 
-    /// The samples that fall into a stretch without switches; `state` gives y at an
-    /// instant of it.
+    /// The samples that fall into a stretch without switches, which may be a step; `state`
+    /// gives y at an instant of it.
     pub(crate) fn sample(
         &mut self,
-        [from, until]: [f64; 2],
+        ([from, until], step): ([f64; 2], Option<&Step<'_>>),
         modes: &Modes,
         state: &mut dyn FnMut(f64, &mut [f64]),
     ) {
@@ -126,7 +127,7 @@ impl<'s> Log<'s> {
                 return;
             }
             state(time, &mut self.y);
-            self.observer.state(time, &self.y, modes);
+            self.observer.state_in(step, (time, &self.y), modes);
             let seen = seen(&mut self.observer, &self.y, modes, &mut self.masses);
             if !self.rows.sample_at(time, seen) {
                 self.fail(from);
@@ -135,11 +136,11 @@ impl<'s> Log<'s> {
         if !self.masses.is_empty() && self.rows.nearly_due(until) {
             // The last sample is taken from what was seen last.
             state(until, &mut self.y);
-            self.observer.state(until, &self.y, modes);
+            self.observer.state_in(step, (until, &self.y), modes);
             seen(&mut self.observer, &self.y, modes, &mut self.masses);
         }
         if self.budget > 0 && self.failure.is_none() {
-            self.look_closely([from, until], modes, state);
+            self.look_closely(([from, until], step), modes, state);
         }
         self.time = until;
     }
@@ -198,7 +199,7 @@ impl<'s> Log<'s> {
     pub(crate) fn keep(
         &mut self,
         times: impl Iterator<Item = f64>,
-        [from, until]: [f64; 2],
+        ([from, until], step): ([f64; 2], Option<&Step<'_>>),
         modes: &Modes,
         state: &mut dyn FnMut(f64, &mut [f64]),
     ) {
@@ -210,7 +211,7 @@ impl<'s> Log<'s> {
                 continue;
             }
             state(time, &mut self.y);
-            self.observer.state(time, &self.y, modes);
+            self.observer.state_in(step, (time, &self.y), modes);
             let seen = seen(&mut self.observer, &self.y, modes, &mut self.masses);
             if let Some(values) = self.rows.values(seen) {
                 self.peaks.push((time, values.to_vec()));
@@ -222,13 +223,13 @@ impl<'s> Log<'s> {
     /// not show the course of every column.
     fn look_closely(
         &mut self,
-        [from, until]: [f64; 2],
+        ([from, until], step): ([f64; 2], Option<&Step<'_>>),
         modes: &Modes,
         state: &mut dyn FnMut(f64, &mut [f64]),
     ) {
         let mut row = |log: &mut Self, time: f64| -> Option<Vec<f64>> {
             state(time, &mut log.y);
-            log.observer.state(time, &log.y, modes);
+            log.observer.state_in(step, (time, &log.y), modes);
             let seen = seen(&mut log.observer, &log.y, modes, &mut log.masses);
             log.rows.values(seen).map(<[f64]>::to_vec)
         };

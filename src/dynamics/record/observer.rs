@@ -1,7 +1,7 @@
 //! A system and the memory to look at it anywhere in a step.
 
 use crate::dynamics::integrate::{Dynamics, Modes};
-use crate::dynamics::system::{Energy, MassState, ObjectState, Power, Scratch, System};
+use crate::dynamics::system::{Bends, Energy, MassState, ObjectState, Power, Scratch, System};
 use crate::math::polynomial::Step;
 
 /// Looks at a system between the ends of a step.
@@ -10,6 +10,8 @@ pub(crate) struct Observer<'s> {
     scratch: Scratch,
     y: Vec<f64>,
     states: Vec<ObjectState>,
+    /// Where accelerations are read off long steps.
+    bends: Option<Bends>,
 }
 
 impl<'s> Observer<'s> {
@@ -20,6 +22,20 @@ impl<'s> Observer<'s> {
             scratch: system.scratch(),
             y: vec![0.0; 2 * system.coordinates()],
             states: vec![ObjectState::default(); system.model().objects.len()],
+            bends: None,
+        }
+    }
+
+    /// Of steps of an implicit method: what is stiff is accelerated as they tell.
+    pub(crate) fn of_steps(self, implicit: bool) -> Self {
+        let bends = implicit.then(|| Bends::new(self.system));
+        Self { bends, ..self }
+    }
+
+    /// A step of a length (s) is looked at next, whole or in pieces.
+    pub(crate) fn begin(&mut self, length: f64) {
+        if let Some(bends) = &mut self.bends {
+            bends.begin(length);
         }
     }
 
@@ -30,10 +46,21 @@ impl<'s> Observer<'s> {
 
     /// States of all objects at the place s of a step.
     pub(crate) fn at(&mut self, step: &Step<'_>, s: f64, modes: &Modes) -> &[ObjectState] {
+        let mut states = std::mem::take(&mut self.states);
         step.state(s, &mut self.y);
         let time = step.time(s);
-        self.system
-            .observe(time, &self.y, modes, &mut self.scratch, &mut self.states);
+        let bends = self.bends.as_mut();
+        match bends.and_then(|bends| bends.read(step, s).then_some(bends)) {
+            Some(bends) => {
+                let (system, scratch) = (self.system, &mut self.scratch);
+                system.observe_bent(time, &self.y, modes, bends, scratch, &mut states);
+            }
+            None => {
+                let (system, scratch) = (self.system, &mut self.scratch);
+                system.observe(time, &self.y, modes, scratch, &mut states);
+            }
+        }
+        self.states = states;
         &self.states
     }
 
@@ -42,6 +69,25 @@ impl<'s> Observer<'s> {
         self.system
             .observe(time, y, modes, &mut self.scratch, &mut self.states);
         &self.states
+    }
+
+    /// States of all objects at an instant and a state, of a step where there is one.
+    pub(crate) fn state_in(
+        &mut self,
+        step: Option<&Step<'_>>,
+        (time, y): (f64, &[f64]),
+        modes: &Modes,
+    ) {
+        match step.filter(|_| self.bends.is_some()) {
+            Some(step) => {
+                let s = (time - step.start) / step.length;
+                self.begin(step.length);
+                self.at(step, s.clamp(0.0, step.end), modes);
+            }
+            None => {
+                self.state(time, y, modes);
+            }
+        }
     }
 
     /// States of all masses where it was looked last.
@@ -63,8 +109,15 @@ impl<'s> Observer<'s> {
         states: &mut [ObjectState],
     ) -> (Power, Energy) {
         step.state(s, &mut self.y);
-        self.system
-            .observe_closely(step.time(s), &self.y, modes, &mut self.scratch, states)
+        let (time, scratch) = (step.time(s), &mut self.scratch);
+        let bends = self.bends.as_mut();
+        match bends.and_then(|bends| bends.read(step, s).then_some(bends)) {
+            Some(bends) => {
+                let system = self.system;
+                system.observe_bent(time, &self.y, modes, bends, scratch, states)
+            }
+            None => (self.system).observe_closely(time, &self.y, modes, scratch, states),
+        }
     }
 
     /// Powers at s.

@@ -80,10 +80,10 @@ impl Sink for Recorder<'_> {
             step.state(s.clamp(0.0, step.end), y);
         };
         let span = [step.start, until];
-        self.log.sample(span, modes, &mut state);
+        self.log.sample((span, Some(step)), modes, &mut state);
         let tallies = self.figured.tallies().iter();
         let times = tallies.flat_map(Tally::times);
-        self.log.keep(times, span, modes, &mut state);
+        self.log.keep(times, (span, Some(step)), modes, &mut state);
     }
 
     fn switch(&mut self, event: &SwitchEvent<'_>) {

@@ -19,6 +19,9 @@ pub struct RecorderSettings {
     /// True for power series and collocation, whose steps may be whole
     /// oscillations long: they are looked at in pieces.
     pub long_steps: bool,
+    /// True for implicit methods, whose steps may be long against a vibration: they tell
+    /// its acceleration better than their states do.
+    pub implicit: bool,
     /// Tolerance of the run: the finer, the smaller the pieces.
     pub tolerance: f64,
 }

@@ -69,6 +69,10 @@ pub fn by_tangents(profile: &Profile, fluctuation: f64, mean_speed: f64) -> f64 
 /// stop.
 pub type WithInertia<'a, M> = &'a dyn Fn(f64) -> Result<Option<M>, Refusal>;
 
+/// The fluctuation with inertia added to the input link; `None` where the machine would
+/// stop.
+pub type Fluctuation<'a> = &'a dyn Fn(f64) -> Result<Option<f64>, Refusal>;
+
 /// A steady motion of a machine, on functions or on samples.
 pub trait Motion {
     /// Figures of the motion.
@@ -146,6 +150,34 @@ pub fn size(
     size_of(&with, fluctuation, first + profile.least_inertia().value)
 }
 
+/// How near δ comes to the one asked for, of it.
+const NEAR: f64 = 1e-12;
+
+/// The inertia to add (kg·m²) for a coefficient of fluctuation, and the fluctuation
+/// without it, of any machine whose fluctuation with a given inertia is known (`None`: it
+/// would stop). `first` is a guess of the inertia, > 0; `near` says how near δ comes to the
+/// one asked for, of it.
+///
+/// # Errors
+/// As [`size`].
+pub fn inertia_for(
+    delta: Fluctuation<'_>,
+    wanted: f64,
+    first: f64,
+    near: f64,
+) -> Result<(f64, Option<f64>), Refusal> {
+    if !(wanted > 0.0 && wanted < 2.0) {
+        let message = format!("{wanted} is not between 0 and 2");
+        let hint = "δ = (ω_max − ω_min)/ω_av; machine tools 0.02 … 0.05";
+        return Err(Refusal::field("fluctuation", message, hint));
+    }
+    let without = delta(0.0)?;
+    match without {
+        Some(own) if own <= wanted => Ok((0.0, without)),
+        _ => Ok((search(delta, wanted, first, without, near)?, without)),
+    }
+}
+
 /// The same for any machine whose motion with a given inertia is known; `first`
 /// is a guess of the inertia (kg·m²), > 0.
 ///
@@ -156,21 +188,9 @@ pub fn size_of<M: Motion>(
     fluctuation: f64,
     first: f64,
 ) -> Result<(Flywheel, M), Refusal> {
-    if !(fluctuation > 0.0 && fluctuation < 2.0) {
-        let message = format!("{fluctuation} is not between 0 and 2");
-        let hint = "δ = (ω_max − ω_min)/ω_av; machine tools 0.02 … 0.05";
-        return Err(Refusal::field("fluctuation", message, hint));
-    }
-    let own = with(0.0)?;
-    let without = own.as_ref().map(|motion| motion.figures().fluctuation);
-    let (inertia, motion) = match own {
-        Some(motion) if motion.figures().fluctuation <= fluctuation => (0.0, motion),
-        _ => {
-            let inertia = search(with, fluctuation, first, without)?;
-            let motion = with(inertia)?.ok_or_else(|| lost(fluctuation, without))?;
-            (inertia, motion)
-        }
-    };
+    let delta = |inertia: f64| Ok(with(inertia)?.map(|motion| motion.figures().fluctuation));
+    let (inertia, without) = inertia_for(&delta, fluctuation, first, NEAR)?;
+    let motion = with(inertia)?.ok_or_else(|| lost(fluctuation, without))?;
     let flywheel = Flywheel {
         fluctuation,
         fluctuation_without: without,
@@ -231,15 +251,16 @@ fn lost(wanted: f64, without: Option<f64>) -> Refusal {
     }
 }
 
-fn search<M: Motion>(
-    with: WithInertia<'_, M>,
+fn search(
+    delta: Fluctuation<'_>,
     wanted: f64,
     first: f64,
     without: Option<f64>,
+    near: f64,
 ) -> Result<f64, Refusal> {
     let excess = |inertia: f64| -> Result<f64, Refusal> {
         // A machine that stops fluctuates by 2 at least in the limit.
-        Ok(with(inertia)?.map_or(2.0, |motion| motion.figures().fluctuation) - wanted)
+        Ok(delta(inertia)?.unwrap_or(2.0) - wanted)
     };
     let (mut low, mut high, mut tries) = (0.0, first, 0);
     while excess(high)? > 0.0 {
@@ -258,7 +279,7 @@ fn search<M: Motion>(
             }
         },
         [low, high],
-        1e-12 * wanted,
+        near * wanted,
     );
     refused.map_or(Ok(found.at), Err)
 }

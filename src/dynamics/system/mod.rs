@@ -11,6 +11,7 @@
 
 mod accelerations;
 mod balance;
+mod bends;
 mod build;
 mod check;
 mod constraints;
@@ -64,6 +65,7 @@ use crate::dynamics::integrate::Modes;
 use crate::dynamics::model::{LoadLaw, Model};
 use crate::fault::Fault;
 use crate::math::number::{Dual, Duals};
+pub(crate) use bends::Bends;
 use frozen::{Frozen, Step};
 pub use masses::MassState;
 use observe::{Body, ObjectPlace};

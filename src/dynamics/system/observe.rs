@@ -156,7 +156,18 @@ impl System {
         out: &mut [ObjectState],
     ) -> (Power, Energy) {
         self.evaluate_fully(time, y, modes, scratch);
-        let work = &scratch.work;
+        self.read_closely(time, y, modes, &scratch.work, out)
+    }
+
+    /// States, powers and energies, read off a complete evaluation.
+    pub(super) fn read_closely(
+        &self,
+        time: f64,
+        y: &[f64],
+        modes: &Modes,
+        work: &Work<f64>,
+        out: &mut [ObjectState],
+    ) -> (Power, Energy) {
         self.read_states(time, y, modes, work, out);
         let [kinetic, elastic] = self.frozen.energy_of(y, work);
         let energy = Energy { kinetic, elastic };

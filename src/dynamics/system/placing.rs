@@ -99,8 +99,10 @@ impl Frozen {
         }
         let mut work = Work::new(self);
         let mut out = vec![0.0; self.coordinates];
-        // Each round gives the right segments one driver further on.
+        // Each round gives the right segments one driver further on; one that changes
+        // none is the last.
         for _ in 0..=self.tracks.len() {
+            let mut settled = true;
             self.evaluate(0.0, state, modes, Extent::Full, &mut work, &mut out);
             for (index, track) in self.tracks.iter().enumerate() {
                 let (place, sense) = match track.node {
@@ -117,8 +119,13 @@ impl Frozen {
                 };
                 let component = self.track_component(index);
                 if place.is_finite() {
-                    modes[component] = track.breaks.locate(place, sense);
+                    let segment = track.breaks.locate(place, sense);
+                    settled &= modes[component] == segment;
+                    modes[component] = segment;
                 }
+            }
+            if settled {
+                return;
             }
         }
     }

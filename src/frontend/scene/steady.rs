@@ -20,8 +20,8 @@ pub(super) fn read(slot: Slot<'_>, known: &Known) -> Option<SteadySpec> {
         );
         let mean_speed = fields.maybe(
             "mean_speed",
-            "Required mean speed of the drive. Default: the speed of a prescribed drive; not \
-             with moments that depend on speed",
+            "Required mean speed of the drive. Default: the speed of a prescribed drive; with \
+             moments that depend on speed only of elastic objects, with `balance`",
             |slot| slot.quantity(q::ANGULAR_SPEED, Bounds::POSITIVE),
         );
         let means = Mean::ALL.map(|mean| (mean.name(), mean));

@@ -4,6 +4,7 @@ use super::picture::list;
 use super::picture::picture;
 use super::text::Line;
 use super::text::at;
+use super::text::flywheel_lines;
 use super::text::value;
 use crate::dynamics::steady::Extreme;
 use crate::report::csv::number;
@@ -22,16 +23,20 @@ use std::fmt::Write as _;
 /// Multipliers listed.
 const LISTED: usize = 12;
 
-fn long_run(run: &LongRun) -> String {
+fn long_run(run: &LongRun, cycle: f64) -> String {
+    let turns = match cycle == std::f64::consts::TAU {
+        true => "turns",
+        false => "cycles",
+    };
     match &run.missing {
         Some(why) => format!("none: {why}"),
         None if run.settles => format!(
-            "{} turns from the scene's start settle on it, {} of its size away",
+            "{} {turns} from the scene's start settle on it, {} of its size away",
             run.turns,
             significant(run.distance, 2)
         ),
         None => format!(
-            "{} turns from the scene's start do NOT settle on it: {} of its size away",
+            "{} {turns} from the scene's start do NOT settle on it: {} of its size away",
             run.turns,
             significant(run.distance, 2)
         ),
@@ -80,7 +85,7 @@ fn lines(part: &PartMotion, cycle: f64) -> Vec<(&'static str, String)> {
                 part.iterations
             ),
         ),
-        ("long run", long_run(&part.long_run)),
+        ("long run", long_run(&part.long_run, cycle)),
     ]
 }
 
@@ -90,10 +95,14 @@ fn drive_lines(drive: &DriveFigures) -> Vec<Line> {
     let mean = significant(drive.means.time, 10);
     let speed = |name: &str, of: f64| value(name, of, "rad/s");
     let extreme = |name: &str, of: Extreme| at(name, [of.value, of.at], "rad/s");
-    vec![
+    let why = match drive.balance {
+        Some(_) => "asked for, held by a constant moment",
+        None => "a result: motor and load decide",
+    };
+    let mut lines = vec![
         (
             "mean speed".to_owned(),
-            format!("{mean} rad/s = {turns} rpm (a result: motor and load decide)"),
+            format!("{mean} rad/s = {turns} rpm ({why})"),
         ),
         speed("mean over the angle", drive.means.angle),
         speed("midway between extremes", drive.means.midrange),
@@ -101,7 +110,14 @@ fn drive_lines(drive: &DriveFigures) -> Vec<Line> {
         extreme("greatest speed", drive.greatest_speed),
         speed("speed at φ = 0", drive.speed_at_start),
         value("fluctuation δ", drive.fluctuation, ""),
-    ]
+    ];
+    lines.extend(
+        drive
+            .balance
+            .map(|moment| value("moment beside the motor", moment, "N·m")),
+    );
+    lines.extend(drive.flywheel.iter().flat_map(flywheel_lines));
+    lines
 }
 
 /// ω and ε over the angle.

@@ -1,6 +1,7 @@
 //! The steady motion for the terminal, and its rows as CSV.
 
 use super::Shown;
+use crate::dynamics::steady::flywheel::Flywheel;
 use crate::report::csv::{number, write};
 use crate::report::quantity::significant;
 use std::fmt::Write as _;
@@ -147,9 +148,11 @@ pub(super) fn agreement(shown: &Shown<'_>) -> Vec<Line> {
 
 /// The flywheel.
 pub(super) fn flywheel(shown: &Shown<'_>) -> Vec<Line> {
-    let Some(wheel) = shown.flywheel else {
-        return Vec::new();
-    };
+    shown.flywheel.map_or_else(Vec::new, flywheel_lines)
+}
+
+/// A flywheel: the inertia to add, and what textbooks say of it.
+pub(super) fn flywheel_lines(wheel: &Flywheel) -> Vec<Line> {
     let mut lines = vec![value("δ asked for", wheel.fluctuation, "")];
     match wheel.fluctuation_without {
         Some(without) => lines.push(value("δ without a flywheel", without, "")),

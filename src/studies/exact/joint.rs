@@ -270,14 +270,14 @@ impl Listener for Joint<'_> {
 
     fn stretch(&mut self, motion: &mut Motion<'_, '_>, span: [f64; 2], modes: &Modes) {
         self.log
-            .sample(span, modes, &mut |time, y| motion.state(time, y));
+            .sample((span, None), modes, &mut |time, y| motion.state(time, y));
         self.look(motion, span, modes);
         let trees = self.trees.iter().flatten();
         let carried = self.carried.iter().map(|carried| &carried.2);
         let coupled = self.beside.iter().flat_map(|beside| &beside.coupled);
         let coupled = coupled.map(|own| &own.tally);
         let times = trees.chain(carried).chain(coupled).flat_map(Tally::times);
-        self.log.keep(times, span, modes, &mut |time, y| {
+        self.log.keep(times, (span, None), modes, &mut |time, y| {
             motion.state(time, y);
         });
     }

@@ -105,6 +105,7 @@ fn run(duration: f64) -> ([f64; 2], u64, [u64; 2]) {
         closeups: false,
         window: None,
         long_steps: false,
+        implicit: false,
         tolerance: 1e-9,
     };
     let clock = Clock::new(&limits);

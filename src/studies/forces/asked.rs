@@ -1,6 +1,6 @@
 //! From a question about a scene's linkage to a course and its positions.
 
-use super::{Course, Instant, PositionSource};
+use super::{Course, Instant, PositionSource, loads};
 use crate::kinematics::linkage::kinetostatics::{InputMotion, Kinetostatics};
 use crate::kinematics::linkage::{Linkage, Workspace};
 use crate::studies::kinematics::{Asked, Over};
@@ -79,13 +79,16 @@ pub fn course_of(asked: &Asked<'_>) -> Result<Course, String> {
             let times: Vec<f64> = (0..=asked.positions).map(|k| step * k as f64).collect();
             let motions: Vec<InputMotion> = times.iter().map(|time| motion(asked, *time)).collect();
             let period = asked.linkage.range().period.map(|found| found.length);
-            let closed = repeats(&motions, period);
-            let instant = |motion| Instant {
+            let loads = loads::over_time(asked.model, &asked.object, to, asked.positions);
+            let loads = loads.unwrap_or_default();
+            let closed = repeats(&motions, period) && come_back(&loads);
+            let instant = |(index, motion)| Instant {
                 motion,
+                loads: loads.get(index).cloned().unwrap_or_default(),
                 ..Instant::default()
             };
             Course::Instants {
-                instants: motions.into_iter().map(instant).collect(),
+                instants: motions.into_iter().enumerate().map(instant).collect(),
                 times,
                 closed,
             }
@@ -118,6 +121,18 @@ fn repeats(motions: &[InputMotion], period: Option<f64>) -> bool {
     same(|one| one.coordinate, turns)
         && same(|one| one.speed, 0.0)
         && same(|one| one.acceleration, 0.0)
+}
+
+/// True when forces over time end as they began.
+fn come_back(loads: &[Vec<f64>]) -> bool {
+    let (Some(first), Some(last)) = (loads.first(), loads.last()) else {
+        return true;
+    };
+    let same = |output: usize| {
+        let sizes = loads.iter().map(|row| row[output].abs());
+        (last[output] - first[output]).abs() <= 1e-9 * sizes.fold(0.0, f64::max)
+    };
+    (0..first.len()).all(same)
 }
 
 /// The output whose link carries a load, if there is exactly one.

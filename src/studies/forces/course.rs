@@ -76,6 +76,14 @@ impl Course {
         self.len() == 0
     }
 
+    /// True where forces on the outputs belong to it.
+    pub fn has_loads(&self) -> bool {
+        match self {
+            Self::Even { .. } => false,
+            Self::Instants { instants, .. } => instants.iter().any(|one| !one.loads.is_empty()),
+        }
+    }
+
     /// True if it ends where it begins.
     pub fn is_closed(&self) -> bool {
         match self {

@@ -8,6 +8,7 @@ mod course;
 mod cycle;
 mod extremes;
 mod figures;
+mod loads;
 mod massless;
 mod row;
 mod scan;

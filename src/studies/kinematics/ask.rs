@@ -74,6 +74,7 @@ impl Default for Question {
 /// A question that can be answered.
 #[derive(Clone, Debug)]
 pub struct Asked<'a> {
+    pub(in crate::studies) model: &'a Model,
     pub(in crate::studies) object: String,
     pub(in crate::studies) linkage: Linkage,
     pub(in crate::studies) input: Coordinate,
@@ -118,6 +119,7 @@ impl<'a> Asked<'a> {
         };
         let over = inside_reach(&subject.linkage, over);
         let asked = Self {
+            model,
             object: subject.object,
             linkage: subject.linkage,
             input: subject.input,

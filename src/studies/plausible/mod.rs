@@ -7,21 +7,24 @@ mod way;
 
 use crate::dynamics::model::{Coordinate, Model, NodeMotion, ObjectPart};
 use crate::dynamics::record::{Quantity, Record};
-use way::{Rotors, ways};
+use way::{Rotors, Stretch, ways};
 
 /// What is likely not meant in a model that is to run for `duration` seconds, as
 /// far as it can be told beforehand: loads without effect, windows and tables that
 /// are never entered, stiffnesses and masses out of proportion, speeds beyond
 /// sense. Every object is taken to follow its law.
 pub fn warnings(model: &Model, duration: f64) -> Vec<String> {
-    let known = ways(model, duration, Rotors::Unknown);
+    let known = ways(model, duration, Stretch::Run, Rotors::Unknown);
     let travel = |node: usize| known[node].as_ref().map(|way| way.displacement);
     let mut found = loads::without_effect(model, &travel, duration);
     let motors = behind_motors(model).contains(&true);
-    let even = motors.then(|| ways(model, duration, Rotors::Even));
-    let shares = even.as_deref().unwrap_or(&known);
-    found.extend(sizes::out_of_proportion(model, shares));
-    found.extend(sizes::unable_to_follow(model, &known));
+    let whole = ways(model, duration, Stretch::Whole, Rotors::Unknown);
+    let even = motors.then(|| ways(model, duration, Stretch::Whole, Rotors::Even));
+    found.extend(sizes::out_of_proportion(
+        model,
+        even.as_deref().unwrap_or(&whole),
+    ));
+    found.extend(sizes::unable_to_follow(model, &whole));
     found.extend(sizes::beyond_sense(model, &known));
     found
 }

@@ -25,14 +25,30 @@ const FASTEST_SLIDING: f64 = 340.0;
 /// Objects whose stiffness or inertia differs from that of every neighbour, and
 /// chains with such links or masses; a motor may be taken to turn evenly.
 pub(super) fn out_of_proportion(model: &Model, ways: &[Option<Way>]) -> Vec<String> {
+    let beside = neighbours(model);
+    let sizes = [Size::Stiffness, Size::Inertia];
+    let odd = sizes.map(|size| odd_objects(model, ways, &beside, size));
     let mut found = Vec::new();
     for (index, part) in model.objects.iter().enumerate() {
         found.extend(within(model, part));
-        for size in [Size::Stiffness, Size::Inertia] {
-            found.extend(beside_neighbours(model, ways, index, size));
+        for (size, odd) in sizes.into_iter().zip(&odd) {
+            found.extend(odd[index].map(|odd| odd_words(model, index, odd, size)));
         }
     }
     found
+}
+
+/// For every object those that drive it and that it drives.
+fn neighbours(model: &Model) -> Vec<Vec<usize>> {
+    let objects = 0..model.objects.len();
+    let beside = |index: usize| {
+        let part = &model.objects[index];
+        let others = objects.clone().filter(move |&other| {
+            part.is_driven_by(other) || model.objects[other].is_driven_by(index)
+        });
+        others.collect()
+    };
+    objects.clone().map(beside).collect()
 }
 
 /// The links of an object without the one that its contact element is, or is part of:
@@ -88,42 +104,66 @@ impl Size {
     }
 }
 
-/// A size with the mean square of the speed with which its object moves: their
-/// product is what it amounts to on any coordinate of the mechanism.
+/// A size with the square of the greatest speed of its object: their product is what it
+/// amounts to, at most, on any coordinate of the mechanism. (Not the mean: of a law
+/// that rests for most of a turn, and of a motion that is looked at near a rest, it
+/// would tell of the rest.)
 fn reduced(model: &Model, ways: &[Option<Way>], part: &ObjectPart, size: Size) -> Option<f64> {
     let way = ways[*part.nodes.last()?].as_ref()?;
-    let all = size.of(model, part)? * way.mean_square_speed;
+    let all = size.of(model, part)? * way.fastest * way.fastest;
     (all.is_finite() && all > 0.0).then_some(all)
 }
 
-/// An object that is out of proportion to all its neighbours, and to one side.
-fn beside_neighbours(
+/// An object that is out of proportion: the neighbour that it is nearest to, and how
+/// many times as great it is, both taken on one motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Odd {
+    neighbour: usize,
+    ratio: f64,
+}
+
+/// The objects that are out of proportion to all their neighbours, and to one side; of
+/// two such neighbours the one that differs from more of its own, or the driven one.
+fn odd_objects(
     model: &Model,
     ways: &[Option<Way>],
-    index: usize,
+    beside: &[Vec<usize>],
     size: Size,
-) -> Option<String> {
-    let part = &model.objects[index];
-    let own = reduced(model, ways, part, size)?;
-    let neighbours = (model.objects.iter().enumerate())
-        .filter(|(other, neighbour)| part.is_driven_by(*other) || neighbour.is_driven_by(index));
-    let ratio = |(_, neighbour)| Some((neighbour, own / reduced(model, ways, neighbour, size)?));
-    let ratios: Vec<(&ObjectPart, f64)> = neighbours.filter_map(ratio).collect();
-    let nearest = ratios.iter().min_by(|a, b| {
-        let distance = |ratio: f64| ratio.ln().abs();
-        distance(a.1).total_cmp(&distance(b.1))
-    })?;
-    let (neighbour, ratio) = *nearest;
-    let one_side = ratios
-        .iter()
-        .all(|(_, other)| (*other > 1.0) == (ratio > 1.0));
-    // Of two neighbours that have none but each other the driven one is named.
-    let other_is_named = ratios.len() == 1
-        && neighbour.is_driven_by(index)
-        && alone_with(model, ways, neighbour, size);
-    if !one_side || other_is_named || ratio.max(1.0 / ratio) < size.out_of_proportion() {
-        return None;
-    }
+) -> Vec<Option<Odd>> {
+    let parts = model.objects.iter();
+    let reduced: Vec<Option<f64>> = parts.map(|part| reduced(model, ways, part, size)).collect();
+    let ratios = |index: usize| -> Vec<Odd> {
+        let others = beside[index].iter();
+        let ratio = |&neighbour: &usize| {
+            let ratio = reduced[index]? / reduced[neighbour]?;
+            Some(Odd { neighbour, ratio })
+        };
+        others.filter_map(ratio).collect()
+    };
+    let all: Vec<Vec<Odd>> = (0..beside.len()).map(ratios).collect();
+    let odd: Vec<Option<Odd>> = all.iter().map(|ratios| odd_beside(ratios, size)).collect();
+    let named = |index: usize| {
+        let is_other = |other: &Odd| {
+            let driven = model.objects[other.neighbour].is_driven_by(index);
+            let (own, its) = (all[index].len(), all[other.neighbour].len());
+            odd[other.neighbour].is_some() && (its > own || its == own && driven)
+        };
+        odd[index].filter(|_| !all[index].iter().any(is_other))
+    };
+    (0..beside.len()).map(named).collect()
+}
+
+/// The neighbour that an object is nearest to, where it is far from all, to one side.
+fn odd_beside(ratios: &[Odd], size: Size) -> Option<Odd> {
+    let distance = |odd: &&Odd| odd.ratio.ln().abs();
+    let nearest = (ratios.iter()).min_by(|a, b| distance(a).total_cmp(&distance(b)))?;
+    let one_side = (ratios.iter()).all(|other| (other.ratio > 1.0) == (nearest.ratio > 1.0));
+    let far = nearest.ratio.max(1.0 / nearest.ratio) >= size.out_of_proportion();
+    (one_side && far).then_some(*nearest)
+}
+
+fn odd_words(model: &Model, index: usize, Odd { neighbour, ratio }: Odd, size: Size) -> String {
+    let (part, neighbour) = (&model.objects[index], &model.objects[neighbour]);
     let (times, than) = match ratio > 1.0 {
         true => (ratio, "times"),
         false => (1.0 / ratio, "times less than"),
@@ -132,7 +172,7 @@ fn beside_neighbours(
         let value = size.of(model, part).map_or_else(String::new, short);
         format!("{value} {}", size.unit(part.coordinate))
     };
-    Some(format!(
+    format!(
         "the {name} of `{id}`, {own}, is 10^{power:.0} {than} that of `{other}` beside it, {theirs}, \
          both taken on one motion: is one of them in another unit?",
         name = size.name(),
@@ -141,17 +181,7 @@ fn beside_neighbours(
         power = times.log10(),
         other = neighbour.id,
         theirs = value(neighbour),
-    ))
-}
-
-/// True when an object's only neighbour with that size is its driver.
-fn alone_with(model: &Model, ways: &[Option<Way>], part: &ObjectPart, size: Size) -> bool {
-    let id = &part.id;
-    let mut driven = model.objects.iter().filter(|other| {
-        let driver = other.driver().map(|driver| &model.objects[driver].id);
-        driver == Some(id)
-    });
-    driven.all(|other| reduced(model, ways, other, size).is_none())
+    )
 }
 
 /// Links and masses of one chain.

@@ -1,9 +1,10 @@
 //! How far and how fast the objects go as long as each follows its law.
 
-use crate::dynamics::model::{Model, NodeMotion};
+use crate::dynamics::model::{Coordinate, Model, NodeMotion};
 use crate::dynamics::record::drive_cycle;
 use crate::kinematics::breaks::Breaks;
 use crate::kinematics::constraint::{Constraint, ConstraintJet};
+use crate::kinematics::motion::DriveMotion;
 use crate::math::jet::Jet;
 use std::f64::consts::TAU;
 
@@ -26,6 +27,16 @@ pub(super) struct Way {
     pub(super) mean_square_acceleration: f64,
 }
 
+/// Stretch of time over which a way is looked at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Stretch {
+    /// The run.
+    Run,
+    /// As long as it takes to go through every law, though the run be shorter: what
+    /// stands in a dwell meanwhile is no less a part of the machine.
+    Whole,
+}
+
 /// Assumption about the motion of a motor's rotor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Rotors {
@@ -41,7 +52,16 @@ const TURNS: f64 = 37.3;
 
 /// The ways of the objects' last nodes, which is what others follow; `None` for other
 /// nodes, where the motion is not known, and where nothing is a number.
-pub(super) fn ways(model: &Model, duration: f64, rotors: Rotors) -> Vec<Option<Way>> {
+pub(super) fn ways(
+    model: &Model,
+    duration: f64,
+    stretch: Stretch,
+    rotors: Rotors,
+) -> Vec<Option<Way>> {
+    let duration = match stretch {
+        Stretch::Run => duration,
+        Stretch::Whole => whole(model).fold(duration, f64::max),
+    };
     let instants = instants(model, duration);
     let mut followed = vec![false; model.nodes.len()];
     for &node in model.objects.iter().filter_map(|part| part.nodes.last()) {
@@ -138,6 +158,29 @@ fn instants(model: &Model, duration: f64) -> Vec<f64> {
         Ok(cycle) if cycle < duration => even(cycle).chain(even(duration)).collect(),
         _ => even(duration).collect(),
     }
+}
+
+/// How long each prescribed drive takes for all that it does (s): many turns where it
+/// turns on and on.
+fn whole(model: &Model) -> impl Iterator<Item = f64> {
+    let drives = model.objects.iter().filter(|part| part.is_drive());
+    drives.filter_map(|part| {
+        let NodeMotion::Prescribed { motion, .. } = &model.nodes[part.nodes[0]].motion else {
+            return None;
+        };
+        let breaks = motion.breaks();
+        let last = breaks.points.last().copied().unwrap_or(0.0);
+        let end = breaks.period.unwrap_or(last);
+        let goes_on = matches!(
+            motion,
+            DriveMotion::Constant { .. } | DriveMotion::RunUp { .. } | DriveMotion::LawRunUp(_)
+        );
+        let turns = match goes_on && part.coordinate == Coordinate::Turning {
+            true => TURNS * TAU / motion.jet(breaks.locate(end, 1.0), end).first.abs(),
+            false => 0.0,
+        };
+        Some(end + turns).filter(|time| time.is_finite())
+    })
 }
 
 impl Way {

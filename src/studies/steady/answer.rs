@@ -79,6 +79,13 @@ pub struct DriveFigures {
     pub speed_at_start: f64,
     /// δ = (ω_max − ω_min)/ω_av, the mean over time.
     pub fluctuation: f64,
+    /// The constant moment beside the motor (N·m) that holds the mean speed asked for,
+    /// where one is; the motion is the one with it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub balance: Option<f64>,
+    /// The flywheel, where one was asked for; the motion is the one with it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub flywheel: Option<Flywheel>,
     /// The state at φ = 0 as `run.start` of a scene takes it.
     pub start: BTreeMap<String, StartOf>,
     /// The motion in equal steps of φ, both ends of the period included.

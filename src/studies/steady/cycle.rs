@@ -154,6 +154,25 @@ impl Rhythms {
         }
     }
 
+    /// The least angle after which a machine behind a motor repeats (rad): that of
+    /// [`Rhythms::cycle`], but where the ratios ask for more than `least` they alone decide.
+    /// A motor is the same at every angle, so that it need not have come to whole turns.
+    pub(super) fn cycle_of_motor(&self, least: f64) -> Option<f64> {
+        let turns = |angle: &f64| Fraction::of(angle / TAU);
+        let periods: Option<Vec<Fraction>> = self.periods.iter().map(turns).collect();
+        let mut periods = periods?.into_iter();
+        let first = periods.next();
+        let ratios = first.and_then(|first| {
+            periods.try_fold(first, |common, period| common.common_multiple(period))
+        });
+        match ratios.map(Fraction::value) {
+            Some(value) if value * TAU > least * (1.0 + 1e-12) => {
+                (value <= MOST_TURNS).then_some(TAU * value)
+            }
+            _ => self.cycle(least),
+        }
+    }
+
     /// The least angle after which everything that is known here repeats, and that is a
     /// whole multiple of `least` (rad); `None`: there is none up to [`MOST_TURNS`].
     pub(super) fn cycle(&self, least: f64) -> Option<f64> {

@@ -44,6 +44,15 @@ pub(super) trait Map {
     /// As [`Map::apply`].
     fn monodromy(&self, state: &[f64], time: f64) -> Result<DMatrix<f64>, String>;
 
+    /// The same as cheaply as it goes, to some digits: what a step of Newton's method
+    /// needs. `end` is the state after `time`.
+    ///
+    /// # Errors
+    /// As [`Map::apply`].
+    fn slopes(&self, state: &[f64], _end: &[f64], time: f64) -> Result<DMatrix<f64>, String> {
+        self.monodromy(state, time)
+    }
+
     /// Displacements at `count` equal steps from t = 0 on, t = 0 left out.
     ///
     /// # Errors
@@ -292,6 +301,27 @@ pub(super) fn differences(map: &dyn Map, state: &[f64], over: f64) -> Result<DMa
     Ok((fine * 4.0 - coarse) / 3.0)
 }
 
+/// The derivative of a map to some digits: differences to one side.
+pub(super) fn rough_differences(
+    map: &dyn Map,
+    state: &[f64],
+    end: &[f64],
+    over: f64,
+) -> Result<DMatrix<f64>, String> {
+    let n = state.len();
+    let mut matrix = DMatrix::zeros(n, n);
+    for column in 0..n {
+        let h = DIFFERENCE * map.scales()[column];
+        let mut shifted = state.to_vec();
+        shifted[column] += h;
+        let moved = map.apply(&shifted, over)?;
+        for row in 0..n {
+            matrix[(row, column)] = (moved[row] - end[row]) / h;
+        }
+    }
+    Ok(matrix)
+}
+
 /// Integrates a system from a state over a time into a sink, as finely as it goes.
 ///
 /// # Errors
@@ -366,6 +396,10 @@ impl Map for SystemMap<'_> {
 
     fn monodromy(&self, state: &[f64], time: f64) -> Result<DMatrix<f64>, String> {
         differences(self, state, time)
+    }
+
+    fn slopes(&self, state: &[f64], end: &[f64], time: f64) -> Result<DMatrix<f64>, String> {
+        rough_differences(self, state, end, time)
     }
 
     fn scales(&self) -> &[f64] {

@@ -9,6 +9,7 @@ mod answer;
 pub mod csv;
 mod cycle;
 mod expectations;
+mod held;
 mod machine;
 mod map;
 mod motor;
@@ -19,6 +20,7 @@ mod rigid;
 mod shooting;
 mod simulate;
 mod sink;
+mod wheel;
 
 pub use answer::DriveFigures;
 pub use answer::DriveRow;

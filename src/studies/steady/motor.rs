@@ -8,13 +8,15 @@ use super::answer::DriveFigures;
 use super::answer::DriveRow;
 use super::answer::StartOf;
 use super::cycle::{AFTER_A_CYCLE, Rhythms};
+use super::held::{Added, with_added};
 use super::machine::{behind, over_time, several_inputs};
 use super::map::Map;
-use super::periodic::{About, ORBIT, PeriodicAnswer, none, part, state_names};
+use super::periodic::{About, ORBIT, PeriodicAnswer, none, part_near, state_names};
 use super::phase::PhaseMap;
 use super::portrait::{Portrait, Row};
+use super::wheel::{Asked, Found};
 use crate::dynamics::integrate::Dynamics;
-use crate::dynamics::model::{Model, NodeMotion};
+use crate::dynamics::model::Model;
 use crate::dynamics::steady::Means;
 use crate::dynamics::system::System;
 use crate::fault::Fault;
@@ -29,41 +31,33 @@ const USUAL: f64 = 1e-3;
 /// Places of a cycle at which accelerations are compared with those a cycle later.
 const LOOKS: usize = 97;
 
-/// Faults of a scene that asks what a motor and elastic objects have no place for.
-fn contradictions(model: &Model, spec: &SteadySpec, moved: &[bool]) -> Vec<Fault> {
-    let elastic = |part: &&crate::dynamics::model::ObjectPart| {
-        let node = part.nodes[0];
-        moved[node] && matches!(model.nodes[node].motion, NodeMotion::Mass { .. })
+/// Faults of a question that a motor and elastic objects leave half open.
+fn contradictions(model: &Model, drive: usize, spec: &SteadySpec) -> Vec<Fault> {
+    let id = &model.objects[drive].id;
+    let fault = |name: &str, message: String, hint: &str| {
+        vec![Fault::new(format!("steady.{name}"), message, hint)]
     };
-    let id = (model.objects.iter().find(elastic)).map_or("", |part| part.id.as_str());
-    let asked = [
-        (
-            spec.mean_speed.is_some(),
+    match (spec.mean_speed, spec.balance) {
+        (Some(_), false) => fault(
             "mean_speed",
-            "leave it out: motor and load decide",
+            format!(
+                "the mean speed of `{id}` is a result of its motor and of what it carries, losses \
+                 in elastic objects included: none can be asked for as they are"
+            ),
+            "`balance` adds the constant moment beside the motor that holds this mean speed; or \
+             leave `mean_speed` out",
         ),
-        (
-            spec.balance,
+        (None, true) => fault(
             "balance",
-            "leave it out: motor and load balance the cycle",
+            format!(
+                "a constant moment beside the motor of `{id}` is found for a mean speed, and none \
+                 is asked for"
+            ),
+            "\"steady\": { \"mean_speed\": \"300 rpm\" }, or --mean-speed \"300 rpm\"; without \
+             `balance` motor and load balance the cycle by themselves",
         ),
-        (
-            spec.fluctuation.is_some(),
-            "fluctuation",
-            "compare the fluctuation with other inertias of the motor: `--set`",
-        ),
-    ];
-    let asked = asked.iter().filter(|(given, ..)| *given);
-    asked
-        .map(|(_, name, hint)| {
-            let message = format!(
-                "`{id}` is elastic behind a motor: `{name}` is found for machines with rigid \
-                 objects"
-            );
-            let hint = format!("{hint}; or \"masses\": 0");
-            Fault::new(format!("{id}.masses"), message, hint)
-        })
-        .collect()
+        _ => Vec::new(),
+    }
 }
 
 /// Faults that stand against a steady motion of everything behind a motor.
@@ -93,9 +87,9 @@ fn cycle(model: &Model, drive: usize, moved: &[bool], least: f64) -> Result<f64,
     if !rhythms.growing.is_empty() {
         return Err(rhythms.growing);
     }
-    rhythms.cycle(least).ok_or_else(|| {
+    rhythms.cycle_of_motor(least).ok_or_else(|| {
         let message = "its ratios bring the machine back to where it was after no angle of the \
-                       drive up to 100 turns that is a whole multiple of the cycle";
+                       drive up to 100 turns";
         let hint = "ratios of whole numbers of teeth, \"ratio\": 0.4878048780487805 for 20/41, \
                     and a `cycle` of whole turns";
         vec![Fault::new("steady.cycle", message, hint)]
@@ -210,6 +204,8 @@ fn figures(
         greatest_speed: greatest,
         speed_at_start: rows.first().map_or(f64::NAN, |row| row.speed),
         fluctuation: (greatest.value - least.value) / means.time,
+        balance: None,
+        flywheel: None,
         start: start_of(system, y),
         rows,
     }
@@ -229,7 +225,7 @@ pub(super) fn answer(
 ) -> Result<PeriodicAnswer, Vec<Fault>> {
     let model = system.model();
     let moved = behind(model, model.objects[drive].nodes[0]);
-    let mut faults = contradictions(model, spec, &moved);
+    let mut faults = contradictions(model, drive, spec);
     faults.extend(obstacles(model, drive, &moved));
     if !faults.is_empty() {
         return Err(faults);
@@ -237,24 +233,53 @@ pub(super) fn answer(
     let cycle = cycle(model, drive, &moved, spec.cycle)?;
     let initial = system.initial_state()?;
     let none = |why: String| none(&why);
-    let choice = choose_general(system, settings, "");
-    let map = PhaseMap::new(system, rotor, choice.method, *control);
+    let method = choose_general(system, settings, "").method;
+    let map = PhaseMap::new(system, rotor, method, *control);
     let start = map.to_section(&initial.y, cycle).map_err(|why| {
         let message = format!("the machine does not get through its first cycle: {why}");
         let hint = "a stronger motor, a lighter load, another speed at the start";
         vec![Fault::new("steady", message, hint)]
     })?;
     check_cycle(system, &map, &start, cycle)?;
+    let machine = Asked {
+        model,
+        drive,
+        rotor,
+        spec,
+        method,
+        budget: *control,
+        start: &start,
+        cycle,
+    };
+    let found = match (spec.balance, spec.fluctuation) {
+        (false, None) => Found::default(),
+        _ => machine.found()?,
+    };
+    let own;
+    let system = match found.added == Added::default() {
+        true => system,
+        false => {
+            own = with_added(model, drive, found.added)?;
+            &own
+        }
+    };
+    let map = PhaseMap::new(system, rotor, method, *control);
     let about = About::of_all(system, Some(rotor));
-    let (motion, found) = part(&map, &start, cycle, spec.periods, &about).map_err(none)?;
+    let known = found.state.as_deref();
+    let (motion, state) =
+        part_near(&map, &start, known, cycle, spec.periods, &about).map_err(none)?;
     let angle = cycle * motion.periods as f64;
-    let portrait = map.portrait(&found, angle, ORBIT).map_err(none)?;
-    let y = map.whole(&found, 0.0);
-    let turn = map.duration(&found, cycle).map_err(none)?;
+    let portrait = map.portrait(&state, angle, ORBIT).map_err(none)?;
+    let y = map.whole(&state, 0.0);
+    let turn = map.duration(&state, cycle).map_err(none)?;
     Ok(PeriodicAnswer {
         cycle,
         turn,
-        drive: Some(figures(system, drive, &y, &portrait, angle)),
+        drive: Some(DriveFigures {
+            balance: spec.balance.then_some(found.added.moment),
+            flywheel: found.flywheel,
+            ..figures(system, drive, &y, &portrait, angle)
+        }),
         parts: vec![motion],
         state_names: state_names(system),
         state: y,

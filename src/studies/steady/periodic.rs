@@ -3,7 +3,7 @@
 use super::answer::DriveFigures;
 use super::cycle::Rhythms;
 use super::map::{Map, SystemMap, TreeMap};
-use super::shooting::{Fixed, distance, shoot};
+use super::shooting::{Fixed, distance, shoot_near};
 use crate::dynamics::integrate::Dynamics;
 use crate::dynamics::model::Coordinate;
 use crate::dynamics::record::drive_cycle;
@@ -108,7 +108,7 @@ pub struct Multiplier {
 /// A run of many periods from the scene's start.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct LongRun {
-    /// Turns of the drive.
+    /// Cycles of the drive: turns where it repeats after one.
     pub turns: usize,
     /// Distance of its end from the periodic motion, relative to the sizes of
     /// the state's entries.
@@ -252,11 +252,24 @@ pub(super) fn part(
     most: usize,
     about: &About,
 ) -> Result<(PartMotion, Vec<f64>), String> {
+    part_near(map, start, None, turn, most, about)
+}
+
+/// The same, where a state is known that comes back after a cycle.
+pub(super) fn part_near(
+    map: &dyn Map,
+    start: &[f64],
+    known: Option<&[f64]>,
+    turn: f64,
+    most: usize,
+    about: &About,
+) -> Result<(PartMotion, Vec<f64>), String> {
     let mut reasons = Vec::new();
     let mut unstable = None;
     for periods in 1..=most {
         let period = turn * periods as f64;
-        match shoot(map, start, turn, periods) {
+        let known = known.filter(|_| periods == 1);
+        match shoot_near(map, start, known, turn, periods) {
             Ok(fixed) => {
                 let multipliers = multipliers(&fixed.monodromy);
                 let stability = Stability::of(&multipliers);

@@ -1,11 +1,12 @@
 //! The map of the state over an angle of a drive that turns as its motor and its load
 //! let it: the angle takes the place of time.
 
-use super::map::{Map, Orbit, differences, follow};
+use super::map::{Map, Orbit, differences, follow, rough_differences};
 use super::portrait::Portrait;
 use super::sink::Last;
 use crate::budget::Budget;
 use crate::dynamics::integrate::{Dynamics, Method, Modes, Sink, SwitchEvent};
+use crate::dynamics::steady::Mean;
 use crate::dynamics::system::System;
 use crate::math::polynomial::Step;
 use nalgebra::DMatrix;
@@ -66,7 +67,12 @@ impl<'a> PhaseMap<'a> {
 
     /// A speed that the drive has about (rad/s).
     pub(super) fn nominal(&self) -> f64 {
-        self.scales[self.system.coordinates() - 1 + self.rotor]
+        self.scales[self.speed()]
+    }
+
+    /// Where the drive's speed stands in a state.
+    pub(super) fn speed(&self) -> usize {
+        self.system.coordinates() - 1 + self.rotor
     }
 
     /// The system's state with the drive at an angle.
@@ -185,6 +191,27 @@ impl<'a> PhaseMap<'a> {
         Ok(self.without_angle(arrival.y))
     }
 
+    /// The state after an angle, and the mean speed on the way (rad/s).
+    pub(super) fn pass(
+        &self,
+        state: &[f64],
+        angle: f64,
+        mean: Mean,
+    ) -> Result<(Vec<f64>, f64), String> {
+        let arrival = self.arrive(&self.whole(state, 0.0), angle)?;
+        let speed = match mean {
+            Mean::Time => angle / arrival.time,
+            Mean::Angle | Mean::Midrange => {
+                let portrait = self.portrait(state, angle, 1)?;
+                match mean {
+                    Mean::Angle => portrait.speed_by_angle / angle,
+                    _ => 0.5 * (portrait.least.value + portrait.greatest.value),
+                }
+            }
+        };
+        Ok((self.without_angle(arrival.y), speed))
+    }
+
     /// The motion over an angle, looked at in `count` equal steps of it.
     pub(super) fn portrait(
         &self,
@@ -210,6 +237,10 @@ impl Map for PhaseMap<'_> {
 
     fn monodromy(&self, state: &[f64], angle: f64) -> Result<DMatrix<f64>, String> {
         differences(self, state, angle)
+    }
+
+    fn slopes(&self, state: &[f64], end: &[f64], angle: f64) -> Result<DMatrix<f64>, String> {
+        rough_differences(self, state, end, angle)
     }
 
     fn orbit(&self, state: &[f64], angle: f64, count: usize) -> Result<Orbit, String> {

@@ -6,7 +6,7 @@ use nalgebra::{DMatrix, DVector};
 /// Periods of plain following before Newton's method, at first.
 const SETTLING: u32 = 12;
 /// Newton's steps in a row.
-const STEPS: u32 = 12;
+const STEPS: u32 = 24;
 /// Rounds of following and Newton's steps.
 const ROUNDS: u32 = 6;
 /// States this near are the same.
@@ -38,11 +38,28 @@ pub(super) fn shoot(
     turn: f64,
     periods: usize,
 ) -> Result<Fixed, String> {
+    shoot_near(map, start, None, turn, periods)
+}
+
+/// The same, Newton's method from a state that about comes back first, where one is known.
+pub(super) fn shoot_near(
+    map: &dyn Map,
+    start: &[f64],
+    known: Option<&[f64]>,
+    turn: f64,
+    periods: usize,
+) -> Result<Fixed, String> {
     let time = turn * periods as f64;
     let mut state = start.to_vec();
     let mut iterations = 0;
-    let mut settling = SETTLING;
     let mut nearest = f64::INFINITY;
+    if let Some(known) = known
+        && let Some(mut fixed) = newton(map, known, time, &mut iterations, &mut nearest)?
+    {
+        fixed.iterations = iterations;
+        return Ok(fixed);
+    }
+    let mut settling = SETTLING;
     for _ in 0..ROUNDS {
         for _ in 0..settling {
             state = map.apply(&state, time)?;
@@ -75,6 +92,42 @@ fn repeats_sooner(map: &dyn Map, state: &[f64], turn: f64, periods: usize) -> Re
     Ok(false)
 }
 
+/// What a step of Newton's method leaves of the miss where the derivative in hand is
+/// good for another one.
+const GOOD: f64 = 0.1;
+/// A miss below which a step that gains nothing has come to what the motion itself is
+/// known to.
+const FINE: f64 = 1e-11;
+
+/// Shares of a step that are tried where the whole of it gains nothing.
+const SHORTER: [f64; 4] = [0.5, 0.25, 0.1, 0.03];
+
+/// How a derivative of the map was found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Slope {
+    /// None in hand, any will do.
+    Missing,
+    /// None in hand that is good enough.
+    Wanted,
+    /// Found at an earlier state.
+    Old,
+    /// As cheaply as it goes, where the state stands.
+    Rough,
+    /// As well as it goes, where the state stands.
+    Best,
+}
+
+/// A fixed point near a state, without what else is asked of one; `None`: there is none
+/// that Newton's method comes to.
+///
+/// # Errors
+/// The state itself gets nowhere.
+pub(super) fn near(map: &dyn Map, start: &[f64], time: f64) -> Result<Option<Vec<f64>>, String> {
+    let (mut iterations, mut nearest) = (0, f64::INFINITY);
+    let found = close(map, start, time, &mut iterations, &mut nearest)?;
+    Ok(found.map(|(state, _)| state))
+}
+
 fn newton(
     map: &dyn Map,
     start: &[f64],
@@ -82,39 +135,9 @@ fn newton(
     iterations: &mut u32,
     nearest: &mut f64,
 ) -> Result<Option<Fixed>, String> {
-    let n = start.len();
-    let mut state = start.to_vec();
-    let mut end = map.apply(&state, time)?;
-    let mut miss = distance(&state, &end, map.scales());
-    for _ in 0..STEPS {
-        *nearest = nearest.min(miss);
-        if miss <= MISS_ROUNDING {
-            break;
-        }
-        let matrix = DMatrix::identity(n, n) - map.monodromy(&state, time)?;
-        let gap = DVector::from_iterator(n, end.iter().zip(&state).map(|(e, s)| e - s));
-        let Some(step) = matrix.lu().solve(&gap) else {
-            return Ok(None);
-        };
-        let next: Vec<f64> = state.iter().zip(step.iter()).map(|(s, d)| s + d).collect();
-        if next.iter().any(|entry| !entry.is_finite()) {
-            return Ok(None);
-        }
-        // A motion that gets nowhere is a step astray.
-        let Ok(next_end) = map.apply(&next, time) else {
-            break;
-        };
-        *iterations += 1;
-        let next_miss = distance(&next, &next_end, map.scales());
-        // No longer better: rounding, or astray.
-        if !(next_miss < miss) {
-            break;
-        }
-        (state, end, miss) = (next, next_end, next_miss);
-    }
-    if !(miss <= CLOSED) {
+    let Some((state, miss)) = close(map, start, time, iterations, nearest)? else {
         return Ok(None);
-    }
+    };
     let monodromy = map.monodromy(&state, time)?;
     Ok(Some(Fixed {
         state,
@@ -122,4 +145,75 @@ fn newton(
         monodromy,
         iterations: 0,
     }))
+}
+
+/// A state that comes back, and how far it misses itself.
+fn close(
+    map: &dyn Map,
+    start: &[f64],
+    time: f64,
+    iterations: &mut u32,
+    nearest: &mut f64,
+) -> Result<Option<(Vec<f64>, f64)>, String> {
+    let n = start.len();
+    let mut state = start.to_vec();
+    let mut end = map.apply(&state, time)?;
+    let mut miss = distance(&state, &end, map.scales());
+    let mut slope = Slope::Missing;
+    let mut factors = DMatrix::zeros(0, 0).lu();
+    let mut steps = 0;
+    while steps < STEPS && miss > MISS_ROUNDING {
+        *nearest = nearest.min(miss);
+        let fresh = match slope {
+            Slope::Missing => Some((map.slopes(&state, &end, time)?, Slope::Rough)),
+            Slope::Wanted => Some((map.monodromy(&state, time)?, Slope::Best)),
+            _ => None,
+        };
+        if let Some((matrix, how)) = fresh {
+            (factors, slope) = ((DMatrix::identity(n, n) - matrix).lu(), how);
+        }
+        let gap = DVector::from_iterator(n, end.iter().zip(&state).map(|(e, s)| e - s));
+        let step = factors.solve(&gap);
+        // A motion that gets nowhere is a step astray.
+        let take = |share: f64| {
+            let moved = state.iter().zip(step.as_ref()?.iter());
+            let next: Vec<f64> = moved.map(|(s, d)| s + share * d).collect();
+            let finite = next.iter().all(|entry| entry.is_finite());
+            let end = finite.then(|| map.apply(&next, time).ok())??;
+            let miss = distance(&next, &end, map.scales());
+            Some((next, end, miss))
+        };
+        let mut found = take(1.0);
+        if slope == Slope::Best && miss > FINE {
+            // Across switches the whole way is often too far.
+            for share in SHORTER {
+                if found.as_ref().is_some_and(|found| found.2 < miss) {
+                    break;
+                }
+                found = take(share);
+            }
+        }
+        match found {
+            // What is not the best that can be known must gain much: far from the motion a
+            // poor step leads astray.
+            Some((next, next_end, next_miss))
+                if next_miss <= GOOD * miss || slope == Slope::Best && next_miss < miss =>
+            {
+                (*iterations, steps) = (*iterations + 1, steps + 1);
+                let gains = next_miss <= GOOD * miss;
+                (state, end, miss) = (next, next_end, next_miss);
+                slope = match gains {
+                    true => Slope::Old,
+                    false => Slope::Wanted,
+                };
+            }
+            // No longer better: rounding, …
+            _ if miss <= FINE || slope == Slope::Best => break,
+            // … a derivative that no longer holds, or one that is too rough.
+            _ if slope == Slope::Old => slope = Slope::Missing,
+            _ => slope = Slope::Wanted,
+        }
+    }
+    *nearest = nearest.min(miss);
+    Ok((miss <= CLOSED).then_some((state, miss)))
 }

@@ -96,17 +96,6 @@ impl Wall {
 }
 
 fn run_text(text: &str, method: Option<Method>) -> RunResult {
-    let result = run_any(text, method);
-    assert!(
-        result.is_trusted(),
-        "{:?} {method:?} {text}",
-        result.warnings
-    );
-    result
-}
-
-/// A run to its end, whose balance of energies may be one of errors alone.
-fn run_any(text: &str, method: Option<Method>) -> RunResult {
     let document = Document::parse("scene.json", text.as_bytes()).unwrap();
     let reading = document.scene(&BuiltIn, &Overrides::none());
     let reading = reading.unwrap_or_else(|faults| panic!("{faults:#?}\n{text}"));
@@ -117,6 +106,11 @@ fn run_any(text: &str, method: Option<Method>) -> RunResult {
     };
     let result = run(&system, &settings, &Control::default(), &mut []).unwrap();
     assert!(result.is_complete(), "{:?}", result.outcome.stop);
+    assert!(
+        result.is_trusted(),
+        "{:?} {method:?} {text}",
+        result.warnings
+    );
     result
 }
 

@@ -6,6 +6,7 @@
 mod machines;
 
 mod elastic_motor;
+mod elastic_wanted;
 mod flywheel;
 mod motor;
 mod reference;

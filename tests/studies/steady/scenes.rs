@@ -324,8 +324,8 @@ fn questions_without_an_answer_are_refused_at_their_place() {
                 "",
             ),
             Some(100.0),
-            "slide.masses",
-            "elastic",
+            "steady.mean_speed",
+            "result of its motor",
         ),
         (
             crank(
