@@ -59,7 +59,7 @@ impl Document<'_> {
 pub(crate) fn command(args: &RunArgs) -> Result<Status, Failure> {
     let input = Input::load(&args.scene)?;
     let accuracy = super::accuracy::setting(&args.accuracy, &[])?;
-    let ready = input.prepare_judging(&accuracy, Judging::Asked)?;
+    let mut ready = input.prepare_judging(&accuracy, Judging::Asked)?;
     let folder = OutputFolder::asked(&args.out, &ready.scene().name, &FILES)?;
     let quiet = args.scene.quiet;
     if !quiet && !ready.reading.warnings.is_empty() {
@@ -92,6 +92,10 @@ pub(crate) fn command(args: &RunArgs) -> Result<Status, Failure> {
     } else {
         None
     };
+    if let Some(spread) = &spread {
+        let certificate = ready.certificate.take();
+        ready.certificate = certificate.map(|found| found.with_spread(spread));
+    }
     // Another mechanism than the scene's has no expectations.
     let changed = !args.scene.set.is_empty();
     let verdicts = if changed {

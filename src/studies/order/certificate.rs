@@ -2,6 +2,7 @@
 //! level.
 
 use crate::dynamics::builder::spec::Level;
+use crate::studies::spread::Spread;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -113,9 +114,102 @@ pub struct Certificate {
 }
 
 impl Certificate {
+    /// The same, with how far rounding alone moves each figure (loads and gaps changed by one
+    /// part in 10¹⁰, the tolerance halved) in its error. A figure that is gone by it is not
+    /// determined.
+    #[must_use]
+    pub fn with_spread(mut self, spread: &Spread) -> Self {
+        for found in &spread.figures {
+            let Some(figure) = self.accuracy.get_mut(&found.figure) else {
+                continue;
+            };
+            let (Some(error), Some(shares)) = (&mut figure.error, &mut figure.shares) else {
+                continue;
+            };
+            let Some(moved) = found.by_loads.zip(found.by_tolerance) else {
+                figure.error = None;
+                figure.relative = None;
+                figure.shares = None;
+                figure.holds = false;
+                figure.kind = Certainty::NotDetermined;
+                let why = "it is gone when the loads change by one part in 10¹⁰".to_owned();
+                figure.why = Some(why);
+                continue;
+            };
+            let moved = moved.0.max(moved.1);
+            shares.spread = Some(moved);
+            *error += moved;
+            let relative = *error / figure.value.abs();
+            figure.relative = Some(relative).filter(|share| share.is_finite());
+            figure.holds = *error <= figure.asked;
+        }
+        self
+    }
+
     /// True when every figure that has a limit is as accurate as it is asked to be.
     pub fn holds(&self) -> bool {
         let mut figures = self.accuracy.values();
         figures.all(|figure| figure.holds || figure.kind == Certainty::NoLimit)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Certainty, Certificate, FigureAccuracy, Shares};
+    use crate::studies::spread::{FigureSpread, Spread};
+
+    fn certificate(error: f64) -> Certificate {
+        let figure = FigureAccuracy {
+            value: 2.0,
+            unit: String::new(),
+            error: Some(error),
+            relative: Some(error / 2.0),
+            asked: 0.02,
+            holds: true,
+            kind: Certainty::Estimate,
+            shares: Some(Shares {
+                model: error,
+                integration: 0.0,
+                spread: None,
+            }),
+            limit: Some(2.0),
+            why: None,
+        };
+        Certificate {
+            accuracy: [("one.delta_abs".to_owned(), figure)].into(),
+            ..Certificate::default()
+        }
+    }
+
+    fn spread(by_loads: Option<f64>, by_tolerance: Option<f64>) -> Spread {
+        let figure = FigureSpread {
+            figure: "one.delta_abs".to_owned(),
+            value: 2.0,
+            scale: 2.0,
+            by_loads,
+            by_tolerance,
+            determined: false,
+        };
+        Spread {
+            change: 1e-10,
+            tolerance_factor: 0.5,
+            figures: vec![figure],
+        }
+    }
+
+    #[test]
+    fn what_rounding_moves_is_a_share_of_the_error() {
+        let found = certificate(0.01).with_spread(&spread(Some(0.002), Some(0.005)));
+        let figure = &found.accuracy["one.delta_abs"];
+        assert_eq!((figure.error, figure.holds), (Some(0.015), true));
+        assert_eq!(figure.shares.and_then(|shares| shares.spread), Some(0.005));
+        let found = certificate(0.01).with_spread(&spread(Some(0.02), Some(0.0)));
+        assert!(!found.accuracy["one.delta_abs"].holds);
+        let found = certificate(0.01).with_spread(&spread(None, None));
+        let figure = &found.accuracy["one.delta_abs"];
+        assert_eq!(
+            (figure.kind, figure.error),
+            (Certainty::NotDetermined, None)
+        );
     }
 }
