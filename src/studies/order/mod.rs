@@ -18,6 +18,7 @@ pub mod settling;
 mod trial;
 
 pub use asked::Asked;
+pub(in crate::studies) use asked::USUAL;
 pub use certificate::{
     Certainty, Certificate, Cheaper, FigureAccuracy, ObjectModel, Shares, Tried,
 };
