@@ -1,6 +1,7 @@
 //! The command-line program: arguments, files, terminal. Everything else is in
 //! the library.
 
+mod answer;
 mod args;
 mod cam;
 mod check;
