@@ -1,24 +1,29 @@
 //! `dam compare`: the same scene for several values of a parameter.
 
+use super::answer::{Answer, Content, PAGE, Shown};
 use super::args::CompareArgs;
-use super::console;
 use super::failure::Failure;
 use super::input::{Input, Ready};
-use super::output::{self, OutputFolder, ResultFile};
+use super::interrupt;
+use super::output::OutputFolder;
 use super::run::run_with_progress;
 use super::status::Status;
-use super::{interrupt, tables};
 use crate::dynamics::integrate::Stop;
+use crate::dynamics::model::Model;
 use crate::dynamics::record::Quantity;
 use crate::fault::Fault;
-use crate::report::compare::{CompareReport, ComparedRun, chart, page};
+use crate::report::compare::{chart, findings};
 use crate::report::csv::{record_csv, table_csv};
 use crate::report::diagram::Diagram;
+use crate::report::findings::Source;
 use crate::studies::RunSettings;
-use crate::studies::compare::{Comparison, compare};
+use crate::studies::compare::{ComparedRun, Comparison, compare};
 use crate::studies::limit::without_limit;
 use crate::studies::list::ValueList;
 use crate::studies::order::{Limits, limits};
+use serde_json::{Value, json};
+
+const FILES: [&str; 3] = ["comparison.json", "comparison.csv", PAGE];
 
 /// Most values of one comparison.
 const MOST: usize = 50;
@@ -53,29 +58,31 @@ pub(crate) fn command(args: &CompareArgs) -> Result<Status, Failure> {
     if let Some(limits) = limits_of(&input, &over, &comparison)? {
         comparison.measure_against(&limits);
     }
-    let files = || files(&input, &ready, &comparison);
-    let show = || match args.scene.json {
-        true => console::json(&tables::comparison_document(&scene, &comparison)),
-        false => console::text(&tables::comparison(&scene, &comparison)),
+    let model = ready[0].system.model();
+    let named = |run: &ComparedRun| {
+        let name = format!("{} = {}", over.path, run.label);
+        let said = run.result.figures.warnings.clone().into_iter();
+        said.map(move |warning| format!("{name}: {warning}"))
     };
-    let hash = &ready[0].scene().hash;
-    output::deliver(folder.as_ref(), "compare", hash, files, show)?;
-    if !args.scene.quiet {
-        for run in &comparison.runs {
-            for warning in &run.result.figures.warnings {
-                console::talk(&format!(
-                    "warning: {} = {}: {warning}",
-                    over.path, run.label
-                ));
-            }
-        }
-        for warning in no_limit(&over.path, &ready, &comparison) {
-            console::talk(&format!("warning: {warning}"));
-        }
-        if let Some(folder) = &folder {
-            folder.tell_report();
-        }
-    }
+    let mut warnings: Vec<String> = comparison.runs.iter().flat_map(named).collect();
+    warnings.extend(no_limit(&over.path, &ready, &comparison));
+    let (diagram, hash) = (Diagram::of(model), &ready[0].scene().hash);
+    let source = Source::scene(input.text(), hash);
+    let files = match folder {
+        Some(_) => files(model, &comparison)?,
+        None => Vec::new(),
+    };
+    let answer = Answer {
+        command: "compare",
+        findings: &findings(&scene, &comparison, &diagram, warnings, source),
+        document: document(&scene, &comparison),
+        files,
+        quiet: args.scene.quiet,
+    };
+    answer.deliver(
+        folder.as_ref(),
+        Shown::json_or(args.scene.json, Shown::Text),
+    )?;
     Ok(status(&comparison))
 }
 
@@ -165,8 +172,7 @@ fn prepare_folder(
     ready: &[Ready],
     count: usize,
 ) -> Result<Option<OutputFolder>, Failure> {
-    let mut names = vec!["comparison.json".to_owned(), "comparison.csv".to_owned()];
-    names.push("report.html".to_owned());
+    let mut names: Vec<String> = FILES.map(str::to_owned).into();
     names.extend((0..count).map(record_name));
     for object in &ready[0].system.model().objects {
         names.extend(DRAWN.map(|quantity| chart_name(&object.id, quantity)));
@@ -176,46 +182,38 @@ fn prepare_folder(
     Ok(OutputFolder::asked(&args.out, scene, &names)?)
 }
 
-fn files(
-    input: &Input,
-    ready: &[Ready],
-    comparison: &Comparison,
-) -> Result<Vec<ResultFile>, Failure> {
-    let scene = &ready[0].scene().name;
-    let model = ready[0].system.model();
-    let runs: Vec<ComparedRun<'_>> = comparison
-        .runs
-        .iter()
-        .map(|run| ComparedRun {
-            label: format!("{} = {}", comparison.over, run.label),
-            figures: &run.result.figures,
-            record: &run.result.record,
-        })
-        .collect();
-    let document = tables::comparison_document(scene, comparison);
-    let csv = table_csv(&comparison.table).map_err(|error| error.to_string())?;
-    let report = page(&CompareReport {
-        title: scene,
-        runs: &runs,
-        enough: &comparison.enough(),
-        diagram: &Diagram::of(model),
-        scene: input.text(),
-        version: env!("CARGO_PKG_VERSION"),
-    });
+/// The document of a comparison.
+fn document(scene: &str, comparison: &Comparison) -> Value {
+    let runs = comparison.runs.iter();
+    let runs = runs.map(|run| json!({ "value": run.label, "figures": run.result.figures }));
+    json!({
+        "dam": 1, "scene": scene, "over": comparison.over, "table": comparison.table,
+        "runs": runs.collect::<Vec<_>>()
+    })
+}
+
+/// The files: figures, page, samples, curves over each other.
+fn files<'a>(
+    model: &'a Model,
+    comparison: &'a Comparison,
+) -> Result<Vec<(String, Content<'a>)>, Failure> {
     let mut files = vec![
-        ResultFile::new("comparison.json", format!("{document:#}\n")),
-        ResultFile::new("comparison.csv", csv),
-        ResultFile::new("report.html", report),
+        (FILES[0].to_owned(), Content::Document),
+        (
+            FILES[1].to_owned(),
+            Content::made(|| table_csv(&comparison.table)),
+        ),
+        (FILES[2].to_owned(), Content::Page),
     ];
     for (index, run) in comparison.runs.iter().enumerate() {
-        let text = record_csv(&run.result.record).map_err(|error| error.to_string())?;
-        files.push(ResultFile::new(record_name(index), text));
+        let text = record_csv(&run.result.record)?;
+        files.push((record_name(index), Content::made(move || text.clone())));
     }
     for object in &model.objects {
         for quantity in DRAWN {
-            if let Some(chart) = chart(&runs, &object.id, quantity) {
+            if let Some(chart) = chart(comparison, &object.id, quantity) {
                 let name = chart_name(&object.id, quantity);
-                files.push(ResultFile::new(name, chart.svg(900.0, 420.0)));
+                files.push((name, Content::made(move || chart.svg(900.0, 420.0))));
             }
         }
     }

@@ -3,6 +3,7 @@
 use super::failure::Failure;
 use super::interrupt;
 use crate::frontend::diagnostics::{Diagnostics, is_harmful, printable};
+use crate::report::findings::Findings;
 use crate::report::fitted::fitted;
 use std::io::{ErrorKind, IsTerminal, Write};
 
@@ -31,6 +32,14 @@ pub(crate) fn text(text: &str) -> Result<(), Failure> {
         Some(width) => data(&fitted(text, width)),
         None => data(text),
     }
+}
+
+/// Writes findings to standard output, tables in the width of the terminal.
+///
+/// # Errors
+/// Those of [`data`].
+pub(crate) fn findings(found: &Findings<'_>) -> Result<(), Failure> {
+    text(&found.text(width()))
 }
 
 /// Characters a line of standard output has room for: what `COLUMNS` says, else the terminal;

@@ -7,6 +7,7 @@ use super::input::Input;
 use super::interrupt;
 use super::journal::Journal;
 use super::output::{self, OutputFolder, ResultFile};
+use super::progress::PATIENCE;
 use super::status::Status;
 use crate::frontend::diagnostics::printable;
 use crate::report::map::picture;
@@ -19,7 +20,7 @@ use serde_json::Value;
 use std::collections::BTreeMap;
 use std::io::IsTerminal;
 use std::path::Path;
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 const FILES: [&str; 5] = [
     "map.csv",
@@ -28,9 +29,6 @@ const FILES: [&str; 5] = [
     "report.html",
     "timing.json",
 ];
-
-/// Maps that take less time than this show no bar.
-const PATIENCE: Duration = Duration::from_secs(1);
 
 /// Runs the command.
 pub(crate) fn command(args: &MapArgs) -> Result<Status, Failure> {

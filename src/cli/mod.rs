@@ -2,6 +2,7 @@
 //! the library.
 
 mod accuracy;
+mod answer;
 mod args;
 mod cam;
 mod check;

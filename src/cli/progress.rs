@@ -8,8 +8,8 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::IsTerminal;
 use std::time::{Duration, Instant};
 
-/// Runs shorter than this show no bar.
-const PATIENCE: Duration = Duration::from_secs(1);
+/// Work that takes less time than this shows no bar.
+pub(crate) const PATIENCE: Duration = Duration::from_secs(1);
 /// Steps between two looks at the clock.
 const STRIDE: u32 = 256;
 

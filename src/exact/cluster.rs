@@ -24,6 +24,7 @@
 use super::basis::{Lane, LaneKind};
 use super::dense::{self, Split, Subspace};
 use super::pencil::{C, Pencil};
+use crate::units::shown;
 use nalgebra::DMatrix;
 
 /// Modes nearer to each other than this share of |λ| are taken together.
@@ -245,8 +246,8 @@ impl Cluster {
     fn lanes(&self, pencil: &Pencil) -> Result<Vec<Lane>, String> {
         if self.members.len() > MOST_MEMBERS {
             return Err(format!(
-                "more than {MOST_MEMBERS} of its modes run into each other about |λ| = {:.6e} rad/s",
-                self.mean.norm()
+                "more than {MOST_MEMBERS} of its modes run into each other about |λ| = {} rad/s",
+                shown(self.mean.norm(), 7)
             ));
         }
         if !pencil.damped() {
@@ -310,9 +311,9 @@ impl Cluster {
 
     fn refusal(&self) -> String {
         format!(
-            "{} of its modes coincide at |λ| = {:.6e} rad/s and cannot be told apart",
+            "{} of its modes coincide at |λ| = {} rad/s and cannot be told apart",
             self.members.len(),
-            self.mean.norm()
+            shown(self.mean.norm(), 7)
         )
     }
 }

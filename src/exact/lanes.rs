@@ -9,7 +9,9 @@
 
 mod elementary;
 
-pub(crate) use elementary::{SIN_COS_LIMIT, exp, reduced, reduced_one, sin_cos, sin_cos_one};
+pub(crate) use elementary::{
+    ROUND, SIN_COS_LIMIT, exp, reduced, reduced_one, sin_cos, sin_cos_one,
+};
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 

@@ -4,7 +4,7 @@
 //! polynomial; at the joint of two spans the propagation is restarted (a
 //! planned break, no search needed for it).
 
-use super::lanes::{Arith, Plain, SIN_COS_LIMIT, sin_cos_one};
+use super::lanes::{Arith, Plain, ROUND, SIN_COS_LIMIT, sin_cos_one};
 use nalgebra::Complex;
 use std::fmt;
 use std::sync::Arc;
@@ -155,9 +155,6 @@ impl Law {
         }
     }
 }
-
-/// Adding and taking away 3·2⁵¹ rounds to the nearest integer.
-const ROUND: f64 = 6_755_399_441_055_744.0;
 
 /// frequency·time modulo 2π: the product is split so that its own rounding
 /// does not count, then reduced.

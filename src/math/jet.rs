@@ -23,6 +23,14 @@ pub struct Jet {
 }
 
 impl Jet {
+    /// Jet of what has no value.
+    pub(crate) const UNKNOWN: Self = Self {
+        value: f64::NAN,
+        first: f64::NAN,
+        second: f64::NAN,
+        third: f64::NAN,
+    };
+
     /// The function's value, first and second derivative as numbers that carry
     /// the derivative of the argument `x` on.
     #[inline(always)]

@@ -1,142 +1,107 @@
-//! Several runs of one scene over each other: figures side by side, curves in
-//! one frame.
+//! Several runs of one scene over each other: figures side by side, curves in one frame.
 
-use crate::dynamics::record::{Figures, ObjectFigures, Quantity, Record};
+use crate::dynamics::record::Quantity;
 use crate::report::diagram::Diagram;
+use crate::report::findings::{Cell, Findings, Item, Section, Source, Table, Value};
 use crate::report::html::runs::{self, QUANTITIES, RunSeries};
-use crate::report::html::{facts, header, mechanism, scene, shell, tables, warnings};
-use crate::report::plot::{Plot, Plots};
-use crate::report::quantity::{escape, significant, with_unit};
+use crate::report::html::{mechanism, tables};
+use crate::report::plot::Plot;
+use crate::report::quantity::{significant, with_unit};
 use crate::report::verdict::{Sort, Verdict, verdict};
+use crate::studies::compare::{ComparedRun, Comparison, TableRow};
+use crate::units::shown;
 
-/// A run among those compared.
-#[derive(Clone, Debug)]
-pub struct ComparedRun<'a> {
-    /// Setting that it differs in: `rocker.masses = 2`.
-    pub label: String,
-    /// Figures of the run.
-    pub figures: &'a Figures,
-    /// Samples of the run.
-    pub record: &'a Record,
-}
-
-/// Everything that goes into the page of a comparison. The last run is what
-/// the others are measured against.
-#[derive(Clone, Copy, Debug)]
-pub struct CompareReport<'a> {
-    /// Title: the scene's name.
-    pub title: &'a str,
-    /// The runs, at least one.
-    pub runs: &'a [ComparedRun<'a>],
-    /// How many masses or modes are enough, a sentence a figure.
-    pub enough: &'a [String],
-    /// The object graph of the scene.
-    pub diagram: &'a Diagram,
-    /// The scene's text.
-    pub scene: &'a str,
-    /// Version of `dam`.
-    pub version: &'a str,
-}
-
-/// A figure that is compared: its name, its unit relative to the object's, and
-/// how to read it.
-struct Compared {
-    name: &'static str,
-    unit: Unit,
-    read: fn(&ObjectFigures) -> Option<f64>,
-}
-
-#[derive(Clone, Copy)]
-enum Unit {
-    Displacement,
-    Speed,
-    Acceleration,
-    Force,
-    Time,
-    Count,
-}
-
-const COMPARED: [Compared; 14] = [
-    row("greatest |δ|", Unit::Displacement, |o| Some(o.delta_abs)),
-    row("δ<sub>max</sub>", Unit::Displacement, |o| {
-        Some(o.delta_max)
-    }),
-    row("δ<sub>min</sub>", Unit::Displacement, |o| {
-        Some(o.delta_min)
-    }),
-    row("σ, mean |δ|", Unit::Displacement, |o| Some(o.sigma)),
-    row("peak speed", Unit::Speed, |o| Some(o.peak_speed)),
-    row("peak acceleration", Unit::Acceleration, |o| {
-        Some(o.peak_acceleration)
-    }),
-    row("peak reaction", Unit::Force, |o| Some(o.peak_reaction)),
-    row("displacement at the end", Unit::Displacement, |o| {
-        Some(o.end.displacement)
-    }),
-    row("separations", Unit::Count, |o| {
-        o.pair.as_ref().map(|p| p.separations as f64)
-    }),
-    row("time open", Unit::Time, |o| {
-        o.pair.as_ref().map(|p| p.separated_time)
-    }),
-    row("longest opening", Unit::Time, |o| {
-        o.pair.as_ref().map(|p| p.longest_separation)
-    }),
-    row("greatest lift", Unit::Displacement, |o| {
-        o.pair.as_ref().map(|p| p.max_lift)
-    }),
-    row("greatest approach speed", Unit::Speed, |o| {
-        o.pair.as_ref().map(|p| p.max_approach_speed)
-    }),
-    row("greatest contact force", Unit::Force, |o| {
-        o.pair.as_ref().map(|p| p.max_contact_force)
-    }),
+/// Figures of an object in the words of a page.
+const WORDS: [(&str, &str); 14] = [
+    ("delta_abs", "greatest |δ|"),
+    ("delta_max", "greatest δ"),
+    ("delta_min", "least δ"),
+    ("sigma", "mean |δ|"),
+    ("peak_speed", "peak speed"),
+    ("peak_acceleration", "peak acceleration"),
+    ("peak_reaction", "peak reaction"),
+    ("final.displacement", "displacement at the end"),
+    ("final.speed", "speed at the end"),
+    ("pair.separated_time", "time open"),
+    ("pair.longest_separation", "longest opening"),
+    ("pair.max_lift", "greatest lift"),
+    ("pair.max_approach_speed", "greatest approach speed"),
+    ("pair.max_contact_force", "greatest contact force"),
 ];
 
-const fn row(name: &'static str, unit: Unit, read: fn(&ObjectFigures) -> Option<f64>) -> Compared {
-    Compared { name, unit, read }
+/// The runs side by side: how many are enough, verdicts, curves, figures with their errors.
+pub fn findings<'a>(
+    scene: &str,
+    comparison: &'a Comparison,
+    diagram: &'a Diagram,
+    warnings: Vec<String>,
+    mut source: Source<'a>,
+) -> Findings<'a> {
+    let all = &comparison.runs;
+    let last = all
+        .last()
+        .map_or(String::new(), |run| label(comparison, run));
+    let against = match comparison.table.against_limit {
+        true => format!("the limit of finer models, where there is one, else {last}"),
+        false => last,
+    };
+    let of = |run: &ComparedRun| {
+        let (figures, run_of) = (&run.result.figures, &run.result.figures.run);
+        let text = format!(
+            "{}; SHA-256 of the canonical scene {}; tolerance {}",
+            run_of.method,
+            figures.hash,
+            significant(run_of.tolerance, 3)
+        );
+        (label(comparison, run), text)
+    };
+    source.more.extend(all.iter().map(of));
+    let enough = comparison.enough().into_iter().map(Item::Words).collect();
+    let mut sections = vec![
+        Section {
+            heading: String::new(),
+            items: enough,
+        },
+        Section::new("Runs").table(verdicts(comparison)),
+        Section::default().drawing(|_| mechanism(diagram)),
+    ];
+    // Drives move alike in every run as a rule: they come last.
+    let mut boxes: Vec<_> = diagram.boxes.iter().collect();
+    boxes.sort_by_cached_key(|one| usize::from(one.is_drive()));
+    for one in &boxes {
+        let (id, kind) = (one.id.clone(), one.kind.replace('_', " "));
+        sections.push(
+            Section::default()
+                .drawing(move |plots| runs::section(plots, &series(comparison), &id, &kind)),
+        );
+        sections.push(figures(comparison, &one.id));
+    }
+    sections.push(figures(comparison, "run"));
+    sections.retain(|section| !section.is_empty());
+    Findings {
+        title: scene.to_owned(),
+        subtitle: format!("{} runs compared; errors against {against}", all.len()),
+        answer: Some(answer(all)),
+        warnings,
+        sections,
+        source,
+    }
 }
 
-/// The page of a comparison.
-pub fn page(report: &CompareReport<'_>) -> String {
-    let runs = report.runs;
-    let mut plots = Plots::default();
-    let series = series(runs);
-    let last = runs.last().map_or("", |run| run.label.as_str());
-    let subtitle = format!("{} runs compared; errors against {last}", runs.len());
-    let mut body = header(report.title, &subtitle, Some(&answer(runs)));
-    body.push_str("<main>\n");
-    for sentence in report.enough {
-        body.push_str(&format!("<p>{}</p>\n", escape(sentence)));
-    }
-    body.push_str(&verdicts(runs));
-    body.push_str(&all_warnings(runs));
-    body.push_str(&mechanism(report.diagram));
-    // Drives move alike in every run as a rule: they come last.
-    let mut boxes: Vec<_> = report.diagram.boxes.iter().collect();
-    boxes.sort_by_cached_key(|one| usize::from(one.is_drive()));
-    for one in boxes {
-        body.push_str(&runs::section(
-            &mut plots,
-            &series,
-            &one.id,
-            &one.kind.replace('_', " "),
-        ));
-        body.push_str(&side_by_side(runs, &one.id));
-    }
-    body.push_str(&scene(report.scene));
-    body.push_str("</main>\n");
-    body.push_str(&footer(report));
-    shell(report.title, &body, &plots.json())
+fn label(comparison: &Comparison, run: &ComparedRun) -> String {
+    format!("{} = {}", comparison.over, run.label)
 }
 
 /// How far the greatest deviation depends on what is compared, and whether a run is in doubt.
-fn answer(runs: &[ComparedRun<'_>]) -> Verdict {
-    let judged: Vec<Verdict> = runs.iter().map(|run| verdict(run.figures)).collect();
-    let deviation = |run: &ComparedRun<'_>| {
-        let all = run.figures.objects.iter();
+fn answer(runs: &[ComparedRun]) -> Verdict {
+    let judged: Vec<Verdict> = runs
+        .iter()
+        .map(|run| verdict(&run.result.figures))
+        .collect();
+    let deviation = |run: &ComparedRun| {
+        let all = run.result.figures.objects.iter();
         let greatest = all.max_by(|a, b| a.1.delta_abs.total_cmp(&b.1.delta_abs))?;
-        let unit = tables::units(run.figures, greatest.0).displacement;
+        let unit = tables::units(&run.result.figures, greatest.0).displacement;
         Some((greatest.0.clone(), greatest.1.delta_abs, unit))
     };
     let found: Vec<_> = runs.iter().filter_map(deviation).collect();
@@ -181,202 +146,155 @@ fn answer(runs: &[ComparedRun<'_>]) -> Verdict {
 }
 
 /// One row a run: verdict, method, effort.
-fn verdicts(runs: &[ComparedRun<'_>]) -> String {
-    let row = |run: &ComparedRun<'_>| {
-        let judged = verdict(run.figures);
-        let class = match judged.sort {
-            Sort::Good => "yes",
-            _ => "no",
-        };
+fn verdicts(comparison: &Comparison) -> Table {
+    let row = |run: &ComparedRun| {
+        let judged = verdict(&run.result.figures);
         let kind = match judged.sort {
             Sort::Numerical => " (computation)",
             _ => "",
         };
-        let summary = &run.figures.run;
-        format!(
-            "<tr><th>{}</th><td class=\"left {class}\">{}{kind}</td><td>{}</td><td>{}</td>\
-             <td>{}</td><td>{}</td><td>{}</td></tr>\n",
-            escape(&run.label),
-            escape(&judged.headline),
-            escape(&summary.method),
-            summary.steps,
-            summary.evaluations,
-            summary.switches,
-            significant(summary.energy_error, 2)
-        )
+        let summary = &run.result.figures.run;
+        vec![
+            label(comparison, run).into(),
+            Cell {
+                good: Some(judged.sort == Sort::Good),
+                ..format!("{}{kind}", judged.headline).into()
+            },
+            summary.method.as_str().into(),
+            summary.steps.to_string().into(),
+            summary.evaluations.to_string().into(),
+            summary.switches.to_string().into(),
+            Value::new(summary.energy_error, "", 2).into(),
+        ]
     };
-    format!(
-        "<h2>Runs</h2>\n<div class=\"scroll\"><table>\n<thead><tr><th>Run</th>\
-         <th class=\"left\">verdict</th><th>method</th><th>steps</th><th>evaluations</th>\
-         <th>switches</th><th>energy error</th></tr></thead>\n<tbody>\n{}</tbody></table></div>\n",
-        runs.iter().map(row).collect::<String>()
-    )
+    let heads = ["run", "verdict", "method", ">steps", ">evaluations"];
+    let heads = heads.into_iter().chain([">switches", ">energy error"]);
+    Table::new(heads).rows(comparison.runs.iter().map(row))
 }
 
-fn all_warnings(runs: &[ComparedRun<'_>]) -> String {
-    let of = |run: &ComparedRun<'_>| {
-        let label = run.label.clone();
-        let named = move |text: &String| format!("{label}: {text}");
-        run.figures.warnings.iter().map(named).collect::<Vec<_>>()
+/// Figures of an object, one column a run, each with its error.
+fn figures<'a>(comparison: &Comparison, id: &str) -> Section<'a> {
+    let table = &comparison.table;
+    let own = |row: &TableRow| {
+        let name = row.figure.strip_prefix(id)?.strip_prefix('.')?;
+        // A row of zeros says nothing.
+        let says = row.values.iter().flatten().any(|value| *value != 0.0);
+        says.then(|| cells(name, row, table.against_limit))
     };
-    warnings(&runs.iter().flat_map(of).collect::<Vec<_>>())
+    let values = table.labels.iter().map(|label| format!(">{label}"));
+    let limit = [">limit", ">order"].map(str::to_owned);
+    let limit = limit.into_iter().take(2 * usize::from(table.against_limit));
+    let heads: Vec<String> = values.chain(limit).collect();
+    let heads = heads.iter().map(String::as_str);
+    let heading = format!("Figures of {id} over {}", comparison.over);
+    let rows = table.rows.iter().filter_map(own);
+    Section::new(heading).table(Table::new(std::iter::once("figure").chain(heads)).rows(rows))
 }
 
-/// Figures of an object, one column a run, the error against the last below.
-fn side_by_side(runs: &[ComparedRun<'_>], id: &str) -> String {
-    let head: String = runs
-        .iter()
-        .map(|run| format!("<th>{}</th>", escape(&run.label)))
-        .collect();
-    let rows: String = COMPARED
-        .iter()
-        .map(|figure| figure_row(runs, id, figure))
-        .collect();
-    if rows.is_empty() {
-        return String::new();
-    }
-    format!(
-        "<h3>Figures of {}</h3>\n<div class=\"scroll\"><table>\n<thead><tr><th>Figure</th>{head}\
-         </tr></thead>\n<tbody>\n{rows}</tbody></table></div>\n",
-        escape(id)
-    )
-}
-
-/// One row; nothing when no run has this figure or all are zero.
-fn figure_row(runs: &[ComparedRun<'_>], id: &str, figure: &Compared) -> String {
-    let read = |run: &ComparedRun<'_>| run.figures.objects.get(id).and_then(figure.read);
-    let values: Vec<Option<f64>> = runs.iter().map(read).collect();
-    if values.iter().flatten().all(|&value| value == 0.0) {
-        return String::new();
-    }
-    let last = values.last().copied().flatten();
-    let cell = |(index, value): (usize, &Option<f64>)| {
-        let Some(value) = value else {
-            return "<td>–</td>".to_owned();
+fn cells(name: &str, row: &TableRow, against_limit: bool) -> Vec<Cell> {
+    let words = WORDS.iter().find(|(known, _)| *known == name);
+    let number = |value: Option<f64>| Value::new(value.unwrap_or(f64::NAN), &row.unit, 7);
+    let values = row.values.iter().zip(&row.errors);
+    let values = values.map(|(value, error)| {
+        let error = error.map_or(String::new(), percent);
+        Cell::with(number(*value), error)
+    });
+    let limit = row.limit.as_ref();
+    let settled = limit.map_or([Cell::from(""), Cell::from("")], |limit| {
+        let share = limit.error.zip(limit.value);
+        let share = share.map(|(error, value)| error / value.abs());
+        let share = share.filter(|share| share.is_finite()).map(percent);
+        let within = share.map_or(String::new(), |share| format!("± {share}"));
+        let value = match limit.value {
+            Some(_) => number(limit.value),
+            None => "none".into(),
         };
-        let unit = unit_text(figure.unit, runs[index].figures, id);
-        let error = match (index + 1 == runs.len(), last) {
-            (true, _) | (false, None) => String::new(),
-            (false, Some(last)) => error_text(*value, last),
-        };
-        format!(
-            "<td title=\"{value}\">{}<span class=\"sub\">{error}</span></td>",
-            escape(&with_unit(*value, &unit, 6))
-        )
-    };
-    let cells: String = values.iter().enumerate().map(cell).collect();
-    format!("<tr><th>{}</th>{cells}</tr>\n", figure.name)
+        let order = limit
+            .order
+            .map_or("".into(), |order| Value::new(order, "", 3));
+        [Cell::with(value, within), order.into()]
+    });
+    let settled = settled.into_iter().take(2 * usize::from(against_limit));
+    let first = Cell::with(name, words.map_or("", |(_, words)| *words));
+    std::iter::once(first)
+        .chain(values)
+        .chain(settled)
+        .collect()
 }
 
-fn unit_text(unit: Unit, figures: &Figures, id: &str) -> String {
-    let units = tables::units(figures, id);
-    match unit {
-        Unit::Displacement => units.displacement.to_owned(),
-        Unit::Speed => format!("{}/s", units.displacement),
-        Unit::Acceleration => format!("{}/s²", units.displacement),
-        Unit::Force => units.force.to_owned(),
-        Unit::Time => "s".to_owned(),
-        Unit::Count => String::new(),
-    }
-}
-
-/// Error against the reference in per cent; absolute where the reference is 0.
-pub fn error_text(value: f64, reference: f64) -> String {
-    if value == reference {
-        return "same".into();
-    }
-    let signed = |number: f64, unit: &str| {
-        let plus = if number > 0.0 { "+" } else { "" };
-        format!("{plus}{}{unit}", significant(number, 2))
-    };
-    if reference == 0.0 {
-        return signed(value, "");
-    }
-    signed((value - reference) / reference.abs() * 100.0, " %")
-}
-
-fn footer(report: &CompareReport<'_>) -> String {
-    let mut rows = vec![
-        ("Scene", report.title.to_owned()),
-        ("Program", format!("dam {}", report.version)),
-    ];
-    for run in report.runs {
-        let figures = run.figures;
-        rows.push((
-            run.label.as_str(),
-            format!(
-                "{}; SHA-256 of the canonical scene {}; tolerance {}",
-                figures.run.method,
-                figures.hash,
-                significant(figures.run.tolerance, 3)
-            ),
-        ));
-    }
-    format!("<footer>\n<h2>Provenance</h2>\n{}</footer>\n", facts(&rows))
+/// A share in per cent.
+pub fn percent(share: f64) -> String {
+    format!("{} %", shown(100.0 * share, 3))
 }
 
 /// The curves of one quantity of one object over each other; `None` when no run
 /// has it. With a single run its open intervals are shaded.
-pub fn chart(runs: &[ComparedRun<'_>], object: &str, quantity: Quantity) -> Option<Plot> {
+pub fn chart(comparison: &Comparison, object: &str, quantity: Quantity) -> Option<Plot> {
     let name = QUANTITIES.iter().find(|(key, _)| *key == quantity)?.1;
-    runs::chart(
-        &series(runs),
-        object,
-        quantity,
-        &format!("{name} of {object}"),
-    )
+    let title = format!("{name} of {object}");
+    runs::chart(&series(comparison), object, quantity, &title)
 }
 
-fn series<'a>(runs: &'a [ComparedRun<'_>]) -> Vec<RunSeries<'a>> {
-    let one = |run: &'a ComparedRun<'_>| RunSeries {
-        label: run.label.clone(),
-        record: run.record,
-    };
-    runs.iter().map(one).collect()
+fn series(comparison: &Comparison) -> Vec<RunSeries<'_>> {
+    let runs = comparison.runs.iter().map(|run| RunSeries {
+        label: label(comparison, run),
+        record: &run.result.record,
+    });
+    runs.collect()
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{CompareReport, ComparedRun, chart, error_text, page};
+    use super::{chart, findings, percent};
     use crate::dynamics::record::Quantity;
     use crate::report::diagram::Diagram;
+    use crate::report::findings::Source;
+    use crate::report::fitted::fitted;
     use crate::report::fixture;
+    use crate::studies::compare::compare;
+    use crate::studies::run::RunResult;
+    use crate::studies::testing::result_with;
 
     #[test]
-    fn errors_are_taken_against_the_last_run() {
-        assert_eq!(error_text(1.01, 1.0), "+1 %");
-        assert_eq!(error_text(-1.2, -1.0), "−20 %");
-        assert_eq!(error_text(2.0, 2.0), "same");
-        assert_eq!(error_text(3.0, 0.0), "+3");
+    fn shares_read_as_percentages() {
+        for (share, text) in [(0.0, "0 %"), (-0.004, "-0.4 %"), (1e-9, "1e-7 %")] {
+            assert_eq!(percent(share), text);
+        }
     }
 
     #[test]
     fn runs_stand_side_by_side() {
-        let done: Vec<_> = [1, 2, 10].map(|n| (n, fixture::run(n, 0.05, 200))).into();
-        let runs: Vec<_> = done
-            .iter()
-            .map(|(n, (figures, record))| ComparedRun {
-                label: format!("rocker.masses = {n}"),
+        let labels = ["1", "2", "10"].map(str::to_owned);
+        let run = |label: &str| -> Result<RunResult, ()> {
+            let (figures, record) = fixture::run(label.parse().unwrap(), 0.05, 200);
+            Ok(RunResult {
                 figures,
                 record,
+                ..result_with(|_| {})
             })
-            .collect();
-        let page = page(&CompareReport {
-            title: "The paper's <figures>",
-            runs: &runs,
-            enough: &[],
-            diagram: &Diagram::of(&fixture::rocker(2)),
-            scene: include_str!("fixture/scene.json"),
-            version: "0.1.0",
-        });
+        };
+        let comparison = compare("rocker.masses", &labels, run).unwrap();
+        let diagram = Diagram::of(&fixture::rocker(2));
+        let source = Source::scene(include_str!("fixture/scene.json"), "");
+        let found = findings(
+            "The paper's <figures>",
+            &comparison,
+            &diagram,
+            Vec::new(),
+            source,
+        );
+        let page = found.page();
         assert!(page.contains("errors against rocker.masses = 10"));
         assert!(page.contains("The paper&#39;s &lt;figures&gt;"));
-        let chart = chart(&runs, "rocker", Quantity::Delta).unwrap();
-        assert_eq!((chart.series.len(), chart.y.unit.as_str()), (3, "rad"));
-        assert!(super::chart(&runs, "nobody", Quantity::Delta).is_none());
-        if std::env::var_os("DAM_PREVIEW").is_some() {
-            std::fs::write("target/preview/compare.html", page).unwrap();
-            std::fs::write("target/preview/chart.svg", chart.svg(760.0, 380.0)).unwrap();
-        }
+        // In 80 columns each row of figures stands whole, under its own name.
+        let text = fitted(&found.text(Some(80)), 80);
+        assert!(
+            text.lines().all(|line| line.chars().count() <= 80),
+            "{text}"
+        );
+        assert!(text.matches("\n  delta_abs ").count() > 1, "{text}");
+        let curves = chart(&comparison, "rocker", Quantity::Delta).unwrap();
+        assert_eq!((curves.series.len(), curves.y.unit.as_str()), (3, "rad"));
+        assert!(chart(&comparison, "nobody", Quantity::Delta).is_none());
     }
 }

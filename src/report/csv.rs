@@ -1,54 +1,130 @@
-//! Tables as CSV: the samples of a record, the figures of a comparison.
+//! Tables for other programs, as CSV.
 
 use crate::dynamics::record::Record;
 use crate::studies::compare::Table;
 
-/// The record as CSV (RFC 4180, UTF-8): a header `time [s],rocker.displacement [rad],…`
-/// and a row a sample. Every number is the shortest that reads back as the same
-/// double, so that nothing is lost.
+/// A table for other programs: a head, and rows of as many fields.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Rows {
+    head: Vec<String>,
+    rows: Vec<Vec<Field>>,
+}
+
+/// Field of a row; empty where there is no value.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Field(String);
+
+impl From<f64> for Field {
+    /// The shortest decimal that reads back as the same double; nothing of what is not finite.
+    fn from(value: f64) -> Self {
+        Self(match value.is_finite() {
+            true => number(value),
+            false => String::new(),
+        })
+    }
+}
+
+impl From<Option<f64>> for Field {
+    fn from(value: Option<f64>) -> Self {
+        value.map(Self::from).unwrap_or_default()
+    }
+}
+
+impl From<String> for Field {
+    fn from(words: String) -> Self {
+        Self(words)
+    }
+}
+
+impl From<&str> for Field {
+    fn from(words: &str) -> Self {
+        Self(words.to_owned())
+    }
+}
+
+impl Rows {
+    /// A table of the fields of its rows, one for each name of the head.
+    pub fn new<R>(
+        head: impl IntoIterator<Item = impl Into<String>>,
+        rows: impl IntoIterator<Item = R>,
+    ) -> Self
+    where
+        R: IntoIterator,
+        R::Item: Into<Field>,
+    {
+        let row = |row: R| row.into_iter().map(Into::into).collect();
+        Self {
+            head: head.into_iter().map(Into::into).collect(),
+            rows: rows.into_iter().map(row).collect(),
+        }
+    }
+
+    /// The table as CSV (RFC 4180, UTF-8).
+    pub fn csv(&self) -> String {
+        let head = line(self.head.iter().map(String::as_str));
+        let rows = self.rows.iter();
+        let rows = rows.map(|row| line(row.iter().map(|field| field.0.as_str())));
+        std::iter::once(head).chain(rows).collect()
+    }
+}
+
+/// Fields between commas, in quotation marks where they hold what would end them.
+fn line<'f>(fields: impl Iterator<Item = &'f str>) -> String {
+    let quoted = |field: &'f str| match field.contains(['"', ',', '\n', '\r']) {
+        true => format!("\"{}\"", field.replace('"', "\"\"")),
+        false => field.to_owned(),
+    };
+    fields.map(quoted).collect::<Vec<_>>().join(",") + "\n"
+}
+
+/// The record: a header `time [s],rocker.displacement [rad],…` and a row a sample, so that
+/// nothing is lost.
 ///
 /// # Errors
 /// The columns are not all as long as the times.
-pub fn record_csv(record: &Record) -> Result<String, csv::Error> {
+pub fn record_csv(record: &Record) -> Result<String, String> {
     let header = record
         .columns
         .iter()
         .map(|column| format!("{}.{} [{}]", column.object, column.quantity, column.unit));
+    let count = record.times.len();
+    if let Some(column) = record.columns.iter().find(|one| one.values.len() != count) {
+        let (name, found) = (&column.object, column.values.len());
+        return Err(format!("{name}: {found} values at {count} instants"));
+    }
     let rows = record.times.iter().enumerate().map(|(row, time)| {
-        let values = record
-            .columns
-            .iter()
-            .filter_map(move |column| column.values.get(row).copied());
-        std::iter::once(*time).chain(values).map(number)
+        let values = record.columns.iter().map(move |column| column.values[row]);
+        std::iter::once(*time).chain(values).map(Sample)
     });
-    write(
-        std::iter::once("time [s]".to_owned()).chain(header),
-        rows.map(Iterator::collect::<Vec<String>>),
-    )
+    Ok(Rows::new(std::iter::once("time [s]".to_owned()).chain(header), rows).csv())
 }
 
-/// The table of a comparison as CSV: `figure`, `unit`, then a column of values and one
-/// of errors for every run; empty where there is none.
-///
-/// # Errors
-/// Rows of unequal length.
-pub fn table_csv(table: &Table) -> Result<String, csv::Error> {
+/// A value of a record, that shows what is not finite as well.
+struct Sample(f64);
+
+impl From<Sample> for Field {
+    fn from(sample: Sample) -> Self {
+        Self(number(sample.0))
+    }
+}
+
+/// The table of a comparison: `figure`, `unit`, then a column of values and one of errors for
+/// every run; empty where there is none.
+pub fn table_csv(table: &Table) -> String {
     let head = table.labels.iter().flat_map(|label| {
         [
             format!("{}={label}", table.over),
             format!("error at {}={label}", table.over),
         ]
     });
-    let cell = |value: &Option<f64>| value.map(number).unwrap_or_default();
     let rows = table.rows.iter().map(|row| {
         let cells = row.values.iter().zip(&row.errors);
-        [row.figure.clone(), row.unit.clone()]
-            .into_iter()
-            .chain(cells.flat_map(|(value, error)| [cell(value), cell(error)]))
-            .collect::<Vec<String>>()
+        let cells = cells.flat_map(|(value, error)| [Field::from(*value), Field::from(*error)]);
+        let first = [row.figure.as_str(), row.unit.as_str()].map(Field::from);
+        first.into_iter().chain(cells).collect::<Vec<Field>>()
     });
     let first = ["figure", "unit"].map(str::to_owned);
-    write(first.into_iter().chain(head), rows)
+    Rows::new(first.into_iter().chain(head), rows).csv()
 }
 
 /// A header and rows as CSV.
@@ -59,15 +135,7 @@ pub(in crate::report) fn write<R>(
 where
     R: IntoIterator<Item = String>,
 {
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    writer.write_record(header)?;
-    for row in rows {
-        writer.write_record(row)?;
-    }
-    let bytes = writer
-        .into_inner()
-        .map_err(|error| csv::Error::from(error.into_error()))?;
-    Ok(String::from_utf8_lossy(&bytes).into_owned())
+    Ok(Rows::new(header, rows).csv())
 }
 
 /// The shortest decimal that reads back as the same double.
@@ -130,7 +198,7 @@ mod tests {
             }],
         };
         assert_eq!(
-            table_csv(&table).unwrap(),
+            table_csv(&table),
             "figure,unit,rocker.masses=1,error at rocker.masses=1,rocker.masses=2,error at rocker.masses=2\n\
              rocker.sigma,rad,0.5,-0.25,,\n"
         );

@@ -7,7 +7,8 @@
 //! * [`cam`]: disc cams: text, tables, drawings, DXF, the page on which they turn.
 //! * [`kinematics`], [`forces`]: what a linkage does and carries.
 //! * [`map`]: maps over parameters; [`methods`]: methods compared.
-//! * [`csv`]: the samples as a table.
+//! * [`findings`]: what a study found, as data, with one exporter each for text and page;
+//!   [`csv`]: tables for other programs.
 //! * [`fitted`]: texts in the width of a terminal.
 //! * [`law`]: laws of motion and synthesised strokes.
 //! * [`steady`]: the steady motion of a machine.
@@ -22,6 +23,7 @@ pub mod cam;
 pub mod compare;
 pub mod csv;
 pub mod diagram;
+pub mod findings;
 pub mod fitted;
 #[cfg(test)]
 mod fixture;

@@ -1,5 +1,7 @@
 //! Numbers for reading: significant digits, SI prefixes, escaped text.
 
+use crate::units::shown;
+
 /// SI prefixes that engineers read at a glance, with their exponents.
 const PREFIXES: [(i32, &str); 8] = [
     (-12, "p"),
@@ -112,45 +114,25 @@ pub fn with_unit(value: f64, unit: &str, digits: usize) -> String {
     }
 }
 
-/// A number to at most `digits` significant digits, trailing zeros dropped,
-/// with a real minus sign; very large and small ones as 1.2·10⁻⁷.
+/// A number to at most `digits` significant digits as [`shown`] has it, with a real minus sign
+/// and powers of ten above the line: −1.2·10⁻⁷.
 pub fn significant(value: f64, digits: usize) -> String {
-    if value.is_nan() {
-        return "not a number".into();
-    }
     if value.is_infinite() {
         return if value > 0.0 { "∞" } else { "−∞" }.into();
     }
-    if value == 0.0 {
-        return "0".into();
-    }
-    let digits = digits.clamp(1, 17);
-    let scientific = format!("{:.*e}", digits - 1, value.abs());
-    let (mantissa, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
-    let exponent: i32 = exponent.parse().unwrap_or(0);
-    let sign = if value < 0.0 { "−" } else { "" };
-    if (-4..digits.max(6) as i32).contains(&exponent) {
-        let decimals = (digits as i32 - 1 - exponent).max(0) as usize;
-        return format!(
-            "{sign}{}",
-            trimmed(&format!("{:.*}", decimals, value.abs()))
-        );
-    }
-    let mantissa = trimmed(mantissa);
-    let power = superscript(exponent);
-    if mantissa == "1" {
-        format!("{sign}10{power}")
-    } else {
-        format!("{sign}{mantissa}·10{power}")
-    }
-}
-
-/// Without trailing zeros after the point.
-fn trimmed(number: &str) -> &str {
-    if number.contains('.') {
-        number.trim_end_matches('0').trim_end_matches('.')
-    } else {
-        number
+    let text = shown(value, digits.min(17));
+    let text = match text.strip_prefix('-') {
+        Some(size) => format!("−{size}"),
+        None => text,
+    };
+    let Some((mantissa, exponent)) = text.split_once('e').filter(|_| value.is_finite()) else {
+        return text;
+    };
+    let power = superscript(exponent.parse().unwrap_or(0));
+    match mantissa {
+        "1" => format!("10{power}"),
+        "−1" => format!("−10{power}"),
+        mantissa => format!("{mantissa}·10{power}"),
     }
 }
 

@@ -6,6 +6,7 @@ use crate::dynamics::model::Model;
 use crate::dynamics::record::AddressError;
 use crate::fault::Fault;
 use crate::frontend::scene::{Expectation, Expected};
+use crate::units::shown;
 use serde::Serialize;
 
 /// Verdict on one expectation.
@@ -172,9 +173,17 @@ fn judge(verdict: &mut Verdict, found: f64) {
         ..
     } = &*verdict;
     verdict.message = if *holds {
-        format!("{what} = {found}: {off:.1e} off, within {within:.1e}")
+        format!(
+            "{what} = {found}: {off} off, within {within}",
+            off = shown(off, 2),
+            within = shown(*within, 2)
+        )
     } else {
-        format!("{what} = {found}, expected {expected}: {off:.3e} off, only {within:.1e} allowed")
+        format!(
+            "{what} = {found}, expected {expected}: {off} off, only {within} allowed",
+            off = shown(off, 4),
+            within = shown(*within, 2)
+        )
     };
 }
 

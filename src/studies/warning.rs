@@ -1,5 +1,6 @@
 //! What the user of a run should know beside its figures.
 
+use crate::units::shown;
 use std::fmt;
 
 /// A warning; its text says what to do about it.
@@ -86,8 +87,10 @@ impl fmt::Display for Warning {
             Self::Start(text) | Self::Meaning(text) => f.write_str(text),
             Self::EnergyAudit { error, bound } => write!(
                 f,
-                "not to be trusted: the energies balance only to {error:.1e} of the work put in, \
-                 where {bound:.1e} is allowed; ask for a smaller tolerance, a smaller step or another method"
+                "not to be trusted: the energies balance only to {error} of the work put in, \
+                 where {bound} is allowed; ask for a smaller tolerance, a smaller step or another method",
+                error = shown(*error, 2),
+                bound = shown(*bound, 2)
             ),
             Self::NotFinite => f.write_str(
                 "not to be trusted: a force or an acceleration was not a finite number; \

@@ -255,7 +255,7 @@ fn the_program_prints_tables_documents_and_pictures_and_says_what_is_wrong() {
     };
     let (code, shown, _) = text(&["kinematics", &scene]);
     assert_eq!(code, Some(0));
-    assert!(shown.contains("1 degree of freedom") && shown.contains("TRANSMISSION ANGLES"));
+    assert!(shown.contains("1 degree of freedom") && shown.contains("Transmission angles"));
     let (_, table, _) = text(&["kinematics", &scene, "--csv", "--positions", "10"]);
     assert_eq!(table.lines().count(), 12);
     assert!(table.starts_with("input coordinate [rad],input.displacement [rad]"));

@@ -96,13 +96,13 @@ fn strokes_are_synthesized_and_refusals_give_the_interval() {
         "--uniform-optimum",
     ])));
     for (name, change) in [
-        ("greatest Π′ ", "−25 %"),
+        ("greatest Π′ ", "-25 %"),
         ("greatest |Π″|", "+12.5 %"),
-        ("greatest |Π′Π″|", "−15.625 %"),
+        ("greatest |Π′Π″|", "-15.625 %"),
     ] {
         let mut lines = shown
             .lines()
-            .skip_while(|line| !line.contains("against no uniform"));
+            .skip_while(|line| !line.contains("Against no uniform"));
         assert!(
             lines.any(|line| line.contains(name) && line.ends_with(change)),
             "{name}: {shown}"
@@ -209,7 +209,7 @@ fn the_cycle_of_a_cam_is_shown_with_its_shocks() {
     let scene = root.join("scenarios/indexing/thread_guide.json");
     let scene = scene.display().to_string();
     let shown = text(&dam(&["law", "cycle", &scene, "--of", "guide"]));
-    assert_eq!(shown.matches("soft shock").count(), 1, "{shown}");
+    assert_eq!(shown.matches("soft shock at").count(), 1, "{shown}");
     let found = json(&dam(&["law", "cycle", &scene, "--of", "guide", "--json"]));
     // The cosine run-out ends in the dwell, 180 deg after the rest of 30 deg.
     let at = found["cycle"]["jumps"]

@@ -3,19 +3,20 @@
 mod lift_off;
 mod question;
 
+use super::answer::{Answer, Content, PAGE, Shown};
 use super::args::{CamArgs, CamForm};
 use super::console;
 use super::failure::Failure;
 use super::input::{Input, Ready};
 use super::interrupt;
 use super::law::told;
-use super::output::{self, OutputFolder, ResultFile};
+use super::output::OutputFolder;
 use super::status::Status;
-use crate::kinematics::cam::DiscCam;
 use crate::report::cam::{
-    CamReport, NamedCurve, cam_text, curves, cycle_csv, dxf, page, picture, polygon_csv,
+    CamReport, NamedCurve, curves, cycle_rows, dxf, findings, picture, polygon_rows,
 };
-use crate::studies::cam::{CamFigures, CamForce, disc_cam, figures, objects_with_cam};
+use crate::report::findings::Source;
+use crate::studies::cam::{CamForce, disc_cam, figures, objects_with_cam};
 use serde_json::{Value, json};
 
 const FILES: [&str; 6] = [
@@ -24,22 +25,11 @@ const FILES: [&str; 6] = [
     "profile.csv",
     "profile.dxf",
     "cam.svg",
-    "report.html",
+    PAGE,
 ];
 
 /// Rows of the cycle's table in a turn.
 const ROWS: usize = 720;
-
-/// Everything found, ready to be written.
-struct Found<'a> {
-    ready: &'a Ready,
-    id: &'a str,
-    cam: &'a DiscCam,
-    force: Option<&'a CamForce<'a>>,
-    figures: CamFigures,
-    curves: Vec<NamedCurve>,
-    tolerance: f64,
-}
 
 /// Runs the command.
 pub(crate) fn command(args: &CamArgs) -> Result<Status, Failure> {
@@ -78,27 +68,51 @@ pub(crate) fn command(args: &CamArgs) -> Result<Status, Failure> {
         }
     }
     let curves = curves(&cam, asked.tolerance, asked.cutter);
-    let found = Found {
-        ready: &ready,
+    let curves = curves.map_err(|fault| told(&[fault], "--"))?;
+    let (name, hash) = (&ready.scene().name, &ready.scene().hash);
+    let report = CamReport {
+        name,
         id: &id,
         cam: &cam,
+        figures: &found,
         force: force.as_ref().ok(),
-        figures: found,
-        curves: curves.map_err(|fault| told(&[fault], "--"))?,
+        curves: &curves,
         tolerance: asked.tolerance,
     };
-    let show = || match args.scene.json {
-        true => console::json(&found.document()),
-        false => match args.form {
-            CamForm::Text => console::text(&found.shown(args.form)?),
-            form => console::data(&found.shown(form)?),
-        },
+    let answer = Answer {
+        command: "cam",
+        findings: &findings(&report, Source::scene(input.text(), hash)),
+        document: document(&report, hash),
+        files: vec![
+            (FILES[0].into(), Content::Document),
+            (
+                FILES[1].into(),
+                Content::made(|| cycle_rows(&cam, found.unit, report.force, ROWS).csv()),
+            ),
+            (
+                FILES[2].into(),
+                Content::made(|| polygon_rows(&curves).csv()),
+            ),
+            (
+                FILES[3].into(),
+                Content::made(|| dxf(&curves, cam.geometry().base_radius)),
+            ),
+            (
+                FILES[4].into(),
+                Content::made(|| picture(&id, &cam, cam.motion().range().0)),
+            ),
+            (FILES[5].into(), Content::Page),
+        ],
+        quiet: args.scene.quiet,
     };
-    let (hash, files) = (&ready.scene().hash, || found.files(&input));
-    output::deliver(folder.as_ref(), "cam", hash, files, show)?;
-    if let (Some(folder), false) = (&folder, args.scene.quiet) {
-        folder.tell_report();
-    }
+    let shown = match args.form {
+        CamForm::Text => Shown::Text,
+        CamForm::Cycle => Shown::File(FILES[1]),
+        CamForm::Profile => Shown::File(FILES[2]),
+        CamForm::Dxf => Shown::File(FILES[3]),
+        CamForm::Svg => Shown::File(FILES[4]),
+    };
+    answer.deliver(folder.as_ref(), Shown::json_or(args.scene.json, shown))?;
     Ok(status)
 }
 
@@ -121,67 +135,22 @@ fn chosen(args: &CamArgs, ready: &Ready) -> Result<String, Failure> {
     }
 }
 
-impl Found<'_> {
-    fn document(&self) -> Value {
-        let points = |curve: &NamedCurve| {
-            json!({
-                "name": curve.name,
-                "closed": curve.polygon.closed,
-                "points": curve.polygon.points.len(),
-                "length": curve.polygon.length(),
-            })
-        };
+fn document(report: &CamReport<'_>, hash: &str) -> Value {
+    let points = |curve: &NamedCurve| {
         json!({
-            "dam": 1,
-            "scene": self.ready.scene().name,
-            "hash": self.ready.scene().hash,
-            "object": self.id,
-            "cam": self.figures,
-            "curves": self.curves.iter().map(points).collect::<Vec<_>>(),
-            "tolerance": self.tolerance,
+            "name": curve.name,
+            "closed": curve.polygon.closed,
+            "points": curve.polygon.points.len(),
+            "length": curve.polygon.length(),
         })
-    }
-
-    fn shown(&self, form: CamForm) -> Result<String, String> {
-        Ok(match form {
-            CamForm::Text => cam_text(self.id, self.cam, &self.figures),
-            CamForm::Cycle => self.cycle()?,
-            CamForm::Profile => polygon_csv(&self.curves).map_err(|error| error.to_string())?,
-            CamForm::Dxf => dxf(&self.curves, self.cam.geometry().base_radius),
-            CamForm::Svg => self.drawing(),
-        })
-    }
-
-    fn cycle(&self) -> Result<String, String> {
-        let unit = self.figures.unit;
-        cycle_csv(self.cam, unit, self.force, ROWS).map_err(|error| error.to_string())
-    }
-
-    fn drawing(&self) -> String {
-        let from = self.cam.motion().range().0;
-        picture(self.id, self.cam, from)
-    }
-
-    fn files(&self, input: &Input) -> Result<Vec<ResultFile>, Failure> {
-        let report = page(&CamReport {
-            name: &self.ready.scene().name,
-            id: self.id,
-            cam: self.cam,
-            figures: &self.figures,
-            force: self.force,
-            curves: &self.curves,
-            tolerance: self.tolerance,
-            scene: input.text(),
-            hash: &self.ready.scene().hash,
-            version: env!("CARGO_PKG_VERSION"),
-        });
-        Ok(vec![
-            ResultFile::new(FILES[0], format!("{:#}\n", self.document())),
-            ResultFile::new(FILES[1], self.cycle()?),
-            ResultFile::new(FILES[2], self.shown(CamForm::Profile)?),
-            ResultFile::new(FILES[3], self.shown(CamForm::Dxf)?),
-            ResultFile::new(FILES[4], self.drawing()),
-            ResultFile::new(FILES[5], report),
-        ])
-    }
+    };
+    json!({
+        "dam": 1,
+        "scene": report.name,
+        "hash": hash,
+        "object": report.id,
+        "cam": report.figures,
+        "curves": report.curves.iter().map(points).collect::<Vec<_>>(),
+        "tolerance": report.tolerance,
+    })
 }

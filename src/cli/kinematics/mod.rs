@@ -1,21 +1,20 @@
 //! `dam kinematics`: positions, transfer functions, speeds and accelerations of
 //! a linkage.
 
+use super::answer::{Answer, Content, PAGE, Shown};
 use super::args::{CourseArgs, KinematicsArgs};
-use super::console;
 use super::expected;
 use super::failure::Failure;
 use super::input::{Input, Ready};
-use super::output::{self, OutputFolder, ResultFile};
+use super::output::OutputFolder;
 use super::status::Status;
 use crate::dynamics::model::Coordinate;
 use crate::frontend::object::Measures;
 use crate::frontend::object::law::read_argument;
 use crate::frontend::read::{Bounds, Wanted};
 use crate::kinematics::linkage::Linkage;
-use crate::report::kinematics::{
-    KinematicsReport, document, drawing, kinematics_csv, page, picture, text,
-};
+use crate::report::findings::Source;
+use crate::report::kinematics::{document, drawing, findings, picture, rows};
 use crate::studies::expectations::Verdict;
 use crate::studies::kinematics::{
     Asked, Kinematics, Over, Question, Subject, kinematics, whole_travel,
@@ -24,12 +23,7 @@ use crate::studies::studied::{POSITIONS, check_kinematics};
 use crate::units::quantities as q;
 use crate::units::with_common_unit;
 
-const FILES: [&str; 4] = [
-    "kinematics.csv",
-    "kinematics.json",
-    "mechanism.svg",
-    "report.html",
-];
+const FILES: [&str; 4] = ["kinematics.csv", "kinematics.json", "mechanism.svg", PAGE];
 
 /// Runs the command.
 pub(crate) fn command(args: &KinematicsArgs) -> Result<Status, Failure> {
@@ -45,18 +39,34 @@ pub(crate) fn command(args: &KinematicsArgs) -> Result<Status, Failure> {
     let folder = OutputFolder::asked(&args.out, &ready.scene().name, &FILES)?;
     let found = kinematics(&asked);
     let verdicts = verdicts(args, &ready, &found);
-    let files = || files(&input, &ready, &found, &verdicts);
-    let show = || show(args, &ready, &found, &verdicts, question.also);
-    let hash = &ready.scene().hash;
-    output::deliver(folder.as_ref(), "kinematics", hash, files, show)?;
-    if !args.scene.quiet {
-        for warning in &found.warnings {
-            console::talk(&format!("warning: {warning}"));
-        }
-        expected::talk(&verdicts);
+    let (name, hash) = (&ready.scene().name, &ready.scene().hash);
+    let at = question.also;
+    let at = at.and_then(|at| found.axis.values.iter().position(|&place| place == at));
+    if args.svg.is_some() && at.is_none() {
+        let why = "the linkage cannot be assembled at that place";
+        return Err(why.to_owned().into());
     }
-    if let (Some(folder), false) = (&folder, args.scene.quiet) {
-        folder.tell_report();
+    let answer = Answer {
+        command: "kinematics",
+        findings: &findings(name, &found, Source::scene(input.text(), hash)),
+        document: expected::beside(document(name, hash, &found), &verdicts),
+        files: vec![
+            (FILES[0].into(), Content::made(|| rows(&found).csv())),
+            (FILES[1].into(), Content::Document),
+            (FILES[2].into(), Content::made(|| drawing(&found).svg(0))),
+            (FILES[3].into(), Content::Page),
+        ],
+        quiet: args.scene.quiet,
+    };
+    let shown = match (at, args.scene.json, args.csv) {
+        (Some(row), ..) => Shown::Made(picture(&found, row)),
+        (_, true, _) => Shown::Json,
+        (_, _, true) => Shown::File(FILES[0]),
+        _ => Shown::Text,
+    };
+    answer.deliver(folder.as_ref(), shown)?;
+    if !args.scene.quiet {
+        expected::talk(&verdicts);
     }
     let whole = found.stopped.is_none() && found.warnings.is_empty();
     Ok(match whole && expected::hold(&verdicts) {
@@ -80,35 +90,6 @@ fn verdicts(args: &KinematicsArgs, ready: &Ready, found: &Kinematics) -> Vec<Ver
         true => check_kinematics(&ready.scene().expect, found),
         false => Vec::new(),
     }
-}
-
-fn show(
-    args: &KinematicsArgs,
-    ready: &Ready,
-    found: &Kinematics,
-    verdicts: &[Verdict],
-    also: Option<f64>,
-) -> Result<(), Failure> {
-    let scene = ready.scene();
-    if let Some(at) = also {
-        let row = found.axis.values.iter().position(|&place| place == at);
-        match row {
-            Some(row) => console::data(&picture(found, row))?,
-            None => {
-                return Err("the linkage cannot be assembled at that place"
-                    .to_owned()
-                    .into());
-            }
-        }
-    } else if args.scene.json {
-        let document = document(&scene.name, &scene.hash, found);
-        console::json(&expected::beside(document, verdicts))?;
-    } else if args.csv {
-        console::data(&kinematics_csv(found).map_err(|error| error.to_string())?)?;
-    } else {
-        console::text(&text(&scene.name, found))?;
-    }
-    Ok(())
 }
 
 pub(super) fn quantity(name: &str, text: &str, wanted: Wanted) -> Result<f64, Failure> {
@@ -192,31 +173,4 @@ pub(super) fn range_of(text: &str, own: Measures) -> Result<Over, Failure> {
         from: quantity("--range", &ends[0], own.displacement())?,
         to: quantity("--range", &ends[1], own.displacement())?,
     })
-}
-
-fn files(
-    input: &Input,
-    ready: &Ready,
-    found: &Kinematics,
-    verdicts: &[Verdict],
-) -> Result<Vec<ResultFile>, Failure> {
-    let scene = ready.scene();
-    let report = page(&KinematicsReport {
-        found,
-        name: &scene.name,
-        hash: &scene.hash,
-        scene: input.text(),
-        version: env!("CARGO_PKG_VERSION"),
-    });
-    let document = document(&scene.name, &scene.hash, found);
-    let document = expected::beside(document, verdicts);
-    Ok(vec![
-        ResultFile::new(
-            FILES[0],
-            kinematics_csv(found).map_err(|error| error.to_string())?,
-        ),
-        ResultFile::new(FILES[1], format!("{document:#}\n")),
-        ResultFile::new(FILES[2], drawing(found).svg(0)),
-        ResultFile::new(FILES[3], report),
-    ])
 }

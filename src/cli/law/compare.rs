@@ -1,8 +1,7 @@
 //! `dam law compare`: laws ranked by constants and by what a scene makes of them.
 
 use super::args::{CompareArgs, Form, RankBy};
-use super::files::{self, Results};
-use super::told;
+use super::{deliver, told};
 use crate::cli::failure::Failure;
 use crate::cli::input::{Input, Ready};
 use crate::cli::interrupt;
@@ -11,7 +10,8 @@ use crate::cli::status::Status;
 use crate::dynamics::model::{Model, NodeMotion};
 use crate::frontend::object::law::stroke_law;
 use crate::kinematics::motion::{DriveMotion, Law, LawName};
-use crate::report::law::{LawPage, comparison_chart, comparison_csv, comparison_text};
+use crate::report::findings::Source;
+use crate::report::law::{comparison_findings, comparison_rows};
 use crate::studies::RunSettings;
 use crate::studies::law::{ComparedLaw, Figure, LawResponse, lift_off, response};
 use serde_json::json;
@@ -63,45 +63,18 @@ pub(super) fn command(args: &CompareArgs) -> Result<Status, Failure> {
             .collect();
         json!({ "dam": 1, "by": by.name(), "laws": compared, "places": places })
     };
-    let text = comparison_text(&compared, by);
-    let charts = [comparison_chart(&compared)];
-    let places = by.ranks(&compared);
-    let best = compared
-        .iter()
-        .zip(&places)
-        .find(|(_, place)| **place == Some(1));
-    let best = best.map_or("none", |(law, _)| law.name.as_str());
-    let doubt = match trusted {
-        true => "",
-        false => " Some runs failed their own check: see the figures.",
-    };
-    let answer = format!(
-        "Best by {}: {best}. Of {} laws.{doubt}",
-        by.name(),
-        compared.len()
-    );
-    let subtitle = format!("laws compared at {}", args.at);
     let ready = input.prepare(&[])?;
-    let results = Results {
-        document: &document,
-        csv: comparison_csv(&compared).map_err(|error| error.to_string())?,
-        page: LawPage {
-            title: &ready.scene().name,
-            subtitle: &subtitle,
-            answer: (trusted, answer),
-            text: &text,
-            charts: &charts,
-            scene: Some(input.text()),
-            hash: &ready.scene().hash,
-            version: env!("CARGO_PKG_VERSION"),
-        },
-    };
+    let (name, hash) = (&ready.scene().name, &ready.scene().hash);
+    let source = Source::scene(input.text(), hash);
+    let found = comparison_findings(name, &args.at, &compared, by, trusted, source);
+    let rows = comparison_rows(&compared);
     let form = if args.csv { Form::Csv } else { Form::Text };
-    files::deliver(
-        &args.out,
-        args.scene.quiet,
-        &results,
-        (args.scene.json, form),
+    let shown = (args.scene.json, form);
+    deliver(
+        (&args.out, args.scene.quiet),
+        (&found, document),
+        &rows,
+        shown,
     )?;
     Ok(match (interrupted, trusted) {
         (true, _) => interrupt::status(),

@@ -1,13 +1,12 @@
 //! `dam law cycle`: the whole cycle of a cam in a scene.
 
 use super::args::CycleArgs;
-use super::files;
-use super::files::Results;
+use super::deliver;
 use crate::cli::failure::Failure;
 use crate::cli::input::Input;
 use crate::dynamics::model::{Coordinate, NodeMotion};
-use crate::report::law::{LawPage, cycle_chart, cycle_csv, cycle_parts, cycle_text, shocks_said};
-use crate::report::quantity::significant;
+use crate::report::findings::Source;
+use crate::report::law::{cycle_findings, cycle_rows};
 use crate::studies::cycle::cycle;
 use serde_json::json;
 
@@ -40,38 +39,16 @@ pub(super) fn command(args: &CycleArgs) -> Result<(), Failure> {
         "dam": 1, "scene": ready.scene().name, "object": part.id,
         "units": { "displacement": units[0], "driver": units[1] }, "cycle": found
     });
-    let text = format!("{}: {}", part.id, cycle_text(&found, units[0], units[1]));
-    let csv = cycle_csv(&law.position, law.lever, units, args.samples as usize);
-    let mut charts = vec![cycle_chart(
-        &part.id,
-        &law.position,
-        law.lever,
-        &found,
-        units[1],
-    )];
-    charts.extend(cycle_parts(&law.position, law.lever, units));
-    let (sound, shocks) = shocks_said(&found.jumps);
-    let answer = format!(
-        "Greatest U″ = {} {}/{}². {shocks}",
-        significant(found.acceleration.value, 6),
-        units[0],
-        units[1]
-    );
-    let subtitle = format!("cycle of {}", part.id);
-    let results = Results {
-        document: &document,
-        csv: csv.map_err(|error| error.to_string())?,
-        page: LawPage {
-            title: &ready.scene().name,
-            subtitle: &subtitle,
-            answer: (sound, answer),
-            text: &text,
-            charts: &charts,
-            scene: Some(input.text()),
-            hash: &ready.scene().hash,
-            version: env!("CARGO_PKG_VERSION"),
-        },
-    };
+    let rows = cycle_rows(&law.position, law.lever, units, args.samples as usize);
+    let scene = ready.scene();
+    let source = Source::scene(input.text(), &scene.hash);
+    let followed = (&law.position, law.lever);
+    let found = cycle_findings(&scene.name, &part.id, followed, &found, units, source);
     let shown = (args.scene.json, args.form);
-    files::deliver(&args.out, args.scene.quiet, &results, shown)
+    deliver(
+        (&args.out, args.scene.quiet),
+        (&found, document),
+        &rows,
+        shown,
+    )
 }

@@ -3,37 +3,24 @@
 pub(crate) mod args;
 mod compare;
 mod cycle;
-mod files;
 mod synthesize;
 
+use super::answer::{Answer, Content, PAGE, Shown, picture};
+use super::args::scene::OutArgs;
 use super::console;
 use super::failure::Failure;
+use super::output::OutputFolder;
 use super::status::Status;
 use crate::fault::Fault;
-use crate::frontend::object::law::AnyLaw;
-use crate::frontend::object::law::any_law;
-use crate::frontend::object::law::run_up_law;
-use crate::kinematics::motion::Law;
-use crate::kinematics::motion::LawName;
-use crate::kinematics::motion::RunLawName;
-use crate::report::law::LawPage;
-use crate::report::law::LawRow;
-use crate::report::law::constants_csv;
-use crate::report::law::constants_table;
-use crate::report::law::law_chart;
-use crate::report::law::law_csv;
-use crate::report::law::law_parts;
-use crate::report::law::law_text;
-use crate::report::law::shocks_said;
-use crate::report::quantity::significant;
-use args::LawCommand;
-use args::ListArgs;
-use args::ShowArgs;
-use files::Results;
+use crate::frontend::object::law::{AnyLaw, any_law, run_up_law};
+use crate::kinematics::motion::{Law, LawName, RunLawName};
+use crate::report::csv::Rows;
+use crate::report::findings::Findings;
+use crate::report::law::{LawRow, constants_rows, law_findings, law_rows, list_findings};
+use args::{Form, LawCommand, ListArgs, ShowArgs};
 use serde_json::{Value, json};
 
-/// Size of pictures (pixels).
-const PICTURE: (f64, f64) = (900.0, 480.0);
+const FILES: [&str; 4] = ["law.json", "law.csv", "law.svg", PAGE];
 
 /// Runs the command.
 pub(crate) fn command(command: &LawCommand) -> Result<Status, Failure> {
@@ -45,6 +32,38 @@ pub(crate) fn command(command: &LawCommand) -> Result<Status, Failure> {
         LawCommand::Compare(args) => return compare::command(args),
     }
     Ok(Status::Answered)
+}
+
+/// Writes the files, if a folder was asked for, and shows the answer: as JSON (`true`) or
+/// in a form.
+fn deliver(
+    (args, quiet): (&OutArgs, bool),
+    (findings, document): (&Findings<'_>, Value),
+    rows: &Rows,
+    (json, form): (bool, Form),
+) -> Result<(), Failure> {
+    let folder = OutputFolder::asked(args, &findings.title, &FILES)?;
+    let answer = Answer {
+        command: "law",
+        findings,
+        document,
+        files: vec![
+            (FILES[0].into(), Content::Document),
+            (FILES[1].into(), Content::made(|| rows.csv())),
+            (
+                FILES[2].into(),
+                Content::made(|| picture(findings.first_chart())),
+            ),
+            (FILES[3].into(), Content::Page),
+        ],
+        quiet,
+    };
+    let form = match form {
+        Form::Text => Shown::Text,
+        Form::Csv => Shown::File(FILES[1]),
+        Form::Svg => Shown::File(FILES[2]),
+    };
+    answer.deliver(folder.as_ref(), Shown::json_or(json, form))
 }
 
 fn list(args: &ListArgs) -> Result<(), Failure> {
@@ -60,35 +79,20 @@ fn list(args: &ListArgs) -> Result<(), Failure> {
         run_ups.push(row(name.name(), &words, &AnyLaw::RunUp(name.into()))?);
     }
     if args.json {
-        let strokes: Vec<Value> = strokes
-            .iter()
-            .map(|(row, vdi)| {
-                let mut entry = entry(row);
-                entry["vdi_2143"] = json!(vdi);
-                entry
-            })
-            .collect();
+        let strokes = strokes.iter().map(|(row, vdi)| {
+            let mut entry = entry(row);
+            entry["vdi_2143"] = json!(vdi);
+            entry
+        });
+        let strokes: Vec<Value> = strokes.collect();
         let run_ups: Vec<Value> = run_ups.iter().map(entry).collect();
-        console::json(&json!({ "dam": 1, "strokes": strokes, "run_ups": run_ups }))?;
-        return Ok(());
+        return console::json(&json!({ "dam": 1, "strokes": strokes, "run_ups": run_ups }));
     }
-    let rows: Vec<LawRow> = strokes.iter().map(|(row, _)| row.clone()).collect();
     if args.csv {
-        let all: Vec<LawRow> = rows.into_iter().chain(run_ups).collect();
-        console::data(&constants_csv(&all).map_err(|error| error.to_string())?)?;
-        return Ok(());
+        let all = strokes.iter().map(|(row, _)| row).chain(&run_ups);
+        return console::data(&constants_rows(all).csv());
     }
-    console::data("Full strokes, from rest to rest; stroke 1, duration 1\n\n")?;
-    console::text(&constants_table(&rows))?;
-    console::data("\nRun-ups, from rest to uniform motion; run-outs are counted backwards\n\n")?;
-    console::text(&constants_table(&run_ups))?;
-    console::data("\nNames in the guideline VDI 2143\n\n")?;
-    for (row, vdi) in strokes {
-        if let Some(vdi) = vdi {
-            console::data(&format!("{:<20} {vdi}\n", row.name))?;
-        }
-    }
-    Ok(())
+    console::findings(&list_findings(&strokes, &run_ups))
 }
 
 fn entry(row: &LawRow) -> Value {
@@ -120,37 +124,14 @@ fn show(args: &ShowArgs) -> Result<(), Failure> {
         name,
         constants: law.constants(),
     };
-    let samples = args.form.samples as usize;
     let document = json!({
         "dam": 1, "law": row.name, "run_up": law.is_run_up(), "joints": law.joints(),
         "constants": row.constants
     });
-    let (text, csv) = (law_text(&row, &law), law_csv(&law, samples));
-    let csv = csv.map_err(|error| error.to_string())?;
-    let mut charts = vec![law_chart(&row.name, &law, &row.constants)];
-    charts.extend(law_parts(&law));
-    let (sound, shocks) = shocks_said(&row.constants.jumps);
-    let answer = format!(
-        "Greatest acceleration C_a = {}, greatest speed C_v = {}. {shocks}",
-        significant(row.constants.acceleration.value, 6),
-        significant(row.constants.speed.value, 6)
-    );
-    let results = Results {
-        document: &document,
-        csv,
-        page: LawPage {
-            title: &row.name,
-            subtitle: &row.words,
-            answer: (sound, answer),
-            text: &text,
-            charts: &charts,
-            scene: None,
-            hash: "",
-            version: env!("CARGO_PKG_VERSION"),
-        },
-    };
+    let rows = law_rows(&law, args.form.samples as usize);
+    let found = (&law_findings(&row, &law), document);
     let shown = (args.form.json, args.form.form);
-    files::deliver(&args.form.out, false, &results, shown)
+    deliver((&args.form.out, false), found, &rows, shown)
 }
 
 /// Faults of arguments; their paths are names of options after `prefix`.

@@ -1,16 +1,15 @@
 //! `dam law synthesize`: a stroke of run-up, uniform section and run-out.
 
 use super::args::SynthesizeArgs;
-use super::files::{self, Results};
-use super::told;
+use super::{deliver, told};
 use crate::cli::failure::Failure;
 use crate::fault::Fault;
 use crate::frontend::object::law::{read_argument, run_up_law};
 use crate::frontend::read::{Bounds, Wanted};
 use crate::kinematics::motion::stroke::{Criterion, Skewness, Stroke, StrokeFigures, StrokeSpec};
-use crate::report::law::{LawPage, stroke_chart, stroke_csv, stroke_parts, stroke_text};
-use crate::report::quantity::significant;
-use crate::units::{Quantity, parse, quantities as q};
+use crate::report::findings::{Figure, Section};
+use crate::report::law::{stroke_findings, stroke_rows};
+use crate::units::{Quantity, parse, quantities as q, shown};
 use serde_json::{Value, json};
 
 pub(super) fn command(args: &SynthesizeArgs) -> Result<(), Failure> {
@@ -42,43 +41,19 @@ pub(super) fn command(args: &SynthesizeArgs) -> Result<(), Failure> {
     let stroke = Stroke::new(&spec).map_err(|faults| refused(faults, args))?;
     let words = format!("{} up, {} out", spec.run_up.words(), spec.run_out.words());
     let document = document(&stroke, &words, unit, spec.skewness);
-    let mut text = format!("{words}\n{}", stroke_text(&stroke, unit));
+    let mut more = Vec::new();
     if let Some(changes) = against_none(&spec, &stroke) {
-        text.push_str(&changes_text(changes));
+        more.push(Section::new("Against no uniform section").figures(changes));
     }
     if let Skewness::Optimum(criterion) = spec.skewness {
-        let value = significant(criterion.of(stroke.figures()), 10);
-        text.push_str(&format!("  {:<28} {value:>16}\n", "criterion"));
+        let value = criterion.of(stroke.figures());
+        let figure = Figure::number("criterion", value, "", 10);
+        more.push(Section::new("Skewness").figures(vec![figure]));
     }
-    let csv = stroke_csv(&stroke, unit, args.form.samples as usize);
-    let mut charts = vec![stroke_chart(&words, &stroke)];
-    charts.extend(stroke_parts(&stroke, unit));
-    let found = stroke.figures();
-    let answer = format!(
-        "Stroke {} {unit} in {} rad, greatest speed {} {unit}/rad. Greatest Π″ {} {unit}/rad² in the \
-         run-up and {} {unit}/rad² in the run-out.",
-        significant(found.stroke, 6),
-        significant(found.span, 6),
-        significant(found.peak_speed, 6),
-        significant(found.acceleration_run_up, 6),
-        significant(found.acceleration_run_out, 6)
-    );
-    let results = Results {
-        document: &document,
-        csv: csv.map_err(|error| error.to_string())?,
-        page: LawPage {
-            title: &words,
-            subtitle: "a stroke of run-up, uniform section and run-out",
-            answer: (true, answer),
-            text: &text,
-            charts: &charts,
-            scene: None,
-            hash: "",
-            version: env!("CARGO_PKG_VERSION"),
-        },
-    };
+    let rows = stroke_rows(&stroke, unit, args.form.samples as usize);
+    let found = (&stroke_findings(&words, &stroke, unit, more), document);
     let shown = (args.form.json, args.form.form);
-    files::deliver(&args.form.out, false, &results, shown)
+    deliver((&args.form.out, false), found, &rows, shown)
 }
 
 fn skewness(args: &SynthesizeArgs) -> Skewness {
@@ -105,7 +80,7 @@ fn document(stroke: &Stroke, words: &str, unit: &str, skewness: Skewness) -> Val
 
 /// What a uniform section changes of the greatest Π′, |Π″| and |Π′Π″|, as shares of a
 /// stroke without one (same stroke, span and skewness); `None` without one.
-fn against_none(spec: &StrokeSpec, stroke: &Stroke) -> Option<[(&'static str, f64); 3]> {
+fn against_none(spec: &StrokeSpec, stroke: &Stroke) -> Option<Vec<Figure>> {
     let with = stroke.figures();
     let plain = StrokeSpec {
         stroke: Some(with.stroke),
@@ -123,34 +98,21 @@ fn against_none(spec: &StrokeSpec, stroke: &Stroke) -> Option<[(&'static str, f6
     let plain = Stroke::new(&plain).ok()?;
     let none = plain.figures();
     let change = |f: fn(&StrokeFigures) -> f64| f(with) / f(none) - 1.0;
-    Some([
-        ("greatest Π′", change(|s| s.peak_speed.abs())),
-        (
-            "greatest |Π″|",
-            change(|s| {
-                s.acceleration_run_up
-                    .abs()
-                    .max(s.acceleration_run_out.abs())
-            }),
-        ),
-        (
-            "greatest |Π′Π″|",
-            change(|s| s.product_run_up.abs().max(s.product_run_out.abs())),
-        ),
-    ])
-}
-
-fn changes_text(changes: [(&'static str, f64); 3]) -> String {
-    let mut text = String::from("  against no uniform section:\n");
-    for (name, change) in changes {
-        let sign = if change < 0.0 { "−" } else { "+" };
-        let percent = significant(100.0 * change.abs(), 8);
-        text.push_str(&format!(
-            "    {name:<26} {:>16} %\n",
-            format!("{sign}{percent}")
-        ));
+    let figure = |name: &str, change: f64| {
+        let sign = if change < 0.0 { "" } else { "+" };
+        Figure::new(name, format!("{sign}{} %", shown(100.0 * change, 8)))
+    };
+    fn size(a: f64, b: f64) -> f64 {
+        a.abs().max(b.abs())
     }
-    text
+    let speed = change(|s| s.peak_speed.abs());
+    let acceleration = change(|s| size(s.acceleration_run_up, s.acceleration_run_out));
+    let product = change(|s| size(s.product_run_up, s.product_run_out));
+    Some(vec![
+        figure("greatest Π′", speed),
+        figure("greatest |Π″|", acceleration),
+        figure("greatest |Π′Π″|", product),
+    ])
 }
 
 fn quantity(

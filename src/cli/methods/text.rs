@@ -39,20 +39,24 @@ fn reference(text: &mut String, study: &Study) {
         for pair in &study.mutual_distances {
             let _ = writeln!(
                 text,
-                "  {} and {} are {:.1e} apart",
-                pair.one, pair.other, pair.distance
+                "  {} and {} are {} apart",
+                pair.one,
+                pair.other,
+                shown(pair.distance, 2)
             );
         }
         return;
     };
     let setting = match (reference.tolerance, reference.step) {
-        (Some(tolerance), _) => format!(" at tolerance {tolerance:.0e}"),
-        (_, Some(step)) => format!(" at a step of {step:.2e} s"),
+        (Some(tolerance), _) => {
+            format!(" at tolerance {tolerance}", tolerance = shown(tolerance, 1))
+        }
+        (_, Some(step)) => format!(" at a step of {step} s", step = shown(step, 3)),
         _ => String::new(),
     };
     let confirmed = reference.confirmed_by.as_ref().map_or_else(
         || "no other method confirms it".to_owned(),
-        |pair| format!("{} comes within {:.1e}", pair.other, pair.distance),
+        |pair| format!("{} comes within {}", pair.other, shown(pair.distance, 2)),
     );
     let _ = writeln!(
         text,
@@ -61,8 +65,9 @@ fn reference(text: &mut String, study: &Study) {
     );
     let _ = writeln!(
         text,
-        "determined: loads changed by one part in 10¹⁰ move δ by {:.1e}; errors are told down to {:.1e}",
-        reference.moved, reference.resolution
+        "determined: loads changed by one part in 10¹⁰ move δ by {}; errors are told down to {}",
+        shown(reference.moved, 2),
+        shown(reference.resolution, 2)
     );
     if reference.horizon < study.duration * (1.0 - 1e-9) {
         let _ = writeln!(
@@ -84,7 +89,7 @@ fn row(text: &mut String, line: &MethodLine, point: &Point) {
     let count = |number: Option<u64>| number.map_or("–".to_owned(), |n| n.to_string());
     let error = point.error.map_or("–".to_owned(), |error| {
         let sign = if point.is_reference { "≤" } else { "" };
-        format!("{sign}{error:.1e}")
+        format!("{sign}{error}", error = shown(error, 2))
     });
     let cause = match point.is_reference {
         true => "the reference".to_owned(),
@@ -142,8 +147,8 @@ fn models(text: &mut String, study: &Study) {
 fn limits(text: &mut String, study: &Study) {
     let _ = writeln!(
         text,
-        "\nstability: fastest rate |λ| = {:.3e} 1/s, all pairs engaged; measured on this motion",
-        study.fastest_rate
+        "\nstability: fastest rate |λ| = {} 1/s, all pairs engaged; measured on this motion",
+        shown(study.fastest_rate, 4)
     );
     for line in &study.methods {
         let limit = &line.stability;
@@ -155,17 +160,21 @@ fn limits(text: &mut String, study: &Study) {
         };
         let _ = write!(
             text,
-            "{:<9} |λ|h below {theory:.3} {}, h below {:.2e} s",
+            "{:<9} |λ|h below {theory:.3} {}, h below {} s",
             line.method.name(),
             limit.place.unwrap_or(""),
-            limit.theory_step.unwrap_or(f64::NAN),
+            shown(limit.theory_step.unwrap_or(f64::NAN), 3)
         );
         if let Some(degree) = limit.degree {
             let _ = write!(text, " (degree {degree})");
         }
         match (limit.measured, limit.measured_step) {
             (Some(measured), Some(step)) => {
-                let _ = writeln!(text, "; measured {measured:.3}, {step:.2e} s");
+                let _ = writeln!(
+                    text,
+                    "; measured {measured:.3}, {step} s",
+                    step = shown(step, 3)
+                );
             }
             _ => text.push('\n'),
         }
@@ -178,17 +187,22 @@ pub(super) fn sweep(scene: &str, methods: &[Method], sweep: &Sweep) -> String {
     let accuracy = sweep.slices.first().map_or(0.0, |s| s.study.accuracy);
     let _ = writeln!(
         text,
-        "methods over {}; time to an error of δ within {accuracy:.0e} of max|δ|",
-        sweep.axis.path
+        "methods over {}; time to an error of δ within {accuracy} of max|δ|",
+        sweep.axis.path,
+        accuracy = shown(accuracy, 1)
     );
     for &method in methods {
         let _ = writeln!(text, "\n{method}");
         if let Some(step) = sweep.fixed_step.filter(|_| is_fixed(sweep, method)) {
-            let _ = writeln!(text, "  verdicts at a step of {step:.2e} s");
+            let _ = writeln!(
+                text,
+                "  verdicts at a step of {step} s",
+                step = shown(step, 3)
+            );
         }
         for slice in &sweep.slices {
             if let Some(standing) = slice.standing(method) {
-                let x = format!("{:.6e} {}", slice.x, sweep.axis.unit);
+                let x = format!("{} {}", shown(slice.x, 7), sweep.axis.unit);
                 standing_row(&mut text, x.trim_end(), &standing);
             }
         }
@@ -207,7 +221,11 @@ fn is_fixed(sweep: &Sweep, method: Method) -> bool {
 fn standing_row(text: &mut String, x: &str, standing: &Standing) {
     let step = match (standing.stable_step, standing.stable_step_by_theory) {
         (Some(measured), Some(theory)) => {
-            format!("; greatest stable step {measured:.2e} s, in theory {theory:.2e} s")
+            format!(
+                "; greatest stable step {measured} s, in theory {theory} s",
+                measured = shown(measured, 3),
+                theory = shown(theory, 3)
+            )
         }
         _ => String::new(),
     };

@@ -1,7 +1,7 @@
 //! Machines that are no scene: tables and expressions.
 
 use super::args::SteadyArgs;
-use super::{Answered, asked, folder, machine_document, tell};
+use super::{Found, asked, folder, machine_document, machine_source, tell};
 use crate::cli::failure::Failure;
 use crate::cli::status::Status;
 use crate::dynamics::steady::flywheel::{Flywheel, size_of_table};
@@ -86,30 +86,25 @@ fn table(
     .map_err(|refusal| refused(&refusal))?;
     let folder = folder(args, &shown)?;
     let rows = motion.rows();
-    let answered = Answered {
-        title: &shown,
-        hash: "",
-        scene: None,
-        document: machine_document(
-            &shown,
-            &TableAnswer {
-                figures: &motion.figures,
-                flywheel: flywheel.as_ref(),
-            },
-        ),
-        rigid: Some(Shown {
-            title: &shown,
-            cycle: table.cycle(),
-            figures: &motion.figures.steady,
-            rows: &rows,
-            regime: None,
+    let document = machine_document(
+        &shown,
+        &TableAnswer {
+            figures: &motion.figures,
             flywheel: flywheel.as_ref(),
-            agreement: None,
-            halving: motion.figures.halving.as_ref(),
-        }),
-        periodic: None,
+        },
+    );
+    let motion = Shown {
+        title: &shown,
+        cycle: table.cycle(),
+        figures: &motion.figures.steady,
+        rows: &rows,
+        regime: None,
+        flywheel: flywheel.as_ref(),
+        agreement: None,
+        halving: motion.figures.halving.as_ref(),
     };
-    tell(args, &answered, folder.as_ref())?;
+    let found = Found::rigid(&motion, document, machine_source(&shown));
+    tell(args, found, folder.as_ref())?;
     Ok(Status::Answered)
 }
 
@@ -133,23 +128,18 @@ fn formulas(args: &SteadyArgs, spec: &SteadySpec, question: &Question) -> Result
         .map_err(|refusal| refused(&refusal))?;
     let folder = folder(args, &title)?;
     let rows = answer.motion.rows(ROWS);
-    let answered = Answered {
+    let document = machine_document(&title, &answer);
+    let motion = Shown {
         title: &title,
-        hash: "",
-        scene: None,
-        document: machine_document(&title, &answer),
-        rigid: Some(Shown {
-            title: &title,
-            cycle: spec.cycle,
-            figures: &answer.figures,
-            rows: &rows,
-            regime: None,
-            flywheel: answer.flywheel.as_ref(),
-            agreement: Some(&answer.agreement),
-            halving: None,
-        }),
-        periodic: None,
+        cycle: spec.cycle,
+        figures: &answer.figures,
+        rows: &rows,
+        regime: None,
+        flywheel: answer.flywheel.as_ref(),
+        agreement: Some(&answer.agreement),
+        halving: None,
     };
-    tell(args, &answered, folder.as_ref())?;
+    let found = Found::rigid(&motion, document, machine_source(&title));
+    tell(args, found, folder.as_ref())?;
     Ok(Status::Answered)
 }

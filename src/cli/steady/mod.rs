@@ -3,19 +3,23 @@
 pub(crate) mod args;
 mod machine;
 
+use super::answer::{self, Content, PAGE, Shown as Shape};
 use super::console;
 use super::expected;
 use super::failure::Failure;
 use super::input::{Input, Ready};
-use super::output::{self, OutputFolder, ResultFile};
+use super::output::OutputFolder;
 use super::run::doubts;
 use super::status::Status;
 use crate::dynamics::steady::{MOST_TURNS, Mean};
 use crate::frontend::object::law::read_argument;
 use crate::frontend::read::Bounds;
 use crate::frontend::scene::SteadySpec;
+use crate::report::csv::Rows;
+use crate::report::findings::{Findings, Source};
+use crate::report::plot::Plot;
 use crate::report::steady::{
-    Shown, SteadyReport, drive_csv, page, periodic_text, rigid_text, rows_csv, wittenbauer,
+    Shown, periodic_findings, periodic_rows, rigid_findings, rigid_rows, wittenbauer,
 };
 use crate::studies::expectations::Verdict;
 use crate::studies::steady::{Answer, ROWS, check, steady_motion};
@@ -24,20 +28,29 @@ use args::{Form, MeanChoice, QuestionArgs, SteadyArgs};
 use serde::Serialize;
 use serde_json::{Value, json};
 
-const FILES: [&str; 3] = ["steady.json", "steady.csv", "report.html"];
+const FILES: [&str; 3] = ["steady.json", "steady.csv", PAGE];
 
 /// Size of the diagram (pixels).
 const PICTURE: (f64, f64) = (900.0, 560.0);
 
-/// Answer that goes to the terminal and into files.
-struct Answered<'a> {
-    /// The scene's name, or what machine it is.
-    title: &'a str,
-    hash: &'a str,
-    scene: Option<&'a str>,
+/// What goes to the terminal and into files.
+struct Found<'a> {
+    findings: Findings<'a>,
     document: Value,
-    rigid: Option<Shown<'a>>,
-    periodic: Option<&'a crate::studies::steady::PeriodicAnswer>,
+    rows: Rows,
+    /// The energy-mass diagram of a machine with rigid objects.
+    diagram: Option<Plot>,
+}
+
+impl<'a> Found<'a> {
+    fn rigid(shown: &Shown<'_>, document: Value, source: Source<'a>) -> Self {
+        Self {
+            findings: rigid_findings(shown, source),
+            document,
+            rows: rigid_rows(shown),
+            diagram: Some(wittenbauer(shown)),
+        }
+    }
 }
 
 /// Runs the command.
@@ -56,36 +69,31 @@ pub(crate) fn command(args: &SteadyArgs) -> Result<Status, Failure> {
     let answer = steady_motion(&ready.system, &ready.settings, &spec)
         .map_err(|faults| Failure::from(ready.reading.places.diagnose(&faults)))?;
     let verdicts = verdicts(args, &ready, &answer);
-    let rows = match &answer {
-        Answer::Rigid(answer) => answer.motion.rows(ROWS),
-        Answer::Periodic(_) => Vec::new(),
-    };
-    let name = &ready.scene().name;
-    let (rigid, periodic) = match &answer {
-        Answer::Rigid(answer) => (
-            Some(Shown {
+    let (name, hash) = (&ready.scene().name, &ready.scene().hash);
+    let document = document(&ready, &answer, &verdicts)?;
+    let source = Source::scene(input.text(), hash);
+    let found = match &answer {
+        Answer::Rigid(answer) => {
+            let shown = Shown {
                 title: name,
                 cycle: answer.cycle,
                 figures: &answer.figures,
-                rows: &rows,
+                rows: &answer.motion.rows(ROWS),
                 regime: answer.regime.as_ref(),
                 flywheel: answer.flywheel.as_ref(),
                 agreement: Some(&answer.agreement),
                 halving: None,
-            }),
-            None,
-        ),
-        Answer::Periodic(answer) => (None, Some(answer.as_ref())),
+            };
+            Found::rigid(&shown, document, source)
+        }
+        Answer::Periodic(answer) => Found {
+            findings: periodic_findings(name, answer, source),
+            document,
+            rows: periodic_rows(answer),
+            diagram: None,
+        },
     };
-    let answered = Answered {
-        title: name,
-        hash: &ready.scene().hash,
-        scene: Some(input.text()),
-        document: document(&ready, &answer, &verdicts)?,
-        rigid,
-        periodic,
-    };
-    tell(args, &answered, folder.as_ref())?;
+    tell(args, found, folder.as_ref())?;
     if !args.quiet {
         expected::talk(&verdicts);
     }
@@ -175,88 +183,36 @@ fn document(ready: &Ready, answer: &Answer, verdicts: &[Verdict]) -> Result<Valu
 }
 
 /// Prints the answer and writes its files.
-fn tell(
-    args: &SteadyArgs,
-    answered: &Answered<'_>,
-    folder: Option<&OutputFolder>,
-) -> Result<(), Failure> {
-    let csv = match &answered.rigid {
-        Some(shown) => rows_csv(shown).map_err(|error| error.to_string())?,
-        None => answered
-            .periodic
-            .map(orbit_csv)
-            .transpose()?
-            .unwrap_or_default(),
-    };
-    let files = || files(answered, &csv);
-    let show = || show(args, answered, &csv);
-    output::deliver(folder, "steady", answered.hash, files, show)?;
-    if args.quiet {
-        return Ok(());
-    }
-    if let Some(shown) = &answered.rigid {
-        for warning in &shown.figures.warnings {
-            console::talk(&format!("warning: {warning}"));
-        }
-    }
-    if let Some(folder) = folder {
-        folder.tell_report();
-    }
-    Ok(())
-}
-
-fn show(args: &SteadyArgs, answered: &Answered<'_>, csv: &str) -> Result<(), Failure> {
-    if args.json {
-        return console::json(&answered.document);
-    }
-    match (args.form, &answered.rigid, answered.periodic) {
-        (Form::Csv, ..) => console::data(csv),
-        (Form::Svg, Some(shown), _) => console::data(&wittenbauer(shown).svg(PICTURE.0, PICTURE.1)),
-        (Form::Svg, None, _) => {
+fn tell(args: &SteadyArgs, found: Found<'_>, folder: Option<&OutputFolder>) -> Result<(), Failure> {
+    let shown = match (args.form, &found.diagram) {
+        (Form::Text, _) => Shape::Text,
+        (Form::Csv, _) => Shape::File(FILES[1]),
+        (Form::Svg, Some(diagram)) => Shape::Made(diagram.svg(PICTURE.0, PICTURE.1)),
+        (Form::Svg, None) => {
             let why = "only machines with rigid objects have an energy-mass diagram";
-            Err(Failure::Other(why.to_owned()))
+            return Err(Failure::Other(why.to_owned()));
         }
-        (Form::Text, Some(shown), _) => console::text(&rigid_text(shown)),
-        (Form::Text, None, Some(answer)) => console::text(&periodic_text(answered.title, answer)),
-        (Form::Text, None, None) => Ok(()),
-    }
+    };
+    let answer = answer::Answer {
+        command: "steady",
+        findings: &found.findings,
+        document: found.document,
+        files: vec![
+            (FILES[0].into(), Content::Document),
+            (FILES[1].into(), Content::made(|| found.rows.csv())),
+            (FILES[2].into(), Content::Page),
+        ],
+        quiet: args.quiet,
+    };
+    answer.deliver(folder, Shape::json_or(args.json, shown))
 }
 
-fn files(answered: &Answered<'_>, csv: &str) -> Result<Vec<ResultFile>, Failure> {
-    let report = page(&SteadyReport {
-        title: answered.title,
-        rigid: answered.rigid,
-        periodic: answered.periodic,
-        scene: answered.scene,
-        hash: answered.hash,
-        version: env!("CARGO_PKG_VERSION"),
-    });
-    Ok(vec![
-        ResultFile::new(FILES[0], format!("{:#}\n", answered.document)),
-        ResultFile::new(FILES[1], csv),
-        ResultFile::new(FILES[2], report),
-    ])
-}
-
-/// Deviations over a period; parts have periods of their own, so that each row
-/// is one value.
-fn orbit_csv(answer: &crate::studies::steady::PeriodicAnswer) -> Result<String, Failure> {
-    if let Some(drive) = &answer.drive {
-        return Ok(drive_csv(answer, drive).map_err(|error| error.to_string())?);
+/// The source of a machine that is no scene.
+fn machine_source<'a>(title: &str) -> Source<'a> {
+    Source {
+        more: vec![("Machine".to_owned(), title.to_owned())],
+        ..Source::default()
     }
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    let failed = |error: csv::Error| error.to_string();
-    writer
-        .write_record(["coordinate", "t [s]", "deviation"])
-        .map_err(failed)?;
-    for (name, points) in answer.parts.iter().flat_map(|part| &part.orbit) {
-        for (time, value) in points {
-            let row = [name.clone(), format!("{time:?}"), format!("{value:?}")];
-            writer.write_record(row).map_err(failed)?;
-        }
-    }
-    let bytes = writer.into_inner().map_err(|error| error.to_string())?;
-    Ok(String::from_utf8(bytes).map_err(|error| error.to_string())?)
 }
 
 /// The JSON document of a machine that is no scene.

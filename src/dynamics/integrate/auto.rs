@@ -1,6 +1,7 @@
 //! Which method for which system: `method: auto`.
 
 use super::{Dynamics, Method, Modes};
+use crate::units::shown;
 use std::f64::consts::TAU;
 
 /// Situation on which the choice of a method depends.
@@ -251,7 +252,10 @@ pub fn choose(situation: &Situation) -> Chosen {
     };
     let tolerance = chosen.aim(situation);
     let why = match tolerance < situation.tolerance {
-        true => format!("{why}; with a tolerance of {tolerance:.1e}, as errors add up over a run"),
+        true => format!(
+            "{why}; with a tolerance of {tolerance}, as errors add up over a run",
+            tolerance = shown(tolerance, 2)
+        ),
         false => why,
     };
     Chosen {
@@ -263,21 +267,25 @@ pub fn choose(situation: &Situation) -> Chosen {
 
 fn why_implicit(situation: &Situation, explicit: &Behaviour, implicit: &Behaviour) -> String {
     let [accurate, stable] = explicit.steps(situation);
-    let (fastest, shown) = (situation.fastest, situation.shown());
+    let (fastest, seen) = (situation.fastest, situation.shown());
     let held = if stable < accurate {
         format!(
-            "the system's fastest rate, {fastest:.2e} 1/s, is {:.0} times what the motion shows",
-            fastest / shown
+            "the system's fastest rate, {fastest} 1/s, is {:.0} times what the motion shows",
+            fastest / seen,
+            fastest = shown(fastest, 3)
         )
     } else {
-        format!("the motion shows no more than {shown:.2e} rad/s most of the time")
+        format!(
+            "the motion shows no more than {} rad/s most of the time",
+            shown(seen, 3)
+        )
     };
     format!(
-        "{held}; {} would be held to steps of {:.1e} s where {} takes {:.1e} s",
+        "{held}; {} would be held to steps of {} s where {} takes {} s",
         explicit.method,
-        accurate.min(stable),
+        shown(accurate.min(stable), 2),
         implicit.method,
-        implicit.steps(situation)[0].min(situation.duration),
+        shown(implicit.steps(situation)[0].min(situation.duration), 2)
     )
 }
 
@@ -293,11 +301,11 @@ fn why_explicit(situation: &Situation, explicit: &Behaviour) -> String {
         _ => "explicit, ",
     };
     format!(
-        "{series}as the fastest rate, {:.2e} 1/s, is only {:.1} times what the motion shows; \
-         {bound} asks for steps of about {:.1e} s",
-        situation.fastest,
+        "{series}as the fastest rate, {} 1/s, is only {:.1} times what the motion shows; \
+         {bound} asks for steps of about {} s",
+        shown(situation.fastest, 3),
         situation.fastest / situation.shown(),
-        accurate.min(stable).min(situation.duration),
+        shown(accurate.min(stable).min(situation.duration), 2)
     )
 }
 

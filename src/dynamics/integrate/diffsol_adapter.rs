@@ -13,6 +13,7 @@
 //! * The derivative it keeps is not the right-hand side at the end of the step
 //!   but what its formula makes of it: that is evaluated here.
 
+use super::pace::SHARE_OF_OTHERS;
 use super::run::{Run, Verdict};
 use super::{Dynamics, Method, Stop};
 use diffsol::error::OdeSolverError;
@@ -25,9 +26,6 @@ use std::cell::RefCell;
 type Matrix = NalgebraMat<f64>;
 type Vector = NalgebraVec<f64>;
 type Lu = NalgebraLU<f64>;
-
-/// Local error allowed per step, relative to the tolerance asked for.
-const SAFETY: f64 = 0.1;
 
 /// Takes the run as far towards its target as one leg goes: to the target or
 /// to a switch.
@@ -45,7 +43,7 @@ fn try_leg<D: Dynamics>(run: &mut Run<'_, D>) -> Result<(), DiffsolError> {
         Method::TrBdf2 => run.first_length(2),
         _ => run.first_length(4),
     };
-    let tolerance = SAFETY * run.tolerance();
+    let tolerance = SHARE_OF_OTHERS * run.tolerance();
     let initial: Vec<f64> = run.from.y.iter().zip(scales).map(|(y, s)| y / s).collect();
     let count = initial.len();
     let work = RefCell::new([vec![0.0; count], vec![0.0; count], vec![0.0; count]]);

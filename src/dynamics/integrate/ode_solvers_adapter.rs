@@ -20,14 +20,12 @@
 //! * `rejected_steps` leaves out those before the first accepted step: they are
 //!   counted from the calls.
 
+use super::pace::SHARE_OF_OTHERS;
 use super::run::{Run, Verdict};
 use super::{Dynamics, Method, Stop};
 use ode_solvers::dop_shared::IntegrationError;
 use ode_solvers::{DVector, Dop853, Dopri5, OutputType, Rk4, SVector, System};
 use std::cell::{Cell, RefCell};
-
-/// Local error allowed per step, relative to the tolerance asked for.
-const SAFETY: f64 = 0.1;
 
 /// Accepted steps after which a leg is ended, to bound the solver's memory.
 const STEPS_PER_LEG: u64 = 4096;
@@ -68,7 +66,7 @@ fn rk4<D: Dynamics>(run: &mut Run<'_, D>) {
 fn dopri5<D: Dynamics>(run: &mut Run<'_, D>) {
     let first = run.first_length(5);
     let (start, target) = (run.from.time, run.target);
-    let tolerance = SAFETY * run.tolerance();
+    let tolerance = SHARE_OF_OTHERS * run.tolerance();
     let longest = run.settings.step.unwrap_or(target - start);
     let counters = Counters::default();
     let problem = Problem::new(run, &counters, rounding(start, target));
@@ -104,7 +102,7 @@ fn dop853<D: Dynamics>(run: &mut Run<'_, D>) {
     let (start, target) = (run.from.time, run.target);
     let dimension = run.from.y.len() as f64;
     // The norm divides by the number of states, time included.
-    let tolerance = SAFETY * run.tolerance() * (dimension / (dimension + 1.0)).sqrt();
+    let tolerance = SHARE_OF_OTHERS * run.tolerance() * (dimension / (dimension + 1.0)).sqrt();
     let longest = run.settings.step.unwrap_or(target - start);
     let counters = Counters::default();
     let mut problem = Problem::new(run, &counters, rounding(start, target));

@@ -4,6 +4,12 @@
 use super::{Dynamics, run::Run};
 use std::collections::BTreeMap;
 
+/// Share of the step that would just keep the tolerance.
+pub(super) const CAUTION: f64 = 0.9;
+/// Local error that the methods of other crates are allowed per step, relative to the tolerance
+/// asked for.
+pub(super) const SHARE_OF_OTHERS: f64 = 0.1;
+
 /// Lengths of earlier steps (s), to choose the next.
 #[derive(Debug, Default)]
 pub(super) struct Pace {

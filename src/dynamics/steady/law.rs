@@ -4,6 +4,7 @@ use super::Mean;
 use super::profile::Extreme;
 use super::refusal::{Field, Refusal};
 use crate::math::roots::bracketed;
+use crate::units::shown;
 use serde::Serialize;
 
 /// Question which of all periodic motions is meant.
@@ -265,13 +266,14 @@ pub(super) fn warnings(
     if ratio < ALMOST_STOPS {
         warnings.push(format!(
             "the machine almost stops at φ = {position:.6} rad: its kinetic energy falls to \
-             {ratio:.1e} of the greatest"
+             {ratio} of the greatest",
+            ratio = shown(ratio, 2)
         ));
     }
     if !(level.miss <= question.tolerance) {
         warnings.push(format!(
-            "the mean was met to {:.1e} only: the bracket cannot shrink further",
-            level.miss
+            "the mean was met to {} only: the bracket cannot shrink further",
+            shown(level.miss, 2)
         ));
     }
     warnings

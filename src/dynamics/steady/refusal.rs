@@ -2,6 +2,7 @@
 
 use super::Mean;
 use crate::fault::Fault;
+use crate::units::shown;
 use serde::Serialize;
 
 /// Why a question for the steady motion has no answer. SI units, radians.
@@ -108,7 +109,7 @@ impl Refusal {
                 let does = if *work > 0.0 { "gains" } else { "loses" };
                 let share = work.abs() / range.max(f64::MIN_POSITIVE);
                 let share = match share < 1e-3 {
-                    true => format!("{share:.1e}"),
+                    true => format!("{share}", share = shown(share, 2)),
                     false => format!("{share:.4}"),
                 };
                 format!(

@@ -20,7 +20,7 @@ const SAMPLES: usize = 1024;
 const TURNS: f64 = 8.0;
 
 /// Share of a limited reach at each end that is not sampled.
-const EDGE: f64 = 0.05;
+pub(super) const EDGE: f64 = 0.05;
 
 /// δ* of an object that nothing loads (rad or m).
 pub(super) const FLOOR: f64 = 1e-6;

@@ -5,6 +5,7 @@ use super::balance::{Balance, Balanced};
 use super::passes::{Extent, Work};
 use crate::dynamics::model::LoadLaw;
 use crate::fault::Fault;
+use crate::units::shown;
 
 /// A static start that leaves out more than this share of the static load is
 /// warned of.
@@ -30,15 +31,17 @@ impl System {
                 format!("{id}.pair"),
                 format!(
                     "no quiet start: at t = 0 the inertia load pulls the pair of `{id}` open \
-                     with {reaction:.6e}"
+                     with {reaction}",
+                    reaction = shown(reaction, 7)
                 ),
                 "a greater closing force, another position at t = 0, or \"start\": \"on_law\"",
             ),
             Some((name, force)) => Fault::new(
                 name.clone(),
                 format!(
-                    "no static balance: `{name}` ({force:.6e}) pulls the force-closed pair of \
-                     `{id}` open"
+                    "no static balance: `{name}` ({force}) pulls the force-closed pair of \
+                     `{id}` open",
+                    force = shown(force, 7)
                 ),
                 "a load that closes the pair, \"opens\" turned round, or \"start\": \"on_law\"",
             ),
@@ -46,7 +49,8 @@ impl System {
                 format!("{id}.pair"),
                 format!(
                     "no static balance: the reactions of its followers pull the force-closed \
-                     pair of `{id}` open with {reaction:.6e}"
+                     pair of `{id}` open with {reaction}",
+                    reaction = shown(reaction, 7)
                 ),
                 "a load that closes the pair, or \"start\": \"on_law\"",
             ),
@@ -93,10 +97,12 @@ impl System {
                     crate::dynamics::model::Coordinate::Sliding => "N",
                 };
                 warnings.push(format!(
-                    "{}: the static start leaves out an inertia load of {left_out:.4e} {unit} \
-                     (static load {force:.4e} {unit}), so the run begins with a vibration; \
+                    "{}: the static start leaves out an inertia load of {left_out} {unit} \
+                     (static load {force} {unit}), so the run begins with a vibration; \
                      \"start\": \"kinetostatic\" includes it",
-                    part.id
+                    part.id,
+                    left_out = shown(left_out, 5),
+                    force = shown(force, 5)
                 ));
             }
         }

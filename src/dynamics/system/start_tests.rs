@@ -153,7 +153,7 @@ fn inertia_that_a_static_start_leaves_out_is_warned_of() {
     let start = started(model.clone());
     assert_eq!(start.warnings.len(), 1);
     assert!(
-        start.warnings[0].contains("6.2013e2 N m"),
+        start.warnings[0].contains("620.13 N m"),
         "{}",
         start.warnings[0]
     );

@@ -4,7 +4,7 @@ use super::{Arith, V, WIDTH};
 
 /// Adding and taking away 3·2⁵¹ rounds to the nearest integer, whose low bits
 /// are then those of the sum.
-const ROUND: f64 = 6_755_399_441_055_744.0;
+pub(crate) const ROUND: f64 = 6_755_399_441_055_744.0;
 
 /// Greatest |θ| for which [`sin_cos`] is accurate to rounding: the first part
 /// of π/2 has 33 bits, so k·π/2 is exact for k < 2²⁰.

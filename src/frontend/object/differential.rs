@@ -18,6 +18,7 @@
 mod combination;
 
 use super::chain::{self, Rules};
+use super::drive::COORDINATES;
 use super::geometry::Beam;
 use super::spec::{ChainSpec, InertiaSplit};
 use super::{Context, Inputs, Kind, Measures, ModelBuilder, Object, Place, Port, Ports};
@@ -47,11 +48,6 @@ struct Input {
     /// ∂φ/∂φₖ.
     ratio: f64,
 }
-
-const COORDINATES: [(&str, Coordinate); 2] = [
-    ("turning", Coordinate::Turning),
-    ("sliding", Coordinate::Sliding),
-];
 
 fn rules(coordinate: Option<Coordinate>) -> Rules {
     let turning = coordinate == Some(Coordinate::Turning);

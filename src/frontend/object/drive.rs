@@ -46,7 +46,8 @@ pub(super) const KIND: Kind = Kind {
     },
 };
 
-const COORDINATES: [(&str, Coordinate); 2] = [
+/// Turning and sliding, as a text names them.
+pub(super) const COORDINATES: [(&str, Coordinate); 2] = [
     ("turning", Coordinate::Turning),
     ("sliding", Coordinate::Sliding),
 ];

@@ -45,7 +45,7 @@ impl LinkageOutput {
         let mut workspace = taken.unwrap_or_else(|| self.linkage.workspace());
         let jet = match self.linkage.solve(q, 3, &mut workspace) {
             Ok(()) => self.linkage.output(self.output, &workspace),
-            Err(_) => NOWHERE,
+            Err(_) => Jet::UNKNOWN,
         };
         if let Ok(mut idle) = self.idle.lock() {
             idle.push(workspace);
@@ -71,14 +71,6 @@ impl LinkageOutput {
         advance.is_finite().then_some((period, advance))
     }
 }
-
-/// Jet of an output that is not there.
-const NOWHERE: Jet = Jet {
-    value: f64::NAN,
-    first: f64::NAN,
-    second: f64::NAN,
-    third: f64::NAN,
-};
 
 /// The open interval of the input coordinate in which a linkage can be
 /// assembled; `None`: everywhere. The ends of a travel belong to it: a cylinder

@@ -1,22 +1,21 @@
-//! Disc cams as text, tables, drawings and pages.
+//! Disc cams as findings, tables and drawings.
 
 mod charts;
 mod dxf;
-mod page;
+mod figures;
+mod findings;
 mod picture;
 mod remarks;
 mod sampled;
 mod tables;
-mod text;
 mod view;
 mod words;
 
 pub use dxf::dxf;
-pub use page::{CamReport, page};
+pub use findings::{CamReport, findings};
 pub use picture::picture;
 pub(in crate::report) use picture::{Follower, bodies, drawing, drawn, style};
-pub use tables::{cycle_csv, polygon_csv};
-pub use text::cam_text;
+pub use tables::{cycle_rows, polygon_rows};
 pub(in crate::report) use view::view;
 
 use crate::fault::Fault;

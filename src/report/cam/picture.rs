@@ -10,16 +10,16 @@ use crate::report::plot::document;
 use std::fmt::Write as _;
 
 const STYLE: &str = "\
-.cam-body{fill:var(--box-drive, #dfe7f0);stroke:var(--series-0, #1d5a9e);stroke-width:1.8;stroke-linejoin:round;fill-rule:evenodd}\
-.cam-open{fill:none;stroke:var(--series-0, #1d5a9e);stroke-width:1.8}\
-.cam-pitch{fill:none;stroke:var(--ink-soft, #7d8893);stroke-width:1;stroke-dasharray:6 4}\
-.cam-base{fill:none;stroke:#a9b2bb;stroke-width:1;stroke-dasharray:2 4}\
-.cam-mark{fill:none;stroke:var(--series-0, #1d5a9e);stroke-width:1.4}\
-.cam-axis{fill:var(--paper, #fff);stroke:var(--ink, #17202a);stroke-width:1.4}\
-.cam-line{fill:none;stroke:#a9b2bb;stroke-width:1;stroke-dasharray:10 4 2 4}\
-.follower{fill:var(--mechanism-back, #f6e3d6);stroke:var(--series-1, #c04f15);stroke-width:1.8;stroke-linejoin:round}\
-.follower-arm{fill:none;stroke:var(--series-1, #c04f15);stroke-width:7;stroke-linecap:round;stroke-opacity:.75}\
-.follower-pin{fill:var(--paper, #fff);stroke:var(--series-1, #c04f15);stroke-width:1.6}";
+.cam-body{fill:var(--box-drive);stroke:var(--series-0);stroke-width:1.8;stroke-linejoin:round;fill-rule:evenodd}\
+.cam-open{fill:none;stroke:var(--series-0);stroke-width:1.8}\
+.cam-pitch{fill:none;stroke:var(--ink-soft);stroke-width:1;stroke-dasharray:6 4}\
+.cam-base{fill:none;stroke:var(--faint);stroke-width:1;stroke-dasharray:2 4}\
+.cam-mark{fill:none;stroke:var(--series-0);stroke-width:1.4}\
+.cam-axis{fill:var(--paper);stroke:var(--ink);stroke-width:1.4}\
+.cam-line{fill:none;stroke:var(--faint);stroke-width:1;stroke-dasharray:10 4 2 4}\
+.follower{fill:var(--mechanism-back);stroke:var(--series-1);stroke-width:1.8;stroke-linejoin:round}\
+.follower-arm{fill:none;stroke:var(--series-1);stroke-width:7;stroke-linecap:round;stroke-opacity:.75}\
+.follower-pin{fill:var(--paper);stroke:var(--series-1);stroke-width:1.6}";
 
 /// Chord tolerance of drawn curves, of the prime circle: a tenth of a pixel.
 const FINE: f64 = 3e-4;

@@ -1,22 +1,14 @@
-//! The cycle of a cam and its curves as CSV.
+//! The cycle of a cam and its curves as tables for other programs.
 
 use super::NamedCurve;
 use crate::kinematics::cam::DiscCam;
-use crate::report::csv::{number, write};
+use crate::report::csv::{Field, Rows};
 use crate::studies::cam::CamForce;
 
 /// One turn in `count` equal steps, and both sides of every joint of the law:
 /// motion, pressure angle, radii of curvature, profile, force and torque (left
 /// empty where there is none).
-///
-/// # Errors
-/// Never in practice: writing into memory.
-pub fn cycle_csv(
-    cam: &DiscCam,
-    unit: &str,
-    force: Option<&CamForce<'_>>,
-    count: usize,
-) -> Result<String, csv::Error> {
+pub fn cycle_rows(cam: &DiscCam, unit: &str, force: Option<&CamForce<'_>>, count: usize) -> Rows {
     let header = [
         "phi [rad]".to_owned(),
         format!("s [{unit}]"),
@@ -47,22 +39,10 @@ pub fn cycle_csv(
             profile[0],
             profile[1],
         ];
-        let cells = cells.map(finite).into_iter();
-        let forces = match forces {
-            Some([_, normal, torque]) => [finite(normal), finite(torque)],
-            None => [String::new(), String::new()],
-        };
-        cells.chain(forces).collect::<Vec<String>>()
+        let forces = forces.map_or([f64::NAN; 2], |[_, normal, torque]| [normal, torque]);
+        cells.into_iter().chain(forces)
     });
-    write(header.into_iter(), rows)
-}
-
-/// A number; of what is not finite (the radius of a straight place) nothing.
-fn finite(value: f64) -> String {
-    match value.is_finite() {
-        true => number(value),
-        false => String::new(),
-    }
+    Rows::new(header, rows)
 }
 
 /// Pieces and angles of a table: equal steps, and the ends of every piece.
@@ -84,14 +64,11 @@ pub(super) fn rows(cam: &DiscCam, count: usize) -> Vec<(usize, f64)> {
 }
 
 /// The corners of curves: curve, angle of the cam, x, y in the cam's frame.
-///
-/// # Errors
-/// Never in practice: writing into memory.
-pub fn polygon_csv(curves: &[NamedCurve]) -> Result<String, csv::Error> {
-    let header = ["curve", "phi [rad]", "x [m]", "y [m]"].map(str::to_owned);
+pub fn polygon_rows(curves: &[NamedCurve]) -> Rows {
     let rows = curves.iter().flat_map(|curve| {
         let corners = curve.polygon.angles.iter().zip(&curve.polygon.points);
-        corners.map(|(&phi, &[x, y])| vec![curve.name.clone(), number(phi), number(x), number(y)])
+        let name = || Field::from(curve.name.as_str());
+        corners.map(move |(&phi, &[x, y])| [name(), phi.into(), x.into(), y.into()])
     });
-    write(header.into_iter(), rows)
+    Rows::new(["curve", "phi [rad]", "x [m]", "y [m]"], rows)
 }

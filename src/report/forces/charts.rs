@@ -2,18 +2,13 @@
 
 use super::ForcesReport;
 use crate::math::order::by_first;
+use crate::report::findings::{Layout, Section};
 use crate::report::plot::{Axis, Band, Plot, Series};
 use crate::report::quantity::significant;
 use crate::studies::forces::{Column, columns};
 
-/// A group of charts under a heading.
-pub(super) struct Group {
-    pub(super) title: &'static str,
-    pub(super) charts: Vec<Plot>,
-}
-
 /// All curves over the course.
-pub(super) fn groups(report: &ForcesReport<'_>) -> Vec<Group> {
+pub(super) fn groups<'a>(report: &ForcesReport<'_>) -> Vec<Section<'a>> {
     let study = report.study;
     let all = columns(&study.linkage, study.settings.output);
     let chart = |title: &str, names: &[(String, &str)]| over_course(report, &all, title, names);
@@ -77,23 +72,15 @@ pub(super) fn groups(report: &ForcesReport<'_>) -> Vec<Group> {
         ),
         chart("Change of the driving force by masses", &by_mass),
     ];
+    let section = |title: &str, charts: Vec<Plot>| {
+        let shown = charts.into_iter().filter(|chart| !chart.series.is_empty());
+        Section::new(title).charts(Layout::Grid, "course", shown.collect())
+    };
     vec![
-        Group {
-            title: "Driving force, power, efficiency",
-            charts: drive,
-        },
-        Group {
-            title: "Reactions",
-            charts: pairs.collect(),
-        },
-        Group {
-            title: "The frame",
-            charts: frame.into(),
-        },
-        Group {
-            title: "Sensitivity",
-            charts: changes.into(),
-        },
+        section("Driving force, power, efficiency", drive),
+        section("Reactions", pairs.collect()),
+        section("The frame", frame.into()),
+        section("Sensitivity", changes.into()),
     ]
 }
 
@@ -145,7 +132,7 @@ fn shaded(report: &ForcesReport<'_>) -> Vec<[f64; 2]> {
 }
 
 /// χ against i; without masses and friction the line of slope ∓1.
-pub fn ratio_chart(report: &ForcesReport<'_>) -> Option<Plot> {
+pub(super) fn ratio_chart(report: &ForcesReport<'_>) -> Option<Plot> {
     let study = report.study;
     study.settings.output?;
     let point = |forces: &crate::studies::forces::Forces| {

@@ -1,11 +1,8 @@
 //! The linkage moving, with the forces that its pairs carry.
 
 use super::ForcesReport;
-use crate::report::mechanism::{Arrow, ArrowSet, Axis, Drawing, Placement};
+use crate::report::mechanism::{Arrow, ArrowSet, Axis, Drawing, MOST_FRAMES, Placement};
 use crate::studies::forces::{Forces, Row};
-
-/// Most positions that a page carries.
-const MOST_FRAMES: usize = 721;
 
 /// The drawing: reactions on link j from link i, and the shaking force.
 pub fn drawing<'a>(report: &ForcesReport<'a>) -> Drawing<'a> {

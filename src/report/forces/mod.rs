@@ -1,21 +1,30 @@
-//! Kinetostatics of a linkage as text, table, document, pictures and page.
+//! Kinetostatics of a linkage as findings, rows, document and pictures.
 
+mod changes;
 mod charts;
-mod csv;
 mod document;
 mod drawing;
-mod page;
-mod text;
+mod findings;
 
-pub use charts::{massless_chart, ratio_chart};
-pub use csv::forces_csv;
+pub use charts::massless_chart;
 pub use document::document;
 pub use drawing::drawing;
-pub use page::page;
-pub use text::text;
+pub use findings::{findings, rows};
 
-use crate::report::quantity::{significant, with_unit};
-use crate::studies::forces::{Extreme, ForceStudy, MasslessComparison, Zone};
+use crate::report::findings::{Layout, Value};
+use crate::report::quantity::significant;
+use crate::studies::forces::{ForceStudy, MasslessComparison, Zone};
+
+/// Height of charts over the whole page (pixels).
+const WIDE: Layout = Layout::Wide(420.0);
+
+/// Significant digits.
+const DIGITS: usize = 6;
+
+/// A quantity of the study.
+fn value(value: f64, unit: &str) -> Value {
+    Value::new(value, unit, DIGITS)
+}
 
 /// Everything that is told of a study.
 #[derive(Clone, Copy, Debug)]
@@ -34,10 +43,6 @@ pub struct ForcesReport<'a> {
     pub name: &'a str,
     /// SHA-256 of the canonical scene.
     pub hash: &'a str,
-    /// The scene's text, shown as it is.
-    pub scene: &'a str,
-    /// Version of `dam`.
-    pub version: &'a str,
 }
 
 impl ForcesReport<'_> {
@@ -74,15 +79,6 @@ impl ForcesReport<'_> {
 }
 
 impl ForcesReport<'_> {
-    /// The value of an extreme and where it is.
-    fn extreme(&self, found: &Extreme, unit: &str) -> [String; 2] {
-        let place = self.place(found.at);
-        match found.value.is_finite() {
-            true => [shown(found.value, unit), place],
-            false => ["unbounded".to_owned(), format!("→ {place}")],
-        }
-    }
-
     /// What a zone is, in words, and towards where forces grow without bound.
     fn zone(&self, zone: &Zone) -> String {
         let ends = [zone.from, zone.to].into_iter().zip(zone.unbounded);
@@ -97,16 +93,5 @@ impl ForcesReport<'_> {
                 places.join(" and ")
             ),
         }
-    }
-}
-
-/// A value with its unit; a plain number or a composed unit without prefixes.
-fn shown(value: f64, unit: &str) -> String {
-    match unit {
-        "" => significant(value, 6),
-        unit if unit.starts_with(['1', 'k']) || unit.contains('/') => {
-            format!("{} {unit}", significant(value, 6))
-        }
-        unit => with_unit(value, unit, 6),
     }
 }

@@ -10,7 +10,7 @@ use crate::report::diagram::Diagram;
 use crate::report::machine::Machine;
 use crate::report::mechanism;
 use crate::report::plot::{Plots, page::SCRIPT, palette};
-use crate::report::quantity::{escape, significant, with_unit};
+use crate::report::quantity::{escape, scale, significant, with_unit};
 use crate::report::svg::graph;
 use crate::report::verdict::{Sort, Verdict, verdict};
 use crate::studies::order::Certificate;
@@ -206,12 +206,36 @@ fn footer(figures: &Figures, version: &str) -> String {
 
 /// A list of names and texts.
 pub(in crate::report) fn facts(rows: &[(&str, String)]) -> String {
-    let row = |(name, text): &(&str, String)| {
-        format!("<dt>{}</dt><dd>{}</dd>\n", escape(name), escape(text))
-    };
+    let row = |(name, text): &(&str, String)| ((*name).to_owned(), escape(text));
+    fact_list(&rows.iter().map(row).collect::<Vec<_>>())
+}
+
+/// A list of names, and texts that are HTML already.
+pub(in crate::report) fn fact_list(rows: &[(String, String)]) -> String {
+    let row =
+        |(name, text): &(String, String)| format!("<dt>{}</dt><dd>{text}</dd>\n", escape(name));
     format!(
         "<dl class=\"facts\">\n{}</dl>\n",
         rows.iter().map(row).collect::<String>()
+    )
+}
+
+/// A number with its unit for reading, the full number on hover.
+pub(in crate::report) fn number(value: f64, unit: &str, digits: usize) -> String {
+    if value.is_nan() {
+        return significant(value, digits);
+    }
+    let shown = scale(value, unit);
+    let joint = match &shown.unit {
+        unit if unit.is_empty() => "",
+        unit if unit.starts_with("10") => "·",
+        _ => " ",
+    };
+    format!(
+        "<span title=\"{value} {}\">{}{joint}<span class=\"unit\">{}</span></span>",
+        escape(unit),
+        significant(value / shown.factor, digits),
+        escape(&shown.unit)
     )
 }
 

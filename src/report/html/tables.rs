@@ -1,28 +1,14 @@
 //! Tables of a page: figures, pairs, switches, statistics.
 
-use super::facts;
+use super::{facts, number};
 use crate::dynamics::record::{
     EnergyAudit, Figures, ObjectFigures, PairFigures, Record, SwitchRow, Units,
 };
 use crate::report::quantity::{escape, scale, significant, with_unit};
 
-/// A value with its unit for reading, the full number on hover.
+/// A value with its unit for reading.
 fn cell(value: f64, unit: &str) -> String {
-    if value.is_nan() {
-        return format!("<td>{}</td>", significant(value, 6));
-    }
-    let shown = scale(value, unit);
-    let joint = if shown.unit.starts_with("10") {
-        "·"
-    } else {
-        " "
-    };
-    format!(
-        "<td title=\"{value} {}\">{}{joint}<span class=\"unit\">{}</span></td>",
-        escape(unit),
-        significant(value / shown.factor, 6),
-        escape(&shown.unit)
-    )
+    format!("<td>{}</td>", number(value, unit, 6))
 }
 
 fn head(names: &[&str]) -> String {

@@ -1,10 +1,7 @@
 //! The linkage over the rows, as a drawing that moves.
 
-use crate::report::mechanism::{Arrow, ArrowSet, Axis, Drawing, Path, Placement};
+use crate::report::mechanism::{Arrow, ArrowSet, Axis, Drawing, MOST_FRAMES, Path, Placement};
 use crate::studies::kinematics::{Kinematics, Quantity};
-
-/// Most positions that a page carries.
-const MOST_FRAMES: usize = 721;
 
 /// The drawing with the paths of all points that are no pins of the ground, and
 /// arrows of speed and acceleration.

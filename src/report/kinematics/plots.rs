@@ -1,19 +1,11 @@
 //! Plots over the axis, one a quantity.
 
+use crate::report::findings::{Layout, Section};
 use crate::report::plot::{Axis, Plot, Series};
 use crate::studies::kinematics::{Column, Kinematics, Quantity};
 
-/// Size of a plot (pixels).
-pub(super) const SIZE: [f64; 2] = [579.0, 300.0];
-
-/// A group of plots under a heading.
-pub(super) struct Group {
-    pub(super) title: String,
-    pub(super) charts: Vec<Plot>,
-}
-
 /// The plots: links, points, sliding pairs, outputs.
-pub(super) fn groups(found: &Kinematics) -> Vec<Group> {
+pub(super) fn groups<'a>(found: &Kinematics) -> Vec<Section<'a>> {
     use Quantity as Q;
     let links: Vec<String> = names(&found.linkage.spec().links, |link| {
         format!("links.{}", link.name)
@@ -31,13 +23,7 @@ pub(super) fn groups(found: &Kinematics) -> Vec<Group> {
         let charts = rows
             .iter()
             .flat_map(|&(name, quantity)| charts(found, name, owners, quantity));
-        let charts: Vec<Plot> = charts.collect();
-        if !charts.is_empty() {
-            groups.push(Group {
-                title: title.to_owned(),
-                charts,
-            });
-        }
+        groups.push(Section::new(title).charts(Layout::Grid, "course", charts.collect()));
     };
     add(
         "Outputs",

@@ -1,113 +1,175 @@
-//! Laws compared by constants and by response, as text and table.
+//! Laws compared by constants and by response, as findings and rows.
 
-use crate::report::csv::{number, write};
+use crate::report::csv::{Field, Rows};
+use crate::report::findings::{Cell, Findings, Item, Layout, Section, Source, Table, Value};
+use crate::report::plot::{Axis, Look, Mark, Plot, Series, Shape};
 use crate::report::quantity::significant;
+use crate::report::verdict::{Sort, Verdict};
 use crate::studies::law::{ComparedLaw, Figure, LiftOff};
-use std::fmt::Write as _;
 
-/// Laws side by side, every figure with its place, best first by `by`.
-pub fn comparison_text(laws: &[ComparedLaw], by: Figure) -> String {
+/// Laws side by side, every figure with its place, best first by `by`. `trusted`: every run
+/// withstood its own check; `at`: the property that was exchanged.
+pub fn comparison_findings<'a>(
+    scene: &str,
+    at: &str,
+    laws: &[ComparedLaw],
+    by: Figure,
+    trusted: bool,
+    source: Source<'a>,
+) -> Findings<'a> {
+    let (sort, doubt) = match trusted {
+        true => (Sort::Good, ""),
+        false => (
+            Sort::Mechanism,
+            " Some runs failed their own check: see the figures.",
+        ),
+    };
+    let best = match best(laws, by).as_slice() {
+        [] => "none".to_owned(),
+        best => best.join(", "),
+    };
+    let headline = format!("Best by {}: {best}.", by.name());
+    let text = format!("Of {} laws.{doubt}", laws.len());
+    Findings {
+        title: scene.to_owned(),
+        subtitle: format!("laws compared at {at}"),
+        answer: Some(Verdict::answer(sort, headline, text)),
+        warnings: Vec::new(),
+        sections: vec![
+            Section::new("Diagrams").charts(Layout::Wide(440.0), "law", vec![chart(laws)]),
+            Section::new("Figures, and places among the laws")
+                .table(table(laws, by))
+                .item(Item::Notes(others(laws, by))),
+        ],
+        source,
+    }
+}
+
+fn table(laws: &[ComparedLaw], by: Figure) -> Table {
     let places = by.ranks(laws);
     let mut order: Vec<usize> = (0..laws.len()).collect();
     order.sort_by_cached_key(|&index| (places[index].unwrap_or(usize::MAX), index));
-    let width = laws.iter().map(|law| law.name.chars().count());
-    let width = width.max().unwrap_or(0).max(3);
     let shown: Vec<Figure> = Figure::ALL
         .into_iter()
         .filter(|figure| laws.iter().any(|law| figure.of(law).is_some()))
         .collect();
-    let mut text = format!("{:<width$}", "law");
-    for figure in &shown {
-        let _ = write!(text, " {:>16}", figure.name());
-    }
-    text.push('\n');
-    for &index in &order {
-        let law = &laws[index];
-        let _ = write!(text, "{:<width$}", law.name);
-        for figure in &shown {
-            let _ = write!(text, " {:>16}", cell(*figure, laws, index));
-        }
-        text.push('\n');
-    }
-    text.push_str(&verdict(laws, by));
-    text
+    let names: Vec<String> = shown.iter().map(|one| format!(">{}", one.name())).collect();
+    let rows = order.iter().map(|&index| {
+        let cells = shown.iter().map(|figure| cell(*figure, laws, index));
+        let name = Cell::from(laws[index].name.as_str());
+        std::iter::once(name).chain(cells).collect::<Vec<Cell>>()
+    });
+    Table::new(std::iter::once("law").chain(names.iter().map(String::as_str))).rows(rows)
 }
 
 /// Value and place: `4.888 (2)`.
-fn cell(figure: Figure, laws: &[ComparedLaw], index: usize) -> String {
+fn cell(figure: Figure, laws: &[ComparedLaw], index: usize) -> Cell {
     let law = &laws[index];
-    let Some(value) = figure.of(law) else {
-        return "–".to_owned();
+    let value = Value::new(figure.of(law).unwrap_or(f64::NAN), "", 5);
+    let value = match (figure, law.response.lift_off) {
+        (Figure::LiftOff, Some(LiftOff::Above(_))) => format!("> {}", value.words()).into(),
+        (Figure::LiftOff, Some(LiftOff::Below(_))) => format!("< {}", value.words()).into(),
+        _ => value,
     };
-    let sign = match (figure, law.response.lift_off) {
-        (Figure::LiftOff, Some(LiftOff::Above(_))) => "> ",
-        (Figure::LiftOff, Some(LiftOff::Below(_))) => "< ",
-        _ => "",
-    };
-    let place = figure.ranks(laws)[index].map_or(String::new(), |place| format!(" ({place})"));
-    format!("{sign}{}{place}", significant(value, 5))
+    let place = figure.ranks(laws)[index];
+    Cell::with(
+        value,
+        place.map_or(String::new(), |place| format!("({place})")),
+    )
 }
 
-/// The best law by `by`, and whether the constants would have chosen another.
-fn verdict(laws: &[ComparedLaw], by: Figure) -> String {
-    let best = |figure: Figure| {
-        let places = figure.ranks(laws);
-        let winners = laws
-            .iter()
-            .zip(&places)
-            .filter(|(_, place)| **place == Some(1));
-        winners
-            .map(|(law, _)| law.name.as_str())
-            .collect::<Vec<_>>()
-    };
-    let chosen = best(by);
-    let mut text = format!("\nbest by {}: {}\n", by.name(), chosen.join(", "));
-    for figure in Figure::ALL
-        .into_iter()
-        .filter(|figure| figure.is_constant())
-    {
-        let named = best(figure);
-        if !named.is_empty() && !named.iter().any(|name| chosen.contains(name)) {
-            let _ = writeln!(
-                text,
-                "by {} alone it would have been: {}",
-                figure.name(),
-                named.join(", ")
-            );
-        }
-    }
-    text
+/// The laws with the first place by a figure.
+fn best(laws: &[ComparedLaw], figure: Figure) -> Vec<&str> {
+    let places = figure.ranks(laws);
+    let winners = laws.iter().zip(&places);
+    let winners = winners.filter(|(_, place)| **place == Some(1));
+    winners.map(|(law, _)| law.name.as_str()).collect()
 }
 
-/// The comparison as CSV: one row a law, every figure with its place.
-///
-/// # Errors
-/// Never in practice: writing into memory.
-pub fn comparison_csv(laws: &[ComparedLaw]) -> Result<String, csv::Error> {
+/// The constants that would have chosen another law.
+fn others(laws: &[ComparedLaw], by: Figure) -> Vec<String> {
+    let chosen = best(laws, by);
+    let constants = Figure::ALL.into_iter().filter(|one| one.is_constant());
+    let misleading = constants.filter_map(|figure| {
+        let named = best(laws, figure);
+        let other = !named.is_empty() && !named.iter().any(|name| chosen.contains(name));
+        let list = named.join(", ");
+        other.then(|| format!("by {} alone it would have been: {list}", figure.name()))
+    });
+    misleading.collect()
+}
+
+/// The comparison: one row a law, every figure with its place.
+pub fn comparison_rows(laws: &[ComparedLaw]) -> Rows {
     let names = Figure::ALL.into_iter().flat_map(|figure| {
         let name = figure.name();
         [name.to_owned(), format!("{name} place")]
     });
     let rows = laws.iter().enumerate().map(|(index, law)| {
         let cells = Figure::ALL.into_iter().flat_map(|figure| {
-            let value = figure.of(law).map(number).unwrap_or_default();
             let place = figure.ranks(laws)[index];
-            [
-                value,
-                place.map(|place| place.to_string()).unwrap_or_default(),
-            ]
+            let place = place.map(|place| place.to_string());
+            [figure.of(law).into(), place.unwrap_or_default().into()]
         });
-        std::iter::once(law.name.clone())
-            .chain(cells)
-            .collect::<Vec<String>>()
+        let name = Field::from(law.name.as_str());
+        std::iter::once(name).chain(cells).collect::<Vec<Field>>()
     });
-    write(std::iter::once("law".to_owned()).chain(names), rows)
+    Rows::new(std::iter::once("law".to_owned()).chain(names), rows)
+}
+
+/// Laws compared: every figure as a multiple of the best law's, one row a law.
+fn chart(laws: &[ComparedLaw]) -> Plot {
+    let figures = Figure::ALL.into_iter().filter_map(|figure| {
+        let places = figure.ranks(laws);
+        let best = laws
+            .iter()
+            .zip(&places)
+            .find(|(_, place)| **place == Some(1));
+        let best = figure.of(best?.0)?;
+        let mut points = Vec::new();
+        let mut marks = Vec::new();
+        for (row, law) in laws.iter().enumerate() {
+            let Some(value) = figure.of(law).filter(|_| best != 0.0) else {
+                continue;
+            };
+            points.push((value / best, row as f64 + 0.5));
+            marks.push(Mark {
+                shape: Shape::Good,
+                note: format!(
+                    "{}: {} = {}",
+                    law.name,
+                    figure.name(),
+                    significant(value, 6)
+                ),
+            });
+        }
+        let series = Series {
+            look: Look::Points,
+            marks,
+            ..Series::line(figure.name(), points)
+        };
+        (!series.points.is_empty()).then_some(series)
+    });
+    Plot {
+        title: "Every figure as a multiple of the best law's".to_owned(),
+        x: Axis {
+            log: true,
+            ..Axis::new("multiple of the best", "")
+        },
+        y: Axis {
+            rows: laws.iter().map(|law| law.name.clone()).collect(),
+            ..Axis::default()
+        },
+        series: figures.collect(),
+        ..Plot::default()
+    }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{comparison_csv, comparison_text};
+    use super::{comparison_findings, comparison_rows};
     use crate::kinematics::motion::{Law, LawName};
+    use crate::report::findings::Source;
     use crate::studies::law::{ComparedLaw, Figure, LawResponse};
 
     fn law(name: LawName, residual: f64) -> ComparedLaw {
@@ -124,12 +186,20 @@ mod tests {
     #[test]
     fn the_best_stands_first_and_misleading_constants_are_named() {
         let laws = [law(LawName::Parabolic, 2e-3), law(LawName::Cycloidal, 1e-4)];
-        let text = comparison_text(&laws, Figure::Residual);
-        let first = text.lines().nth(1).unwrap();
-        assert!(first.starts_with("cycloidal"), "{text}");
-        assert!(text.contains("best by residual: cycloidal"));
+        let text = comparison_findings(
+            "scene",
+            "at",
+            &laws,
+            Figure::Residual,
+            true,
+            Source::default(),
+        );
+        let text = text.text(None);
+        let place = |name: &str| text.find(&format!("\n  {name}")).unwrap();
+        assert!(place("cycloidal") < place("parabolic"), "{text}");
+        assert!(text.contains("Best by residual: cycloidal"));
         assert!(text.contains("by C_a alone it would have been: parabolic"));
-        let csv = comparison_csv(&laws).unwrap();
+        let csv = comparison_rows(&laws).csv();
         assert!(csv.starts_with("law,C_v,C_v place"), "{csv}");
         assert!(csv.contains("\nparabolic,2,1,4,1,0,1,8,1,2e-3,2,"), "{csv}");
     }

@@ -1,75 +1,94 @@
-//! The cycle of a cam as text, table and diagram.
+//! The cycle of a cam as findings and rows.
 
-use super::{diagrams, ratio, shocks};
+use super::curve::{Curve, DIAGRAM_POINTS, rows};
+use super::{shocks, shocks_said};
 use crate::kinematics::motion::law::Peak;
 use crate::kinematics::position::Position;
 use crate::math::jet::Jet;
-use crate::report::csv::{number, write};
-use crate::report::plot::Plot;
+use crate::report::csv::Rows;
+use crate::report::findings::{Figure, Findings, Section, Source, Table, Value};
+use crate::report::plot::Axis;
 use crate::report::quantity::significant;
+use crate::report::verdict::Verdict;
 use crate::studies::cycle::CycleFigures;
-use std::fmt::Write as _;
 
-/// Joints, extremes and shocks; units of the object and of its driver.
-pub fn cycle_text(found: &CycleFigures, unit: &str, driver: &str) -> String {
-    let mut text = format!("cycle of {} {driver}\n\n", significant(found.period, 10));
-    let heads = ["at", "U", "U′", "U″ before", "U″ after"];
-    let _ = writeln!(
-        text,
-        "  {}",
-        heads.map(|head| format!("{head:>14}")).join(" ")
-    );
-    let acceleration = found.acceleration.value.max(-found.deceleration.value);
-    let speed = found.speed.value.max(-found.return_speed.value);
+/// Joints, extremes, shocks and diagrams of an object's cycle; units of the object and of its
+/// driver.
+pub fn cycle_findings<'a>(
+    scene: &str,
+    object: &str,
+    (position, lever): (&Position, f64),
+    found: &CycleFigures,
+    [unit, driver]: [&str; 2],
+    source: Source<'a>,
+) -> Findings<'a> {
+    let (sort, said) = shocks_said(&found.jumps);
+    let greatest = significant(found.acceleration.value, 6);
+    let headline = format!("Greatest U″ = {greatest} {unit}/{driver}².");
+    let peak = |name: &str, peak: Peak, unit: String| {
+        let at = Value::angle_or(peak.at, driver, 8).words();
+        Figure::number(name, peak.value, &unit, 8).with(format!("at {at}"))
+    };
+    let per = |power: &str| format!("{unit}/{driver}{power}");
+    let extremes = vec![
+        peak("greatest U′", found.speed, per("")),
+        peak("least U′", found.return_speed, per("")),
+        peak("greatest U″", found.acceleration, per("²")),
+        peak("least U″", found.deceleration, per("²")),
+        peak("greatest |U‴|", found.jerk, per("³")),
+        peak(
+            "greatest |U′U″|",
+            found.product,
+            format!("{unit}²/{driver}³"),
+        ),
+    ];
+    let period = Value::angle_or(found.period, driver, 10).words();
+    Findings {
+        title: scene.to_owned(),
+        subtitle: format!("cycle of {object}, {period}"),
+        answer: Some(Verdict::answer(sort, headline, said.to_owned())),
+        warnings: Vec::new(),
+        sections: vec![
+            curve(position, lever, found, [unit, driver]).section(object),
+            Section::new("Joints").table(joints(found, [unit, driver])),
+            Section::new("Extremes")
+                .figures(extremes)
+                .item(shocks(&found.jumps, ["φ", driver])),
+        ],
+        source,
+    }
+}
+
+fn joints(found: &CycleFigures, [unit, driver]: [&str; 2]) -> Table {
+    let [speed, acceleration] = sizes(found);
     // What is rounding of zero reads as zero; the CSV has it as it is.
-    let clean = |value: f64, size: f64| {
-        if value.abs() > 1e-13 * size {
-            value
-        } else {
-            0.0
-        }
+    let clean = |value: f64, size: f64| match value.abs() > 1e-13 * size {
+        true => value,
+        false => 0.0,
     };
-    for joint in &found.joints {
-        let cells = [
-            joint.at,
-            joint.value[1],
-            clean(joint.first[1], speed),
-            clean(joint.second[0], acceleration),
-            clean(joint.second[1], acceleration),
-        ];
-        let cells = cells.map(|value| format!("{:>14}", significant(value, 8)));
-        let _ = writeln!(text, "  {}", cells.join(" "));
-    }
-    text.push('\n');
-    let mut row = |name: &str, peak: Peak, unit: String| {
-        let (value, at) = (significant(peak.value, 8), significant(peak.at, 8));
-        let _ = writeln!(text, "  {name:<16} {value:>16} {unit} at {at}");
-    };
-    row("greatest U′", found.speed, format!("{unit}/{driver}"));
-    row("least U′", found.return_speed, format!("{unit}/{driver}"));
-    row(
-        "greatest U″",
-        found.acceleration,
-        format!("{unit}/{driver}²"),
-    );
-    row("least U″", found.deceleration, format!("{unit}/{driver}²"));
-    row("greatest |U‴|", found.jerk, format!("{unit}/{driver}³"));
-    row(
-        "greatest |U′U″|",
-        found.product,
-        format!("{unit}²/{driver}³"),
-    );
-    text.push('\n');
-    let listed = shocks(&found.jumps, "φ");
-    match listed.is_empty() {
-        true => text.push_str("  no shocks: speed and acceleration are continuous\n"),
-        false => text.push_str(&listed),
-    }
-    text
+    let second = format!("{unit}/{driver}²");
+    let rows = found.joints.iter().map(|joint| {
+        vec![
+            Value::angle_or(joint.at, driver, 8),
+            Value::angle_or(joint.value[1], unit, 8),
+            Value::new(clean(joint.first[1], speed), &format!("{unit}/{driver}"), 8),
+            Value::new(clean(joint.second[0], acceleration), &second, 8),
+            Value::new(clean(joint.second[1], acceleration), &second, 8),
+        ]
+    });
+    Table::new([">at", ">U", ">U′", ">U″ before", ">U″ after"]).rows(rows)
+}
+
+/// Greatest sizes of speed and acceleration.
+fn sizes(found: &CycleFigures) -> [f64; 2] {
+    [
+        found.speed.value.max(-found.return_speed.value),
+        found.acceleration.value.max(-found.deceleration.value),
+    ]
 }
 
 /// One cycle: `count` equal steps, and both sides of every joint.
-pub(super) fn sampled(position: &Position, lever: f64, count: usize) -> Vec<(f64, Jet)> {
+fn sampled(position: &Position, lever: f64, count: usize) -> Vec<(f64, Jet)> {
     let breaks = position.breaks();
     let (Some(period), Some(&first)) = (breaks.period, breaks.points.first()) else {
         return Vec::new();
@@ -89,51 +108,26 @@ pub(super) fn sampled(position: &Position, lever: f64, count: usize) -> Vec<(f64
     rows
 }
 
-/// U and its derivatives over one cycle as CSV, both sides of every joint.
-///
-/// # Errors
-/// Never in practice: writing into memory.
-pub fn cycle_csv(
-    position: &Position,
-    lever: f64,
-    [unit, driver]: [&str; 2],
-    count: usize,
-) -> Result<String, csv::Error> {
-    let header = [
-        format!("phi [{driver}]"),
-        format!("U [{unit}]"),
-        format!("U1 [{unit}/{driver}]"),
-        format!("U2 [{unit}/{driver}^2]"),
-        format!("U3 [{unit}/{driver}^3]"),
-    ];
-    let rows = sampled(position, lever, count)
-        .into_iter()
-        .map(|(phi, jet)| {
-            let cells = [phi, jet.value, jet.first, jet.second, jet.third];
-            cells.map(number).to_vec()
-        });
-    write(header.into_iter(), rows)
+/// U and its derivatives over one cycle, both sides of every joint.
+pub fn cycle_rows(position: &Position, lever: f64, units: [&str; 2], count: usize) -> Rows {
+    rows(["phi", "U"], units, &sampled(position, lever, count))
 }
 
-/// The cycle's diagrams over each other, each divided by its greatest value.
-pub fn cycle_chart(
-    title: &str,
+fn curve<'a>(
     position: &Position,
     lever: f64,
     found: &CycleFigures,
-    driver: &str,
-) -> Plot {
-    let rows = sampled(position, lever, 720);
-    let stroke = rows
-        .iter()
-        .fold(0.0, |size: f64, row| size.max(row.1.value.abs()));
-    let speed = found.speed.value.max(-found.return_speed.value);
-    let acceleration = found.acceleration.value.max(-found.deceleration.value);
-    let shown = [
-        (ratio("U", stroke), stroke),
-        (ratio("U′", speed), speed),
-        (ratio("U″", acceleration), acceleration),
-        (ratio("U‴", found.jerk.value), found.jerk.value),
-    ];
-    diagrams(title, "φ", &rows, shown, driver)
+    [unit, driver]: [&'a str; 2],
+) -> Curve<'a> {
+    let rows = sampled(position, lever, 2 * DIAGRAM_POINTS);
+    let strokes = rows.iter().map(|row| row.1.value.abs());
+    let stroke = strokes.fold(0.0, f64::max);
+    let [speed, acceleration] = sizes(found);
+    Curve {
+        rows,
+        symbol: "U",
+        x: Axis::new("φ", driver),
+        unit,
+        sizes: [stroke, speed, acceleration, found.jerk.value],
+    }
 }

@@ -1,72 +1,83 @@
-//! A synthesised stroke as text, table and diagram.
+//! A synthesised stroke as findings and rows.
 
-use super::{diagrams, ratio};
-use crate::kinematics::motion::stroke::{Stroke, StrokeFigures};
+use super::curve::{Curve, DIAGRAM_POINTS, rows};
+use crate::kinematics::motion::stroke::Stroke;
 use crate::math::jet::Jet;
-use crate::report::csv::{number, write};
-use crate::report::plot::Plot;
+use crate::report::csv::Rows;
+use crate::report::findings::{Figure, Findings, Section, Source};
+use crate::report::plot::Axis;
 use crate::report::quantity::significant;
-use std::fmt::Write as _;
+use crate::report::verdict::{Sort, Verdict};
 
-/// Structure and criteria of a stroke; `unit` is that of its displacement.
-pub fn stroke_text(stroke: &Stroke, unit: &str) -> String {
+/// Structure and criteria of a stroke, whose laws are named by `words`; `unit` is that of its
+/// displacement, `more` stands behind its own figures.
+pub fn stroke_findings(
+    words: &str,
+    stroke: &Stroke,
+    unit: &str,
+    more: Vec<Section<'static>>,
+) -> Findings<'static> {
+    let found = stroke.figures();
+    let headline = format!(
+        "Stroke {} {unit} in {} rad, greatest speed {} {unit}/rad.",
+        significant(found.stroke, 6),
+        significant(found.span, 6),
+        significant(found.peak_speed, 6)
+    );
+    let text = format!(
+        "Greatest Π″ {} {unit}/rad² in the run-up and {} {unit}/rad² in the run-out.",
+        significant(found.acceleration_run_up, 6),
+        significant(found.acceleration_run_out, 6)
+    );
+    let mut sections = vec![
+        curve(stroke, unit).section(words),
+        Section::new("Figures").figures(figures(stroke, unit)),
+    ];
+    sections.extend(more);
+    Findings {
+        title: words.to_owned(),
+        subtitle: "a stroke of run-up, uniform section and run-out".to_owned(),
+        answer: Some(Verdict::answer(Sort::Good, headline, text)),
+        warnings: Vec::new(),
+        sections,
+        source: Source::default(),
+    }
+}
+
+fn figures(stroke: &Stroke, unit: &str) -> Vec<Figure> {
     let found = stroke.figures();
     let per = |power: &str| format!("{unit}/rad{power}");
-    let rows: [(&str, f64, String); 17] = [
-        ("stroke Π_III", found.stroke, unit.to_owned()),
-        ("span φ_III", found.span, "rad".to_owned()),
-        ("skewness f", found.skewness, String::new()),
-        (
-            "uniform share of stroke ζ_Π",
-            found.uniform_stroke,
-            String::new(),
-        ),
-        (
-            "uniform share of span ζ_φ",
-            found.uniform_span,
-            String::new(),
-        ),
-        ("ν1", found.speed_ratio, String::new()),
-        ("ν2", found.law_acceleration_ratio, String::new()),
-        ("U", found.u, String::new()),
-        ("run-up ends at φ_I", found.angle_run_up, "rad".to_owned()),
-        (
-            "run-out begins at φ_II",
-            found.angle_run_out,
-            "rad".to_owned(),
-        ),
-        ("Π_I", found.stroke_run_up, unit.to_owned()),
-        ("Π_II", found.stroke_run_out, unit.to_owned()),
-        ("greatest speed Π′", found.peak_speed, per("")),
-        ("run-up: greatest Π″", found.acceleration_run_up, per("²")),
+    let product = format!("{unit}²/rad³");
+    let rows: [(&str, f64, &str); 18] = [
+        ("stroke Π_III", found.stroke, unit),
+        ("span φ_III", found.span, "rad"),
+        ("skewness f", found.skewness, ""),
+        ("uniform share of stroke ζ_Π", found.uniform_stroke, ""),
+        ("uniform share of span ζ_φ", found.uniform_span, ""),
+        ("ν1", found.speed_ratio, ""),
+        ("ν2", found.law_acceleration_ratio, ""),
+        ("U", found.u, ""),
+        ("run-up ends at φ_I", found.angle_run_up, "rad"),
+        ("run-out begins at φ_II", found.angle_run_out, "rad"),
+        ("Π_I", found.stroke_run_up, unit),
+        ("Π_II", found.stroke_run_out, unit),
+        ("greatest speed Π′", found.peak_speed, &per("")),
+        ("run-up: greatest Π″", found.acceleration_run_up, &per("²")),
         (
             "run-out: greatest |Π″|",
             found.acceleration_run_out,
-            per("²"),
+            &per("²"),
         ),
-        (
-            "run-up: greatest Π′Π″",
-            found.product_run_up,
-            format!("{unit}²/rad³"),
-        ),
-        (
-            "run-out: greatest |Π′Π″|",
-            found.product_run_out,
-            format!("{unit}²/rad³"),
-        ),
+        ("run-up: greatest Π′Π″", found.product_run_up, &product),
+        ("run-out: greatest |Π′Π″|", found.product_run_out, &product),
+        ("acceleration ratio λ", found.acceleration_ratio, ""),
     ];
-    let mut text = String::new();
-    for (name, value, unit) in rows {
-        let line = format!("  {name:<28} {:>16} {unit}", significant(value, 10));
-        let _ = writeln!(text, "{}", line.trim_end());
-    }
-    let lambda = significant(found.acceleration_ratio, 10);
-    let _ = writeln!(text, "  {:<28} {lambda:>16}", "acceleration ratio λ");
-    text
+    let figure = |(name, value, unit): (&str, f64, &str)| Figure::number(name, value, unit, 10);
+    rows.into_iter().map(figure).collect()
 }
 
 /// Samples over the span with both sides of the ends of the sections.
-pub(super) fn sampled(stroke: &Stroke, count: usize) -> Vec<(f64, Jet)> {
+fn sampled(stroke: &Stroke, count: usize) -> Vec<(f64, Jet)> {
     let figures = stroke.figures();
     let count = count.max(1);
     let steps = (0..=count).map(|i| figures.span * i as f64 / count as f64);
@@ -87,47 +98,28 @@ pub(super) fn sampled(stroke: &Stroke, count: usize) -> Vec<(f64, Jet)> {
     rows
 }
 
-/// Π and its derivatives as CSV: `count` equal steps, both sides of every jump.
-///
-/// # Errors
-/// Never in practice: writing into memory.
-pub fn stroke_csv(stroke: &Stroke, unit: &str, count: usize) -> Result<String, csv::Error> {
-    let header = [
-        "phi [rad]".to_owned(),
-        format!("Pi [{unit}]"),
-        format!("Pi1 [{unit}/rad]"),
-        format!("Pi2 [{unit}/rad^2]"),
-        format!("Pi3 [{unit}/rad^3]"),
-    ];
-    let rows = sampled(stroke, count).into_iter().map(|(phi, jet)| {
-        let cells = [phi, jet.value, jet.first, jet.second, jet.third];
-        cells.map(number).to_vec()
-    });
-    write(header.into_iter(), rows)
+/// Π and its derivatives: `count` equal steps, both sides of every jump.
+pub fn stroke_rows(stroke: &Stroke, unit: &str, count: usize) -> Rows {
+    rows(["phi", "Pi"], [unit, "rad"], &sampled(stroke, count))
 }
 
-/// The stroke's diagrams over each other, each divided by its greatest value.
-pub fn stroke_chart(title: &str, stroke: &Stroke) -> Plot {
-    let found: &StrokeFigures = stroke.figures();
-    let rows = sampled(stroke, 400);
-    let acceleration = found
-        .acceleration_run_up
-        .abs()
-        .max(found.acceleration_run_out);
-    let jerk = rows
-        .iter()
-        .fold(0.0, |size: f64, row| size.max(row.1.third.abs()));
-    let speed = found.peak_speed.abs();
-    diagrams(
-        title,
-        "φ",
-        &rows,
-        [
-            (ratio("Π", found.stroke.abs()), found.stroke.abs()),
-            (ratio("Π′", speed), speed),
-            (ratio("Π″", acceleration), acceleration),
-            (ratio("Π‴", jerk), jerk),
+fn curve<'a>(stroke: &Stroke, unit: &'a str) -> Curve<'a> {
+    let found = stroke.figures();
+    let rows = sampled(stroke, DIAGRAM_POINTS);
+    let acceleration = found.acceleration_run_up.abs();
+    let acceleration = acceleration.max(found.acceleration_run_out);
+    let jerks = rows.iter().map(|row| row.1.third.abs());
+    let jerk = jerks.fold(0.0, f64::max);
+    Curve {
+        rows,
+        symbol: "Π",
+        x: Axis::new("φ", "rad"),
+        unit,
+        sizes: [
+            found.stroke.abs(),
+            found.peak_speed.abs(),
+            acceleration,
+            jerk,
         ],
-        "rad",
-    )
+    }
 }

@@ -15,6 +15,9 @@ pub(in crate::report) use view::View;
 
 use crate::kinematics::linkage::spec::LinkageSpec;
 
+/// Most positions that a page carries.
+pub(in crate::report) const MOST_FRAMES: usize = 721;
+
 /// A link's frame in the frame of the ground.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Placement {

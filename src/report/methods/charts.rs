@@ -8,6 +8,7 @@ use crate::studies::methods::sweep::Sweep;
 use crate::studies::methods::{
     MethodLine, ModelError, Point, Study, Verdict, all_methods, in_words,
 };
+use crate::units::shown;
 
 /// Errors above this are beyond the chart.
 const CEILING: f64 = 10.0;
@@ -279,7 +280,11 @@ pub fn stable_steps(sweep: &Sweep) -> Option<Plot> {
             slices.filter_map(move |slice| Some((slice.x, slice.standing(method)?)))
         };
         let point = |x: f64, y: f64| {
-            let note = format!("{method} at {}: {y:.3e} s", sweep.axis.written(x));
+            let note = format!(
+                "{method} at {}: {y} s",
+                sweep.axis.written(x),
+                y = shown(y, 4)
+            );
             let shape = Shape::Good;
             ((x, y), Mark { shape, note })
         };

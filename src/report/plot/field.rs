@@ -2,6 +2,7 @@
 //! a strip of kinds under a curve.
 
 use super::frame::{Entry, Frame, STRIP};
+use super::palette::{OVER, OVER_LIGHT};
 use super::{coordinate, palette, width_of};
 use crate::report::quantity::escape;
 use std::collections::BTreeMap;
@@ -311,9 +312,9 @@ pub(in crate::report) fn patterns() -> String {
     let one = |(name, size, path): &(&str, f64, &str)| {
         format!(
             "<pattern id=\"{name}\" width=\"{size}\" height=\"{size}\" \
-             patternUnits=\"userSpaceOnUse\"><path d=\"{path}\" fill=\"none\" stroke=\"#10161c\" \
+             patternUnits=\"userSpaceOnUse\"><path d=\"{path}\" fill=\"none\" stroke=\"{OVER}\" \
              stroke-opacity=\".38\" stroke-width=\"1.5\"/><path d=\"{path}\" fill=\"none\" \
-             stroke=\"#fff\" stroke-opacity=\".55\" stroke-width=\".6\"/></pattern>\n"
+             stroke=\"{OVER_LIGHT}\" stroke-opacity=\".55\" stroke-width=\".6\"/></pattern>\n"
         )
     };
     format!(

@@ -1,7 +1,7 @@
 //! The marks of points.
 
 use super::field::Field;
-use super::{Shape, coordinate};
+use super::{Shape, coordinate, palette};
 use crate::report::quantity::escape;
 
 /// The mark of a point: circle, square, triangle or diamond by series, about its place.
@@ -30,7 +30,9 @@ pub(super) fn mark(
         Shape::Ring => "<circle class=\"ring\" r=\"3.2\"/>".to_owned(),
         Shape::Kind(kind) => {
             let kinds = field.map_or(&[][..], |field| &field.kinds);
-            let colour = kinds.get(kind).map_or("#7d8791", |kind| kind.colour);
+            let colour = kinds
+                .get(kind)
+                .map_or(palette::map_verdicts::STOPPED, |kind| kind.colour);
             format!("<circle fill=\"{colour}\" stroke=\"none\" r=\"2.6\"/>")
         }
     };

@@ -16,6 +16,8 @@ pub(in crate::report) mod page;
 pub(in crate::report) mod palette;
 pub(in crate::report) mod scale;
 #[cfg(test)]
+mod script_tests;
+#[cfg(test)]
 mod tests;
 
 pub use field::{Contour, Field, Fill, Kind};

@@ -11,7 +11,11 @@
 /// A variable with its colour on light and on dark ground.
 type Colour = (&'static str, &'static str, &'static str);
 
-const GENERAL: [Colour; 20] = [
+/// Lines over coloured values, on any ground: dark, and light beside them.
+pub(in crate::report) const OVER: &str = "#10161c";
+pub(in crate::report) const OVER_LIGHT: &str = "#ffffff";
+
+const GENERAL: [Colour; 32] = [
     ("paper", "#ffffff", "#14181d"),
     ("panel", "#f6f7f9", "#1b2027"),
     ("box", "#ffffff", "#1f252d"),
@@ -32,6 +36,18 @@ const GENERAL: [Colour; 20] = [
     ("numerical-back", "#fbe8ee", "#3d1725"),
     ("unfinished", "#4c5560", "#c3ccd5"),
     ("unfinished-back", "#eceff2", "#262d35"),
+    ("faint", "#a9b2bb", "#5d6772"),
+    ("over", OVER, OVER),
+    ("over-light", OVER_LIGHT, OVER_LIGHT),
+    ("kept", "#c0267a", "#c0267a"),
+    ("part-0", "#8fb6dd", "#8fb6dd"),
+    ("part-1", "#eab08c", "#eab08c"),
+    ("part-2", "#96cbac", "#96cbac"),
+    ("part-3", "#c8a9d8", "#c8a9d8"),
+    ("part-4", "#d9c88c", "#d9c88c"),
+    ("part-5", "#8fcbd4", "#8fcbd4"),
+    ("part-6", "#dfa0bd", "#dfa0bd"),
+    ("part-7", "#b4bdc6", "#b4bdc6"),
 ];
 
 /// Colours of series, that keep apart in print and for colour-blind eyes, and their dashes.
@@ -124,7 +140,7 @@ pub(in crate::report) fn standing_alone(style: &str) -> String {
     with_colours(style, false) + &dark
 }
 
-/// A style with colours in place of `var(--ink)`, or `var(--ink, #17202a)`.
+/// A style with colours in place of `var(--ink)`.
 fn with_colours(style: &str, dark: bool) -> String {
     let mut out = String::with_capacity(style.len());
     let mut rest = style;

@@ -29,7 +29,7 @@ const numbers = (() => {
     if (value === null || !isFinite(value)) return "–";
     if (value === 0) return "0";
     const [mantissa, power] = value.toExponential(digits - 1).split("e");
-    if (+power >= -4 && +power < Math.max(digits, 6)) return minus(String(+value.toPrecision(digits)));
+    if (+power >= -3 && +power < 6) return minus(String(+value.toFixed(Math.max(0, digits - 1 - power))));
     const lead = minus(String(+mantissa));
     return `${lead === "1" ? "" : lead === "−1" ? "−" : `${lead}·`}10${superscript(+power)}`;
   }
@@ -38,7 +38,50 @@ const numbers = (() => {
     const scale = scaleFor(Math.abs(value), unit);
     return `${significant(value / scale.factor, digits)}${scale.unit.startsWith("10") ? "·" : " "}${scale.unit}`.trim();
   }
-  return { superscript, minus, scaleFor, significant, withUnit };
+
+  function ticks(low, high, count) {
+    const raw = (high - low) / count, power = 10 ** Math.floor(Math.log10(raw));
+    const step = ([1, 2, 5].find((f) => raw <= f * power * (1 + 1e-9)) || 10) * power;
+    const first = Math.ceil(low / step - 1e-9), last = Math.floor(high / step + 1e-9);
+    const decimals = Math.min(17, Math.max(0, Math.ceil(-Math.log10(step) - 1e-9)));
+    const list = [];
+    for (let i = first; i <= last && list.length < 60; i++) {
+      const text = (i * step).toFixed(decimals);
+      list.push([i * step, minus(/[1-9]/.test(text) ? text : text.replace("-", ""))]);
+    }
+    return list;
+  }
+
+  const WIDE = 2.5;
+  // How the values of an axis between two ends are shown.
+  function shown(axis, ends) {
+    const size = Math.max(...ends.map((end) => Math.abs(axis.log ? 10 ** end : end)));
+    if (axis.fixed || (axis.log && Math.abs(ends[1] - ends[0]) > WIDE)) return { factor: 1, unit: axis.unit };
+    return scaleFor(0.94 * size, axis.unit);
+  }
+
+  // As `ticks` of scale.rs: [place on the axis, label, class] of every tick; places are logarithms of a log axis.
+  function marksOf(axis, ends, pixels, pitch) {
+    if (axis.rows.length) return axis.rows.map((name, row) => [row + 0.5, name, "gridline"]);
+    const { factor } = shown(axis, ends), count = Math.floor(Math.max(2, pixels / pitch));
+    const low = Math.min(...ends), high = Math.max(...ends);
+    if (!axis.log) return ticks(low / factor, high / factor, count).map(([v, label]) => [v * factor, label, v === 0 ? "zero" : "gridline"]);
+    const decades = high - low;
+    if (decades < 0.7) return ticks(10 ** low / factor, 10 ** high / factor, count).map(([v, label]) => [Math.log10(v * factor), label, "gridline"]);
+    const every = Math.max(1, Math.ceil(decades / count)), some = 3 * decades <= 1.6 * count, list = [];
+    for (let decade = Math.floor(low); decade <= Math.ceil(high); decade++) for (let lead = 1; lead <= 9; lead++) {
+      const place = decade + Math.log10(lead);
+      if (place < low - 1e-9 || place > high + 1e-9 || (lead > 1 && decades > 7)) continue;
+      const named = lead === 1 ? decade % every === 0 : (lead === 2 || lead === 5) && some;
+      const power = decade === 0 ? "1" : decade === 1 ? "10" : `10${superscript(decade)}`;
+      const wide = lead === 1 ? power : decade === 0 ? String(lead) : `${lead}·${power}`;
+      const label = decades <= WIDE ? significant(lead * 10 ** decade / factor, 3) : wide;
+      list.push([place, named ? label : "", lead > 1 ? "minor" : "gridline"]);
+    }
+    return list;
+  }
+
+  return { minus, scaleFor, significant, withUnit, ticks, shown, marksOf };
 })();
 
 // Words beside the pointer; none hides them.
@@ -56,9 +99,9 @@ const pointed = (() => {
 })();
 
 (() => {
-  const { superscript, minus, scaleFor, significant, withUnit } = numbers;
+  const { significant, withUnit, ticks, shown, marksOf } = numbers;
   const SVG = "http://www.w3.org/2000/svg";
-  const PITCH_X = 78, PITCH_Y = 32, RIGHT = 20, LANE = 26, WIDE = 2.5;
+  const PITCH_X = 78, PITCH_Y = 32, RIGHT = 20, LANE = 26;
   const moving = document.querySelector("figure.moving") !== null;
   let printing = false;
   // The place that all cursors and the machine stand at; null: none is shown.
@@ -73,48 +116,6 @@ const pointed = (() => {
   }
   const fixed = (value) => +value.toFixed(2);
   const widthOf = (text) => 6.8 * text.length;
-
-  // ---- ticks ---------------------------------------------------------------
-  function ticks(low, high, count) {
-    const raw = (high - low) / count, power = 10 ** Math.floor(Math.log10(raw));
-    const step = ([1, 2, 5].find((f) => raw <= f * power * (1 + 1e-9)) || 10) * power;
-    const first = Math.ceil(low / step - 1e-9), last = Math.floor(high / step + 1e-9);
-    const decimals = Math.min(17, Math.max(0, Math.ceil(-Math.log10(step) - 1e-9)));
-    const list = [];
-    for (let i = first; i <= last && list.length < 60; i++) {
-      const text = (i * step).toFixed(decimals);
-      list.push([i * step, minus(/[1-9]/.test(text) ? text : text.replace("-", ""))]);
-    }
-    return list;
-  }
-
-  // How the values of an axis between two ends are shown.
-  function shown(axis, ends) {
-    const size = Math.max(...ends.map((end) => Math.abs(axis.log ? 10 ** end : end)));
-    if (axis.fixed || (axis.log && Math.abs(ends[1] - ends[0]) > WIDE)) return { factor: 1, unit: axis.unit };
-    return scaleFor(0.94 * size, axis.unit);
-  }
-
-  // [place on the axis, label, class] of every tick; places are logarithms of a log axis.
-  function marksOf(axis, ends, pixels, pitch) {
-    if (axis.rows.length) return axis.rows.map((name, row) => [row + 0.5, name, "gridline"]);
-    const { factor } = shown(axis, ends), count = Math.max(2, pixels / pitch);
-    const low = Math.min(...ends), high = Math.max(...ends);
-    if (!axis.log) return ticks(low / factor, high / factor, count).map(([v, label]) => [v * factor, label, v === 0 ? "zero" : "gridline"]);
-    const decades = high - low;
-    if (decades < 0.7) return ticks(10 ** low / factor, 10 ** high / factor, count).map(([v, label]) => [Math.log10(v * factor), label, "gridline"]);
-    const every = Math.max(1, Math.ceil(decades / count)), some = 3 * decades <= 1.6 * count, list = [];
-    for (let decade = Math.floor(low); decade <= Math.ceil(high); decade++) for (let lead = 1; lead <= 9; lead++) {
-      const place = decade + Math.log10(lead);
-      if (place < low - 1e-9 || place > high + 1e-9 || (lead > 1 && decades > 7)) continue;
-      const named = lead === 1 ? decade % every === 0 : (lead === 2 || lead === 5) && some;
-      const power = decade === 0 ? "1" : decade === 1 ? "10" : `10${superscript(decade)}`;
-      const wide = lead === 1 ? power : decade === 0 ? String(lead) : `${lead}·${power}`;
-      const label = decades <= WIDE ? significant(lead * 10 ** decade / factor, 3) : wide;
-      list.push([place, named ? label : "", lead > 1 ? "minor" : "gridline"]);
-    }
-    return list;
-  }
 
   // ---- series --------------------------------------------------------------
   const column = (index) => page.columns[index];

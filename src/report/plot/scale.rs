@@ -216,11 +216,12 @@ pub(in crate::report) fn ticks(low: f64, high: f64, count: usize) -> Ticks {
     }
     let step = round_step(span / count.max(1) as f64);
     let (first, last) = ((low / step - 1e-9).ceil(), (high / step + 1e-9).floor());
-    // Far from zero a tiny span is below the resolution of the numbers.
-    if step <= 0.0 || last - first > 1000.0 {
+    // Far from zero a tiny span is below the resolution of the numbers; a short axis may have no
+    // round value on it.
+    if step <= 0.0 || !(0.0..=1000.0).contains(&(last - first)) {
         return none;
     }
-    let values = (0..=(last - first).max(0.0) as usize)
+    let values = (0..=(last - first) as usize)
         .map(|index| (first + index as f64) * step)
         .collect();
     let decimals = (-(step.log10() + 1e-9).floor()).clamp(0.0, 17.0) as usize;

@@ -1,12 +1,12 @@
 //! The dynamic model as aligned tables: masses, links, loads, natural frequencies.
 
-use super::table::Table;
 use super::{contact, equations, load_word, units};
 use crate::dynamics::model::{
     Closure, Coordinate, DampingLaw, LinkBase, Model, NodeMotion, OUTPUT, ObjectPart, Pair, STOP,
 };
 use crate::kinematics::linkage::spec::{LinkageSpec, PairKind, PairSpec};
 use crate::report::diagram::pair;
+use crate::report::findings::Table;
 use crate::report::order::drivers_first;
 use crate::report::quantity::{significant, with_unit};
 use std::f64::consts::TAU;
@@ -54,10 +54,7 @@ fn objects(model: &Model) -> impl Iterator<Item = &ObjectPart> {
 }
 
 fn masses(model: &Model) -> Table {
-    let mut table = Table::new(
-        vec!["object", "kind", "mass", "inertia J", "", "motion"],
-        &[2, 3],
-    );
+    let mut table = Table::new(["object", "kind", ">mass", ">inertia J", "", "motion"]);
     for object in objects(model).filter(|object| object.kind != OUTPUT && object.kind != STOP) {
         let drivers = object.inputs.iter();
         let drivers: Vec<&str> = drivers
@@ -149,16 +146,15 @@ fn rubbing(linkage: &LinkageSpec) -> String {
 }
 
 fn links(model: &Model) -> Table {
-    let head = vec![
+    let mut table = Table::new([
         "object",
-        "link",
+        ">link",
         "between",
-        "stiffness c",
+        ">stiffness c",
         "",
-        "damping b",
+        ">damping b",
         "",
-    ];
-    let mut table = Table::new(head, &[1, 3, 5]);
+    ]);
     for object in objects(model) {
         let unit = units(object.coordinate);
         for (place, &link) in object.links.iter().enumerate() {
@@ -183,10 +179,7 @@ fn links(model: &Model) -> Table {
 }
 
 fn pairs(model: &Model) -> Table {
-    let mut table = Table::new(
-        vec!["object", "closure", "gap", "opens", "contact law"],
-        &[2],
-    );
+    let mut table = Table::new(["object", "closure", ">gap", "opens", "contact law"]);
     let linkage = |object: &ObjectPart| {
         let mut bodies = model.linkages.iter();
         object.kind == OUTPUT || bodies.any(|body| object.nodes.contains(&body.node))
@@ -238,7 +231,7 @@ fn pairs(model: &Model) -> Table {
 }
 
 fn loads(model: &Model) -> Table {
-    let mut table = Table::new(vec!["object", "load", "mass", "law"], &[2]);
+    let mut table = Table::new(["object", "load", ">mass", "law"]);
     for object in objects(model).filter(|object| object.kind != STOP) {
         for (place, node) in object.nodes.iter().enumerate() {
             for load in model.loads.iter().filter(|load| load.node == *node) {
@@ -255,8 +248,7 @@ fn loads(model: &Model) -> Table {
 }
 
 fn table_of(frequencies: &Frequencies) -> Table {
-    let head = vec!["no.", "engaged, rad/s", "Hz", "open, rad/s", "Hz"];
-    let mut table = Table::new(head, &[0, 1, 2, 3, 4]);
+    let mut table = Table::new([">no.", ">engaged, rad/s", ">Hz", ">open, rad/s", ">Hz"]);
     let number = |list: &[f64], row: usize, factor: f64| {
         list.get(row)
             .map_or(String::new(), |omega| significant(omega * factor, 6))

@@ -8,7 +8,6 @@ pub mod masses;
 pub mod motion;
 pub mod position;
 pub(crate) mod reduced;
-mod table;
 
 use crate::dynamics::model::Coordinate;
 

@@ -1,16 +1,21 @@
 //! Objects that are reduced to vibration modes: what their output is the sum of.
 
-use super::table::Table;
 use super::units;
 use crate::dynamics::model::{Model, ObjectPart, Reduced};
+use crate::report::findings::Table;
 use crate::report::quantity::significant;
 
 /// For every object that is reduced: the share of each mode's deviation that its output
 /// gets, the mode's natural frequency with the driven end held, and what the modes that
 /// are left out give way by.
 pub(super) fn table(model: &Model) -> Table {
-    let head = vec!["object", "part", "share of the output", "rad/s", "besides"];
-    let mut table = Table::new(head, &[2, 3]);
+    let mut table = Table::new([
+        "object",
+        "part",
+        ">share of the output",
+        ">rad/s",
+        "besides",
+    ]);
     for reduced in &model.reduced {
         let object = &model.objects[reduced.object];
         for (part, share, frequency) in modes(model, reduced) {

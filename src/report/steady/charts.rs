@@ -17,7 +17,7 @@ fn level(label: &str, cycle: f64, value: f64) -> Series {
 }
 
 /// ω(φ), ε(φ), the moment, work and energy, the inertia.
-pub fn charts(shown: &Shown<'_>) -> Vec<Plot> {
+pub(super) fn charts(shown: &Shown<'_>) -> Vec<Plot> {
     let (rows, cycle) = (shown.rows, shown.cycle);
     let chart = |title: &str, unit: &str, curves: Vec<Series>| Plot {
         title: title.to_owned(),

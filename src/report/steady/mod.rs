@@ -1,15 +1,12 @@
-//! The steady motion as text, table, pictures and page.
+//! The steady motion as findings, rows and charts.
 
 mod charts;
-mod page;
 mod periodic;
-mod picture;
-mod text;
+mod rigid;
 
-pub use charts::{charts, wittenbauer};
-pub use page::{SteadyReport, page};
-pub use periodic::{drive_csv, periodic_text};
-pub use text::{rigid_text, rows_csv};
+pub use charts::wittenbauer;
+pub use periodic::{periodic_findings, periodic_rows};
+pub use rigid::{rigid_findings, rigid_rows};
 
 use crate::dynamics::steady::cycle_map::Regime;
 use crate::dynamics::steady::flywheel::Flywheel;

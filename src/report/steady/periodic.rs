@@ -1,23 +1,15 @@
-//! The periodic motion of elastic objects as text, table and pictures.
+//! The periodic motion of elastic objects.
 
-use super::picture::list;
-use super::picture::picture;
-use super::text::Line;
-use super::text::at;
-use super::text::flywheel_lines;
-use super::text::value;
+use super::rigid::{at, flywheel_figures, mean_speed, value};
 use crate::dynamics::steady::Extreme;
-use crate::report::csv::number;
-use crate::report::csv::write;
-use crate::report::html::facts;
-use crate::report::plot::{Axis, Look, Mark, Plot, Plots, Series, Shape};
-use crate::report::quantity::{escape, significant};
-use crate::studies::steady::DriveFigures;
-use crate::studies::steady::DriveRow;
-use crate::studies::steady::LongRun;
-use crate::studies::steady::PartMotion;
-use crate::studies::steady::PeriodicAnswer;
-use crate::studies::steady::Stability;
+use crate::report::csv::{Field, Rows};
+use crate::report::findings::{Figure, Findings, Item, Layout, Section, Source, Table, Value};
+use crate::report::plot::{Axis, Look, Mark, Plot, Series, Shape};
+use crate::report::quantity::significant;
+use crate::report::verdict::{Sort, Verdict};
+use crate::studies::steady::{
+    DriveFigures, DriveRow, LongRun, PartMotion, PeriodicAnswer, Stability,
+};
 use std::fmt::Write as _;
 
 /// Multipliers listed.
@@ -43,7 +35,7 @@ fn long_run(run: &LongRun, cycle: f64) -> String {
     }
 }
 
-fn lines(part: &PartMotion, cycle: f64) -> Vec<(&'static str, String)> {
+fn figures(part: &PartMotion, cycle: f64) -> Vec<Figure> {
     let turns = match part.periods as f64 * cycle / std::f64::consts::TAU {
         1.0 => "one turn of the drive".to_owned(),
         count => format!("{} turns of the drive", significant(count, 7)),
@@ -69,41 +61,31 @@ fn lines(part: &PartMotion, cycle: f64) -> Vec<(&'static str, String)> {
             part.multipliers.len() - LISTED
         );
     }
+    let back = format!(
+        "{} of its size, {} periods followed",
+        significant(part.miss, 2),
+        part.iterations
+    );
     vec![
-        (
-            "period",
-            format!("{} s, {turns}", significant(part.period, 10)),
-        ),
-        ("stability", stability.to_owned()),
-        ("Floquet multipliers", multipliers),
-        ("derivative by", part.how.clone()),
-        (
-            "comes back to",
-            format!(
-                "{} of its size, {} periods followed",
-                significant(part.miss, 2),
-                part.iterations
-            ),
-        ),
-        ("long run", long_run(&part.long_run, cycle)),
+        value("period", part.period, "s").with(turns),
+        Figure::new("stability", stability),
+        Figure::new("Floquet multipliers", multipliers),
+        Figure::new("derivative by", part.how.as_str()),
+        Figure::new("comes back to", back),
+        Figure::new("long run", long_run(&part.long_run, cycle)),
     ]
 }
 
 /// How the drive turns.
-fn drive_lines(drive: &DriveFigures) -> Vec<Line> {
-    let turns = significant(drive.means.time * 60.0 / std::f64::consts::TAU, 8);
-    let mean = significant(drive.means.time, 10);
+fn drive_figures(drive: &DriveFigures) -> Vec<Figure> {
     let speed = |name: &str, of: f64| value(name, of, "rad/s");
     let extreme = |name: &str, of: Extreme| at(name, [of.value, of.at], "rad/s");
     let why = match drive.balance {
         Some(_) => "asked for, held by a constant moment",
         None => "a result: motor and load decide",
     };
-    let mut lines = vec![
-        (
-            "mean speed".to_owned(),
-            format!("{mean} rad/s = {turns} rpm ({why})"),
-        ),
+    let mut figures = vec![
+        mean_speed(drive.means.time, why),
         speed("mean over the angle", drive.means.angle),
         speed("midway between extremes", drive.means.midrange),
         extreme("least speed", drive.least_speed),
@@ -111,13 +93,10 @@ fn drive_lines(drive: &DriveFigures) -> Vec<Line> {
         speed("speed at φ = 0", drive.speed_at_start),
         value("fluctuation δ", drive.fluctuation, ""),
     ];
-    lines.extend(
-        drive
-            .balance
-            .map(|moment| value("moment beside the motor", moment, "N·m")),
-    );
-    lines.extend(drive.flywheel.iter().flat_map(flywheel_lines));
-    lines
+    let balance = drive.balance;
+    figures.extend(balance.map(|moment| value("moment beside the motor", moment, "N m")));
+    figures.extend(drive.flywheel.iter().flat_map(flywheel_figures));
+    figures
 }
 
 /// ω and ε over the angle.
@@ -147,15 +126,22 @@ fn drive_charts(drive: &DriveFigures) -> [Plot; 2] {
     ]
 }
 
-/// The motion of a machine on its motor over the drive's angle: what the drive does, and
-/// the deviations.
-///
-/// # Errors
-/// Never in practice: writing into memory.
-pub fn drive_csv(answer: &PeriodicAnswer, drive: &DriveFigures) -> Result<String, csv::Error> {
+/// The motion as a table: of a machine on its motor over the drive's angle, with what the drive
+/// does; else the deviations over a period, each value a row, since parts have periods of their
+/// own.
+pub fn periodic_rows(answer: &PeriodicAnswer) -> Rows {
+    let Some(drive) = &answer.drive else {
+        let all = answer.parts.iter().flat_map(|part| &part.orbit);
+        let rows = all.flat_map(|(name, points)| {
+            let row = |&(time, value): &(f64, f64)| {
+                [Field::from(name.as_str()), time.into(), value.into()]
+            };
+            points.iter().map(row)
+        });
+        return Rows::new(["coordinate", "t [s]", "deviation"], rows);
+    };
     let header = ["phi [rad]", "t [s]", "omega [rad/s]", "epsilon [rad/s^2]"];
-    let parts = answer.parts.iter();
-    let deviations = parts.flat_map(|part| {
+    let deviations = answer.parts.iter().flat_map(|part| {
         let unit = match part.unit.as_str() {
             "" => String::new(),
             unit => format!(" [{unit}]"),
@@ -165,49 +151,75 @@ pub fn drive_csv(answer: &PeriodicAnswer, drive: &DriveFigures) -> Result<String
     });
     let rows = drive.rows.iter().map(|row| {
         let own = [row.position, row.time, row.speed, row.acceleration];
-        let all = own.iter().chain(&row.deviations);
-        all.map(|&one| number(one)).collect::<Vec<_>>()
+        own.into_iter().chain(row.deviations.iter().copied())
     });
-    write(
+    Rows::new(
         header.map(str::to_owned).into_iter().chain(deviations),
         rows,
     )
 }
 
-/// All that is known of the motion.
-pub fn periodic_text(title: &str, answer: &PeriodicAnswer) -> String {
-    let mut text = format!("{title}\n");
+/// Whether the motion is the one that comes about, and what is known of it.
+pub fn periodic_findings<'a>(
+    title: &str,
+    answer: &PeriodicAnswer,
+    source: Source<'a>,
+) -> Findings<'a> {
+    let mut sections = Vec::new();
     if let Some(drive) = &answer.drive {
-        let _ = writeln!(text, "\nSteady motion of {}", drive.id);
-        for (name, value) in drive_lines(drive) {
-            let _ = writeln!(text, "  {name:<23}  {value}");
-        }
+        let section = Section::new(format!("Steady motion of {}", drive.id));
+        let charts = drive_charts(drive).into();
+        let section = section.figures(drive_figures(drive));
+        sections.push(section.charts(Layout::Wide(340.0), "cycle", charts));
     }
     for part in &answer.parts {
-        let _ = writeln!(text, "\nPeriodic motion of {}", part.objects.join(", "));
-        for (name, value) in lines(part, answer.cycle) {
-            let _ = writeln!(text, "  {name:<20}  {value}");
-        }
+        let section = Section::new(format!("Periodic motion of {}", part.objects.join(", ")));
+        let section = section.figures(figures(part, answer.cycle));
+        let section = section.charts(Layout::Wide(360.0), "", vec![orbit(part)]);
+        sections.push(section.charts(Layout::Round, "", vec![circle(part)]));
     }
     let start = match answer.drive {
-        Some(_) => "φ = 0",
-        None => "t = 0",
+        Some(_) => "State at φ = 0",
+        None => "State at t = 0",
     };
-    let _ = writeln!(text, "\nState at {start}");
-    let width = answer
-        .state_names
-        .iter()
-        .map(|name| name.chars().count())
-        .max();
-    let width = width.unwrap_or(0);
-    for (name, value) in answer.state_names.iter().zip(&answer.state) {
-        let _ = writeln!(text, "  {name:<width$}  {}", significant(*value, 14));
+    let state = answer.state_names.iter().zip(&answer.state);
+    let state = state.map(|(name, value)| vec![name.as_str().into(), Value::new(*value, "", 14)]);
+    let state = Table::new(["coordinate", ">value"]).rows(state);
+    sections.push(Section::new(start).item(Item::Folded("all coordinates".into(), state)));
+    let subtitle = match &answer.drive {
+        Some(drive) => format!(
+            "steady motion on its motor, mean speed {} rad/s, δ = {}",
+            significant(drive.means.time, 6),
+            significant(drive.fluctuation, 5)
+        ),
+        None => "periodic motion behind the drive and its stability".to_owned(),
+    };
+    Findings {
+        title: title.to_owned(),
+        subtitle,
+        answer: Some(verdict(&answer.parts)),
+        warnings: Vec::new(),
+        sections,
+        source,
     }
-    text
 }
 
-/// Size of the picture of the unit circle, in which it is round (pixels).
-const CIRCLE: (f64, f64) = (420.0, 460.0);
+fn verdict(parts: &[PartMotion]) -> Verdict {
+    let repels = parts.iter().any(|part| part.stability == Stability::Repels);
+    let (sort, headline) = match repels {
+        true => (
+            Sort::Mechanism,
+            "A periodic motion was found that repels its neighbours.",
+        ),
+        false => (
+            Sort::Good,
+            "A periodic motion was found that no small disturbance leaves.",
+        ),
+    };
+    let miss = parts.iter().map(|part| part.miss).fold(0.0, f64::max);
+    let text = format!("It comes back to {} of its size.", significant(miss, 2));
+    Verdict::answer(sort, headline.to_owned(), text)
+}
 
 /// The multipliers in the unit circle.
 fn circle(part: &PartMotion) -> Plot {
@@ -260,26 +272,4 @@ fn orbit(part: &PartMotion) -> Plot {
             .collect(),
         ..Plot::default()
     }
-}
-
-/// The section of a page.
-pub(super) fn section(answer: &PeriodicAnswer, plots: &mut Plots) -> String {
-    let mut body = String::new();
-    if let Some(drive) = &answer.drive {
-        let _ = write!(body, "<h2>Figures</h2>\n{}", list(&drive_lines(drive)));
-        for chart in drive_charts(drive) {
-            body.push_str(&picture(plots, &chart, (1184.0, 340.0)));
-        }
-    }
-    for part in &answer.parts {
-        let _ = write!(
-            body,
-            "<h2>{}</h2>\n{}",
-            escape(&part.objects.join(", ")),
-            facts(&lines(part, answer.cycle))
-        );
-        body.push_str(&picture(plots, &orbit(part), (1184.0, 360.0)));
-        body.push_str(&picture(plots, &circle(part), CIRCLE));
-    }
-    body
 }

@@ -2,7 +2,7 @@
 
 use crate::dynamics::model::{Closure, Coordinate};
 use crate::report::diagram::{Diagram, ObjectBox, Place};
-use crate::report::plot::{coordinate, fits};
+use crate::report::plot::{coordinate, document, fits};
 use crate::report::quantity::{escape, shortened, with_unit};
 
 const BOX_WIDTH: f64 = 156.0;
@@ -11,39 +11,32 @@ const COLUMN: f64 = BOX_WIDTH + 236.0;
 const ROW: f64 = BOX_HEIGHT + 46.0;
 const MARGIN: f64 = 16.0;
 
-/// Colours and fonts; a page that embeds the picture may override them by
-/// giving the custom properties a value.
+/// Style of the picture.
 const STYLE: &str = "\
 .dam-graph{font-family:system-ui,-apple-system,'Segoe UI',Roboto,'Helvetica Neue',Arial,sans-serif}\
-.dam-graph .frame{fill:var(--box,#fff);stroke:var(--ink-soft,#5b6673);stroke-width:1.4}\
-.dam-graph .drive .frame{fill:var(--box-drive,#eaf1f8)}\
-.dam-graph .id{font-weight:650;font-size:15px;fill:var(--ink,#17202a)}\
-.dam-graph .kind{font-size:12.5px;fill:var(--ink-soft,#5b6673)}\
-.dam-graph .edge{fill:none;stroke:var(--ink,#17202a);stroke-width:1.5}\
-.dam-graph .back{fill:none;stroke:var(--ink-soft,#5b6673);stroke-width:1.2;stroke-dasharray:5 3}\
-.dam-graph .head{fill:var(--ink,#17202a)}\
-.dam-graph .head-back{fill:var(--ink-soft,#5b6673)}\
-.dam-graph .law{font-size:12px;fill:var(--ink,#17202a)}\
-.dam-graph .port{font-size:11px;fill:var(--ink-soft,#5b6673)}\
-.dam-graph .pair{fill:var(--paper,#fff);stroke:var(--accent,#b4451f);stroke-width:1.5}\
-.dam-graph .pair-mark{fill:none;stroke:var(--accent,#b4451f);stroke-width:1.5}\
+.dam-graph .frame{fill:var(--box);stroke:var(--ink-soft);stroke-width:1.4}\
+.dam-graph .drive .frame{fill:var(--box-drive)}\
+.dam-graph .id{font-weight:650;font-size:15px;fill:var(--ink)}\
+.dam-graph .kind{font-size:12.5px;fill:var(--ink-soft)}\
+.dam-graph .edge{fill:none;stroke:var(--ink);stroke-width:1.5}\
+.dam-graph .back{fill:none;stroke:var(--ink-soft);stroke-width:1.2;stroke-dasharray:5 3}\
+.dam-graph .head{fill:var(--ink)}\
+.dam-graph .head-back{fill:var(--ink-soft)}\
+.dam-graph .law{font-size:12px;fill:var(--ink)}\
+.dam-graph .port{font-size:11px;fill:var(--ink-soft)}\
+.dam-graph .pair{fill:var(--paper);stroke:var(--accent);stroke-width:1.5}\
+.dam-graph .pair-mark{fill:none;stroke:var(--accent);stroke-width:1.5}\
 .dam-graph a:hover .frame{stroke-width:2.4}";
 
-/// The picture as a complete SVG document. `links` makes every box a link to
-/// `#object-ID`, for a page that has such anchors.
+/// The picture: by itself, or with `links` as part of a page that gives the colours, every box
+/// a link to its anchor `#object-ID`.
 pub fn svg(diagram: &Diagram, links: bool) -> String {
     let places = diagram.places();
     let columns = places.iter().map(|p| p.column).max().unwrap_or(0) as f64;
     let rows = places.iter().map(|p| p.row).fold(0.0, f64::max);
     let width = 2.0 * MARGIN + columns * COLUMN + BOX_WIDTH;
     let height = 2.0 * MARGIN + rows * ROW + BOX_HEIGHT;
-    let mut out = format!(
-        "<svg class=\"dam-graph\" xmlns=\"http://www.w3.org/2000/svg\" \
-         viewBox=\"0 0 {w} {h}\" width=\"{w}\" height=\"{h}\" role=\"img\" \
-         aria-label=\"Object graph\">\n<style>{STYLE}</style>\n",
-        w = coordinate(width),
-        h = coordinate(height),
-    );
+    let mut out = String::new();
     for (index, one) in diagram.boxes.iter().enumerate() {
         for input in &one.inputs {
             out.push_str(&edge(one, &input.name, places[input.driver], places[index]));
@@ -52,8 +45,14 @@ pub fn svg(diagram: &Diagram, links: bool) -> String {
     for (one, place) in diagram.boxes.iter().zip(&places) {
         out.push_str(&object_box(one, *place, links));
     }
-    out.push_str("</svg>\n");
-    out
+    if !links {
+        return document("dam-graph", [width, height], "Object graph", STYLE, &out);
+    }
+    let (w, h) = (coordinate(width), coordinate(height));
+    format!(
+        "<svg class=\"dam-graph\" viewBox=\"0 0 {w} {h}\" width=\"{w}\" height=\"{h}\" role=\"img\" \
+         aria-label=\"Object graph\">\n<style>{STYLE}</style>\n{out}</svg>\n"
+    )
 }
 
 /// Upper left corner of a box.

@@ -2,9 +2,8 @@
 
 use super::{CycleForces, Extremes, ForceStudy, columns};
 use crate::kinematics::linkage::spec::LinkageSpec;
+use crate::studies::kinematics::ENDS;
 
-/// Ends of a quantity: value and place.
-const ENDS: [&str; 4] = ["least", "greatest", "least_at", "greatest_at"];
 /// Sums over the cycle.
 const CYCLE: [&str; 8] = [
     "duration",

@@ -30,6 +30,7 @@ use crate::kinematics::linkage::kinetostatics::{
     BAD_CONDITION, Convention, Kinetostatics, Options,
 };
 use crate::kinematics::linkage::spec::{LinkageSpec, PairKind};
+use crate::units::shown;
 use row::Solver;
 
 /// Settings of a study of forces.
@@ -177,8 +178,8 @@ impl ForceStudy {
         }
         if self.worst_balance() > 1e-8 {
             warnings.push(format!(
-                "the power balance is missed by {:.1e}: reactions are not to be trusted",
-                self.worst_balance()
+                "the power balance is missed by {}: reactions are not to be trusted",
+                shown(self.worst_balance(), 2)
             ));
         }
         let missing = self.rows.len() - self.solved().count();

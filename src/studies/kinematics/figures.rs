@@ -4,7 +4,7 @@ use super::columns::headings;
 use super::{Asked, Extremes, Kinematics};
 
 /// Ends of a quantity: value and place.
-const ENDS: [&str; 4] = ["least", "greatest", "least_at", "greatest_at"];
+pub(in crate::studies) const ENDS: [&str; 4] = ["least", "greatest", "least_at", "greatest_at"];
 /// What is told of a stroke.
 const STROKE: [&str; 4] = [
     "stroke",

@@ -15,6 +15,7 @@ mod values;
 pub use ask::{Asked, MOST_POSITIONS, Over, POSITIONS, Question, whole_travel};
 pub use columns::Quantity;
 pub use equilibria::Equilibrium;
+pub(in crate::studies) use figures::ENDS;
 pub use study::{even_motion, kinematics};
 pub use subject::{Subject, linkage_of, reaches};
 

@@ -18,6 +18,7 @@ use crate::studies::document::{spoiling, stop_in_words};
 use crate::studies::run::{Motion, motion};
 use crate::studies::spread::{CHANGE, changed_loads};
 use crate::studies::{Control, RunSettings};
+use crate::units::shown;
 use std::cell::RefCell;
 
 /// Most steps of the run of one cell: where a general method would crawl, a
@@ -230,11 +231,15 @@ impl Task<'_> {
         let because = || stop_in_words(&found.outcome.stop).1;
         let time = found.outcome.time;
         if let Stop::Physical(_) = &found.outcome.stop {
-            let cause = format!("stops at {time:.6e} s: {}", because());
+            let cause = format!("stops at {time} s: {}", because(), time = shown(time, 7));
             return Some(Cell::without_value(Verdict::Stopped, cause));
         }
         if !found.is_complete() {
-            let cause = format!("{method} gave up at {time:.6e} s: {}", because());
+            let cause = format!(
+                "{method} gave up at {time} s: {}",
+                because(),
+                time = shown(time, 7)
+            );
             return Some(Cell::without_value(Verdict::NumericalFailure, cause));
         }
         let warning = spoiling(&found.recorded, self.settings)?;
@@ -345,7 +350,7 @@ fn mark(cell: &mut Cell, moved: f64, bound: f64) {
     let determined = moved <= bound;
     if !determined {
         let how = match moved.is_finite() {
-            true => format!("moves by {moved:.1e} of its scale"),
+            true => format!("moves by {moved} of its scale", moved = shown(moved, 2)),
             false => "is gone".to_owned(),
         };
         let not = format!("the figure {how} when the loads change by {CHANGE:e}: not determined");

@@ -6,6 +6,7 @@ use crate::dynamics::integrate::Dynamics;
 use crate::dynamics::model::{Model, Start};
 use crate::dynamics::record::{ObjectFigures, PairFigures};
 use crate::dynamics::system::{Regime, System};
+use crate::units::shown;
 use std::f64::consts::TAU;
 
 /// Evidence that a verdict rests on.
@@ -48,7 +49,10 @@ pub(super) fn judge(evidence: &mut Evidence<'_>) -> (Verdict, String) {
         return (Verdict::Resonance, cause);
     }
     let cause = match evidence.rigid.margin {
-        Some(margin) => format!("no pair opens; rigid, the least contact force is {margin:.6e}"),
+        Some(margin) => format!(
+            "no pair opens; rigid, the least contact force is {margin}",
+            margin = shown(margin, 7)
+        ),
         None => "no pair opens".to_owned(),
     };
     (Verdict::InWorkingOrder, cause)
@@ -71,8 +75,8 @@ fn opens(evidence: &Evidence<'_>, object: usize) -> Option<(Verdict, String)> {
     let id = &evidence.system.model().objects[object].id;
     if let Some(margin) = pair.margin.filter(|&margin| margin < 0.0) {
         let cause = format!(
-            "rigid {id} would lift off: its pair would have to pull with {:.6e}",
-            -margin
+            "rigid {id} would lift off: its pair would have to pull with {}",
+            shown(-margin, 7)
         );
         return Some((Verdict::LiftOff, cause));
     }
@@ -91,7 +95,7 @@ fn opens(evidence: &Evidence<'_>, object: usize) -> Option<(Verdict, String)> {
         Some(false) => (Verdict::LiftOff, format!("{id} {how}")),
         Some(true) => {
             let last = pair.switch_times.last().copied().unwrap_or(0.0);
-            let cause = format!("{id} {how}, not after {last:.6e} s");
+            let cause = format!("{id} {how}, not after {last} s", last = shown(last, 7));
             (Verdict::LiftOffDiesAway, cause)
         }
         None => {
@@ -105,8 +109,9 @@ fn opens(evidence: &Evidence<'_>, object: usize) -> Option<(Verdict, String)> {
 /// How often and how long a pair opens, and in how many cycles.
 fn in_words(evidence: &Evidence<'_>, pair: &PairFigures) -> String {
     let mut text = format!(
-        "opens {} times, for {:.4e} s at most",
-        pair.separations, pair.longest_separation
+        "opens {} times, for {} s at most",
+        pair.separations,
+        shown(pair.longest_separation, 5)
     );
     if let Some(cycle) = evidence.cycle {
         // A run meant as whole cycles may fall short by rounding.
@@ -158,10 +163,11 @@ fn resonates(evidence: &mut Evidence<'_>, object: usize) -> Option<String> {
     Some(format!(
         "{}: {:.3} times the quasi-static deflection in the last cycle, {:.3} times in the one \
          before; harmonic {harmonic} of the drive is at {ratio:.4} of the natural frequency \
-         {frequency:.6e} rad/s",
+         {frequency} rad/s",
         id(system.model(), object),
         last / quasi_static,
-        before / quasi_static
+        before / quasi_static,
+        frequency = shown(frequency, 7)
     ))
 }
 

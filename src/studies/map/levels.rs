@@ -1,11 +1,8 @@
 //! The level of the elastic objects of a map that leave theirs open: one for all its points.
 
-use crate::frontend::scene::{Accuracy, AccuracySpec, Levels, Reading};
-use crate::studies::order::{choose, finer};
+use crate::frontend::scene::{AccuracySpec, Levels, Reading};
+use crate::studies::order::{USUAL, choose, finer};
 use crate::studies::{Control, RunSettings};
-
-/// Accuracy of the figure of a map where the scene says none.
-const USUAL: Accuracy = Accuracy::Share(0.01);
 
 /// The finest levels that the figure needs at any of some points of a map; what is no
 /// mechanism there is left out.

@@ -6,6 +6,7 @@ use super::stability::Bound;
 use super::verdict::{Judgement, Verdict};
 use crate::dynamics::record::Figures;
 use crate::studies::spread::is_result;
+use crate::units::shown;
 use serde::Serialize;
 
 /// A method at one setting: what it cost, how near it came, what became of it.
@@ -67,8 +68,8 @@ impl Point {
     /// The setting in words: `1e-6`, `2.5e-5 s`, `–`.
     pub fn setting(&self) -> String {
         match (self.tolerance, self.step) {
-            (Some(tolerance), _) => format!("{tolerance:.0e}"),
-            (_, Some(step)) => format!("{step:.2e} s"),
+            (Some(tolerance), _) => format!("{tolerance}", tolerance = shown(tolerance, 1)),
+            (_, Some(step)) => format!("{step} s", step = shown(step, 3)),
             _ => "–".to_owned(),
         }
     }

@@ -2,6 +2,7 @@
 
 use super::line::MethodLine;
 use crate::math::order::Total;
+use crate::units::shown;
 use serde::Serialize;
 
 /// The fastest point with an error within the asked accuracy.
@@ -44,8 +45,10 @@ pub fn recommend(lines: &[MethodLine], accuracy: f64) -> Recommendation {
         );
     };
     let setting = match (point.tolerance, point.step) {
-        (Some(tolerance), _) => format!(" at tolerance {tolerance:.0e}"),
-        (_, Some(step)) => format!(" at a step of {step:.2e} s"),
+        (Some(tolerance), _) => {
+            format!(" at tolerance {tolerance}", tolerance = shown(tolerance, 1))
+        }
+        (_, Some(step)) => format!(" at a step of {step} s", step = shown(step, 3)),
         _ => String::new(),
     };
     let next = ranked.iter().find(|(other, _)| other.method != line.method);
@@ -60,9 +63,10 @@ pub fn recommend(lines: &[MethodLine], accuracy: f64) -> Recommendation {
         error: point.error,
         measured_seconds: point.measured_seconds,
         text: format!(
-            "for an error of {accuracy:.0e}: {}{setting}, {}{ahead}",
+            "for an error of {accuracy}: {}{setting}, {}{ahead}",
             line.method,
             reached(point),
+            accuracy = shown(accuracy, 1)
         ),
     }
 }
@@ -75,7 +79,7 @@ fn reached(point: &super::Point) -> String {
         format!("{seconds:.2} s")
     };
     match point.error {
-        Some(error) => format!("error {error:.1e} in {time}"),
+        Some(error) => format!("error {error} in {time}", error = shown(error, 2)),
         None => time,
     }
 }
@@ -84,7 +88,11 @@ fn reached(point: &super::Point) -> String {
 fn none<'a>(points: impl Iterator<Item = (&'a MethodLine, f64)>, accuracy: f64) -> Recommendation {
     let nearest = points.min_by(|a, b| a.1.total_cmp(&b.1));
     let nearest = nearest.map_or("none can be judged".to_owned(), |(line, error)| {
-        format!("the nearest is {} with {error:.1e}", line.method)
+        format!(
+            "the nearest is {} with {error}",
+            line.method,
+            error = shown(error, 2)
+        )
     });
     Recommendation {
         method: None,
@@ -92,7 +100,10 @@ fn none<'a>(points: impl Iterator<Item = (&'a MethodLine, f64)>, accuracy: f64) 
         step: None,
         error: None,
         measured_seconds: None,
-        text: format!("no method is known to reach an error of {accuracy:.0e}; {nearest}"),
+        text: format!(
+            "no method is known to reach an error of {accuracy}; {nearest}",
+            accuracy = shown(accuracy, 1)
+        ),
     }
 }
 
@@ -140,7 +151,7 @@ mod tests {
         let reference = line(Method::Exact, 2e-4, true);
         let text = |lines: &[MethodLine]| recommend(lines, 1e-9).text;
         let both = text(&[reference.clone(), line(Method::Rk4, 3e-4, false)]);
-        assert!(both.ends_with("the nearest is rk4 with 3.0e-4"), "{both}");
+        assert!(both.ends_with("the nearest is rk4 with 3e-4"), "{both}");
         let alone = text(&[reference]);
         assert!(alone.ends_with("none can be judged"), "{alone}");
     }

@@ -2,6 +2,7 @@
 
 use super::stability::Spectrum;
 use crate::dynamics::integrate::Method;
+use crate::units::shown;
 use serde::Serialize;
 
 /// Rungs of a ladder of steps, each half the one before.
@@ -47,8 +48,10 @@ impl Setting {
 impl std::fmt::Display for Setting {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
-            Self::Tolerance(tolerance) => write!(f, "tolerance {tolerance:.0e}"),
-            Self::Step(step) => write!(f, "step {step:.2e} s"),
+            Self::Tolerance(tolerance) => {
+                write!(f, "tolerance {tolerance}", tolerance = shown(*tolerance, 1))
+            }
+            Self::Step(step) => write!(f, "step {step} s", step = shown(*step, 3)),
             Self::Exact => f.write_str("no setting"),
         }
     }

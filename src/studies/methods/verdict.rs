@@ -6,6 +6,7 @@ use super::reference::{ReferenceInUse, distance};
 use super::stability::Bound;
 use crate::dynamics::integrate::Stop;
 use crate::studies::spread::CHANGE;
+use crate::units::shown;
 use serde::Serialize;
 
 /// A scene that multiplies a small difference so many times is named as the
@@ -188,7 +189,10 @@ fn stopped(
         }
         Stop::StepFloor { step } => (
             Verdict::StepFloor,
-            format!("needs a step of {step:.1e} s {at}, below what the clock resolves"),
+            format!(
+                "needs a step of {step} s {at}, below what the clock resolves",
+                step = shown(*step, 2)
+            ),
         ),
         Stop::NotFinite { what } => {
             let beyond = beyond(timed, bound);
@@ -251,8 +255,9 @@ fn ended(
         return (Verdict::Converged, converged(error, asked, name));
     }
     let mut cause = format!(
-        "the error is {} times the {name} of {asked:.0e}, although it reported success",
-        times(error / asked)
+        "the error is {} times the {name} of {asked}, although it reported success",
+        times(error / asked),
+        asked = shown(asked, 1)
     );
     let multiplied = truth.public.moved / CHANGE;
     if multiplied > MULTIPLIES && error <= 10.0 * multiplied * asked {
@@ -275,13 +280,16 @@ fn times(factor: f64) -> String {
     match factor {
         ..100.0 => format!("{factor:.1}"),
         ..1e4 => format!("{factor:.0}"),
-        _ => format!("{factor:.1e}"),
+        _ => format!("{factor}", factor = shown(factor, 2)),
     }
 }
 
 fn converged(error: f64, asked: f64, name: &str) -> String {
     match error <= asked {
-        true => format!("the error is within the {name} of {asked:.0e}"),
+        true => format!(
+            "the error is within the {name} of {asked}",
+            asked = shown(asked, 1)
+        ),
         false => "as near to the reference as can be told".to_owned(),
     }
 }
@@ -343,7 +351,10 @@ fn with_limit(cause: String, timed: &Timed, bound: Option<&Bound>) -> String {
 fn grown(timed: &Timed, growth: Option<f64>, bound: Option<&Bound>) -> String {
     let how_far = match growth {
         Some(growth) if growth.is_finite() => {
-            format!("|δ| grows to {growth:.1e} times that of the reference")
+            format!(
+                "|δ| grows to {growth} times that of the reference",
+                growth = shown(growth, 2)
+            )
         }
         _ => "the motion grows beyond all numbers".to_owned(),
     };

@@ -7,7 +7,7 @@ use crate::studies::expectations::of_run;
 use crate::studies::limit::without_limit;
 
 /// Accuracy of figures of which none is said.
-const USUAL: Accuracy = Accuracy::Share(0.01);
+pub(in crate::studies) const USUAL: Accuracy = Accuracy::Share(0.01);
 
 /// A figure that is asked for.
 #[derive(Clone, Debug, PartialEq)]

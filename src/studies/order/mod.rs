@@ -20,6 +20,7 @@ pub mod settling;
 pub(super) mod trial;
 
 pub use asked::Asked;
+pub(in crate::studies) use asked::USUAL;
 pub use certificate::{
     Certainty, Certificate, Cheaper, FigureAccuracy, ObjectModel, Shares, Tried,
 };

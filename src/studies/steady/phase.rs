@@ -9,6 +9,7 @@ use crate::dynamics::integrate::{Dynamics, Method, Modes, Sink, SwitchEvent};
 use crate::dynamics::steady::Mean;
 use crate::dynamics::system::System;
 use crate::math::polynomial::Step;
+use crate::units::shown;
 use nalgebra::DMatrix;
 use std::cell::Cell;
 
@@ -141,9 +142,10 @@ impl<'a> PhaseMap<'a> {
             });
         }
         Err(format!(
-            "the drive does not get from φ = {start:.6} to {target:.6} rad: after {time:.3e} s it \
+            "the drive does not get from φ = {start:.6} to {target:.6} rad: after {time} s it \
              stands at {:.6} rad",
-            at[self.rotor]
+            at[self.rotor],
+            time = shown(time, 4)
         ))
     }
 

@@ -1,6 +1,7 @@
 //! Shooting: a state that comes back after a period.
 
 use super::map::Map;
+use crate::units::shown;
 use nalgebra::{DMatrix, DVector};
 
 /// Periods of plain following before Newton's method, at first.
@@ -75,8 +76,9 @@ pub(super) fn shoot_near(
         settling *= 2;
     }
     Err(format!(
-        "after {iterations} periods no state was found that comes back (nearest: {nearest:.1e} of \
-         its size)"
+        "after {iterations} periods no state was found that comes back (nearest: {nearest} of \
+         its size)",
+        nearest = shown(nearest, 2)
     ))
 }
 

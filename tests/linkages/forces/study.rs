@@ -227,8 +227,6 @@ fn efficiency_of_a_cycle() {
         motion: "steadily",
         name: "four-bar",
         hash: "",
-        scene: "",
-        version: "",
     };
     let text = document(&report).to_string();
     assert!(!text.contains("NaN"));

@@ -16,7 +16,7 @@ mod step;
 mod tableau;
 
 use super::Dynamics;
-use super::pace::towards;
+use super::pace::{CAUTION, towards};
 use super::run::{Given, Run, Verdict};
 use newton::Stages;
 use std::sync::OnceLock;
@@ -46,8 +46,6 @@ const SEVEN_STAGES: f64 = 2e-3;
 /// Bounds on the change of the step from one to the next.
 const SHORTEST: f64 = 0.1;
 const LONGEST: f64 = 8.0;
-/// Share of the step that would just keep the tolerance.
-const CAUTION: f64 = 0.9;
 /// The error of a step just begun anew, or refused for the second time, falls with
 /// this power of its length: it is still too long for its fastest modes.
 const AGAIN: f64 = 3.0;

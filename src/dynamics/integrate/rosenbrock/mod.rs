@@ -7,7 +7,7 @@ mod tableau;
 
 use super::Dynamics;
 use super::jacobian::Jacobian;
-use super::pace::towards;
+use super::pace::{CAUTION, towards};
 use super::run::{Run, Verdict};
 use crate::math::linear::SparseLu;
 use tableau::{COUPLINGS, GAMMA, OUTPUT, STAGES, STATES, TIME_RATES, TIMES};
@@ -21,8 +21,6 @@ const EXPONENT: f64 = 0.2;
 /// Bounds on the change of the step from one to the next.
 const SHORTEST: f64 = 0.2;
 const LONGEST: f64 = 6.0;
-/// Share of the step that would just keep the tolerance.
-const CAUTION: f64 = 0.9;
 
 /// Takes the run as far towards its target as one leg goes: to the target or
 /// to a switch.

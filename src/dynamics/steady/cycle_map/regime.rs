@@ -4,6 +4,7 @@
 use super::{CycleEnd, Machine, Regime};
 use crate::dynamics::steady::refusal::Refusal;
 use crate::math::roots::bracketed;
+use crate::units::shown;
 
 /// Cycles followed at most.
 const MOST_CYCLES: u32 = 200;
@@ -100,8 +101,8 @@ impl Machine<'_> {
         Err(Refusal::NoCycle {
             why: format!(
                 "after {MOST_CYCLES} cycles from a mean of {guess:.4} rad/s the energy still \
-                 changes by {:.1e} of itself in a cycle",
-                (end.energy / energy - 1.0).abs()
+                 changes by {} of itself in a cycle",
+                shown((end.energy / energy - 1.0).abs(), 2)
             ),
         })
     }

@@ -9,6 +9,7 @@ mod table;
 
 use super::frozen::Frozen;
 use super::passes::{Extent, Work};
+use super::scales::EDGE;
 use crate::kinematics::linkage::{Linkage, Reduced, Workspace};
 use crate::kinematics::position::linkage_reach;
 use crate::math::jet::Jet;
@@ -21,9 +22,6 @@ pub(super) use table::Cursor;
 
 /// Weights count as nothing below this share of the greatest that they could be.
 const NO_WEIGHT: f64 = 1e-12;
-
-/// Share of a limited reach at each end that is not sampled.
-const EDGE: f64 = 0.05;
 
 /// A linkage of the frozen layout.
 #[derive(Clone, Debug)]
@@ -107,7 +105,7 @@ impl Solved {
         self.go_to(q, order);
         match self.assembled {
             true => self.linkage.output(output, &self.workspace),
-            false => NOWHERE,
+            false => Jet::UNKNOWN,
         }
     }
 
@@ -164,13 +162,6 @@ impl Solved {
         self.reduced
     }
 }
-
-const NOWHERE: Jet = Jet {
-    value: f64::NAN,
-    first: f64::NAN,
-    second: f64::NAN,
-    third: f64::NAN,
-};
 
 /// J, J′, W and D at a place, and, where the numbers ask for them, their slopes.
 #[inline]

@@ -2,6 +2,7 @@
 
 use super::names::Names;
 use super::pairs;
+use crate::dynamics::builder::FREE_FALL;
 use crate::dynamics::model::Coordinate;
 use crate::frontend::object::load::points;
 use crate::frontend::object::measures::Measures;
@@ -10,9 +11,6 @@ use crate::kinematics::linkage::spec::{ForceLaw, ForceSpec, PairSpec};
 use crate::units::quantities as q;
 use serde_json::json;
 use std::f64::consts::FRAC_PI_2;
-
-/// Standard acceleration of free fall (m/s²).
-const FREE_FALL: f64 = 9.80665;
 
 /// Reads `gravity`.
 pub(super) fn gravity(fields: &mut Fields<'_>) -> Option<[f64; 2]> {

@@ -6,6 +6,7 @@ use super::iteration::{Convergence, Method};
 use super::positions::Positions;
 use super::workspace::ForceWorkspace;
 use super::{Kinetostatics, Unknown};
+use crate::units::shown;
 use std::fmt;
 
 /// Condition number from which a position is reported as badly conditioned.
@@ -96,7 +97,8 @@ impl fmt::Display for ForceFailure {
         match self {
             Self::DeadPosition { condition } => write!(
                 f,
-                "dead position: the driver cannot balance the links (condition number {condition:.1e})"
+                "dead position: the driver cannot balance the links (condition number {condition})",
+                condition = shown(*condition, 2)
             ),
             Self::NoDirection => write!(
                 f,
@@ -104,7 +106,8 @@ impl fmt::Display for ForceFailure {
             ),
             Self::SelfLocking { change, iterations } => write!(
                 f,
-                "self-locking or not convergent: no reactions agree with their friction (last change {change:.1e} after {iterations} iterations)"
+                "self-locking or not convergent: no reactions agree with their friction (last change {change} after {iterations} iterations)",
+                change = shown(*change, 2)
             ),
             Self::NotFinite => write!(
                 f,

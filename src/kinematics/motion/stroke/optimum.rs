@@ -4,6 +4,7 @@ use super::criterion::Criterion;
 use super::figures::{Laws, StrokeSpec, figures};
 use crate::fault::Fault;
 use crate::math::optimise::golden;
+use crate::units::shown;
 
 /// Skewness is looked for between these (e⁻⁷ … e⁷).
 const REACH: f64 = 7.0;
@@ -50,9 +51,9 @@ pub(super) fn optimum_skewness(
     }
     if best == 0 || best == STEPS {
         return refuse(format!(
-            "no least value for a skewness between {:.0e} and {:.0e}",
-            (-REACH).exp(),
-            REACH.exp()
+            "no least value for a skewness between {} and {}",
+            shown((-REACH).exp(), 1),
+            shown(REACH.exp(), 1)
         ));
     }
     Ok(least(value, at(best - 1), at(best + 1)).exp())

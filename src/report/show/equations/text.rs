@@ -1,9 +1,9 @@
 //! Equations as Unicode text.
 
 use super::{Entry, Equations, Line, NOTATION, Section};
+use crate::report::findings::width;
 use crate::report::math::Expr;
 use crate::report::quantity::significant;
-use crate::report::show::table::width;
 
 /// Lines longer than this are continued on the next one.
 const LINE: usize = 100;

@@ -1,19 +1,16 @@
-//! The page of a cam: the cam turning with its follower, figures, diagrams.
+//! What is known of a cam: the cam turning with its follower, figures, diagrams.
 
+use super::figures::{describe, figures};
 use super::picture::{Follower, bodies, drawing, drawn, style};
 use super::remarks::remarks;
 use super::sampled::PLACES;
-use super::text::{describe, facts as cam_facts};
 use super::view::{View, view};
 use super::{NamedCurve, charts};
 use crate::kinematics::cam::DiscCam;
+use crate::report::findings::{Findings, Item, Layout, Section, Source};
 use crate::report::html::player::{Coordinates, Player, Reading, RowAxis, Shown, short};
-use crate::report::html::{bar, facts, header, scene, shell};
-use crate::report::plot::Plots;
-use crate::report::quantity::escape;
 use crate::report::verdict::{Sort, Verdict};
 use crate::studies::cam::{CamFigures, CamForce};
-use std::fmt::Write as _;
 
 /// How long a turn is played at normal speed (s).
 const SECONDS: f64 = 6.0;
@@ -35,50 +32,46 @@ pub struct CamReport<'a> {
     pub curves: &'a [NamedCurve],
     /// Chord tolerance of the curves (m).
     pub tolerance: f64,
-    /// The scene's text, shown as it is.
-    pub scene: &'a str,
-    /// SHA-256 of the canonical scene.
-    pub hash: &'a str,
-    /// Version of `dam`.
-    pub version: &'a str,
 }
 
-/// The page.
-pub fn page(report: &CamReport<'_>) -> String {
-    let title = format!("{}: the cam of {}", report.name, report.id);
-    let subtitle = describe(report.cam.geometry());
-    let mut body = header(&title, &subtitle, Some(&verdict(report)));
-    let _ = write!(body, "<style>\n{}\n</style>\n<main>\n", style());
-    body.push_str(&notes(report));
-    body.push_str(&turning(report));
-    let rows: Vec<(&str, String)> = cam_facts(report.cam, report.figures);
-    let _ = write!(body, "<h2>Figures</h2>\n{}", facts(&rows));
-    let mut plots = Plots::default();
-    body.push_str(&diagrams(report, &mut plots));
-    body.push_str(&scene(report.scene));
-    let points: usize = report
-        .curves
-        .iter()
-        .map(|curve| curve.polygon.points.len())
-        .sum();
-    let rows = [
-        ("Scene", report.name.to_owned()),
-        ("SHA-256 of the canonical scene", report.hash.to_owned()),
-        ("Program", format!("dam {}", report.version)),
-        (
-            "Curves",
-            format!(
-                "{points} points, the curves within {} of their chords",
-                super::words::length(report.tolerance)
+/// The cam turning, its figures, its diagrams.
+pub fn findings<'a>(report: &CamReport<'a>, mut source: Source<'a>) -> Findings<'a> {
+    let curves = report.curves.iter();
+    let points: usize = curves.map(|curve| curve.polygon.points.len()).sum();
+    let tolerance = super::words::length(report.tolerance);
+    let text = format!("{points} points, the curves within {tolerance} of their chords");
+    source.more.push(("Curves".to_owned(), text));
+    let drawn = *report;
+    let said = remarks(report.figures).into_iter().map(|(_, text)| text);
+    let mut sections = vec![
+        Section::new("Remarks").item(Item::Notes(said.collect())),
+        Section::new("Cam and follower")
+            .drawing(move |_| turning(&drawn))
+            .legend(
+                "Dotted: base circle; dashed: pitch curve. The mark on the cam points along the \
+                 follower at φ = 0.",
             ),
+        Section::new("Figures").figures(figures(report.cam, report.figures)),
+        Section::new("Over the turn").charts(
+            Layout::Grid,
+            "turn",
+            charts::charts(report.cam, report.figures, report.force),
         ),
     ];
-    let _ = write!(
-        body,
-        "</main>\n<footer>\n<h2>Provenance</h2>\n{}</footer>\n",
-        facts(&rows)
-    );
-    shell(&title, &body, &plots.json())
+    if let Some(chart) = charts::springs(report.figures) {
+        let section = Section::new("Closing spring");
+        let section = section.charts(Layout::Wide(340.0), "", vec![chart]);
+        let legend = "Springs above the line leave the reserve in contact at this speed.";
+        sections.push(section.legend(legend));
+    }
+    Findings {
+        title: format!("{}: the cam of {}", report.name, report.id),
+        subtitle: describe(report.cam.geometry()),
+        answer: Some(verdict(report)),
+        warnings: Vec::new(),
+        sections,
+        source,
+    }
 }
 
 fn verdict(report: &CamReport<'_>) -> Verdict {
@@ -104,18 +97,6 @@ fn verdict(report: &CamReport<'_>) -> Verdict {
     }
 }
 
-fn notes(report: &CamReport<'_>) -> String {
-    let list = remarks(report.figures);
-    if list.is_empty() {
-        return String::new();
-    }
-    let items: String = list
-        .iter()
-        .map(|(_, text)| format!("<li>{}</li>\n", escape(text)))
-        .collect();
-    format!("<h2>Remarks</h2>\n<ul class=\"warnings\">\n{items}</ul>\n")
-}
-
 /// The drawing with its controls.
 fn turning(report: &CamReport<'_>) -> String {
     let curves = drawn(report.cam);
@@ -133,29 +114,9 @@ fn turning(report: &CamReport<'_>) -> String {
         )
     );
     format!(
-        "<h2>Cam and follower</h2>\n{}<p class=\"soft\">Dotted: base circle; dashed: pitch curve. \
-         The mark on the cam points along the follower at φ = 0.</p>\n",
+        "<style>\n{}\n</style>\n{}",
+        style(),
         player(report, &view).figure(&picture)
-    )
-}
-
-fn diagrams(report: &CamReport<'_>, plots: &mut Plots) -> String {
-    let charts = charts::charts(report.cam, report.figures, report.force);
-    let rows = charts.len().div_ceil(2);
-    let mut pictures = String::new();
-    for chart in &charts {
-        pictures.push_str(&plots.figure(chart, [579.0, 300.0], "turn"));
-    }
-    let springs = charts::springs(report.figures).map_or(String::new(), |chart| {
-        format!(
-            "<h2>Closing spring</h2>\n{}<p class=\"soft\">Springs \
-             above the line leave the reserve in contact at this speed.</p>\n",
-            plots.figure(&chart, [1184.0, 340.0], "")
-        )
-    });
-    format!(
-        "<h2>Over the turn</h2>\n{}<div class=\"plots\" style=\"--rows:{rows}\">\n{pictures}</div>\n{springs}",
-        bar("turn")
     )
 }
 

@@ -1,35 +1,14 @@
-//! A cam on the terminal.
+//! The figures of a cam.
 
-use super::remarks::remarks;
-use super::words::{DIGITS, clean};
-use super::words::{angle_at, degrees, length};
+use super::words::{DIGITS, clean, degrees, length};
 use crate::kinematics::cam::closing::LetsGo;
 use crate::kinematics::cam::sizing::BaseRange;
 use crate::kinematics::cam::{At, CamGeometry, Contact, DiscCam, Guide, Surface};
+use crate::report::findings::{Figure, Value};
 use crate::report::quantity::{significant, with_unit};
 use crate::studies::cam::{Answer, CamFigures, FaceFigures, ForceFigures, Radii, SpringAnswer};
 use crate::studies::law::LiftOff;
 use std::f64::consts::TAU;
-use std::fmt::Write as _;
-
-/// All that was found, in lines.
-pub fn cam_text(id: &str, cam: &DiscCam, found: &CamFigures) -> String {
-    let mut text = format!("{id}: {}\n\n", describe(cam.geometry()));
-    for (name, value) in facts(cam, found) {
-        let _ = writeln!(text, "  {name:<38} {value}");
-    }
-    text.push('\n');
-    let list = remarks(found);
-    match list.is_empty() {
-        true => text.push_str("  the profile is sound: no undercut, no corner, no shock\n"),
-        false => {
-            for (_, remark) in list {
-                let _ = writeln!(text, "  {remark}");
-            }
-        }
-    }
-    text
-}
 
 /// Guide, contact and surface in words.
 pub(super) fn describe(geometry: &CamGeometry) -> String {
@@ -76,42 +55,46 @@ fn at(at: At, unit: &str) -> String {
     )
 }
 
+/// A number that is met at an angle of the cam.
+fn extreme(name: &str, at: At, unit: &str) -> Figure {
+    let value = Value::angle_or(clean(at.value), unit, DIGITS);
+    Figure::new(name, value).with(format!("at {}", degrees(at.phi)))
+}
+
+fn number(name: &str, value: f64, unit: &str) -> Figure {
+    Figure::new(name, Value::angle_or(value, unit, DIGITS))
+}
+
 /// Names and values, geometry first.
-pub(super) fn facts(cam: &DiscCam, found: &CamFigures) -> Vec<(&'static str, String)> {
+pub(super) fn figures(cam: &DiscCam, found: &CamFigures) -> Vec<Figure> {
     let unit = found.unit;
     let mut rows = vec![
-        ("stroke", displacement(found.stroke, unit)),
-        ("base circle", length(found.base_radius)),
+        number("stroke", found.stroke, unit),
+        number("base circle", found.base_radius, "m"),
     ];
     if cam.geometry().roller().is_some_and(|roller| roller > 0.0) {
-        rows.push((
-            "prime circle (centre of the roller)",
-            length(found.prime_radius),
-        ));
+        let name = "prime circle (centre of the roller)";
+        rows.push(number(name, found.prime_radius, "m"));
     }
     if let Guide::Turning { .. } = cam.geometry().guide {
-        rows.push(("innermost, from the line of centres", degrees(found.start)));
+        let name = "innermost, from the line of centres";
+        rows.push(number(name, found.start, "rad"));
     }
-    rows.push((
-        "greatest speed U′, outwards",
-        at(found.speed[0], &format!("{unit}/rad")),
-    ));
-    rows.push((
+    let (speed, second) = (format!("{unit}/rad"), format!("{unit}/rad²"));
+    let [greatest, least] = [
         "greatest acceleration U″, outwards",
-        at(found.acceleration[0], &format!("{unit}/rad²")),
-    ));
-    rows.push((
         "least acceleration U″",
-        at(found.acceleration[1], &format!("{unit}/rad²")),
-    ));
-    rows.push(("greatest pressure angle", angle_at(found.pressure[1])));
-    rows.push(("least pressure angle", angle_at(found.pressure[0])));
+    ];
+    rows.extend([
+        extreme("greatest speed U′, outwards", found.speed[0], &speed),
+        extreme(greatest, found.acceleration[0], &second),
+        extreme(least, found.acceleration[1], &second),
+        extreme("greatest pressure angle", found.pressure[1], "rad"),
+        extreme("least pressure angle", found.pressure[0], "rad"),
+    ]);
     if let Some(pitch) = &found.pitch {
-        radii(
-            &mut rows,
-            pitch,
-            ["pitch curve, convex from", "pitch curve, concave from"],
-        );
+        let names = ["pitch curve, convex from", "pitch curve, concave from"];
+        radii(&mut rows, pitch, names);
     }
     let names = [
         ["profile, convex from", "profile, concave from"],
@@ -126,43 +109,31 @@ pub(super) fn facts(cam: &DiscCam, found: &CamFigures) -> Vec<(&'static str, Str
     sizes(&mut rows, found);
     match (&found.force, &found.force_missing) {
         (Some(force), _) => force_rows(&mut rows, force),
-        (None, Some(why)) => rows.push(("contact force", format!("not known: {why}"))),
+        (None, Some(why)) => rows.push(Figure::new("contact force", format!("not known: {why}"))),
         (None, None) => {}
     }
     rows
 }
 
-fn displacement(value: f64, unit: &str) -> String {
-    match unit {
-        "rad" => degrees(value),
-        _ => length(value),
-    }
-}
-
-type Rows = Vec<(&'static str, String)>;
+type Rows = Vec<Figure>;
 
 fn radii(rows: &mut Rows, radii: &Radii, names: [&'static str; 2]) {
     for (name, radius) in names.into_iter().zip([radii.convex, radii.concave]) {
         if let Some(radius) = radius {
-            rows.push((name, format!("radius {}", at(radius, "m"))));
+            rows.push(Figure::new(name, format!("radius {}", at(radius, "m"))));
         }
     }
 }
 
 fn face_rows(rows: &mut Rows, face: &FaceFigures) {
-    rows.push((
-        "contact on the face",
-        format!("{} … {}", at(face.least, "m"), at(face.greatest, "m")),
-    ));
+    let ends = format!("{} … {}", at(face.least, "m"), at(face.greatest, "m"));
+    rows.push(Figure::new("contact on the face", ends));
     let enough = match face.width {
-        Some(width) if width >= face.needed_width => format!(", has {}", length(width)),
-        Some(width) => format!(", HAS ONLY {}", length(width)),
+        Some(width) if width >= face.needed_width => format!("has {}", length(width)),
+        Some(width) => format!("HAS ONLY {}", length(width)),
         None => String::new(),
     };
-    rows.push((
-        "width of the face needed",
-        format!("{}{enough}", length(face.needed_width)),
-    ));
+    rows.push(number("width of the face needed", face.needed_width, "m").with(enough));
 }
 
 fn sizes(rows: &mut Rows, found: &CamFigures) {
@@ -180,23 +151,15 @@ fn sizes(rows: &mut Rows, found: &CamFigures) {
     let bound =
         found.face.is_none() || found.unit == "rad" || found.base_for_pressure.found.is_none();
     if bound {
-        rows.push((
-            name,
-            format!("{} for {asked}", ranges(&found.base_for_pressure)),
-        ));
+        let text = format!("{} for {asked}", ranges(&found.base_for_pressure));
+        rows.push(Figure::new(name, text));
     }
     if let Some(best) = found.best_offset {
-        let text = format!(
-            "{}, base circle {}",
-            length(best.offset),
-            length(best.base_radius)
-        );
-        rows.push(("best offset", text));
+        let circle = format!("base circle {}", length(best.base_radius));
+        rows.push(number("best offset", best.offset, "m").with(circle));
     }
-    rows.push((
-        "base circles smooth enough",
-        ranges(&found.base_for_curvature),
-    ));
+    let smooth = ranges(&found.base_for_curvature);
+    rows.push(Figure::new("base circles smooth enough", smooth));
     if let Some(roller) = &found.roller {
         let text = match (roller.cusp, roller.advised) {
             (Some(cusp), Some(advised)) => format!(
@@ -207,13 +170,14 @@ fn sizes(rows: &mut Rows, found: &CamFigures) {
             ),
             _ => "any".to_owned(),
         };
-        rows.push(("roller up to", text));
+        rows.push(Figure::new("roller up to", text));
         if let Some(cutter) = roller.cutter {
             let radius = match found.profiles.len() {
                 1 => at(cutter, "m"),
                 _ => format!("{}, that of the roller", length(cutter.value)),
             };
-            rows.push(("cutter or grinding wheel up to", format!("radius {radius}")));
+            let text = format!("radius {radius}");
+            rows.push(Figure::new("cutter or grinding wheel up to", text));
         }
     }
 }
@@ -241,42 +205,29 @@ pub(super) fn rpm(speed: f64) -> String {
 
 fn force_rows(rows: &mut Rows, force: &ForceFigures) {
     let generalised = force.unit;
-    rows.push(("speed of the cam", rpm(force.speed)));
-    rows.push(("greatest contact force", at(force.contact_force, "N")));
-    rows.push((
-        "least force of the pair (margin)",
-        at(force.margin, generalised),
-    ));
-    rows.push(("greatest torque of the cam", at(force.torque, "N m")));
-    rows.push(("least torque of the cam", at(force.return_torque, "N m")));
-    match force.lets_go {
-        Some(LetsGo::At(found)) => rows.push((
-            "lets go, rigid",
-            format!("{} at {}", rpm(found.value), degrees(found.phi)),
-        )),
-        Some(LetsGo::AtRest(found)) => rows.push((
-            "lets go, rigid",
-            format!("AT REST: {} lacking", at(found, generalised)),
-        )),
-        Some(LetsGo::Never) => rows.push(("lets go, rigid", "at no speed".to_owned())),
-        None => {}
-    }
-    match force.elastic {
-        Some(LiftOff::At(speed)) => rows.push(("lets go, elastic (runs, to 0.1 %)", rpm(speed))),
-        Some(LiftOff::Above(speed)) => {
-            rows.push((
-                "lets go, elastic (runs, to 0.1 %)",
-                format!("not up to {}", rpm(speed)),
-            ));
-        }
-        Some(LiftOff::Below(speed)) => {
-            rows.push((
-                "lets go, elastic (runs, to 0.1 %)",
-                format!("even at {}", rpm(speed)),
-            ));
-        }
-        None => {}
-    }
+    rows.extend([
+        Figure::new("speed of the cam", rpm(force.speed)),
+        extreme("greatest contact force", force.contact_force, "N"),
+        extreme(
+            "least force of the pair (margin)",
+            force.margin,
+            generalised,
+        ),
+        extreme("greatest torque of the cam", force.torque, "N m"),
+        extreme("least torque of the cam", force.return_torque, "N m"),
+    ]);
+    let rigid = force.lets_go.map(|lets_go| match lets_go {
+        LetsGo::At(found) => format!("{} at {}", rpm(found.value), degrees(found.phi)),
+        LetsGo::AtRest(found) => format!("AT REST: {} lacking", at(found, generalised)),
+        LetsGo::Never => "at no speed".to_owned(),
+    });
+    let elastic = force.elastic.map(|lift_off| match lift_off {
+        LiftOff::At(speed) => rpm(speed),
+        LiftOff::Above(speed) => format!("not up to {}", rpm(speed)),
+        LiftOff::Below(speed) => format!("even at {}", rpm(speed)),
+    });
+    rows.extend(rigid.map(|text| Figure::new("lets go, rigid", text)));
+    rows.extend(elastic.map(|text| Figure::new("lets go, elastic (runs, to 0.1 %)", text)));
     if let Some(answer) = &force.closing {
         spring_rows(rows, force, answer, generalised);
     }
@@ -284,19 +235,15 @@ fn force_rows(rows: &mut Rows, force: &ForceFigures) {
 
 fn spring_rows(rows: &mut Rows, force: &ForceFigures, answer: &SpringAnswer, unit: &str) {
     let rate = if unit == "N m" { "N m/rad" } else { "N/m" };
-    rows.push((
-        "reserve wanted in contact",
-        with_unit(answer.reserve, unit, DIGITS),
-    ));
-    rows.push((
-        "preload needed with this rate",
-        format!(
-            "{} (rate {}, has {})",
-            at(answer.preload, unit),
-            with_unit(force.spring.rate, rate, DIGITS),
-            with_unit(force.spring.preload, unit, DIGITS)
-        ),
-    ));
+    let has = format!(
+        "at {} (rate {}, has {})",
+        degrees(answer.preload.phi),
+        with_unit(force.spring.rate, rate, DIGITS),
+        with_unit(force.spring.preload, unit, DIGITS)
+    );
+    rows.push(number("reserve wanted in contact", answer.reserve, unit));
+    let preload = clean(answer.preload.value);
+    rows.push(number("preload needed with this rate", preload, unit).with(has));
     let text = match (&answer.rates, &answer.no_rate) {
         (Some(rates), _) => match rates.to {
             Some(to) => format!(
@@ -309,5 +256,5 @@ fn spring_rows(rows: &mut Rows, force: &ForceFigures, answer: &SpringAnswer, uni
         (None, Some(why)) => format!("NONE: {why}"),
         (None, None) => String::new(),
     };
-    rows.push(("rates that do with this preload", text));
+    rows.push(Figure::new("rates that do with this preload", text));
 }

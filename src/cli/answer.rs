@@ -1,0 +1,114 @@
+//! Findings of a command: shown in one form, and written into a folder in all of them.
+
+use super::console;
+use super::failure::Failure;
+use super::output::{self, OutputFolder, ResultFile};
+use crate::report::findings::Findings;
+use crate::report::plot::Plot;
+use serde_json::Value;
+
+/// Name of the page among the files.
+pub(crate) const PAGE: &str = "report.html";
+
+/// Findings of a command with the files that hold them.
+pub(crate) struct Answer<'a> {
+    /// Name of the command.
+    pub(crate) command: &'static str,
+    /// What was found.
+    pub(crate) findings: &'a Findings<'a>,
+    /// The same as one JSON document.
+    pub(crate) document: Value,
+    /// The files, in their order: names and contents.
+    pub(crate) files: Vec<(String, Content<'a>)>,
+    /// True: nothing is said on standard error.
+    pub(crate) quiet: bool,
+}
+
+/// Content of a file.
+pub(crate) enum Content<'a> {
+    /// The JSON document.
+    Document,
+    /// The page.
+    Page,
+    /// A table or a picture, made when it is wanted.
+    Made(Box<dyn Fn() -> String + 'a>),
+}
+
+impl<'a> Content<'a> {
+    /// A table or a picture.
+    pub(crate) fn made(make: impl Fn() -> String + 'a) -> Self {
+        Self::Made(Box::new(make))
+    }
+}
+
+/// Form in which an answer is shown.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Shown {
+    /// As one JSON document.
+    Json,
+    /// As text.
+    Text,
+    /// As the content of the file of this name.
+    File(&'static str),
+    /// As this table or picture, that no file holds.
+    Made(String),
+}
+
+impl Shown {
+    /// JSON where it is asked for, else the given form.
+    pub(crate) fn json_or(json: bool, form: Self) -> Self {
+        if json { Self::Json } else { form }
+    }
+}
+
+impl Answer<'_> {
+    /// Writes the files where a folder was asked for, shows the answer, and says what is doubtful
+    /// and where the page is.
+    pub(crate) fn deliver(
+        &self,
+        folder: Option<&OutputFolder>,
+        shown: Shown,
+    ) -> Result<(), Failure> {
+        let file = |(name, content): &(String, Content<'_>)| {
+            ResultFile::new(name.as_str(), self.content(content))
+        };
+        let files = || Ok(self.files.iter().map(file).collect());
+        let hash = self.findings.source.hash;
+        output::deliver(folder, self.command, hash, files, || self.show(shown))?;
+        if self.quiet {
+            return Ok(());
+        }
+        for warning in &self.findings.warnings {
+            console::talk(&format!("warning: {warning}"));
+        }
+        if let Some(folder) = folder {
+            folder.tell_report();
+        }
+        Ok(())
+    }
+
+    fn content(&self, content: &Content<'_>) -> String {
+        match content {
+            Content::Document => format!("{:#}\n", self.document),
+            Content::Page => self.findings.page(),
+            Content::Made(make) => make(),
+        }
+    }
+
+    fn show(&self, shown: Shown) -> Result<(), Failure> {
+        match shown {
+            Shown::Json => console::json(&self.document),
+            Shown::Text => console::findings(self.findings),
+            Shown::Made(content) => console::data(&content),
+            Shown::File(name) => {
+                let file = self.files.iter().find(|(known, _)| known == name);
+                console::data(&file.map_or(String::new(), |(_, content)| self.content(content)))
+            }
+        }
+    }
+}
+
+/// A chart as a picture by itself; nothing where there is none.
+pub(crate) fn picture(chart: Option<&Plot>) -> String {
+    chart.map_or(String::new(), |chart| chart.svg(900.0, 480.0))
+}

@@ -1,0 +1,186 @@
+//! `dam forces`: kinetostatics of a linkage.
+
+mod question;
+
+use crate::cli::answer::{Answer, Content, PAGE, Shown, picture};
+use crate::cli::args::{ConventionName, ForcesArgs};
+use crate::cli::console;
+use crate::cli::expected;
+use crate::cli::failure::Failure;
+use crate::cli::input::{Input, Ready};
+use crate::cli::output::OutputFolder;
+use crate::cli::status::Status;
+use crate::dynamics::model::{Model, ObjectPart};
+use crate::fault::Fault;
+use crate::kinematics::linkage::kinetostatics::{ForceFailure, Kinetostatics};
+use crate::report::findings::Source;
+use crate::report::forces::{ForcesReport, document, drawing, findings, massless_chart, rows};
+use crate::studies::expectations::Verdict;
+use crate::studies::forces::{Course, ForceStudy, LinkagePositions, compare_massless, study};
+use crate::studies::kinematics::linkage_of;
+use crate::studies::studied::{POSITIONS, check_forces};
+
+const FILES: [&str; 5] = [
+    "forces.csv",
+    "forces.json",
+    "mechanism.svg",
+    PAGE,
+    "massless.svg",
+];
+
+/// Runs the command.
+pub(crate) fn command(args: &ForcesArgs) -> Result<Status, Failure> {
+    let input = Input::load(&args.scene)?;
+    let ready = input.prepare(&[])?;
+    let model = ready.system.model();
+    let body = linkage_of(model, args.course.object.as_deref())?;
+    let object = model.objects[body.object].id.as_str();
+    let told = |faults: Vec<Fault>| faults_of(&ready, object, faults);
+    let solver = Kinetostatics::new(body.linkage.spec()).map_err(told)?;
+    let settings = question::settings(args, &solver)?;
+    if let Some(value) = args
+        .compare_massless
+        .iter()
+        .find(|x| !(x.is_finite() && **x > 0.0))
+    {
+        let message = format!("--compare-massless: {value} is not a number above zero");
+        return Err(Failure::Other(message));
+    }
+    let (course, motion) = question::course(args, &ready, body)?;
+    let rests = matches!(course, Course::Even { speed, acceleration, .. } if speed == 0.0 && acceleration == 0.0);
+    if rests && solver.has_friction() && !args.frictionless && args.direction.is_none() {
+        return Err(Failure::Other(format!(
+            "{}: give --direction forwards or backwards, or --frictionless",
+            ForceFailure::NoDirection
+        )));
+    }
+    let folder = OutputFolder::asked(&args.out, &ready.scene().name, &FILES)?;
+    let mut source = LinkagePositions::new(&body.linkage);
+    let spec = body.linkage.spec();
+    let massless = match args.compare_massless.as_slice() {
+        [] => None,
+        list => Some(compare_massless(spec, &mut source, &course, &settings, list).map_err(told)?),
+    };
+    let found = study(spec, &mut source, course, settings).map_err(told)?;
+    let warnings = warnings(args, &found, &behind(model, object));
+    let report = ForcesReport {
+        study: &found,
+        warnings: &warnings,
+        massless: massless.as_ref(),
+        object,
+        motion: &motion,
+        name: &ready.scene().name,
+        hash: &ready.scene().hash,
+    };
+    let verdicts = verdicts(args, &ready, object, &found);
+    let mut files = vec![
+        (FILES[0].into(), Content::made(|| rows(&found).csv())),
+        (FILES[1].into(), Content::Document),
+        (FILES[2].into(), Content::made(|| drawing(&report).svg(0))),
+        (FILES[3].into(), Content::Page),
+    ];
+    let chart = massless_chart(&report);
+    if chart.is_some() {
+        files.push((
+            FILES[4].into(),
+            Content::made(move || picture(chart.as_ref())),
+        ));
+    }
+    let answer = Answer {
+        command: "forces",
+        findings: &findings(&report, Source::scene(input.text(), report.hash)),
+        document: expected::beside(document(&report), &verdicts),
+        files,
+        quiet: args.scene.quiet,
+    };
+    let form = if args.csv {
+        Shown::File(FILES[0])
+    } else {
+        Shown::Text
+    };
+    answer.deliver(folder.as_ref(), Shown::json_or(args.scene.json, form))?;
+    if !args.scene.quiet {
+        if found.settings.output.is_none() {
+            console::talk("no transmission ratio: name the loaded output with --load");
+        }
+        expected::talk(&verdicts);
+    }
+    let solved = found.rows.iter().all(|row| row.forces.is_ok());
+    let sound = solved && found.worst_balance() < 1e-8;
+    Ok(match sound && expected::hold(&verdicts) {
+        true => Status::Answered,
+        false => Status::NotTrusted,
+    })
+}
+
+/// Another mechanism than the scene's, or another question, has no expectations.
+fn verdicts(args: &ForcesArgs, ready: &Ready, object: &str, found: &ForceStudy) -> Vec<Verdict> {
+    let course = &args.course;
+    let same_course = !course.turn
+        && course.range.is_none()
+        && course.time.is_none()
+        && args.record.is_none()
+        && args.speed.is_none()
+        && args.acceleration.is_none()
+        && args.compare_massless.is_empty()
+        && args.positions as usize == POSITIONS;
+    let same_forces = args.scene.set.is_empty()
+        && args.load.is_none()
+        && args.convention == ConventionName::Paper
+        && !args.frictionless
+        && args.direction.is_none();
+    match same_course && same_forces {
+        true => check_forces(&ready.scene().expect, object, found),
+        false => Vec::new(),
+    }
+}
+
+/// Faults with their place in the scene where they have one.
+fn faults_of(ready: &Ready, object: &str, faults: Vec<Fault>) -> Failure {
+    let placed = faults.into_iter().map(|mut fault| {
+        fault.path = match fault.path.as_str() {
+            "" => object.to_owned(),
+            path => format!("{object}.{path}"),
+        };
+        fault
+    });
+    ready
+        .reading
+        .places
+        .diagnose(&placed.collect::<Vec<_>>())
+        .into()
+}
+
+/// Objects that hang on the linkage's outputs, and outputs that carry loads of their own.
+fn behind<'m>(model: &'m Model, object: &str) -> Vec<&'m str> {
+    let own = |id: &str| {
+        id == object
+            || id
+                .strip_prefix(object)
+                .is_some_and(|rest| rest.starts_with('.'))
+    };
+    let hangs = |part: &ObjectPart| {
+        !own(&part.id) && (part.inputs.iter()).any(|input| own(&model.objects[input.driver].id))
+    };
+    let loaded = |part: &ObjectPart| {
+        own(&part.id) && (model.loads.iter()).any(|load| part.nodes.contains(&load.node))
+    };
+    let parts = model.objects.iter();
+    parts
+        .filter(|part| hangs(part) || loaded(part))
+        .map(|part| part.id.as_str())
+        .collect()
+}
+
+/// All that the user should know besides the figures.
+fn warnings(args: &ForcesArgs, found: &ForceStudy, behind: &[&str]) -> Vec<String> {
+    let mut warnings = found.warnings();
+    if !behind.is_empty() && args.record.is_none() && !found.course.has_loads() {
+        warnings.push(format!(
+            "the forces of what the linkage drives ({}) are not among its loads; take them from a \
+             run with --record",
+            behind.join(", ")
+        ));
+    }
+    warnings
+}

@@ -1,0 +1,159 @@
+//! What is asked of the forces: loads, friction, the course.
+
+use crate::cli::args::{ConventionName, Direction, ForcesArgs};
+use crate::cli::failure::Failure;
+use crate::cli::input::Ready;
+use crate::cli::kinematics::{asked_over, quantity};
+use crate::dynamics::model::{Coordinate, LinkageBody};
+use crate::frontend::object::Measures;
+use crate::kinematics::linkage::Linkage;
+use crate::kinematics::linkage::kinetostatics::{Convention, Kinetostatics, Options};
+use crate::studies::forces::{
+    Course, ForceSettings, course_of, course_of_record, only_loaded_output,
+};
+use crate::studies::kinematics::{Asked, Question, even_motion, whole_travel};
+use std::path::Path;
+
+/// Friction, loads and the convention of χ.
+pub(super) fn settings(
+    args: &ForcesArgs,
+    solver: &Kinetostatics,
+) -> Result<ForceSettings, Failure> {
+    let (output, loads) = match &args.load {
+        None => (only_loaded_output(solver), None),
+        Some(text) => load(text, solver)?,
+    };
+    Ok(ForceSettings {
+        options: Options {
+            friction: !args.frictionless,
+            direction: args.direction.map(|direction| match direction {
+                Direction::Forwards => 1.0,
+                Direction::Backwards => -1.0,
+            }),
+            ..Options::default()
+        },
+        output,
+        loads,
+        convention: match args.convention {
+            ConventionName::Paper => Convention::Paper,
+            ConventionName::LoadPositive => Convention::LoadPositive,
+        },
+    })
+}
+
+/// `OUTPUT` or `OUTPUT=FORCE,FORCE`.
+fn load(text: &str, solver: &Kinetostatics) -> Result<(Option<usize>, Option<Vec<usize>>), String> {
+    let spec = solver.spec();
+    let (output, forces) = match text.split_once('=') {
+        Some((output, forces)) => (output, Some(forces)),
+        None => (text, None),
+    };
+    let outputs: Vec<&str> = spec
+        .outputs
+        .iter()
+        .map(|output| output.name.as_str())
+        .collect();
+    let index = position(output, &outputs, "output")?;
+    let names: Vec<&str> = spec
+        .forces
+        .iter()
+        .map(|force| force.name.as_str())
+        .collect();
+    let chosen = forces.map(|forces| {
+        let list = forces
+            .split(',')
+            .map(|name| position(name.trim(), &names, "force"));
+        list.collect::<Result<Vec<usize>, String>>()
+    });
+    Ok((Some(index), chosen.transpose()?))
+}
+
+fn position(name: &str, names: &[&str], what: &str) -> Result<usize, String> {
+    let found = names.iter().position(|known| *known == name);
+    found.ok_or_else(|| match names {
+        [] => format!("--load: the linkage has no {what}"),
+        _ => format!(
+            "--load: there is no {what} `{name}`; one of {}",
+            names.join(", ")
+        ),
+    })
+}
+
+/// The course asked for, and in words how the input moves.
+pub(super) fn course(
+    args: &ForcesArgs,
+    ready: &Ready,
+    body: &LinkageBody,
+) -> Result<(Course, String), Failure> {
+    let model = ready.system.model();
+    let part = &model.objects[body.object];
+    if let Some(path) = &args.record {
+        let text = read(path)?;
+        let outputs = body.linkage.spec().outputs.iter();
+        let outputs: Vec<&str> = outputs.map(|output| output.name.as_str()).collect();
+        let course = course_of_record(&text, &part.id, &outputs)
+            .map_err(|reason| format!("`{}`: {reason}", path.display()))?;
+        return Ok((course, format!("motion of the record {}", path.display())));
+    }
+    let question = question(args, ready, &body.linkage, part.coordinate)?;
+    let asked = Asked::new(model, &question)?;
+    let course = course_of(&asked)?;
+    let unit = match part.coordinate {
+        Coordinate::Turning => "rad",
+        Coordinate::Sliding => "m",
+    };
+    let motion = match &course {
+        Course::Instants { .. } => "motion of the scene's drive".to_owned(),
+        Course::Even {
+            speed,
+            acceleration,
+            ..
+        } => even_motion([*speed, *acceleration], unit),
+    };
+    Ok((course, motion))
+}
+
+fn question(
+    args: &ForcesArgs,
+    ready: &Ready,
+    linkage: &Linkage,
+    input: Coordinate,
+) -> Result<Question, Failure> {
+    let own = Measures(Some(input));
+    let speed = args.speed.as_deref();
+    let speed = speed
+        .map(|text| quantity("--speed", text, own.speed()))
+        .transpose()?;
+    let acceleration = args.acceleration.as_deref();
+    let acceleration = acceleration
+        .map(|text| quantity("--acceleration", text, own.acceleration()))
+        .transpose()?;
+    // A speed, or a comparison over speeds, is meant for the whole travel.
+    let whole = speed.or(acceleration).is_some() || !args.compare_massless.is_empty();
+    let over = asked_over(&args.course, ready, own)?;
+    let over = over.or_else(|| whole.then(|| whole_travel(linkage)));
+    Ok(Question {
+        object: args.course.object.clone(),
+        over,
+        positions: args.positions as usize,
+        speed,
+        acceleration,
+        duration: ready.settings.duration,
+        also: None,
+    })
+}
+
+/// Largest record that is read at all.
+const LARGEST: u64 = 1 << 30;
+
+fn read(path: &Path) -> Result<String, String> {
+    use std::io::Read;
+    let failed =
+        |error: std::io::Error| format!("cannot read the record `{}`: {error}", path.display());
+    let file = std::fs::File::open(path).map_err(failed)?;
+    let mut text = String::new();
+    file.take(LARGEST)
+        .read_to_string(&mut text)
+        .map_err(failed)?;
+    Ok(text)
+}

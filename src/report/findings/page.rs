@@ -1,0 +1,196 @@
+//! Findings as a page that opens without a network.
+
+use super::{Cell, Charts, Figure, Findings, Item, Layout, Section, Table, Value};
+use crate::report::html::{bar, fact_list, header, number, scene, shell, warnings};
+use crate::report::plot::{Plot, Plots};
+use crate::report::quantity::escape;
+use std::fmt::Write as _;
+
+/// Width of a chart over the whole page, of one of two beside each other, of a round one (pixels).
+const WIDE: f64 = 1184.0;
+const HALF: [f64; 2] = [579.0, 300.0];
+const ROUND: [f64; 2] = [360.0, 370.0];
+
+impl Findings<'_> {
+    /// The page.
+    pub fn page(&self) -> String {
+        let mut plots = Plots::default();
+        let mut body = header(&self.title, &self.subtitle, self.answer.as_ref());
+        body.push_str("<main>\n");
+        body.push_str(&warnings(&self.warnings));
+        for section in self.sections.iter().filter(|section| !section.is_empty()) {
+            body.push_str(&section.html(&mut plots));
+        }
+        if let Some(text) = self.source.scene {
+            body.push_str(&scene(text));
+        }
+        body.push_str("</main>\n");
+        body.push_str(&self.foot());
+        shell(&self.title, &body, &plots.json())
+    }
+
+    fn foot(&self) -> String {
+        let source = &self.source;
+        let mut rows = Vec::new();
+        let mut add = |name: &str, text: &str| rows.push((name.to_owned(), escape(text)));
+        if source.scene.is_some() {
+            add("Scene", &self.title);
+        }
+        if !source.hash.is_empty() {
+            add("SHA-256 of the canonical scene", source.hash);
+        }
+        add("Program", concat!("dam ", env!("CARGO_PKG_VERSION")));
+        for (name, text) in &source.more {
+            add(name, text);
+        }
+        format!(
+            "<footer>\n<h2>Provenance</h2>\n{}</footer>\n",
+            fact_list(&rows)
+        )
+    }
+}
+
+impl Section<'_> {
+    fn html(&self, plots: &mut Plots) -> String {
+        let mut out = String::new();
+        if !self.heading.is_empty() {
+            let _ = writeln!(out, "<h2>{}</h2>", escape(&self.heading));
+        }
+        let mut zoomed = "";
+        for item in &self.items {
+            match item {
+                Item::Words(words) => {
+                    let _ = writeln!(out, "<p>{}</p>", escape(words));
+                }
+                Item::Legend(words) => {
+                    let _ = writeln!(out, "<p class=\"soft\">{}</p>", escape(words));
+                }
+                Item::Notes(notes) => out.push_str(&list(notes)),
+                Item::Figures(figures) => out.push_str(&facts(figures)),
+                Item::Table(table) => out.push_str(&table.html()),
+                Item::Folded(summary, table) => {
+                    let table = table.html().replacen("scroll", "scroll tall", 1);
+                    let summary = escape(summary);
+                    let _ = writeln!(
+                        out,
+                        "<details>\n<summary>{summary}</summary>\n{table}</details>"
+                    );
+                }
+                Item::Charts(charts) => {
+                    // The buttons stand once above all that they zoom.
+                    if charts.link != zoomed && !charts.charts.is_empty() {
+                        out.push_str(&bar(charts.link));
+                        zoomed = charts.link;
+                    }
+                    out.push_str(&charts.html(plots));
+                }
+                Item::Drawing(make) => out.push_str(&make.0(plots)),
+            }
+        }
+        out
+    }
+}
+
+fn list(notes: &[String]) -> String {
+    let item = |note: &String| format!("<li>{}</li>\n", escape(note));
+    format!(
+        "<ul>\n{}</ul>\n",
+        notes.iter().map(item).collect::<String>()
+    )
+}
+
+fn facts(figures: &[Figure]) -> String {
+    let row = |figure: &Figure| {
+        let note = match figure.note.as_str() {
+            "" => String::new(),
+            note => format!(" <span class=\"note\">{}</span>", escape(note)),
+        };
+        (figure.name.clone(), value(&figure.value) + &note)
+    };
+    fact_list(&figures.iter().map(row).collect::<Vec<_>>())
+}
+
+/// A value for reading, the full number on hover.
+fn value(value: &Value) -> String {
+    match value {
+        Value::Words(words) => escape(words),
+        Value::Number { value, .. } if !value.is_finite() => "–".to_owned(),
+        Value::Number {
+            value,
+            unit,
+            digits,
+        } => number(*value, unit, *digits),
+    }
+}
+
+impl Charts {
+    fn html(&self, plots: &mut Plots) -> String {
+        let size = |plot: &Plot| match self.layout {
+            Layout::Grid => HALF,
+            Layout::Round => ROUND,
+            Layout::Wide(height) => match plot.y.rows.len() {
+                0 => [WIDE, height],
+                rows => [WIDE, 150.0 + 24.0 * rows as f64],
+            },
+        };
+        let figures = self.charts.iter();
+        let figures: String = figures
+            .map(|plot| plots.figure(plot, size(plot), self.link))
+            .collect();
+        let rows = self.charts.len().div_ceil(2);
+        match self.layout {
+            _ if figures.is_empty() => figures,
+            Layout::Wide(_) => figures,
+            Layout::Grid => {
+                format!("<div class=\"plots\" style=\"--rows:{rows}\">\n{figures}</div>\n")
+            }
+            Layout::Round => format!("<div class=\"round\">\n{figures}</div>\n"),
+        }
+    }
+}
+
+impl Table {
+    /// The table, with its first column as heads of the rows.
+    pub(in crate::report) fn html(&self) -> String {
+        if self.rows.is_empty() {
+            return String::new();
+        }
+        let left = |at: usize| match self.columns.get(at).is_some_and(|column| column.right) {
+            true => "",
+            false => "left ",
+        };
+        let head = self.columns.iter().enumerate();
+        let head: String = head
+            .map(|(at, column)| format!("<th class=\"{}\">{}</th>", left(at), escape(&column.name)))
+            .collect();
+        let cell = |(at, cell): (usize, &Cell)| {
+            let tone = match cell.good {
+                Some(true) => "yes",
+                Some(false) => "no",
+                None => "",
+            };
+            let class = format!("{}{tone}", left(at));
+            let note = match cell.note.is_empty() {
+                true => String::new(),
+                false => format!("<span class=\"sub\">{}</span>", escape(&cell.note)),
+            };
+            let tag = if at == 0 { "th" } else { "td" };
+            let class = match class.trim() {
+                "" => String::new(),
+                class => format!(" class=\"{class}\""),
+            };
+            format!("<{tag}{class}>{}{note}</{tag}>", value(&cell.value))
+        };
+        let row = |cells: &[Cell]| {
+            let cells: String = cells.iter().enumerate().map(cell).collect();
+            format!("<tr>{cells}</tr>\n")
+        };
+        let rows: String = self.rows.iter().map(|one| row(&one.cells)).collect();
+        format!(
+            "<div class=\"scroll\"><table>\n<thead><tr>{head}</tr></thead>\n<tbody>\n{rows}</tbody>\
+             </table></div>\n"
+        )
+        .replace(" class=\"\"", "")
+        .replace("class=\"left \"", "class=\"left\"")
+    }
+}

@@ -1,0 +1,103 @@
+//! What changes the driving force and χ: coefficients, masses, leaving masses out.
+
+use super::charts::massless_chart;
+use super::{ForcesReport, WIDE, value};
+use crate::report::findings::{Cell, Figure, Section, Table, Value};
+use crate::report::quantity::significant;
+use crate::studies::forces::{Column, MasslessComparison, NEGLIGIBLE, columns};
+
+/// The greatest derivative of the driving force by each coefficient and mass.
+pub(super) fn sensitivities<'a>(report: &ForcesReport<'_>) -> Section<'a> {
+    let study = report.study;
+    let all = columns(&study.linkage, study.settings.output);
+    let greatest = |column: &Column| {
+        let values = study.rows.iter().enumerate();
+        let values = values.filter_map(|(index, row)| Some((index, column.value(row)?)));
+        values.max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()))
+    };
+    let row = |column: &Column| {
+        let name = column.name.strip_prefix("drive_by.")?;
+        let (index, by) = greatest(column).filter(|(_, by)| *by != 0.0)?;
+        let mut endless = study.unbounded.iter();
+        if let Some((_, at)) = endless.find(|(known, _)| *known == column.name) {
+            let place = format!("→ {}", report.place(*at));
+            let unbounded = Cell::with("unbounded", place);
+            return Some(vec![name.into(), unbounded, "unbounded".into()]);
+        }
+        let place = report.place(study.course.parameter(index));
+        let chi = format!("chi_by.{name}");
+        let chi = all.iter().find(|other| other.name == chi);
+        let chi = chi.and_then(|chi| Some(value(greatest(chi)?.1, &chi.unit)));
+        let by = Cell::with(value(by, &column.unit), format!("at {place}"));
+        Some(vec![name.into(), by, chi.unwrap_or("".into()).into()])
+    };
+    Section::new("Greatest change by coefficients of friction and masses")
+        .table(Table::new(["by", ">of the drive", ">of χ"]).rows(all.iter().filter_map(row)))
+}
+
+pub(super) fn massless<'a>(report: &ForcesReport<'_>) -> Section<'a> {
+    let (Some(found), Some(chart)) = (report.massless, massless_chart(report)) else {
+        return Section::default();
+    };
+    let study = report.study;
+    let columns = columns(&study.linkage, study.settings.output);
+    let unit = |name: &str| {
+        let column = columns.iter().find(|column| column.name == name);
+        column.map_or("", |column| column.unit.as_str())
+    };
+    let figures = vec![
+        Figure::new("moving mass", value(found.mass, "kg")),
+        Figure::new("load", value(found.load, unit("load"))),
+        Figure::new(
+            "greatest |χ| without masses",
+            value(found.greatest, unit("chi")),
+        ),
+    ];
+    let rows = found.points.iter().map(|point| {
+        let missing = match point.missing {
+            0 => String::new(),
+            count => format!("at {count} positions only one model moves"),
+        };
+        vec![
+            Value::new(point.parameter, "", 4),
+            value(point.speed, unit("speed")),
+            Value::new(100.0 * point.deviation, "%", 3),
+            missing.into(),
+        ]
+    });
+    let parameter = format!(">{}", parameter_name(study.coordinate_unit(), unit("load")));
+    let table = Table::new([parameter.as_str(), ">speed", ">greatest change", ""]).rows(rows);
+    Section::new("Massless against full model")
+        .figures(figures)
+        .charts(WIDE, "", vec![chart])
+        .table(table)
+        .words(verdict(found))
+}
+
+/// m·ω²/P with its unit, kg·(rad/s)²/N = 1/m for an input that turns.
+fn parameter_name(input: &str, load: &str) -> &'static str {
+    match (input, load) {
+        ("rad", "N") => "m·ω²/P, 1/m",
+        ("rad", _) => "m·ω²/M, 1/m²",
+        (_, "N") => "m·v²/P, m",
+        _ => "m·v²/M",
+    }
+}
+
+/// Up to where masses may be left out.
+fn verdict(found: &MasslessComparison) -> String {
+    let percent = significant(100.0 * NEGLIGIBLE, 3);
+    let asked = found.points.iter().map(|point| point.parameter);
+    match found.negligible_up_to {
+        None => format!("masses change χ by more than {percent} % at any speed"),
+        Some(limit) if asked.fold(0.0, f64::max) <= limit => {
+            format!(
+                "masses are negligible (below {percent} % of the greatest χ) at all of these speeds"
+            )
+        }
+        Some(limit) => format!(
+            "masses are negligible (below {percent} % of the greatest χ) up to m·ω²/P = {}",
+            significant(limit, 3)
+        ),
+    }
+}

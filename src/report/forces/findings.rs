@@ -1,0 +1,241 @@
+//! What the forces of a linkage come to.
+
+use super::changes::{massless, sensitivities};
+use super::charts::{groups, ratio_chart};
+use super::{DIGITS, ForcesReport, WIDE, drawing, value};
+use crate::kinematics::linkage::spec::PairSpec;
+use crate::report::csv::{Field, Rows};
+use crate::report::findings::{Cell, Figure, Findings, Layout, Section, Source, Table, Value};
+use crate::report::plot::{Plot, page::hodograph};
+use crate::report::quantity::{significant, with_unit};
+use crate::report::verdict::{Sort, Verdict};
+use crate::studies::forces::{Extreme, ForceStudy, columns};
+use std::fmt::Write as _;
+
+/// Most points of a hodograph.
+const MOST_POINTS: usize = 2000;
+
+/// Drawing, zones, the cycle, transmission, charts, sensitivities, extremes.
+pub fn findings<'a>(report: &ForcesReport<'a>, source: Source<'a>) -> Findings<'a> {
+    let study = report.study;
+    let mut subtitle = format!(
+        "forces of {}, {} positions, {}",
+        report.object,
+        study.rows.len(),
+        report.motion
+    );
+    if let Some(output) = study.settings.output {
+        let (output, convention) = (
+            &study.linkage.outputs[output].name,
+            study.settings.convention,
+        );
+        let name = convention.name();
+        let _ = write!(
+            subtitle,
+            "; output `{output}`, χ in the convention `{name}`"
+        );
+    }
+    let drawn = *report;
+    let mechanism = match study.solved().next() {
+        None => Section::default(),
+        Some(_) => Section::new("The mechanism with its forces")
+            .drawing(move |_| drawing(&drawn).section("mechanism"))
+            .legend(
+                "Forces act on the second link of their pair, friction included; a block's force \
+                 is drawn at its reference point.",
+            ),
+    };
+    let ratio = ratio_chart(report).into_iter().collect();
+    let mut sections = vec![
+        mechanism,
+        zones(report),
+        Section::new(course(report)).figures(figures(report)),
+        Section::new("Transmission").charts(WIDE, "", ratio),
+        massless(report),
+        Section::new("Hodographs")
+            .legend("The tip of each force over the course; the dot is the first position.")
+            .charts(Layout::Round, "", hodographs(study)),
+    ];
+    sections.extend(groups(report));
+    sections.push(sensitivities(report));
+    sections.push(Section::new("Extremes").table(extremes(report)));
+    Findings {
+        title: report.name.to_owned(),
+        subtitle,
+        answer: Some(answer(report)),
+        warnings: report.warnings.to_vec(),
+        sections,
+        source,
+    }
+}
+
+/// Between what the driving force lies, and whether the balance of power closes.
+fn answer(report: &ForcesReport<'_>) -> Verdict {
+    let study = report.study;
+    let drive = study.extremes.iter().find(|found| found.name == "drive");
+    let headline = match drive {
+        Some(drive) => {
+            let end = |end: &Extreme| match end.value.is_finite() {
+                true => with_unit(end.value, &drive.unit, DIGITS),
+                false => "unbounded".to_owned(),
+            };
+            let (least, greatest) = (end(&drive.least), end(&drive.greatest));
+            format!("Driving force from {least} to {greatest}.")
+        }
+        None => "No position has forces.".to_owned(),
+    };
+    let missing = study.rows.len().saturating_sub(study.solved().count());
+    let balance = study.worst_balance();
+    let mut text = format!("The balance of power closes to {}", significant(balance, 2));
+    if missing > 0 {
+        let of = study.rows.len();
+        let _ = write!(text, "; {missing} of {of} positions have no forces");
+    }
+    let sort = match (missing, balance < 1e-6) {
+        (_, false) => Sort::Numerical,
+        (0, _) => Sort::Good,
+        _ => Sort::Mechanism,
+    };
+    Verdict::answer(sort, headline, text + ".")
+}
+
+fn hodographs(study: &ForceStudy) -> Vec<Plot> {
+    let stride = study.rows.len().div_ceil(MOST_POINTS).max(1);
+    let pairs = study.linkage.pairs.iter().enumerate();
+    let chart = |(index, pair): (usize, &PairSpec)| {
+        let vectors = study.rows.iter().step_by(stride).map(|row| {
+            let forces = row.forces.as_ref();
+            let [x, y] = forces.map_or([f64::NAN; 2], |forces| forces.pairs[index].force);
+            (x, y)
+        });
+        let mut vectors: Vec<(f64, f64)> = vectors.collect();
+        if study.course.is_closed() {
+            vectors.extend(vectors.first().copied());
+        }
+        hodograph(&format!("Force in {}", pair.name), "N", vectors)
+    };
+    pairs.map(chart).collect()
+}
+
+fn zones<'a>(report: &ForcesReport<'_>) -> Section<'a> {
+    let zones = report.study.zones.iter();
+    let rows = zones.map(|zone| {
+        let [from, to] = [zone.from, zone.to].map(|at| report.place(at));
+        vec![from, to, report.zone(zone)]
+    });
+    let table = Table::new([">from", ">to", "what"]).rows(rows);
+    match table.rows.is_empty() {
+        true => Section::default(),
+        false => Section::new("Zones")
+            .table(table)
+            .legend("Shaded in the plots."),
+    }
+}
+
+fn course(report: &ForcesReport<'_>) -> String {
+    match &report.study.cycle {
+        Some(cycle) => {
+            let over = value(cycle.duration, "s").words();
+            match cycle.closed {
+                true => format!("Cycle of {over}"),
+                false => format!("Whole course of {over}"),
+            }
+        }
+        None => "Figures".to_owned(),
+    }
+}
+
+/// Works and losses, the counterweight, checks.
+fn figures(report: &ForcesReport<'_>) -> Vec<Figure> {
+    let study = report.study;
+    let mut figures = Vec::new();
+    let mut add = |name: &str, number: f64, unit: &str| {
+        figures.push(Figure::new(name, value(number, unit)));
+    };
+    if let Some(cycle) = &study.cycle {
+        let force = study.drive_unit();
+        add("work of the driver", cycle.drive_work, "J");
+        if study.settings.output.is_some() {
+            add("work of the load", cycle.load_work, "J");
+        }
+        add("lost to friction", cycle.loss, "J");
+        let pairs = study.linkage.pairs.iter().zip(&cycle.pair_losses);
+        for (pair, &loss) in pairs.filter(|(_, loss)| **loss > 0.0) {
+            add(&format!("… in {}", pair.name), loss, "J");
+        }
+        if let Some(efficiency) = cycle.efficiency {
+            add("efficiency", 100.0 * efficiency, "%");
+        }
+        add("mean driving force", cycle.mean_drive, force);
+        add("its root mean square", cycle.rms_drive, force);
+    }
+    if let Some(found) = &study.counterweight {
+        let [before, after] = found.greatest;
+        let note = format!("rms {}", value(found.rms[0], "N").words());
+        figures.push(Figure::new("greatest shaking force", value(before, "N")).with(note));
+        let note = format!(
+            "rms {}, with a counterweight of {} at {} deg in the frame of `{}`",
+            value(found.rms[1], "N").words(),
+            value(found.mass_radius, "kg m").words(),
+            significant(found.angle.to_degrees(), DIGITS),
+            study.linkage.links[found.link].name
+        );
+        figures.push(Figure::new("… counterweighted", value(after, "N")).with(note));
+    }
+    let mut check = |name: &str, to: f64| {
+        figures.push(Figure::new(
+            name,
+            format!("to {}", Value::new(to, "", 2).words()),
+        ));
+    };
+    check("power balance", study.worst_balance());
+    check("influence coefficients", study.worst_influence());
+    figures
+}
+
+fn extremes(report: &ForcesReport<'_>) -> Table {
+    let rows = report.study.extremes.iter().map(|found| {
+        let cell = |end: &Extreme| {
+            let place = report.place(end.at);
+            match end.value.is_finite() {
+                true => Cell::with(value(end.value, &found.unit), format!("at {place}")),
+                false => Cell::with("unbounded", format!("→ {place}")),
+            }
+        };
+        let name = Cell::from(found.name.as_str());
+        vec![name, cell(&found.least), cell(&found.greatest)]
+    });
+    Table::new(["quantity", ">least", ">greatest"]).rows(rows)
+}
+
+/// A row a position, everything in SI units, angles in radians; empty where a
+/// quantity has no value. χ stands with the name of its convention. The last column says why a
+/// position has no forces.
+pub fn rows(study: &ForceStudy) -> Rows {
+    let columns = columns(&study.linkage, study.settings.output);
+    let timed = study.rows.iter().any(|row| row.time.is_some());
+    let named = columns.iter().map(|column| {
+        let name = match column.name.as_str() {
+            // Its sign is a convention.
+            "chi" => format!("chi ({})", study.settings.convention.name()),
+            name => name.to_owned(),
+        };
+        match column.unit.as_str() {
+            "" => name,
+            unit => format!("{name} [{unit}]"),
+        }
+    });
+    let time = timed.then(|| "time [s]".to_owned());
+    let coordinate = format!("coordinate [{}]", study.coordinate_unit());
+    let header = time.into_iter().chain([coordinate]).chain(named);
+    let rows = study.rows.iter().map(|row| {
+        let time = timed.then(|| row.time.into());
+        let values = columns.iter().map(|column| column.value(row).into());
+        let trouble = row.forces.as_ref().err().map(ToString::to_string);
+        let trouble = Field::from(trouble.unwrap_or_default());
+        let coordinate = row.motion.coordinate.into();
+        let fields = time.into_iter().chain([coordinate]).chain(values);
+        fields.chain([trouble]).collect::<Vec<Field>>()
+    });
+    Rows::new(header.chain(["trouble".to_owned()]), rows)
+}

@@ -1,0 +1,235 @@
+//! What the kinematics of a linkage comes to.
+
+use super::{drawing, input, place, plots};
+use crate::dynamics::model::Coordinate;
+use crate::report::csv::Rows;
+use crate::report::findings::{Cell, Figure, Findings, Item, Row, Section, Source, Table, Value};
+use crate::report::quantity::{significant, with_unit};
+use crate::report::verdict::{Sort, Verdict};
+use crate::studies::kinematics::{Column, Equilibrium, Extremes, Kinematics, Quantity, Stroke};
+use std::f64::consts::TAU;
+
+/// An error above this share of a quantity would be seen in its digits.
+const SHOWN: f64 = 1e-8;
+
+/// Significant digits of values.
+const DIGITS: usize = 7;
+
+/// Structure, drawing, strokes, transmission angles, charts, equilibria, extremes.
+pub fn findings<'a>(scene: &str, found: &'a Kinematics, source: Source<'a>) -> Findings<'a> {
+    let ends = [found.axis.values.first(), found.axis.values.last()];
+    let [from, to] = ends.map(|end| end.map_or("–".to_owned(), |&at| place(found, at)));
+    let mut sections = vec![
+        Section::default().drawing(move |_| drawing(found).section("mechanism")),
+        structure(found),
+        Section::new("Strokes").table(strokes(found)),
+        transmission(found),
+    ];
+    sections.extend(plots::groups(found));
+    sections.push(equilibria(found));
+    sections.push(
+        Section::new("Extremes").item(Item::Folded("all quantities".into(), extremes(found))),
+    );
+    sections.retain(|section| !section.is_empty());
+    Findings {
+        title: scene.to_owned(),
+        subtitle: format!(
+            "kinematics of {}, {} positions, {} {from} to {to}, {}",
+            found.object,
+            found.axis.values.len(),
+            found.axis.name,
+            found.motion
+        ),
+        answer: Some(answer(found)),
+        warnings: found.warnings.clone(),
+        sections,
+        source,
+    }
+}
+
+/// Where it stops, or how far its outputs and links go.
+fn answer(found: &Kinematics) -> Verdict {
+    if let Some(stop) = &found.stopped {
+        let headline = format!("The mechanism stops at {}.", place(found, stop.at));
+        let text = format!("Input {}: {}", input(found, stop.input), stop.cause);
+        return Verdict::answer(Sort::Mechanism, headline, text);
+    }
+    let stroke = |stroke: &Stroke| {
+        let size = stroke.ends[1].1 - stroke.ends[0].1;
+        let size = Value::angle_or(size, stroke.unit, DIGITS).words();
+        format!("{} {size}", stroke.owner)
+    };
+    let strokes: Vec<String> = found.strokes.iter().take(3).map(stroke).collect();
+    let text = match strokes.is_empty() {
+        true => String::new(),
+        false => format!("Strokes: {}.", strokes.join(", ")),
+    };
+    let headline = format!("It goes through all {} positions.", found.axis.values.len());
+    Verdict::answer(Sort::Good, headline, text)
+}
+
+fn structure<'a>(found: &Kinematics) -> Section<'a> {
+    let structure = found.linkage.structure();
+    let groups = (0..structure.groups.len()).map(|group| structure.describe(group));
+    let turning = found.input == Coordinate::Turning;
+    let reach = found.linkage.range().describe(structure, turning);
+    Section::new("Structure")
+        .words(structure.explanation.clone())
+        .item(Item::Notes(groups.collect()))
+        .words(format!("Input: {reach}."))
+}
+
+/// A value and where it is.
+fn end((at, value): (f64, f64), unit: &str, place: impl Fn(f64) -> String) -> Cell {
+    let value = Value::angle_or(value, unit, DIGITS);
+    Cell::with(value, format!("at {}", place(at)))
+}
+
+fn strokes(found: &Kinematics) -> Table {
+    let rows = found.strokes.iter().map(|stroke| {
+        let [low, high] = stroke.ends;
+        let cell = |at: (f64, f64)| end(at, stroke.unit, |at| input(found, at));
+        let [rise, fall] = stroke.rise_and_return.map(|over| input(found, over));
+        let size = Value::angle_or(high.1 - low.1, stroke.unit, DIGITS);
+        vec![
+            stroke.owner.as_str().into(),
+            cell(low),
+            cell(high),
+            size.into(),
+            rise.into(),
+            fall.into(),
+            Value::new(stroke.time_ratio, "", 6).into(),
+        ]
+    });
+    Table::new([
+        "of",
+        ">least",
+        ">greatest",
+        ">stroke",
+        ">input while rising",
+        ">input while falling",
+        ">time ratio",
+    ])
+    .rows(rows)
+}
+
+fn transmission<'a>(found: &Kinematics) -> Section<'a> {
+    let rows = found.transmission.iter().map(|angle| {
+        let cell = |at: (f64, f64)| end(at, "rad", |at| place(found, at));
+        vec![
+            angle.owner.as_str().into(),
+            cell(angle.least),
+            cell(angle.greatest),
+        ]
+    });
+    let table = Table::new(["dyad", ">least", ">greatest"]).rows(rows);
+    let section = Section::new("Transmission angles");
+    match table.rows.is_empty() {
+        true => section,
+        false => section
+            .table(table)
+            .words("90 deg is best; at 0 the pushed link is in a dead position."),
+    }
+}
+
+fn equilibria<'a>(found: &Kinematics) -> Section<'a> {
+    let rests = found.equilibria.iter();
+    let rests = rests.map(|rest| Figure::new(&input(found, rest.at), behaviour(rest)));
+    let figures: Vec<Figure> = rests.collect();
+    let section = Section::new("Equilibria");
+    match figures.is_empty() {
+        true => section,
+        false => section
+            .figures(figures)
+            .words("The linkage alone, its input free and nothing on its outputs."),
+    }
+}
+
+/// What becomes of a small push, in words.
+fn behaviour(rest: &Equilibrium) -> String {
+    if let (Some(frequency), Some(ratio)) = (rest.frequency(), rest.damping_ratio()) {
+        let damped = match ratio > 0.0 {
+            true => format!(", damping ratio {}", significant(ratio, 6)),
+            false => String::new(),
+        };
+        return format!(
+            "stable, natural frequency {}{damped}",
+            with_unit(frequency / TAU, "Hz", DIGITS)
+        );
+    }
+    match rest.growth() {
+        Some(growth) if growth > 0.0 => format!(
+            "unstable, a push grows by e in {}",
+            with_unit(growth.recip(), "s", DIGITS)
+        ),
+        _ if rest.stiffness == 0.0 => "neither stable nor unstable to first order".to_owned(),
+        _ if rest.is_stable() => "stable, nothing has inertia".to_owned(),
+        _ => "unstable, nothing has inertia".to_owned(),
+    }
+}
+
+fn extremes(found: &Kinematics) -> Table {
+    let row = |(column, extremes): (&Column, &Extremes)| {
+        let cell = |at: (f64, f64)| end(at, &column.unit, |at| place(found, at));
+        let size = extremes.least.1.abs().max(extremes.greatest.1.abs());
+        let doubt = match (column.undetermined, column.error > SHOWN * size.max(1.0)) {
+            (0, false) => String::new(),
+            (0, true) => {
+                let error = Value::angle_or(column.error, &column.unit, 2);
+                format!("± {}", error.words())
+            }
+            (count, _) => format!("not determined at {count} positions"),
+        };
+        Row {
+            cells: vec![
+                column.name().into(),
+                cell(extremes.least),
+                cell(extremes.greatest),
+                doubt.into(),
+            ],
+            minor: !told(column.quantity),
+        }
+    };
+    Table {
+        rows: found.columns.iter().zip(&found.extremes).map(row).collect(),
+        ..Table::new(["quantity", ">least", ">greatest", ""])
+    }
+}
+
+/// Transfer functions of points and components are too much for the terminal.
+fn told(quantity: Quantity) -> bool {
+    use Quantity as Q;
+    matches!(
+        quantity,
+        Q::Displacement
+            | Q::Speed
+            | Q::Acceleration
+            | Q::First
+            | Q::Second
+            | Q::Angle
+            | Q::AngularSpeed
+            | Q::AngularAcceleration
+            | Q::X
+            | Q::Y
+            | Q::SpeedSize
+            | Q::AccelerationSize
+            | Q::RelativeSpeed
+            | Q::RelativeAcceleration
+            | Q::TransportAccelerationAlong
+            | Q::TransportAccelerationAcross
+            | Q::CoriolisAcceleration
+    )
+}
+
+/// A row a position; angles continuous and in radians, everything in SI; empty where
+/// a quantity grows beyond all numbers.
+pub fn rows(found: &Kinematics) -> Rows {
+    let axis = format!("{} [{}]", found.axis.name, found.axis.unit);
+    let names = found.columns.iter();
+    let names = names.map(|column| format!("{} [{}]", column.name(), column.unit));
+    let rows = found.axis.values.iter().enumerate().map(|(row, place)| {
+        let values = found.columns.iter().map(move |column| column.values[row]);
+        std::iter::once(*place).chain(values)
+    });
+    Rows::new(std::iter::once(axis).chain(names), rows)
+}

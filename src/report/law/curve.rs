@@ -1,0 +1,148 @@
+//! A displacement with its derivatives, as charts and as rows.
+
+use crate::kinematics::motion::law::{Law, LawConstants};
+use crate::math::jet::Jet;
+use crate::report::csv::Rows;
+use crate::report::findings::{Layout, Section};
+use crate::report::plot::{Axis, Plot, Series};
+use crate::report::quantity::significant;
+
+/// Points of each diagram.
+pub(super) const DIAGRAM_POINTS: usize = 400;
+
+/// Height of the diagrams over each other (pixels).
+const HEIGHT: f64 = 440.0;
+
+/// Value and derivatives over an argument, both sides of every joint.
+pub(super) struct Curve<'a> {
+    /// Argument and what belongs to it.
+    pub(super) rows: Vec<(f64, Jet)>,
+    /// Symbol of the value.
+    pub(super) symbol: &'a str,
+    /// The argument.
+    pub(super) x: Axis,
+    /// Unit of the value.
+    pub(super) unit: &'a str,
+    /// Greatest value, speed, acceleration and jerk; zero: not shown with the others.
+    pub(super) sizes: [f64; 4],
+}
+
+const PRIMES: [&str; 4] = ["", "′", "″", "‴"];
+
+fn parts(jet: &Jet) -> [f64; 4] {
+    [jet.value, jet.first, jet.second, jet.third]
+}
+
+impl<'a> Curve<'a> {
+    /// A law in its normal form.
+    pub(super) fn of_law(law: &Law, constants: &LawConstants) -> Self {
+        let acceleration = constants.acceleration.value;
+        let acceleration = acceleration.max(-constants.deceleration.value);
+        Self {
+            rows: of_law(law, DIAGRAM_POINTS),
+            symbol: "θ",
+            x: Axis::new("τ", ""),
+            unit: "",
+            sizes: [
+                1.0,
+                constants.speed.value,
+                acceleration,
+                constants.jerk.value,
+            ],
+        }
+    }
+
+    /// The section of the diagrams: over each other, then each by itself.
+    pub(super) fn section<'f>(&self, title: &str) -> Section<'f> {
+        Section::new("Diagrams")
+            .charts(
+                Layout::Wide(HEIGHT),
+                "law",
+                vec![self.over_each_other(title)],
+            )
+            .charts(Layout::Grid, "law", (0..4).map(|k| self.alone(k)).collect())
+    }
+
+    fn points(&self, order: usize, size: f64) -> Vec<(f64, f64)> {
+        let rows = self.rows.iter();
+        rows.map(|(x, jet)| (*x, parts(jet)[order] / size))
+            .collect()
+    }
+
+    /// All diagrams, each divided by its greatest value.
+    fn over_each_other(&self, title: &str) -> Plot {
+        let curve = |(order, &size): (usize, &f64)| {
+            let name = format!("{}{}", self.symbol, PRIMES[order]);
+            let label = match size == 1.0 {
+                true => name,
+                false => format!("{name} / {}", significant(size, 5)),
+            };
+            Series::line(&label, self.points(order, size))
+        };
+        let shown = self.sizes.iter().enumerate();
+        Plot {
+            title: title.to_owned(),
+            series: shown.filter(|(_, size)| **size != 0.0).map(curve).collect(),
+            x: self.x.clone(),
+            ..Plot::default()
+        }
+    }
+
+    /// One diagram in its own unit.
+    fn alone(&self, order: usize) -> Plot {
+        Plot {
+            title: format!("{}{}", self.symbol, PRIMES[order]),
+            x: self.x.clone(),
+            y: Axis::of(&unit(order, self.unit, &self.x.unit, ["", "", "²", "³"])),
+            series: vec![Series::line("", self.points(order, 1.0))],
+            ..Plot::default()
+        }
+    }
+}
+
+/// Unit of a derivative: `m`, `m/rad²`, `1/rad`; empty where nothing has one.
+fn unit(order: usize, unit: &str, per: &str, powers: [&str; 4]) -> String {
+    match (order, unit, per) {
+        (0, unit, _) => unit.to_owned(),
+        (_, "", "") => String::new(),
+        (_, "", per) => format!("1/{per}{}", powers[order]),
+        (_, unit, per) => format!("{unit}/{per}{}", powers[order]),
+    }
+}
+
+/// Argument, value and derivatives as a table: their names and units.
+pub(super) fn rows(
+    [argument, value]: [&str; 2],
+    [own, per]: [&str; 2],
+    rows: &[(f64, Jet)],
+) -> Rows {
+    let named = |name: String, unit: String| match unit.as_str() {
+        "" => name,
+        unit => format!("{name} [{unit}]"),
+    };
+    let derivative = |order: usize| {
+        let name = match order {
+            0 => value.to_owned(),
+            order => format!("{value}{order}"),
+        };
+        named(name, unit(order, own, per, ["", "", "^2", "^3"]))
+    };
+    let head = std::iter::once(named(argument.to_owned(), per.to_owned()));
+    let row = |(at, jet): &(f64, Jet)| std::iter::once(*at).chain(parts(jet));
+    Rows::new(head.chain((0..4).map(derivative)), rows.iter().map(row))
+}
+
+/// Arguments of a law: `count` equal steps, and both sides of every joint.
+pub(super) fn of_law(law: &Law, count: usize) -> Vec<(f64, Jet)> {
+    let count = count.max(1);
+    let mut rows = Vec::new();
+    for (piece, from, to) in law.pieces() {
+        rows.push((from, law.jet(piece, from)));
+        let first = (from * count as f64).floor() as usize + 1;
+        let inner = (first..count).map(|i| i as f64 / count as f64);
+        let inner = inner.take_while(|&tau| tau < to).filter(|&tau| tau > from);
+        rows.extend(inner.map(|tau| (tau, law.jet(piece, tau))));
+        rows.push((to, law.jet(piece, to)));
+    }
+    rows
+}

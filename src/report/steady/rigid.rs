@@ -1,0 +1,224 @@
+//! The steady motion of a machine with rigid objects.
+
+use super::Shown;
+use super::charts::{charts, wittenbauer};
+use crate::dynamics::steady::flywheel::Flywheel;
+use crate::report::csv::Rows;
+use crate::report::findings::{Figure, Findings, Layout, Section, Source, Value};
+use crate::report::quantity::significant;
+use crate::report::verdict::{Sort, Verdict};
+
+/// A quantity to all the digits that say something.
+pub(super) fn value(name: &str, value: f64, unit: &str) -> Figure {
+    Figure::number(name, value, unit, 10)
+}
+
+/// A quantity and the angle of the drive at which it is met.
+pub(super) fn at(name: &str, [amount, place]: [f64; 2], unit: &str) -> Figure {
+    let place = Value::angle_or(place, "rad", 7).words();
+    value(name, amount, unit).with(format!("at φ = {place}"))
+}
+
+/// A speed, in turns a minute as well.
+pub(super) fn mean_speed(speed: f64, why: &str) -> Figure {
+    let turns = significant(speed * 60.0 / std::f64::consts::TAU, 8);
+    value("mean speed", speed, "rad/s").with(format!("= {turns} rpm ({why})"))
+}
+
+/// The motion over a cycle, its flywheel, how independent ways agree.
+pub fn rigid_findings<'a>(shown: &Shown<'_>, source: Source<'a>) -> Findings<'a> {
+    let f = shown.figures;
+    let headline = format!(
+        "The speed fluctuates by δ = {}.",
+        significant(f.fluctuation, 4)
+    );
+    let text = format!(
+        "From {} to {} rad/s about a mean of {} rad/s.",
+        significant(f.least_speed.value, 5),
+        significant(f.greatest_speed.value, 5),
+        significant(f.mean_speed, 5)
+    );
+    let sort = match f.warnings.is_empty() {
+        true => Sort::Good,
+        false => Sort::Mechanism,
+    };
+    let wheel = flywheel(shown);
+    let wheel = match wheel.is_empty() {
+        true => Section::default(),
+        false => Section::new("Flywheel")
+            .figures(wheel)
+            .legend("The motion on this page is the one with the flywheel."),
+    };
+    let diagram = Section::new("Energy-mass diagram")
+        .charts(Layout::Wide(520.0), "", vec![wittenbauer(shown)])
+        .legend(
+            "A straight line from O₂ with the slope ω²/2 meets the curve where the drive has the \
+             speed ω: the tangents touch it at the greatest and the least speed. O₂ lies T(0) \
+             below the start of the curve.",
+        );
+    Findings {
+        title: shown.title.to_owned(),
+        subtitle: "steady motion".to_owned(),
+        answer: Some(Verdict::answer(sort, headline, text)),
+        warnings: f.warnings.clone(),
+        sections: vec![
+            Section::new("Figures").figures(figures(shown)),
+            wheel,
+            Section::new("Motion over a cycle").charts(Layout::Grid, "cycle", charts(shown)),
+            diagram,
+            Section::new("Agreement").figures(agreement(shown)),
+        ],
+        source,
+    }
+}
+
+fn figures(shown: &Shown<'_>) -> Vec<Figure> {
+    let f = shown.figures;
+    let why = match shown.regime {
+        Some(_) => "a result: a moment depends on the speed",
+        None => f.mean.words(),
+    };
+    let extreme =
+        |name, found: crate::dynamics::steady::Extreme| at(name, [found.value, found.at], "rad/s");
+    let reference = [f.reference_energy, f.reference_position];
+    let mut figures = vec![
+        mean_speed(f.mean_speed, why),
+        value("mean over time", f.means.time, "rad/s"),
+        value("mean over the angle", f.means.angle, "rad/s"),
+        value("midway between extremes", f.means.midrange, "rad/s"),
+        extreme("least speed", f.least_speed),
+        extreme("greatest speed", f.greatest_speed),
+        value("fluctuation δ", f.fluctuation, ""),
+        value("period", f.period, "s"),
+        value("T at φ = 0", f.energy_at_start, "J"),
+        at("E₀, T at the least J", reference, "J"),
+        value("fluctuation of the work", f.energy_fluctuation, "J"),
+    ];
+    // Less is rounding.
+    if f.cycle_work.abs() > 1e-11 * f.energy_fluctuation {
+        figures.push(value("work left over in a cycle", f.cycle_work, "J"));
+    }
+    if let Some(moment) = f.balance {
+        figures.push(value("balanced by a constant moment", moment, "N m"));
+    }
+    if let Some(regime) = shown.regime {
+        let attracts = match regime.attracts {
+            true => "(others settle on it)",
+            false => "(others leave it)",
+        };
+        figures.push(value("multiplier of a cycle", regime.multiplier, "").with(attracts));
+        let others = regime.others.iter();
+        figures.extend(others.map(|&other| value("another steady mean speed", other, "rad/s")));
+    }
+    figures
+}
+
+/// How the ways agree.
+fn agreement(shown: &Shown<'_>) -> Vec<Figure> {
+    let mut figures = Vec::new();
+    let mut add = |name: &str, text: String| figures.push(Figure::new(name, text));
+    let short = |value: f64| significant(value, 2);
+    if let Some(found) = shown.agreement {
+        if let Some(check) = found.equation {
+            let (speed, period) = (short(check.speed), short(check.period));
+            let text = format!("ω(Φ) {speed} off, period {period} off");
+            add("equation of motion over a cycle", text);
+        }
+        if let Some(apart) = found.cycle_map {
+            let text = format!("ω(φ) {} apart", short(apart));
+            add("cycle map and energy-mass method", text);
+        }
+        let name = "simulation of the scene in time";
+        if let Some(run) = found.simulation {
+            let from = match run.disturbed {
+                0.0 => "from the steady motion".to_owned(),
+                by => format!("from a speed {} % off", significant(100.0 * by, 3)),
+            };
+            let off = short(run.speed);
+            add(
+                name,
+                format!("{} cycles {from}: ω {off} off at the end", run.cycles),
+            );
+        }
+        if let Some(why) = &found.simulation_missing {
+            add(name, format!("none: {why}"));
+        }
+    }
+    if let Some(halving) = shown.halving {
+        let text = format!(
+            "T(0) {} J, ω_min {}, ω_max {} rad/s",
+            short(halving.energy_at_start),
+            short(halving.least_speed),
+            short(halving.greatest_speed)
+        );
+        add("with every second sample left out", text);
+    }
+    if let Some(error) = shown.figures.period_error {
+        let text = format!("{} relative", short(error));
+        add("estimated error of the period", text);
+    }
+    let f = shown.figures;
+    let [low, high] = f.bracket.map(|end| significant(end, 12));
+    let (count, miss) = (f.iterations, short(f.miss));
+    let text = format!("{count} evaluations, mean {miss} off, E₀ in [{low}, {high}] J");
+    add("iteration", text);
+    figures
+}
+
+fn flywheel(shown: &Shown<'_>) -> Vec<Figure> {
+    shown.flywheel.map_or_else(Vec::new, flywheel_figures)
+}
+
+/// A flywheel: the inertia to add, and what textbooks say of it.
+pub(super) fn flywheel_figures(wheel: &Flywheel) -> Vec<Figure> {
+    let stops = "the machine would stop";
+    let mut figures = vec![
+        value("δ asked for", wheel.fluctuation, ""),
+        match wheel.fluctuation_without {
+            Some(without) => value("δ without a flywheel", without, ""),
+            None => Figure::new("without a flywheel", stops),
+        },
+        value("inertia to add", wheel.inertia, "kg m²"),
+    ];
+    for one in &wheel.approximations {
+        let error = one.error;
+        let error = error.map_or(String::new(), |error| {
+            format!("({:+.2} %), ", 100.0 * error)
+        });
+        let gives = match one.fluctuation {
+            Some(found) => format!("gives δ = {}", significant(found, 5)),
+            None => stops.to_owned(),
+        };
+        let name = format!("by {}", one.words);
+        let inertia = Figure::number(&name, one.inertia, "kg m²", 7);
+        figures.push(inertia.with(error + &gives));
+    }
+    figures
+}
+
+/// The motion over the cycle, a row a place.
+pub fn rigid_rows(shown: &Shown<'_>) -> Rows {
+    let header = [
+        "phi [rad]",
+        "t [s]",
+        "omega [rad/s]",
+        "epsilon [rad/s^2]",
+        "J [kg m^2]",
+        "M [N m]",
+        "A [J]",
+        "T [J]",
+    ];
+    let rows = shown.rows.iter().map(|row| {
+        [
+            row.position,
+            row.time,
+            row.speed,
+            row.acceleration,
+            row.inertia,
+            row.moment,
+            row.work,
+            row.energy,
+        ]
+    });
+    Rows::new(header, rows)
+}
