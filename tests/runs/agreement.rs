@@ -57,10 +57,6 @@ fn steps_over_stiff_vibrations_tell_the_acceleration_of_the_motion() {
         ] {
             let result = run_of(&text, Some(method), tolerance);
             let found = result.figures.objects["lever"].peak_acceleration;
-            println!(
-                "{stiffness} {masses} {method:?} {tolerance}: {found} of {}",
-                0.3 * gives
-            );
             approx::assert_relative_eq!(found, 0.3 * gives, max_relative = within);
         }
     }
@@ -220,7 +216,6 @@ fn random_scenes_have_the_same_figures_by_every_method() {
             }
         }
     }
-    println!("{count} runs compared");
     assert!(count > 100, "{count}");
     assert!(apart.is_empty(), "{}", apart.join("\n"));
 }

@@ -88,6 +88,8 @@ fn the_start_of_many_objects_takes_some_evaluations() {
         }
     }) / 10;
     let start = least(|| drop(system.initial_state()));
-    println!("{start:?} for the start, {one:?} for an evaluation");
-    assert!(start < 1500 * one, "{start:?} {one:?}");
+    assert!(
+        start < 1500 * one,
+        "{start:?} for the start, {one:?} for an evaluation"
+    );
 }
