@@ -1,5 +1,6 @@
 //! Scenes that are read and run: methods, figures, references, dead positions, bad input.
 
+mod agreement;
 mod auto;
 mod bad_input;
 mod contact;

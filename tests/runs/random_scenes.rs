@@ -133,7 +133,7 @@ fn object() -> impl Strategy<Value = (Value, usize)> {
     )
 }
 
-fn scene() -> impl Strategy<Value = Value> {
+pub(super) fn scene() -> impl Strategy<Value = Value> {
     let start = prop::sample::select(vec!["kinetostatic", "static", "on_law"]);
     let methods = [Method::Dopri5, Method::TrBdf2, Method::Bdf, Method::Radau];
     let methods = methods.into_iter().filter(|method| method.is_available());
