@@ -109,7 +109,7 @@ impl Refusal {
                 let does = if *work > 0.0 { "gains" } else { "loses" };
                 let share = work.abs() / range.max(f64::MIN_POSITIVE);
                 let share = match share < 1e-3 {
-                    true => format!("{share}", share = shown(share, 2)),
+                    true => shown(share, 2),
                     false => format!("{share:.4}"),
                 };
                 format!(

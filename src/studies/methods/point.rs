@@ -68,7 +68,7 @@ impl Point {
     /// The setting in words: `1e-6`, `2.5e-5 s`, `–`.
     pub fn setting(&self) -> String {
         match (self.tolerance, self.step) {
-            (Some(tolerance), _) => format!("{tolerance}", tolerance = shown(tolerance, 1)),
+            (Some(tolerance), _) => shown(tolerance, 1),
             (_, Some(step)) => format!("{step} s", step = shown(step, 3)),
             _ => "–".to_owned(),
         }

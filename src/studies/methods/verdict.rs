@@ -280,7 +280,7 @@ fn times(factor: f64) -> String {
     match factor {
         ..100.0 => format!("{factor:.1}"),
         ..1e4 => format!("{factor:.0}"),
-        _ => format!("{factor}", factor = shown(factor, 2)),
+        _ => shown(factor, 2),
     }
 }
 
