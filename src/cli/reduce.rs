@@ -1,19 +1,21 @@
 //! `dam reduce`: the smallest scene that gives figures within their accuracy.
 
 use super::accuracy;
+use super::answer::{Answer, Content, PAGE, Shown};
 use super::args::ReduceArgs;
 use super::console;
 use super::failure::Failure;
 use super::input::Input;
 use super::interrupt;
-use super::output::{self, OutputFolder, ResultFile};
+use super::output::OutputFolder;
 use super::status::Status;
 use crate::ask::Judging;
 use crate::report::diagram::Diagram;
-use crate::report::reduce::{ReduceReport, document, page, text};
-use crate::studies::reduce::{Reduction, reduce};
+use crate::report::findings::Source;
+use crate::report::reduce::{document, findings};
+use crate::studies::reduce::reduce;
 
-const FILES: [&str; 3] = ["reduced.json", "reduction.json", "report.html"];
+const FILES: [&str; 3] = ["reduced.json", "reduction.json", PAGE];
 
 /// Runs the command.
 pub(crate) fn command(args: &ReduceArgs) -> Result<Status, Failure> {
@@ -27,38 +29,30 @@ pub(crate) fn command(args: &ReduceArgs) -> Result<Status, Failure> {
     }
     let diagram = Diagram::of(ready.system.model());
     let hash = ready.scene().hash.clone();
+    let settings = ready.settings.clone();
     let _keeping = interrupt::keep();
-    let found = reduce(
-        input.document(),
-        ready.reading,
-        &ready.settings,
-        interrupt::budget(),
-    )?;
-    let files = || Ok(files(&found, &diagram));
-    let show = || match args.scene.json {
-        true => console::json(&document(&found)),
-        false => console::text(&text(&found)),
+    let budget = interrupt::budget();
+    let found = reduce(input.document(), ready.reading, &settings, budget)?;
+    let reduced = || format!("{}\n", found.document.text());
+    let source = Source::scene(found.document.text(), &hash);
+    let answer = Answer {
+        command: "reduce",
+        findings: &findings(&found, &diagram, source),
+        document: document(&found),
+        files: vec![
+            (FILES[0].to_owned(), Content::made(reduced)),
+            (FILES[1].to_owned(), Content::Document),
+            (FILES[2].to_owned(), Content::Page),
+        ],
+        quiet,
     };
-    output::deliver(folder.as_ref(), "reduce", &hash, files, show)?;
-    if let (Some(folder), false) = (&folder, quiet) {
-        folder.tell_report();
-    }
+    answer.deliver(
+        folder.as_ref(),
+        Shown::json_or(args.scene.json, Shown::Text),
+    )?;
     Ok(match (found.complete, found.holds()) {
         (true, true) => Status::Answered,
         (true, false) => Status::NotTrusted,
         (false, _) => interrupt::status(),
     })
-}
-
-fn files(found: &Reduction, diagram: &Diagram) -> Vec<ResultFile> {
-    let report = page(&ReduceReport {
-        reduction: found,
-        diagram,
-        version: env!("CARGO_PKG_VERSION"),
-    });
-    vec![
-        ResultFile::new("reduced.json", format!("{}\n", found.document.text())),
-        ResultFile::new("reduction.json", format!("{:#}\n", document(found))),
-        ResultFile::new("report.html", report),
-    ]
 }

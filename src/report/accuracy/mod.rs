@@ -3,12 +3,43 @@
 mod page;
 mod text;
 
-pub(in crate::report) use page::{section, tables};
+pub(in crate::report) use page::section;
 pub use text::text;
 
-use crate::report::quantity::significant;
-use crate::studies::order::{Certainty, Certificate, FigureAccuracy};
-use serde_json::{Value, json};
+use crate::report::findings::{Cell, Section, Table, Value};
+use crate::report::quantity::{significant, with_unit};
+use crate::studies::order::{Certainty, Certificate, FigureAccuracy, ObjectModel};
+use serde_json::json;
+
+/// The figures with their errors, and the levels of the objects.
+pub(in crate::report) fn sections<'a>(certificate: &Certificate) -> Vec<Section<'a>> {
+    let figure = |(name, found): (&String, &FigureAccuracy)| {
+        let number = |value: f64, digits| Value::new(value, &found.unit, digits);
+        vec![
+            Cell::from(name.as_str()),
+            number(found.value, 7).into(),
+            Cell::with(worth(found), found.why.clone().unwrap_or_default()),
+            number(found.limit.unwrap_or(f64::NAN), 7).into(),
+        ]
+    };
+    let object = |(id, model): (&String, &ObjectModel)| {
+        let less = model.next_cheaper.as_ref().map_or(String::new(), |less| {
+            let unit = certificate.accuracy.get(&less.figure);
+            let unit = unit.map_or("", |one| &one.unit);
+            let off = with_unit(less.error, unit, 2);
+            format!("with {} {} is {off} off", less.level, less.figure)
+        });
+        let level = model.level.to_string();
+        [id.as_str(), &level, &less].map(Cell::from).to_vec()
+    };
+    let figures = Table::new(["figure", ">value", "error", ">limit"]);
+    let objects = Table::new(["object", "model", "less is not enough:"]);
+    vec![
+        Section::new("Accuracy, the error of the model included")
+            .table(figures.rows(certificate.accuracy.iter().map(figure))),
+        Section::new("Models").table(objects.rows(certificate.models.iter().map(object))),
+    ]
+}
 
 /// How far a figure may be off, and how sure that is.
 fn worth(figure: &FigureAccuracy) -> String {
@@ -35,7 +66,7 @@ fn worth(figure: &FigureAccuracy) -> String {
 
 /// What a certificate adds to the document of a run: `accuracy` of the whole, `model` of
 /// each object, and `models`, all that were tried.
-pub fn add_to(document: &mut Value, certificate: &Certificate) {
+pub fn add_to(document: &mut serde_json::Value, certificate: &Certificate) {
     document["accuracy"] = json!(certificate.accuracy);
     document["models"] = json!(certificate.tried);
     for (id, model) in &certificate.models {

@@ -8,15 +8,6 @@ use std::fmt::Write as _;
 
 /// The section: a table of figures, one of objects, and the error of every model tried.
 pub(in crate::report) fn section(certificate: &Certificate, plots: &mut Plots) -> String {
-    let mut out = tables(certificate);
-    if let Some(chart) = chart(certificate) {
-        out.push_str(&plots.figure(&chart, [900.0, 420.0], ""));
-    }
-    out
-}
-
-/// A table of figures and one of objects.
-pub(in crate::report) fn tables(certificate: &Certificate) -> String {
     let mut out = String::from(
         "<h2>Accuracy</h2>\n<p>How far each figure may be from that of the continuum that the \
          objects' data describe: the error of the model included.</p>\n",
@@ -24,6 +15,9 @@ pub(in crate::report) fn tables(certificate: &Certificate) -> String {
     out.push_str(&figures(certificate));
     if !certificate.models.is_empty() {
         out.push_str(&objects(certificate));
+    }
+    if let Some(chart) = chart(certificate) {
+        out.push_str(&plots.figure(&chart, [900.0, 420.0], ""));
     }
     out
 }

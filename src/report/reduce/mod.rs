@@ -1,11 +1,9 @@
-//! The smallest scene: what was left out of it and what stays, as text, JSON and page.
+//! The smallest scene: what was left out of it and what stays.
 
 mod chart;
-mod page;
-mod text;
+mod findings;
 
-pub use page::{ReduceReport, page};
-pub use text::text;
+pub use findings::findings;
 
 use crate::report::quantity::{significant, with_unit};
 use crate::studies::reduce::{Part, Reduction, Refusal, Role, Step};

@@ -1,0 +1,91 @@
+//! What looking for the smallest scene found, as data.
+
+use super::chart::chart;
+use super::{answer, counted, greatest, why};
+use crate::report::accuracy;
+use crate::report::diagram::Diagram;
+use crate::report::findings::{Cell, Findings, Layout, Section, Source, Table, Value};
+use crate::report::html::mechanism;
+use crate::report::verdict::{Sort, Verdict};
+use crate::studies::reduce::{Reduction, Role, Step};
+
+/// The answer, the figures, what is left out and why the rest stays, error against cost.
+pub fn findings<'a>(
+    reduction: &Reduction,
+    diagram: &'a Diagram,
+    source: Source<'a>,
+) -> Findings<'a> {
+    let sort = match (reduction.holds(), reduction.complete) {
+        (true, true) => Sort::Good,
+        (true, false) => Sort::Unfinished,
+        (false, _) => Sort::Numerical,
+    };
+    let more = match reduction.complete {
+        true => "",
+        false => "Ended before everything was tried.",
+    };
+    let mut sections = accuracy::sections(&reduction.certificate);
+    sections.extend([
+        Section::new("What can be left out").table(steps(reduction)),
+        Section::new("Size").table(sizes(reduction)),
+    ]);
+    if let Some(chart) = chart(reduction) {
+        let charts = Section::new("Error against cost");
+        sections.push(charts.charts(Layout::Wide(420.0), "", vec![chart]).legend(
+            "Every mark is a model that was run: filled the reduced scene, a cross the scene as \
+             given. Times are of single runs.",
+        ));
+    }
+    sections.push(Section::default().drawing(|_| mechanism(diagram)));
+    sections.retain(|section| !section.is_empty());
+    Findings {
+        title: reduction.scene.clone(),
+        subtitle: format!(
+            "smallest scene, {} run",
+            counted(reduction.models.len(), "model")
+        ),
+        answer: Some(Verdict::answer(sort, answer(reduction), more.to_owned())),
+        warnings: Vec::new(),
+        sections,
+        source,
+    }
+}
+
+fn steps(reduction: &Reduction) -> Table {
+    let row = |step: &Step| {
+        let (left_out, says) = match &step.refused {
+            None => (true, greatest(reduction, step)),
+            Some(refused) => (false, why(reduction, refused)),
+        };
+        let verdict = Cell {
+            good: Some(left_out),
+            ..Cell::from(if left_out { "left out" } else { "kept" })
+        };
+        vec![
+            step.removal.object.as_str().into(),
+            step.removal.part.to_string().into(),
+            verdict,
+            says.into(),
+        ]
+    };
+    let steps = reduction.removed().chain(reduction.kept());
+    Table::new(["object", "made simpler", "verdict", "because it"]).rows(steps.map(row))
+}
+
+/// The scene as given beside the reduced one.
+fn sizes(reduction: &Reduction) -> Table {
+    let roles = [(Role::Given, "as given"), (Role::Reduced, "reduced")];
+    let row = |(role, name): (Role, &str)| {
+        let model = reduction.model(role)?;
+        let levels = model.levels.iter();
+        let levels: Vec<String> = levels.map(|(id, level)| format!("{id}: {level}")).collect();
+        Some(vec![
+            Cell::from(name),
+            levels.join(", ").into(),
+            Value::new(model.coordinates as f64, "", 6).into(),
+            Value::new(model.seconds, "s", 2).into(),
+        ])
+    };
+    let heads = ["scene", "elastic objects", ">coordinates", ">time of a run"];
+    Table::new(heads).rows(roles.into_iter().filter_map(row))
+}
