@@ -3,6 +3,9 @@
 //! far ends of their cells. Prints a table in Markdown:
 //! `cargo bench --package dam-benches --bench order -- docs/model-order.md` writes it.
 
+// It prints, as a program does.
+#![allow(clippy::print_stdout, clippy::print_stderr)]
+
 mod cases;
 
 use cases::{Case, OF_EACH, SEED, cases};

@@ -115,7 +115,7 @@ impl Search<'_> {
             if self.control.is_spent() {
                 return end;
             }
-            let tried = self.with(&[removal.clone()], &end.levels);
+            let tried = self.with(std::slice::from_ref(&removal), &end.levels);
             alone.push((removal, tried));
         }
         // A whole before its parts, then what changes least first.
