@@ -126,7 +126,8 @@ def over(random_, scene):
 
 def fitting(random_, scene):
     """Commands that have something to say of a scene; now and then all of them."""
-    everywhere = ["run", "run", "run", "run", "check", "show", "compare", "map", "free", "law"]
+    everywhere = ["run", "run", "run", "run", "check", "show", "compare", "map", "free", "law",
+                  "reduce"]
     others = ["kinematics", "forces", "cam", "steady", "methods", "schema"]
     if random_.random() < 0.05:
         return everywhere + others
@@ -169,6 +170,11 @@ def arguments(random_, scene, path, out):
         extra = ["--x", axis, "--threads", "1"]
     elif command == "methods":
         extra = ["--repeats", "1", "--point-limit", "0.05", "--tolerances", "1e-3,1e-6"]
+        extra += random_.choice([[], ["--models"]])
+    elif command == "run":
+        extra = random_.choice([[], [], [], ["--accuracy", "1 %"]])
+    elif command == "reduce":
+        extra = random_.choice([[], ["--accuracy", "5 %"]])
     elif command in ("kinematics", "forces"):
         extra = random_.choice([[], ["--turn"], ["--time"], ["--positions", "7"], ["--csv"]])
     elif command == "cam":

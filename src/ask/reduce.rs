@@ -32,6 +32,12 @@ impl Scene {
     pub fn reduce_within(&self, control: &Control<'_>) -> Result<Reduction, Error> {
         let ready = Mechanism::of_within(self.decode()?, Judging::Never, control)?;
         let settings = ready.settings.clone();
-        Ok(reduce(self.document(), ready.reading, &settings, control)?)
+        Ok(reduce(
+            self.document(),
+            ready.reading,
+            &settings,
+            control,
+            &mut || (),
+        )?)
     }
 }

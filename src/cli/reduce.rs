@@ -12,7 +12,7 @@ use super::status::Status;
 use crate::ask::Judging;
 use crate::report::diagram::Diagram;
 use crate::report::findings::Source;
-use crate::report::reduce::{document, findings};
+use crate::report::reduce::{self as shown, findings};
 use crate::studies::reduce::reduce;
 
 const FILES: [&str; 3] = ["reduced.json", "reduction.json", PAGE];
@@ -30,15 +30,18 @@ pub(crate) fn command(args: &ReduceArgs) -> Result<Status, Failure> {
     let diagram = Diagram::of(ready.system.model());
     let hash = ready.scene().hash.clone();
     let settings = ready.settings.clone();
-    let _keeping = interrupt::keep();
-    let budget = interrupt::budget();
-    let found = reduce(input.document(), ready.reading, &settings, budget)?;
+    let mut keeping = None;
+    let mut keep = || {
+        keeping.get_or_insert_with(interrupt::keep);
+    };
+    let (document, budget) = (input.document(), interrupt::budget());
+    let found = reduce(document, ready.reading, &settings, budget, &mut keep)?;
     let reduced = || format!("{}\n", found.document.text());
     let source = Source::scene(found.document.text(), &hash);
     let answer = Answer {
         command: "reduce",
         findings: &findings(&found, &diagram, source),
-        document: document(&found),
+        document: shown::document(&found),
         files: vec![
             (FILES[0].to_owned(), Content::made(reduced)),
             (FILES[1].to_owned(), Content::Document),

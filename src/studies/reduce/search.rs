@@ -17,7 +17,8 @@ use crate::studies::order::trial::{Trial, Trials, coordinates};
 use crate::studies::{Control, RunSettings};
 
 /// Finds the smallest scene that gives the figures asked for within their accuracy.
-/// `document`: what `reading` was decoded from; `settings`: those of its run.
+/// `document`: what `reading` was decoded from; `settings`: those of its run. `keep` is called
+/// once there is something to be kept, should the search be ended.
 ///
 /// # Errors
 /// The model cannot be built or started.
@@ -26,6 +27,7 @@ pub fn reduce(
     mut reading: Reading,
     settings: &RunSettings,
     control: &Control<'_>,
+    keep: &mut dyn FnMut(),
 ) -> Result<Reduction, Diagnostics> {
     let whole = document.decoded(&reading.places);
     let places = reading.places.clone();
@@ -36,6 +38,7 @@ pub fn reduce(
     let known = Known::of(&mut trials, &mut families).map_err(diagnose)?;
     let judge = known.judge();
     let first = first_enough(&mut trials, &families, &known.row, &judge).map_err(diagnose)?;
+    keep();
     let mut search = Search {
         whole: &whole,
         settings,
