@@ -9,6 +9,8 @@ pub(crate) const OF_EACH: usize = 4;
 pub(crate) struct Case {
     pub(crate) regime: &'static str,
     pub(crate) number: usize,
+    /// Lumping of the long chains that it is held against: balanced, where no pair may open.
+    pub(crate) lumping: &'static str,
     /// The objects whose masses are to be chosen.
     pub(crate) elastic: &'static [&'static str],
     pub(crate) figures: &'static [&'static str],
@@ -95,7 +97,9 @@ pub(crate) fn cases() -> Vec<Case> {
     for (regime, elastic, figures, make) in regimes {
         for number in 1..=OF_EACH {
             let text = make(&mut parameters);
+            let opens = ["held by a force", "contact that opens", "gap"].contains(&regime);
             all.push(Case {
+                lumping: if opens { "ends" } else { "balanced" },
                 regime,
                 number,
                 elastic,

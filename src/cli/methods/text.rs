@@ -1,8 +1,9 @@
 //! Studies of methods on the terminal.
 
 use crate::dynamics::integrate::Method;
+use crate::frontend::scene::in_words;
 use crate::studies::methods::sweep::{Standing, Sweep};
-use crate::studies::methods::{MethodLine, Point, Study, Verdict, in_words};
+use crate::studies::methods::{MethodLine, Point, Study, Verdict};
 use crate::units::shown;
 use std::fmt::Write as _;
 

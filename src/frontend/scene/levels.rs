@@ -7,6 +7,14 @@ use std::collections::BTreeMap;
 /// A level for each of some objects, by their ids.
 pub type Levels = BTreeMap<String, Level>;
 
+/// Levels in words: `rocker 2 modes; shaft rigid`.
+pub fn in_words(levels: &Levels) -> String {
+    let words: Vec<String> = (levels.iter())
+        .map(|(id, level)| format!("{id} {level}"))
+        .collect();
+    words.join("; ")
+}
+
 /// The uniform elastic objects of a scene, which may be given other levels.
 #[derive(Clone, Debug)]
 pub struct Elastic {

@@ -19,7 +19,7 @@ mod variation;
 pub use catalogue::{BuiltIn, Catalogue, Layered};
 pub use document::{Document, Places, Reading};
 pub use folder::{Folder, read_bounded};
-pub use levels::{Elastic, Levels};
+pub use levels::{Elastic, Levels, in_words};
 pub use overrides::Overrides;
 pub use schema::{schema, schema_of, schema_text};
 pub use variation::Variation;

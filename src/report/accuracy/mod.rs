@@ -7,6 +7,7 @@ pub(in crate::report) use page::section;
 pub use text::text;
 
 use crate::report::findings::{Cell, Section, Table, Value};
+use crate::report::plot::Rule;
 use crate::report::quantity::{significant, with_unit};
 use crate::studies::order::{Certainty, Certificate, FigureAccuracy, ObjectModel};
 use serde_json::json;
@@ -39,6 +40,22 @@ pub(in crate::report) fn sections<'a>(certificate: &Certificate) -> Vec<Section<
             .table(figures.rows(certificate.accuracy.iter().map(figure))),
         Section::new("Models").table(objects.rows(certificate.models.iter().map(object))),
     ]
+}
+
+/// The line of the least error that is asked for of a figure, as a share of its limit; none
+/// where no share is.
+pub(in crate::report) fn asked_rule(certificate: &Certificate) -> Vec<Rule> {
+    let allowed = certificate.accuracy.values().filter_map(|figure| {
+        let share = figure.asked / figure.limit?.abs();
+        (share.is_finite() && share > 0.0).then_some(share)
+    });
+    let least = allowed.min_by(f64::total_cmp);
+    let rule = least.map(|at| Rule {
+        at,
+        label: format!("asked for: {} %", significant(100.0 * at, 2)),
+        upright: false,
+    });
+    rule.into_iter().collect()
 }
 
 /// How far a figure may be off, and how sure that is.

@@ -1,8 +1,9 @@
 //! What the figures of a run are worth, on its page.
 
-use super::worth;
-use crate::report::plot::{Axis, Mark, Plot, Plots, Rule, Series, Shape};
-use crate::report::quantity::{escape, significant, with_unit};
+use super::{asked_rule, worth};
+use crate::frontend::scene::in_words;
+use crate::report::plot::{Axis, Mark, Plot, Plots, Series, Shape};
+use crate::report::quantity::{escape, with_unit};
 use crate::studies::order::{Certificate, FigureAccuracy, Tried};
 use std::fmt::Write as _;
 
@@ -102,16 +103,6 @@ fn chart(certificate: &Certificate) -> Option<Plot> {
     if series.is_empty() {
         return None;
     }
-    let allowed = certificate.accuracy.values().filter_map(|figure| {
-        let share = figure.asked / figure.limit?.abs();
-        (share.is_finite() && share > 0.0).then_some(share)
-    });
-    let allowed = allowed.fold(f64::INFINITY, f64::min);
-    let rule = |at: f64| Rule {
-        at,
-        label: format!("asked for: {} %", significant(100.0 * at, 2)),
-        upright: false,
-    };
     Some(Plot {
         id: "models".to_owned(),
         title: "Distance of each figure from its limit, over the size of the model".to_owned(),
@@ -121,19 +112,13 @@ fn chart(certificate: &Certificate) -> Option<Plot> {
             ..Axis::new("distance from the limit", "")
         },
         series,
-        rules: allowed
-            .is_finite()
-            .then(|| rule(allowed))
-            .into_iter()
-            .collect(),
+        rules: asked_rule(certificate),
         ..Plot::default()
     })
 }
 
 /// Filled for the model chosen, open for the others.
 fn mark(tried: &Tried, figure: &FigureAccuracy, value: f64) -> Mark {
-    let levels = tried.levels.iter();
-    let levels: Vec<String> = levels.map(|(id, level)| format!("{id}: {level}")).collect();
     let chosen = if tried.chosen { ", chosen" } else { "" };
     Mark {
         shape: if tried.chosen {
@@ -143,7 +128,7 @@ fn mark(tried: &Tried, figure: &FigureAccuracy, value: f64) -> Mark {
         },
         note: format!(
             "{}{chosen}: {}",
-            levels.join("; "),
+            in_words(&tried.levels),
             with_unit(value, &figure.unit, 6)
         ),
     }

@@ -1,13 +1,12 @@
 //! Charts of methods: error against time and work, and over a parameter.
 
 use crate::dynamics::integrate::Method;
+use crate::frontend::scene::in_words;
 use crate::report::plot::palette::method_verdicts as colours;
 use crate::report::plot::{Axis, Field, Fill, Kind, Look, Mark, Plot, Rule, Series, Shape};
 use crate::report::quantity::{shortened, significant, with_unit};
 use crate::studies::methods::sweep::Sweep;
-use crate::studies::methods::{
-    MethodLine, ModelError, Point, Study, Verdict, all_methods, in_words,
-};
+use crate::studies::methods::{MethodLine, ModelError, Point, Study, Verdict, all_methods};
 use crate::units::shown;
 
 /// Errors above this are beyond the chart.

@@ -7,13 +7,14 @@ mod words;
 pub use table::{methods_csv, sweep_csv};
 
 use crate::dynamics::integrate::Method;
+use crate::frontend::scene::in_words;
 use crate::report::diagram::Diagram;
 use crate::report::html::{bar, facts, header, mechanism, scene, shell};
 use crate::report::plot::Plots;
 use crate::report::quantity::{escape, significant, with_unit};
 use crate::report::verdict::{Sort, Verdict as Answer};
 use crate::studies::methods::sweep::{Slice, Sweep};
-use crate::studies::methods::{MethodLine, ModelError, Point, Study, Verdict, in_words};
+use crate::studies::methods::{MethodLine, ModelError, Point, Study, Verdict};
 use charts::{Against, cost, regions, stable_steps, work_precision};
 use words::{limits, reference_facts, timing_note};
 

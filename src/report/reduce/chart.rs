@@ -1,7 +1,9 @@
 //! Error against cost over models.
 
-use crate::report::plot::{Axis, Look, Mark, Plot, Rule, Series, Shape};
-use crate::report::quantity::{significant, with_unit};
+use crate::frontend::scene::in_words;
+use crate::report::accuracy::asked_rule;
+use crate::report::plot::{Axis, Look, Mark, Plot, Series, Shape};
+use crate::report::quantity::with_unit;
 use crate::studies::order::FigureAccuracy;
 use crate::studies::reduce::{ModelTried, Reduction, Role};
 
@@ -35,20 +37,6 @@ pub(super) fn chart(reduction: &Reduction) -> Option<Plot> {
     if series.is_empty() {
         return None;
     }
-    let allowed = reduction
-        .certificate
-        .accuracy
-        .values()
-        .filter_map(|figure| {
-            let share = figure.asked / figure.limit?.abs();
-            (share.is_finite() && share > 0.0).then_some(share)
-        });
-    let allowed = allowed.fold(f64::INFINITY, f64::min);
-    let rule = |at: f64| Rule {
-        at,
-        label: format!("asked for: {} %", significant(100.0 * at, 2)),
-        upright: false,
-    };
     Some(Plot {
         id: "models".to_owned(),
         title: "Error of each figure against the time of a run, over models".to_owned(),
@@ -61,20 +49,19 @@ pub(super) fn chart(reduction: &Reduction) -> Option<Plot> {
             ..Axis::new("error of the figure", "")
         },
         series,
-        rules: allowed
-            .is_finite()
-            .then(|| rule(allowed))
-            .into_iter()
-            .collect(),
+        rules: asked_rule(&reduction.certificate),
         ..Plot::default()
     })
 }
 
 /// Filled for the reduced scene, crossed for the scene as given, open for the others.
 fn mark(model: &ModelTried, figure: &FigureAccuracy, error: f64) -> Mark {
-    let levels = model.levels.iter();
-    let mut words: Vec<String> = levels.map(|(id, level)| format!("{id}: {level}")).collect();
-    words.extend(model.without.iter().cloned());
+    let levels = in_words(&model.levels);
+    let words: Vec<String> = Some(levels)
+        .filter(|levels| !levels.is_empty())
+        .into_iter()
+        .chain(model.without.iter().cloned())
+        .collect();
     let (shape, role) = match model.role {
         Role::Given => (Shape::Cross, "as given, "),
         Role::Tried => (Shape::Open, ""),

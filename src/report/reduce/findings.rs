@@ -2,6 +2,7 @@
 
 use super::chart::chart;
 use super::{answer, counted, greatest, why};
+use crate::frontend::scene::in_words;
 use crate::report::accuracy;
 use crate::report::diagram::Diagram;
 use crate::report::findings::{Cell, Findings, Layout, Section, Source, Table, Value};
@@ -77,11 +78,9 @@ fn sizes(reduction: &Reduction) -> Table {
     let roles = [(Role::Given, "as given"), (Role::Reduced, "reduced")];
     let row = |(role, name): (Role, &str)| {
         let model = reduction.model(role)?;
-        let levels = model.levels.iter();
-        let levels: Vec<String> = levels.map(|(id, level)| format!("{id}: {level}")).collect();
         Some(vec![
             Cell::from(name),
-            levels.join(", ").into(),
+            in_words(&model.levels).into(),
             Value::new(model.coordinates as f64, "", 6).into(),
             Value::new(model.seconds, "s", 2).into(),
         ])

@@ -44,6 +44,7 @@ fn answer(reduction: &Reduction) -> String {
             counted(left_out, "thing"),
             match judged {
                 1 => "the figure stays".to_owned(),
+                2 => "both figures stay".to_owned(),
                 _ => format!("all {judged} figures stay"),
             },
             if judged == 1 { "its" } else { "their" },

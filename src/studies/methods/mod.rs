@@ -28,7 +28,7 @@ mod verdict;
 
 pub use limit::StabilityLimit;
 pub use line::MethodLine;
-pub use models::{ModelError, Models, in_words, models};
+pub use models::{ModelError, Models, models};
 pub use point::{FigureError, Point};
 pub use recommend::{Recommendation, recommend};
 pub use reference::{AGREE, Distance, HORIZON, Reference};

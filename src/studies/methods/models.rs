@@ -2,7 +2,7 @@
 //! digits what is wrong by five per cent.
 
 use crate::fault::Fault;
-use crate::frontend::scene::{Accuracy, AccuracySpec, Levels, TypedScene};
+use crate::frontend::scene::{Accuracy, AccuracySpec, Levels, TypedScene, in_words};
 use crate::math::order::Total;
 use crate::studies::order::asked::Asked;
 use crate::studies::order::choose::families;
@@ -182,11 +182,4 @@ impl Models {
         };
         format!("model: {model}, {off}{less}")
     }
-}
-
-/// Levels in words: `rocker 2 modes, shaft rigid`.
-pub fn in_words(levels: &Levels) -> String {
-    let levels = levels.iter();
-    let words: Vec<String> = levels.map(|(id, level)| format!("{id} {level}")).collect();
-    words.join(", ")
 }
