@@ -58,6 +58,41 @@ impl<'m> Trajectory<'m> {
         at(self.model, self.node, time)
     }
 
+    /// True when no segment of a law or of a drive's motion is passed over between two of
+    /// the samples 0, `interval`, …
+    pub(crate) fn resolved(&self, interval: f64, intervals: usize) -> bool {
+        let mut open = vec![self.node];
+        while let Some(node) = open.pop() {
+            let time = |i| interval * i as f64;
+            let neighbours = |segment: &dyn Fn(f64) -> i64| {
+                let mut segments = (0..=intervals).map(|i| segment(time(i)));
+                let mut last = segments.next().unwrap_or(0);
+                segments.all(|next| (next - std::mem::replace(&mut last, next)).abs() <= 1)
+            };
+            let resolved = match &self.model.nodes[node].motion {
+                NodeMotion::Prescribed { motion, .. } => {
+                    let breaks = motion.breaks();
+                    breaks.is_empty() || neighbours(&|time| breaks.locate(time, 1.0))
+                }
+                NodeMotion::Mass { law } | NodeMotion::Rigid { law } => {
+                    open.push(law.driver);
+                    let breaks = law.position.breaks();
+                    let place = |time| at(self.model, law.driver, time).value;
+                    breaks.is_empty() || neighbours(&|time| breaks.locate(place(time), 1.0))
+                }
+                NodeMotion::Constrained { drivers, .. } => {
+                    open.extend(drivers);
+                    true
+                }
+                NodeMotion::Rotor { .. } => false,
+            };
+            if !resolved {
+                return false;
+            }
+        }
+        true
+    }
+
     /// Greatest speed of a drive at `time`.
     pub(crate) fn fastest_drive(&self, time: f64) -> f64 {
         let speeds = self.drives.iter().map(|drive| instant(drive, time).first);

@@ -96,7 +96,7 @@ impl Continuum {
     }
 
     /// Mode k, from 1.
-    fn mode(self, k: usize) -> Oscillator {
+    pub(super) fn mode(self, k: usize) -> Oscillator {
         let sign = if k % 2 == 1 { 1.0 } else { -1.0 };
         match self {
             Self::Rod => {

@@ -17,6 +17,7 @@ mod contact;
 mod continuum;
 mod drive;
 mod driven_end;
+pub(crate) mod left_out;
 mod level;
 mod level_of_body;
 mod linkage;

@@ -61,6 +61,7 @@ pub(in crate::report) fn asked_rule(certificate: &Certificate) -> Vec<Rule> {
 /// How far a figure may be off, and how sure that is.
 fn worth(figure: &FigureAccuracy) -> String {
     let sure = match figure.kind {
+        Certainty::Bound => "bound",
         Certainty::Estimate => "estimate",
         Certainty::NoLimit => return "no limit".to_owned(),
         Certainty::NotDetermined => return "not determined by the order of the model".to_owned(),

@@ -118,7 +118,7 @@ pub fn models(
     let why = known.courses.iter().find_map(|course| match course {
         Course::NoLimit(why) => Some(why.clone()),
         Course::Open(_) => Some("max|δ| does not settle as the model is refined".to_owned()),
-        Course::Limit(_) | Course::Counts(_) => None,
+        Course::Limit(_) | Course::Bounded(_) | Course::Counts(_) => None,
     });
     elastic.set(scene, &levels);
     Ok(Models {
@@ -138,7 +138,7 @@ fn worst(trial: &Trial, known: &Known) -> Option<f64> {
         return None;
     }
     let share = |(asked, course): (&Asked, &Course)| match course {
-        Course::Limit(found) => {
+        Course::Limit(found) | Course::Bounded(found) => {
             let error = Judge::error(trial, asked, course)?;
             // What never deviates has no error.
             let limit = found.limit.abs();

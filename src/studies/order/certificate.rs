@@ -10,6 +10,9 @@ use std::collections::BTreeMap;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Certainty {
+    /// Nothing that the model leaves out can change the figure by more: of linear objects
+    /// behind prescribed drives.
+    Bound,
     /// Estimated from how the figure settles as the model is refined.
     Estimate,
     /// It has no limit: the figure grows with the number of masses.

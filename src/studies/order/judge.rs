@@ -24,7 +24,9 @@ impl Judge<'_> {
     pub(in crate::studies) fn error(trial: &Trial, asked: &Asked, course: &Course) -> Option<f64> {
         let value = value(trial, asked);
         match course {
-            Course::Limit(found) => Some((value - found.limit).abs() + found.error),
+            Course::Limit(found) | Course::Bounded(found) => {
+                Some((value - found.limit).abs() + found.error)
+            }
             Course::Counts(count) => Some((value - count).abs()),
             Course::NoLimit(_) | Course::Open(_) => None,
         }
@@ -34,7 +36,9 @@ impl Judge<'_> {
     /// leads.
     pub(in crate::studies) fn bound(asked: &Asked, course: &Course) -> Option<f64> {
         match course {
-            Course::Limit(found) => Some(asked.accuracy.bound(found.limit)),
+            Course::Limit(found) | Course::Bounded(found) => {
+                Some(asked.accuracy.bound(found.limit))
+            }
             Course::Counts(_) => Some(0.0),
             Course::NoLimit(_) | Course::Open(_) => None,
         }
@@ -215,6 +219,7 @@ fn figure_accuracy(chosen: &Trial, asked: &Asked, course: &Course) -> FigureAccu
     let error = model.map(|model| model + integration);
     let (kind, limit, why) = match course {
         Course::Limit(found) => (Certainty::Estimate, Some(found.limit), None),
+        Course::Bounded(found) => (Certainty::Bound, Some(found.limit), None),
         Course::Counts(count) => (Certainty::Estimate, Some(*count), None),
         Course::NoLimit(why) => (Certainty::NoLimit, None, Some(why.clone())),
         Course::Open(scatter) => (Certainty::NotDetermined, None, Some(undetermined(*scatter))),

@@ -1,12 +1,18 @@
 //! What is known of the figures that a scene asks for, by refining its models.
 
 use super::asked::{Asked, asked};
+use super::bound::of_figure;
 use super::judge::{Judge, value};
 use super::row::{Course, Families, Family, Row};
-use super::trial::Trials;
+use super::settling::Settled;
+use super::trial::{Trial, Trials, coordinates};
 use crate::dynamics::builder::spec::Level;
 use crate::fault::Fault;
 use crate::frontend::scene::Levels;
+
+/// Models are refined for the sake of a bound up to so many times the coordinates that are
+/// needed.
+const FINER: usize = 4;
 
 /// The figures asked for, with the row of runs that tells where they lead.
 pub(in crate::studies) struct Known {
@@ -89,12 +95,28 @@ fn enough(trials: &Trials<'_>, row: &Row, asked: &[Asked]) -> bool {
     asked.iter().all(|one| match row.course(trials, one) {
         Course::NoLimit(_) | Course::Counts(_) => true,
         Course::Open(_) => false,
+        Course::Bounded(found) => row.serves(trials, one, &found),
         Course::Limit(found) => {
             let bound = one.accuracy.bound(found.limit);
             let off = (value(&trials.made[last], one) - found.limit).abs();
-            !choice || off + found.error <= bound
+            let known = !choice || off + found.error <= bound;
+            known && !may_be_bounded(trials, row, one, &found)
         }
     })
+}
+
+/// True when a bound is to be had, and so much finer models than are needed have not been
+/// run yet that it may become a small one.
+fn may_be_bounded(trials: &Trials<'_>, row: &Row, asked: &Asked, found: &Settled) -> bool {
+    let runs = || row.runs.iter().map(|&run| &trials.made[run]);
+    let bounded = |trial: &Trial| of_figure(&trial.left_out, &asked.figure).is_some();
+    let bound = asked.accuracy.bound(found.limit);
+    let within = |trial: &&Trial| (value(trial, asked) - found.limit).abs() + found.error <= bound;
+    let needed = runs()
+        .find(within)
+        .map_or(1, |trial| coordinates(&trial.levels).max(1));
+    let last = runs().next_back();
+    last.is_some_and(|last| bounded(last) && coordinates(&last.levels) < FINER * needed)
 }
 
 /// The levels of a run with those that the scene gives as it gives them.

@@ -49,7 +49,7 @@ fn limit(course: Course) -> Limit {
         why: None,
     };
     match course {
-        Course::Limit(found) => Limit {
+        Course::Limit(found) | Course::Bounded(found) => Limit {
             value: Some(found.limit),
             error: Some(found.error),
             order: found.order,

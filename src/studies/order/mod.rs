@@ -9,6 +9,7 @@
 //! found stands in the [`Certificate`].
 
 pub(super) mod asked;
+mod bound;
 mod certificate;
 pub(super) mod choose;
 pub(super) mod judge;

@@ -2,6 +2,7 @@
 //! objects doubled from run to run.
 
 use super::asked::{Asked, is_count, no_limit};
+use super::bound::of_figure;
 use super::settling::{Settled, scatter, settled};
 use super::trial::{Trials, coordinates};
 use crate::dynamics::builder::spec::{Level, Lumping};
@@ -11,6 +12,8 @@ use std::collections::BTreeMap;
 
 /// Most coordinates of all objects in one run.
 const MOST_COORDINATES: usize = 512;
+/// A bound is small beside the error asked for when it is no more than this share of it.
+const SMALL: f64 = 0.25;
 /// Most runs in a row.
 const MOST_RUNS: usize = 12;
 
@@ -51,8 +54,10 @@ pub(in crate::studies) type Families = BTreeMap<String, Family>;
 /// What a figure does along the row.
 #[derive(Clone, Debug, PartialEq)]
 pub(in crate::studies) enum Course {
-    /// It has a limit.
+    /// It has a limit, as its settling shows.
     Limit(Settled),
+    /// It has a limit, and what separates the finest model from it is bounded.
+    Bounded(Settled),
     /// It counts, and the last runs count the same.
     Counts(f64),
     /// It has no limit, for a reason.
@@ -125,11 +130,32 @@ impl Row {
                 _ => open,
             };
         }
+        let bounded = |error: f64| Settled {
+            limit: value(last),
+            error,
+            order: None,
+        };
+        let bounded = of_figure(&last.left_out, figure).map(bounded);
+        if let Some(found) = bounded.filter(|found| self.serves(trials, asked, found)) {
+            return Course::Bounded(found);
+        }
         let noise = 2.0 * last.integration * last.figures.scale(figure);
         match self.same_story(trials).then(|| settled(&values, noise)) {
             Some(Some(settled)) => Course::Limit(settled),
-            _ => open,
+            _ => bounded.map_or(open, Course::Bounded),
         }
+    }
+
+    /// True when a bound is small beside the error that is asked for, or lets a model with
+    /// fewer coordinates pass.
+    pub(super) fn serves(&self, trials: &Trials<'_>, asked: &Asked, found: &Settled) -> bool {
+        let bound = asked.accuracy.bound(found.limit);
+        let passes = |&run: &usize| {
+            let value = trials.made[run].figures.value(&asked.figure);
+            value.is_ok_and(|value| (value - found.limit).abs() + found.error <= bound)
+        };
+        let before = self.runs.split_last().map_or(&[][..], |(_, before)| before);
+        found.error <= SMALL * bound || before.iter().any(passes)
     }
 
     /// True when the pairs opened as often in the last run as in the one before.

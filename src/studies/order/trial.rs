@@ -1,5 +1,6 @@
 //! A scene run at other levels of its elastic objects.
 
+use super::bound::{BaseMotion, LeftOutOf, left_out};
 use crate::dynamics::builder::spec::Level;
 use crate::dynamics::model::{Closure, Model};
 use crate::dynamics::record::Figures;
@@ -9,6 +10,7 @@ use crate::frontend::lower::lower;
 use crate::frontend::scene::{Elastic, Levels, TypedScene};
 use crate::studies::run::run;
 use crate::studies::{Control, RunSettings};
+use std::collections::BTreeMap;
 use std::time::Instant;
 
 /// A run at some levels.
@@ -22,6 +24,9 @@ pub(in crate::studies) struct Trial {
     pub(in crate::studies) integration: f64,
     /// Why it does not count: it ended early, or is not trusted.
     pub(in crate::studies) doubt: Option<String>,
+    /// How far the displacement of an object may be off by what its level leaves out, where
+    /// that is known beforehand.
+    pub(in crate::studies) left_out: BTreeMap<String, LeftOutOf>,
     /// How much it took: evaluations of all coordinates.
     pub(in crate::studies) cost: f64,
     /// Time that the run took (s), by the clock.
@@ -37,6 +42,8 @@ pub(in crate::studies) struct Trials<'s> {
     pub(in crate::studies) made: Vec<Trial>,
     /// The model of the last run.
     model: Option<Model>,
+    /// The motions of driven ends that are prescribed, by their objects.
+    motions: BTreeMap<String, Option<Option<BaseMotion>>>,
     /// True when a run was ended from outside.
     pub(in crate::studies) interrupted: bool,
 }
@@ -66,6 +73,7 @@ impl<'s> Trials<'s> {
             control,
             made: Vec::new(),
             model: None,
+            motions: BTreeMap::new(),
             interrupted: false,
         }
     }
@@ -106,8 +114,13 @@ impl<'s> Trials<'s> {
             (_, true) => result.figures.run.stopped_because.clone(),
             (false, false) => Some("its figures are in doubt".to_owned()),
         };
+        let left_out = match exact && doubt.is_none() {
+            true => self.left_out(system.model(), levels),
+            false => BTreeMap::new(),
+        };
         self.made.push(Trial {
             levels: levels.clone(),
+            left_out,
             integration: if exact {
                 OF_EXACT
             } else {
@@ -120,6 +133,20 @@ impl<'s> Trials<'s> {
         });
         self.model = Some(system.model().clone());
         Ok(self.made.len() - 1)
+    }
+
+    /// What the levels of objects leave out, where there is a bound. A motion that is
+    /// prescribed at some levels is the same at all at which it is.
+    fn left_out(&mut self, model: &Model, levels: &Levels) -> BTreeMap<String, LeftOutOf> {
+        let end = self.settings.duration;
+        let scene = &*self.scene;
+        let motions = &mut self.motions;
+        let bound = |(id, level): (&String, &Level)| {
+            let motion = motions.entry(id.clone()).or_default();
+            let bound = left_out((scene, model), (id, *level), end, motion)?;
+            Some((id.clone(), bound))
+        };
+        levels.iter().filter_map(bound).collect()
     }
 
     /// The model of the last run.
