@@ -179,6 +179,14 @@ pub(crate) fn line_approach(load: f64, bodies: [(Material, Backing); 2]) -> Opti
     Some(bodies.map(of_body).iter().sum())
 }
 
+/// Greatest pressure (Pa) between bodies that touch along a line, under a load per length of it
+/// (N/m): √(P·E*·κ/π), κ the sum of their curvatures (1/m) (Johnson, 4.45). `None`: they do not
+/// bulge towards each other.
+pub(crate) fn line_pressure(load: f64, modulus: f64, curvature: f64) -> Option<f64> {
+    let fits = load >= 0.0 && curvature > 0.0 && curvature.is_finite();
+    fits.then(|| (load * modulus * curvature / PI).sqrt())
+}
+
 /// a (m) of a contact along a line; `None`: see [`line_approach`].
 fn half_width(load: f64, bodies: [(Material, Backing); 2]) -> Option<f64> {
     let curvature: f64 = bodies.iter().map(|body| body.1.curvature()).sum();
@@ -193,7 +201,9 @@ fn half_width(load: f64, bodies: [(Material, Backing); 2]) -> Option<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Backing, Material, contact_modulus, line_approach, point_stiffness};
+    use super::{
+        Backing, Material, contact_modulus, line_approach, line_pressure, point_stiffness,
+    };
     use std::f64::consts::PI;
 
     const STEEL: Material = Material {
@@ -276,6 +286,23 @@ mod tests {
         let both = line_approach(load, [roller; 2]).unwrap();
         // (Beyond terms of (a/R)², which the closed formula leaves out.)
         approx::assert_relative_eq!(both, 2.0 * one, max_relative = 1e-3);
+    }
+
+    #[test]
+    fn the_pressure_along_a_line_carries_the_load() {
+        let (load, curvature, modulus) = (2e5, 90.0, contact_modulus([STEEL; 2]));
+        let greatest = line_pressure(load, modulus, curvature).unwrap();
+        let half = (4.0 * load / (PI * modulus * curvature)).sqrt();
+        // p(x) = p₀·√(1 − x²/a²), by the rule of midpoints over x = a·sin α.
+        let count = 1000;
+        let part = |k: i32| {
+            let angle = PI * ((f64::from(k) + 0.5) / f64::from(count) - 0.5);
+            greatest * half * angle.cos().powi(2) * PI / f64::from(count)
+        };
+        let sum: f64 = (0..count).map(part).sum();
+        approx::assert_relative_eq!(sum, load, max_relative = 1e-9);
+        assert_eq!(line_pressure(load, modulus, -1.0), None);
+        assert_eq!(line_pressure(0.0, modulus, 1.0), Some(0.0));
     }
 
     #[test]

@@ -104,6 +104,31 @@ fn cams_have_the_figures_of_independent_constructions() {
     }
 }
 
+/// Flat face, the profile's radius R + U + U″; steel on steel, 15 mm wide.
+#[test]
+fn the_pressure_on_a_flat_tappet_is_that_of_the_closed_form() {
+    let machine = machine("flat_tappet", &[]);
+    let cam = machine.cam("valve");
+    let index = machine.index("valve");
+    let force = CamForce::new(machine.system.model(), index, &cam, None).unwrap();
+    let found = figures(&cam, &question(), Ok(&force)).unwrap();
+    let found = found.force.unwrap().pressure.expect("a pressure");
+    let omega = 3000.0 * std::f64::consts::TAU / 60.0;
+    let modulus = 206e9 / (2.0 * (1.0 - 0.3 * 0.3));
+    let mut greatest: f64 = 0.0;
+    for piece in cam.motion().pieces() {
+        for share in 0..=20_000 {
+            let phi = piece.from + f64::from(share) / 20_000.0 * (piece.to - piece.from);
+            let state = cam.at(piece, phi);
+            let load = 0.1 * state.second * omega * omega + 160.0 + 25e3 * state.lift;
+            let radius = 0.017 + state.lift + state.second;
+            let square = load / 0.015 * modulus / (std::f64::consts::PI * radius);
+            greatest = greatest.max(square.sqrt());
+        }
+    }
+    approx::assert_relative_eq!(found.value, greatest, max_relative = 1e-7);
+}
+
 #[test]
 fn the_follower_of_the_eccentric_jumps_at_52_30_rpm_in_runs_too() {
     let steady = |rpm: f64| {

@@ -242,6 +242,8 @@ builder! {
         direction;
         /// Part of the turn that is cut: [from, to].
         range;
+        /// What describes the material of cam and follower: `thickness`, `modulus`, ….
+        material;
     }
 }
 

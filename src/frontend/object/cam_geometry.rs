@@ -1,9 +1,11 @@
 //! The geometry of a disc cam and its follower: the property `cam`.
 
 use super::Context;
+use super::contact_geometry::materials;
 use crate::dynamics::model::Coordinate;
 use crate::frontend::read::{Bounds, Fields, Slot};
-use crate::kinematics::cam::{CamGeometry, Contact, Guide, Surface};
+use crate::kinematics::cam::{CamGeometry, CamMaterial, Contact, Guide, Surface};
+use crate::kinematics::hertzian::contact_modulus;
 use crate::units::quantities as q;
 use serde_json::json;
 use std::f64::consts::FRAC_PI_2;
@@ -95,6 +97,7 @@ fn geometry(slot: Slot<'_>, follower: Option<Coordinate>) -> Option<CamGeometry>
                 slot.pair(end, end)
             },
         );
+        let material = material(fields, contact);
         Some(CamGeometry {
             base_radius: base_radius?,
             guide: guide?,
@@ -104,8 +107,38 @@ fn geometry(slot: Slot<'_>, follower: Option<Coordinate>) -> Option<CamGeometry>
             sense: sense?,
             direction: direction?.unwrap_or(upright),
             range: range?,
+            material: material?,
         })
     })
+}
+
+/// What cam and follower are made of; an edge presses on no line that has a width.
+fn material(fields: &mut Fields<'_>, contact: Option<Contact>) -> Option<Option<CamMaterial>> {
+    let doc = "Material of follower and cam, the counter-body: for the Hertzian pressure between \
+               them.";
+    let found = fields.maybe("material", doc, |slot| {
+        slot.record(|fields| {
+            let doc = "Length of the line of contact: the lesser of the thicknesses";
+            let thickness = fields.need("thickness", doc, |slot| {
+                slot.quantity(q::LENGTH, Bounds::POSITIVE)
+            });
+            let bodies = materials(fields);
+            Some(CamMaterial {
+                thickness: thickness?,
+                contact_modulus: contact_modulus(bodies?),
+            })
+        })
+    });
+    if contact == Some(Contact::KnifeEdge) && fields.has("material") {
+        let message = "an edge has no radius, and so no finite pressure";
+        fields.forbid(
+            "material",
+            message,
+            "give the radius of a `roller`, however small",
+        );
+        return None;
+    }
+    found
 }
 
 fn contact(slot: Slot<'_>, follower: Option<Coordinate>) -> Option<Contact> {

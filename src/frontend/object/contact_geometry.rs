@@ -57,7 +57,7 @@ fn arm(fields: &mut Fields<'_>, own: Measures) -> Option<f64> {
 }
 
 /// What both bodies are made of, the object's own first.
-fn materials(fields: &mut Fields<'_>) -> Option<[Material; 2]> {
+pub(super) fn materials(fields: &mut Fields<'_>) -> Option<[Material; 2]> {
     let ratio = |slot: Slot<'_>| slot.quantity(q::NUMBER, Bounds::between(0.0, 0.5));
     let modulus = fields.need("modulus", "Young's modulus of the object", |slot| {
         slot.quantity(q::MODULUS, Bounds::POSITIVE)

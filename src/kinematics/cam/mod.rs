@@ -5,7 +5,8 @@
 //! * [`DiscCam`]: law and geometry together; pressure angle, curvature,
 //!   polygons of profile and cutter path, what is wrong ([`Finding`]).
 //! * [`sizing`]: the least base circle, the best offset, the greatest roller.
-//! * [`closing`]: contact force, lift-off speed, the spring that keeps contact.
+//! * [`closing`]: contact force, lift-off speed, the spring that keeps contact;
+//!   [`DiscCam::pressure`]: how hard it presses.
 //!
 //! Sources of the relations: they are derived in the files from vectors and
 //! checked in the tests against independent constructions; in the customary
@@ -19,6 +20,7 @@ mod curve;
 mod disc;
 mod findings;
 mod motion;
+mod pressing;
 pub(crate) mod search;
 pub mod sizing;
 mod spec;
@@ -30,4 +32,4 @@ pub use disc::{CamState, DiscCam, Pose};
 pub use findings::Finding;
 pub use motion::{FollowerMotion, Piece};
 pub use search::At;
-pub use spec::{CamGeometry, Contact, Guide, Surface};
+pub use spec::{CamGeometry, CamMaterial, Contact, Guide, Surface};

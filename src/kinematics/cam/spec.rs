@@ -26,6 +26,17 @@ pub struct CamGeometry {
     pub direction: f64,
     /// Interval of φ that the profile covers; `None`: a whole turn, closed.
     pub range: Option<(f64, f64)>,
+    /// What cam and follower are made of, for the pressure between them.
+    pub material: Option<CamMaterial>,
+}
+
+/// Material of cam and follower where they touch along a line.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CamMaterial {
+    /// Length of the line of contact (m), > 0: the lesser of their thicknesses.
+    pub thickness: f64,
+    /// E* (Pa), > 0: 1/E* = (1 − ν₁²)/E₁ + (1 − ν₂²)/E₂.
+    pub contact_modulus: f64,
 }
 
 /// Guide of a follower.

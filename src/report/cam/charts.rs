@@ -82,6 +82,15 @@ pub(super) fn charts(
         };
         let plain = |points| Series::line("", points);
         list.push(over("Contact force", "N", vec![plain(column(1))]));
+        if cam.geometry().material.is_some() {
+            let at = |&(piece, phi): &(usize, f64)| {
+                let piece = &cam.motion().pieces()[piece];
+                let pressure = force.pressure_beside(phi, piece.from, piece.to);
+                (phi.to_degrees(), pressure.unwrap_or(f64::NAN))
+            };
+            let curve = plain(places.iter().map(at).collect());
+            list.push(over("Hertzian pressure", "Pa", vec![curve]));
+        }
         list.push(over("Torque of the cam", "N m", vec![plain(column(2))]));
     }
     list

@@ -213,6 +213,11 @@ fn force_rows(rows: &mut Rows, force: &ForceFigures) {
             force.margin,
             generalised,
         ),
+    ]);
+    if let Some(pressure) = force.pressure {
+        rows.push(extreme("greatest Hertzian pressure", pressure, "Pa"));
+    }
+    rows.extend([
         extreme("greatest torque of the cam", force.torque, "N m"),
         extreme("least torque of the cam", force.return_torque, "N m"),
     ]);

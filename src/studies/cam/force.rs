@@ -42,6 +42,9 @@ pub struct ForceFigures {
     pub greatest: At,
     /// Greatest |force| between cam and follower, along the normal (N).
     pub contact_force: At,
+    /// Greatest Hertzian pressure between cam and follower (Pa); null: nothing is said of
+    /// their material, or they do not touch along a line everywhere.
+    pub pressure: Option<At>,
     /// Greatest torque that the cam needs (N·m).
     pub torque: At,
     /// Least torque: below zero the follower drives.
@@ -159,16 +162,42 @@ impl<'m> CamForce<'m> {
         [force, outward * force / state.lever, opens * force * slope]
     }
 
+    /// Hertzian pressure between cam and follower (Pa) at φ of a piece; 0 where they part;
+    /// `None`: see [`DiscCam::pressure`].
+    pub fn pressure(&self, piece: usize, phi: f64) -> Option<f64> {
+        let [_, normal, _] = self.at(piece, phi);
+        let [from, to] = self.reduction.pieces[piece];
+        let (at, _) = self.cam.motion().locate(0.5 * (from + to));
+        self.cam.pressure(&self.cam.at(at, phi), normal)
+    }
+
+    /// [`Self::pressure`] for any φ between the ends of a piece of the law, as
+    /// [`Self::beside`].
+    pub fn pressure_beside(&self, phi: f64, from: f64, to: f64) -> Option<f64> {
+        self.pressure(self.piece_beside(phi, from, to), phi)
+    }
+
     /// [`Self::at`] for any φ between `from` and `to`, the ends of a piece of the
     /// law; at its beginning what holds after it, else what holds before a break.
     pub fn beside(&self, phi: f64, from: f64, to: f64) -> [f64; 3] {
+        self.at(self.piece_beside(phi, from, to), phi)
+    }
+
+    fn piece_beside(&self, phi: f64, from: f64, to: f64) -> usize {
         let inside = match phi <= from {
             true => from + 1e-9 * (to - from),
             false => phi - 1e-9 * (phi - from),
         };
         let pieces = &self.reduction.pieces;
         let after = pieces.partition_point(|piece| piece[0] <= inside);
-        self.at(after.saturating_sub(1), phi)
+        after.saturating_sub(1)
+    }
+
+    fn greatest_pressure(&self) -> Option<At> {
+        let pressure = |piece, phi| self.pressure(piece, phi).unwrap_or(f64::INFINITY);
+        let found = greatest_over(&self.reduction.pieces, &pressure);
+        let known = self.cam.geometry().material.is_some() && found.value.is_finite();
+        known.then_some(found)
     }
 
     fn extreme(&self, f: impl Fn([f64; 3]) -> f64) -> At {
@@ -203,6 +232,7 @@ impl<'m> CamForce<'m> {
             margin: closing.least(spring, speed),
             greatest: closing.most(spring, speed),
             contact_force,
+            pressure: self.greatest_pressure(),
             torque,
             return_torque,
             lets_go: forced.then(|| closing.lets_go(spring, speed.signum())),

@@ -3,6 +3,7 @@
 mod closing;
 mod curves;
 mod kinematics;
+mod pressing;
 mod sizing;
 
 use super::{CamGeometry, Contact, DiscCam, Guide, Surface};
@@ -21,6 +22,7 @@ pub(super) fn translating(base_radius: f64, roller: f64, offset: f64) -> CamGeom
         sense: 1.0,
         direction: FRAC_PI_2,
         range: None,
+        material: None,
     }
 }
 
