@@ -176,6 +176,10 @@ impl ModelBuilder {
             (_, Err(faults)) => return self.faults(at, "", faults),
             _ => return,
         };
+        let parameters = match spec.pair.contact {
+            Some(_) => parameters.with_far_first_cell(),
+            None => parameters,
+        };
         let driver = law.driver;
         if let BodySpec::Modes {
             inertia,
@@ -205,7 +209,7 @@ impl ModelBuilder {
             _ => self.masses(at, &law, &parameters, pair),
         };
         self.check_driven_end(at, spec);
-        let end = match spec.body.has_driven_end() {
+        let end = match spec.has_driven_end() {
             true => Some(self.driven_end(at, &law, parameters.driven_end).1),
             false => None,
         };

@@ -5,9 +5,11 @@
 //! output does when the object is moved slowly follows from ∫s dJ, the first moment of
 //! compliance of its inertia. Here the inertia of each cell is split over the two ends of
 //! the cell so that this moment is kept: the quasi-static deviation is right for every n.
+//! Behind a contact element, which nothing may lie on, the first cell has its inertia at its
+//! far end.
 
 use super::spec::{ChainSpec, InertiaSplit, LoadLawSpec, LoadSpec, Lumping, MassChoice};
-use super::{ModelBuilder, Place};
+use super::{ChainParameters, ModelBuilder, Place};
 use crate::dynamics::builder::spec::BodySpec;
 use crate::dynamics::model::{Closure, DRIVEN_END, Law, NodeIndex, Pair};
 
@@ -16,8 +18,8 @@ pub(crate) const BALANCED_BEHIND_AN_OPENING_PAIR: &str = "the inertia at the dri
      stay on the driver when the pair opens";
 
 /// What to give in its place.
-pub(crate) const INSTEAD_OF_BALANCED: &str =
-    "\"ends\", where all inertia is behind the pair; or closure `bilateral`";
+pub(crate) const INSTEAD_OF_BALANCED: &str = "\"ends\", where all inertia is behind the pair; \
+     closure `bilateral`; or a contact element, `pair.contact`";
 
 /// Shares of the inertia at the driven end and at the masses 1 to n of a balanced chain;
 /// `None`: of a split that no continuum has.
@@ -43,10 +45,27 @@ pub(super) fn balanced_shares(split: &InertiaSplit, masses: usize) -> Option<(f6
 }
 
 impl BodySpec {
-    /// True when some of its inertia moves with the law.
-    pub fn has_driven_end(&self) -> bool {
+    /// True when the inertia of its cells is split over their ends.
+    fn is_balanced(&self) -> bool {
         let balanced = Lumping::Balanced;
         matches!(self, Self::Uniform { lumping, .. } if *lumping == balanced)
+    }
+}
+
+impl ChainSpec {
+    /// True when some of its inertia moves with the law.
+    pub fn has_driven_end(&self) -> bool {
+        self.body.is_balanced() && self.pair.contact.is_none()
+    }
+}
+
+impl ChainParameters {
+    /// The inertia at the driven end moved to the first mass.
+    pub(super) fn with_far_first_cell(mut self) -> Self {
+        if let Some(first) = self.inertias.first_mut() {
+            *first += std::mem::take(&mut self.driven_end);
+        }
+        self
     }
 }
 
@@ -62,7 +81,7 @@ impl ModelBuilder {
 
     /// A balanced chain stands behind a pair that cannot open.
     pub(super) fn check_driven_end(&mut self, at: &Place, spec: &ChainSpec) {
-        if spec.body.has_driven_end() && spec.pair.closure != Closure::Bilateral {
+        if spec.has_driven_end() && spec.pair.closure != Closure::Bilateral {
             let message = format!(
                 "`balanced` needs a pair that cannot open: {BALANCED_BEHIND_AN_OPENING_PAIR}"
             );

@@ -59,7 +59,8 @@ pub(super) struct Lumped(Option<Lumping>);
 pub(super) fn read_lumping(fields: &mut Fields<'_>) -> Option<Lumped> {
     let doc = "Where the inertia of each of the cells that the object is cut into is put: \
                `ends`, at the far end of the cell; or `balanced`, at both its ends so that its \
-               first moment of compliance is kept, which needs a pair that cannot open. \
+               first moment of compliance is kept, which needs a pair that cannot open, or a \
+               contact element, behind which the first cell is of the former kind. \
                Default `ends`.";
     let names = [("ends", Lumping::Ends), ("balanced", Lumping::Balanced)];
     let asked = fields.maybe("lumping", doc, |slot| slot.choice(&names));
@@ -97,20 +98,19 @@ impl Lumped {
 /// Refuses what does not go with the driving pair. `None`: refused.
 pub(super) fn check(fields: &mut Fields<'_>, chain: &ChainSpec) -> Option<()> {
     let reduced = matches!(chain.body, BodySpec::Modes { .. });
-    if chain.pair.contact.is_some() && (chain.body.has_driven_end() || reduced) {
+    if chain.pair.contact.is_some() && reduced {
         let property = match chain.body {
             BodySpec::Modes { modes: 0, .. } => "flexibility",
-            BodySpec::Modes { .. } => "modes",
-            _ => "lumping",
+            _ => "modes",
         };
-        let message = "a contact element is not known before modes or a balanced chain: their \
-                       inertia or flexibility at the driven end would lie on the contact";
+        let message = "a contact element is not known before modes: their inertia and \
+                       flexibility at the driven end would lie on the contact";
         let fault = fields.refuse(property, "contradiction", message);
-        let hint = "give `masses` with the lumping `ends`, or leave `contact` out";
+        let hint = "give `masses`, or leave `contact` out";
         fault.hints.push(hint.to_owned());
         return None;
     }
-    if chain.body.has_driven_end() && chain.pair.closure != Closure::Bilateral {
+    if chain.has_driven_end() && chain.pair.closure != Closure::Bilateral {
         let closure = match chain.pair.closure {
             Closure::Force => "force",
             _ => "form",

@@ -79,7 +79,7 @@ pub(in crate::studies) fn families(trials: &Trials<'_>) -> Families {
     let family = |id: &String, given: Option<Level>| match given {
         Some(level) => Family::Given(level),
         None if trials.may_be_reduced(id) => Family::Modes,
-        None => Family::Ends,
+        None => Family::Masses(trials.lumping(id)),
     };
     let objects = trials.elastic.objects.iter();
     objects

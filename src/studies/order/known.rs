@@ -140,10 +140,7 @@ impl Family {
         match self {
             Self::Given(level) => level,
             Self::Modes => Level::Modes { count: 1 },
-            Self::Ends => Level::Masses {
-                count: 1,
-                lumping: Default::default(),
-            },
+            Self::Masses(lumping) => Level::Masses { count: 1, lumping },
         }
     }
 }

@@ -22,8 +22,8 @@ const MOST_RUNS: usize = 12;
 pub(in crate::studies) enum Family {
     /// Vibration modes: of an object whose level is open, its pair stays closed.
     Modes,
-    /// Masses at the far ends of their cells: of an object whose level is open.
-    Ends,
+    /// Masses: of an object whose level is open.
+    Masses(Lumping),
     /// The level that the scene gives, and its refinements.
     Given(Level),
 }
@@ -33,9 +33,9 @@ impl Family {
     fn level(self, times: usize) -> Level {
         match self {
             Self::Modes => Level::Modes { count: times },
-            Self::Ends => Level::Masses {
+            Self::Masses(lumping) => Level::Masses {
                 count: times,
-                lumping: Lumping::Ends,
+                lumping,
             },
             Self::Given(level) => level
                 .refined(times)
@@ -221,7 +221,7 @@ fn open_pairs(trials: &Trials<'_>, families: &mut Families, made: usize) -> bool
     for (id, family) in families.iter_mut() {
         let has_modes = matches!(trials.made[made].levels[id], Level::Modes { .. });
         if *family == Family::Modes && has_modes && trials.would_open(made, id) {
-            *family = Family::Ends;
+            *family = Family::Masses(Lumping::Ends);
             opened = true;
         }
     }
@@ -256,7 +256,7 @@ mod tests {
         let given = |count| Family::Given(Level::Masses { count, lumping });
         let modes = families(&[Family::Modes, Family::Modes]);
         assert_eq!(counts(&modes, 0..4), [[0, 0], [1, 1], [2, 2], [4, 4]]);
-        let mixed = families(&[Family::Modes, Family::Ends]);
+        let mixed = families(&[Family::Modes, Family::Masses(Lumping::Ends)]);
         assert_eq!(counts(&mixed, 0..3), [[1, 1], [2, 2], [4, 4]]);
         // Halved where that is possible, in common.
         assert_eq!(

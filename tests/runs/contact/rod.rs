@@ -101,6 +101,36 @@ fn a_chain_comes_to_the_waves() {
     }
 }
 
+/// Cells with inertia at both ends, the first at its far end: better where the wall is soft,
+/// of the second order in time.
+#[test]
+fn balanced_cells_come_quicker_to_a_soft_wall() {
+    for k in [0.5, 1.0] {
+        let of = |masses, lumping: &str| {
+            let wall = Wall::rod(masses, 0.0, &contact(k), 6.0);
+            let lumped = format!("\"masses\": {masses}, \"lumping\": \"{lumping}\"");
+            let text = wall
+                .text()
+                .replace(&format!("\"masses\": {masses}"), &lumped);
+            let scene = dam::Scene::from_json(&text).unwrap();
+            let result = dam::Mechanism::of(scene.decode().unwrap())
+                .unwrap()
+                .run()
+                .unwrap();
+            let waves = Waves(k);
+            let own = pair(&result);
+            let force = own.max_contact_force / waves.force() - 1.0;
+            [force.abs(), (own.switch_times[0] / waves.end() - 1.0).abs()]
+        };
+        let [ends, balanced] = ["ends", "balanced"].map(|lumping| of(64, lumping));
+        assert!(balanced[0] < 0.5 * ends[0], "{k}: {balanced:?} {ends:?}");
+        assert!(balanced[1] < 0.1 * ends[1], "{k}: {balanced:?} {ends:?}");
+        let coarse = of(16, "balanced");
+        let order = (coarse[1] / balanced[1]).log2() / 2.0;
+        assert!(order > 1.7, "{k}: order {order}");
+    }
+}
+
 #[test]
 fn all_methods_agree_and_damping_vanishes_in_the_limit() {
     let exact = errors(4, 10.0, 0.0, Method::Exact);
