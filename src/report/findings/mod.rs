@@ -125,6 +125,8 @@ pub enum Layout {
     Wide(f64),
     /// Round ones, as many beside each other as there is room for.
     Round,
+    /// Panels of one picture, so many beside each other.
+    Panels(usize),
 }
 
 impl<'a> Section<'a> {

@@ -133,6 +133,9 @@ impl Charts {
         let size = |plot: &Plot| match self.layout {
             Layout::Grid => HALF,
             Layout::Round => ROUND,
+            Layout::Panels(1) => [WIDE, 560.0],
+            Layout::Panels(2) => [HALF[0], 400.0],
+            Layout::Panels(_) => ROUND,
             Layout::Wide(height) => match plot.y.rows.len() {
                 0 => [WIDE, height],
                 rows => [WIDE, 150.0 + 24.0 * rows as f64],
@@ -150,6 +153,10 @@ impl Charts {
                 format!("<div class=\"plots\" style=\"--rows:{rows}\">\n{figures}</div>\n")
             }
             Layout::Round => format!("<div class=\"round\">\n{figures}</div>\n"),
+            Layout::Panels(columns) => format!(
+                "<div class=\"panels\" style=\"--columns:{columns};--few:{}\">\n{figures}</div>\n",
+                columns.div_ceil(2)
+            ),
         }
     }
 }
