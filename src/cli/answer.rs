@@ -5,6 +5,7 @@ use super::failure::Failure;
 use super::output::{self, OutputFolder, ResultFile};
 use crate::report::findings::Findings;
 use crate::report::plot::Plot;
+use serde::Serialize;
 use serde_json::Value;
 
 /// Name of the page among the files.
@@ -17,11 +18,32 @@ pub(crate) struct Answer<'a> {
     /// What was found.
     pub(crate) findings: &'a Findings<'a>,
     /// The same as one JSON document.
-    pub(crate) document: Value,
+    pub(crate) document: Document<'a>,
     /// The files, in their order: names and contents.
     pub(crate) files: Vec<(String, Content<'a>)>,
     /// True: nothing is said on standard error.
     pub(crate) quiet: bool,
+}
+
+/// A JSON document, written when it is wanted.
+pub(crate) struct Document<'a>(Box<dyn Fn() -> serde_json::Result<String> + 'a>);
+
+impl<'a> Document<'a> {
+    /// The document that is made so.
+    pub(crate) fn made<D: Serialize>(make: impl Fn() -> D + 'a) -> Self {
+        Self(Box::new(move || serde_json::to_string_pretty(&make())))
+    }
+
+    fn text(&self) -> Result<String, Failure> {
+        let text = (self.0)().map_err(|error| error.to_string())?;
+        Ok(text + "\n")
+    }
+}
+
+impl From<Value> for Document<'_> {
+    fn from(document: Value) -> Self {
+        Self(Box::new(move || serde_json::to_string_pretty(&document)))
+    }
 }
 
 /// Content of a file.
@@ -70,9 +92,9 @@ impl Answer<'_> {
         shown: Shown,
     ) -> Result<(), Failure> {
         let file = |(name, content): &(String, Content<'_>)| {
-            ResultFile::new(name.as_str(), self.content(content))
+            Ok(ResultFile::new(name.as_str(), self.content(content)?))
         };
-        let files = || Ok(self.files.iter().map(file).collect());
+        let files = || self.files.iter().map(file).collect();
         let hash = self.findings.source.hash;
         output::deliver(folder, self.command, hash, files, || self.show(shown))?;
         if self.quiet {
@@ -87,22 +109,23 @@ impl Answer<'_> {
         Ok(())
     }
 
-    fn content(&self, content: &Content<'_>) -> String {
+    fn content(&self, content: &Content<'_>) -> Result<String, Failure> {
         match content {
-            Content::Document => format!("{:#}\n", self.document),
-            Content::Page => self.findings.page(),
-            Content::Made(make) => make(),
+            Content::Document => self.document.text(),
+            Content::Page => Ok(self.findings.page()),
+            Content::Made(make) => Ok(make()),
         }
     }
 
     fn show(&self, shown: Shown) -> Result<(), Failure> {
         match shown {
-            Shown::Json => console::json(&self.document),
+            Shown::Json => console::json_text(&self.document.text()?),
             Shown::Text => console::findings(self.findings),
             Shown::Made(content) => console::data(&content),
             Shown::File(name) => {
                 let file = self.files.iter().find(|(known, _)| known == name);
-                console::data(&file.map_or(String::new(), |(_, content)| self.content(content)))
+                let content = file.map(|(_, content)| self.content(content));
+                console::data(&content.transpose()?.unwrap_or_default())
             }
         }
     }

@@ -1,6 +1,6 @@
 //! `dam compare`: the same scene for several values of a parameter.
 
-use super::answer::{Answer, Content, PAGE, Shown};
+use super::answer::{Answer, Content, Document, PAGE, Shown};
 use super::args::CompareArgs;
 use super::failure::Failure;
 use super::input::{Input, Ready};
@@ -75,7 +75,7 @@ pub(crate) fn command(args: &CompareArgs) -> Result<Status, Failure> {
     let answer = Answer {
         command: "compare",
         findings: &findings(&scene, &comparison, &diagram, warnings, source),
-        document: document(&scene, &comparison),
+        document: Document::made(|| document(&scene, &comparison)),
         files,
         quiet: args.scene.quiet,
     };

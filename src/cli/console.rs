@@ -73,7 +73,15 @@ pub(crate) fn checked(written: std::io::Result<()>) -> Result<(), Failure> {
 /// Those of [`data`].
 pub(crate) fn json(document: &impl serde::Serialize) -> Result<(), Failure> {
     let text = serde_json::to_string_pretty(document).map_err(|error| error.to_string())?;
-    data(&(escaped(&text) + "\n"))
+    json_text(&(text + "\n"))
+}
+
+/// Writes the text of a JSON document to standard output.
+///
+/// # Errors
+/// Those of [`data`].
+pub(crate) fn json_text(text: &str) -> Result<(), Failure> {
+    data(&escaped(text))
 }
 
 /// JSON in which what a terminal would obey, as far as JSON lets it stand in a string, is

@@ -1,34 +1,28 @@
 //! `dam map`: a figure over one or two parameters, with a cause for every point.
 
+use super::answer::{Answer, Content, Document, PAGE, Shown};
 use super::args::MapArgs;
 use super::console;
 use super::failure::Failure;
 use super::input::Input;
 use super::interrupt;
 use super::journal::Journal;
-use super::output::{self, OutputFolder, ResultFile};
+use super::output::OutputFolder;
 use super::progress::PATIENCE;
 use super::status::Status;
 use crate::frontend::diagnostics::printable;
-use crate::report::map::picture;
-use crate::report::map::{MapReport, document, map_csv, page, text};
+use crate::report::findings::Source;
+use crate::report::map::{document, findings, map_rows, picture};
 use crate::studies::axis::Axis;
 use crate::studies::limit::without_limit;
 use crate::studies::map::{Cell, Listener, MapResult, Panels, Question, Study, StudyFault, map};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use serde_json::Value;
 use std::collections::BTreeMap;
 use std::io::IsTerminal;
 use std::path::Path;
 use std::time::Instant;
 
-const FILES: [&str; 5] = [
-    "map.csv",
-    "map.json",
-    "map.svg",
-    "report.html",
-    "timing.json",
-];
+const FILES: [&str; 5] = ["map.csv", "map.json", "map.svg", PAGE, "timing.json"];
 
 /// Runs the command.
 pub(crate) fn command(args: &MapArgs) -> Result<Status, Failure> {
@@ -58,23 +52,28 @@ pub(crate) fn command(args: &MapArgs) -> Result<Status, Failure> {
     let result = result?;
     let seconds = begun.elapsed().as_secs_f64();
     let whole = folder.as_ref().filter(|_| result.complete);
-    let files = || files(&command_of(args), &input, &study, &result, seconds);
-    let show = || match args.scene.json {
-        true => console::json(&document(&study, &result)),
-        false => console::text(&text(&study, &result)),
+    let command = command_of(args);
+    // (A scene that is only whole with the values of the map says nothing.)
+    let warnings = input.prepare(&[]).map_or(Vec::new(), |ready| {
+        let (scene, model) = (ready.scene(), ready.system.model());
+        without_limit(scene, model, [study.figure.as_str()], None)
+    });
+    let source = Source {
+        hashed: "the study",
+        ..Source::scene(input.text(), &study.hash)
+    };
+    let answer = Answer {
+        command: "map",
+        findings: &findings(&study, &result, &command, warnings, source),
+        document: Document::made(|| document(&study, &result)),
+        files: files(&study, &result, seconds),
+        quiet: args.scene.quiet,
     };
     // With the files of the whole map its journal goes.
-    output::deliver(whole, "map", &study.hash, files, show)?;
+    answer.deliver(whole, Shown::json_or(args.scene.json, Shown::Text))?;
     drop(keeping);
     if !args.scene.quiet {
-        // (A scene that is only whole with the values of the map says nothing.)
-        if let Ok(ready) = input.prepare(&[]) {
-            let (scene, model) = (ready.scene(), ready.system.model());
-            for warning in without_limit(scene, model, [study.figure.as_str()], None) {
-                console::talk(&format!("warning: {warning}"));
-            }
-        }
-        talk(&study, &result, folder.as_ref(), seconds, kept);
+        talk(&study, &result, folder.is_some(), seconds, kept);
     }
     Ok(status(&result))
 }
@@ -125,44 +124,28 @@ fn command_of(args: &MapArgs) -> Vec<String> {
     words
 }
 
-fn files(
-    command: &[String],
-    input: &Input,
-    study: &Study<'_>,
-    result: &MapResult,
+fn files<'a>(
+    study: &'a Study<'a>,
+    result: &'a MapResult,
     seconds: f64,
-) -> Result<Vec<ResultFile>, Failure> {
-    let document: Value = document(study, result);
-    let table = map_csv(study, result).map_err(|error| error.to_string())?;
-    let report = page(&MapReport {
-        study,
-        result,
-        command,
-        scene: input.text(),
-        version: env!("CARGO_PKG_VERSION"),
-    });
-    let timing = serde_json::json!({
-        "dam": 1,
-        "scene": study.scene,
-        "cells": study.cells(),
-        "map_s": seconds,
-    });
-    Ok(vec![
-        ResultFile::new(FILES[0], table),
-        ResultFile::new(FILES[1], format!("{document:#}\n")),
-        ResultFile::new(FILES[2], picture::svg(study, result)),
-        ResultFile::new(FILES[3], report),
-        ResultFile::new(FILES[4], format!("{timing:#}\n")),
-    ])
+) -> Vec<(String, Content<'a>)> {
+    let timing = move || {
+        let timing = serde_json::json!({
+            "dam": 1, "scene": study.scene, "cells": study.cells(), "map_s": seconds,
+        });
+        format!("{timing:#}\n")
+    };
+    let contents = [
+        Content::made(|| map_rows(study, result).csv()),
+        Content::Document,
+        Content::made(|| picture::svg(study, result)),
+        Content::Page,
+        Content::made(timing),
+    ];
+    FILES.map(str::to_owned).into_iter().zip(contents).collect()
 }
 
-fn talk(
-    study: &Study<'_>,
-    result: &MapResult,
-    folder: Option<&OutputFolder>,
-    seconds: f64,
-    kept: usize,
-) {
+fn talk(study: &Study<'_>, result: &MapResult, kept_in_folder: bool, seconds: f64, kept: usize) {
     let known = result.panels.iter().flatten().flatten().count();
     let done = known - kept;
     console::talk(&format!(
@@ -174,16 +157,13 @@ fn talk(
             "{kept} cells were known from before the interruption"
         ));
     }
-    match (result.complete, folder) {
-        (true, Some(folder)) => {
-            folder.tell_report();
-        }
-        (false, Some(_)) => console::talk(&format!(
+    match (result.complete, kept_in_folder) {
+        (false, true) => console::talk(&format!(
             "interrupted: {known} of {} cells are kept; go on with --resume",
             study.cells()
         )),
-        (false, None) => console::talk("interrupted: nothing is kept without --out"),
-        (true, None) => {}
+        (false, false) => console::talk("interrupted: nothing is kept without --out"),
+        (true, _) => {}
     }
 }
 

@@ -41,7 +41,7 @@ pub(crate) fn command(args: &ReduceArgs) -> Result<Status, Failure> {
     let answer = Answer {
         command: "reduce",
         findings: &findings(&found, &diagram, source),
-        document: shown::document(&found),
+        document: shown::document(&found).into(),
         files: vec![
             (FILES[0].to_owned(), Content::made(reduced)),
             (FILES[1].to_owned(), Content::Document),

@@ -127,17 +127,6 @@ pub fn table_csv(table: &Table) -> String {
     Rows::new(first.into_iter().chain(head), rows).csv()
 }
 
-/// A header and rows as CSV.
-pub(in crate::report) fn write<R>(
-    header: impl Iterator<Item = String>,
-    rows: impl Iterator<Item = R>,
-) -> Result<String, csv::Error>
-where
-    R: IntoIterator<Item = String>,
-{
-    Ok(Rows::new(header, rows).csv())
-}
-
 /// The shortest decimal that reads back as the same double.
 pub(in crate::report) fn number(value: f64) -> String {
     let plain = value.to_string();

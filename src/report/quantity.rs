@@ -34,7 +34,8 @@ pub fn scale(magnitude: f64, unit: &str) -> Scale {
         factor: 1.0,
         unit: unit.to_owned(),
     };
-    if !magnitude.is_finite() || magnitude == 0.0 || unit.is_empty() || unit.starts_with('1') {
+    let bare = unit.is_empty() || unit == "%" || unit.starts_with('1');
+    if !magnitude.is_finite() || magnitude == 0.0 || bare {
         return plain;
     }
     // A hair of slack keeps 999.9999… from being called 1000 of the lower prefix.
@@ -136,6 +137,25 @@ pub fn significant(value: f64, digits: usize) -> String {
     }
 }
 
+/// A text whose numbers have their powers of ten above the line: 5.2e-7 as 5.2·10⁻⁷.
+pub fn raised(text: &str) -> String {
+    let part_of_word = |c: char| c.is_alphanumeric() || matches!(c, '_' | '.' | '-' | '+');
+    let mut out = String::with_capacity(text.len());
+    for piece in text.split_inclusive(|c| !part_of_word(c)) {
+        let end = piece
+            .trim_end_matches(|c| !part_of_word(c) || c == '.')
+            .len();
+        let (word, rest) = piece.split_at(end);
+        let number = word.parse::<f64>().ok().filter(|value| value.is_finite());
+        match number.zip(word.split_once('e')) {
+            Some((value, (digits, _))) => out.push_str(&significant(value, digits.len().max(1))),
+            None => out.push_str(word),
+        }
+        out.push_str(rest);
+    }
+    out
+}
+
 /// An integer in superscript digits: −6 → ⁻⁶.
 pub fn superscript(number: i32) -> String {
     translate(
@@ -192,7 +212,7 @@ pub fn shortened(text: &str, length: usize) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{escape, scale, shortened, significant, subscript, with_unit};
+    use super::{escape, raised, scale, shortened, significant, subscript, with_unit};
 
     #[test]
     fn values_read_with_si_prefixes() {
@@ -259,6 +279,25 @@ mod tests {
         assert_eq!(significant(f64::NAN, 3), "not a number");
         assert_eq!(significant(f64::NEG_INFINITY, 3), "−∞");
         assert_eq!(subscript(10), "₁₀");
+    }
+
+    #[test]
+    fn numbers_of_a_sentence_are_raised_and_words_are_not() {
+        for (plain, set) in [
+            (
+                "an error of 1e-9: exact, 5.2e-7 %.",
+                "an error of 10⁻⁹: exact, 5.2·10⁻⁷ %.",
+            ),
+            ("-3e-17 m (2.5e6)", "−3·10⁻¹⁷ m (2.5·10⁶)"),
+            (
+                "rk4 at 0.001, wheel_1e5.max, e, 12.5",
+                "rk4 at 0.001, wheel_1e5.max, e, 12.5",
+            ),
+            ("ends at 1e-9.", "ends at 10⁻⁹."),
+            ("", ""),
+        ] {
+            assert_eq!(raised(plain), set);
+        }
     }
 
     #[test]

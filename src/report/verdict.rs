@@ -15,6 +15,8 @@ pub enum Sort {
     Numerical,
     /// The run was ended from outside or by a limit of the user's.
     Unfinished,
+    /// No judgement: what to take.
+    Recommended,
 }
 
 /// The verdict.
@@ -179,6 +181,13 @@ fn sentence(parts: &[String]) -> String {
         0..=3 => format!("{shown}."),
         more => format!("{shown}; and {} more.", more - 3),
     }
+}
+
+/// A text that begins with a capital.
+pub(in crate::report) fn capitalised(text: &str) -> String {
+    let mut rest = text.chars();
+    let first = rest.next().into_iter().flat_map(char::to_uppercase);
+    first.chain(rest).collect()
 }
 
 #[cfg(test)]

@@ -460,7 +460,7 @@ fn a_fixed_step_fails_where_the_scene_gets_too_stiff() {
     // The second method, at the first value and at the last.
     let kinds = strips.field.unwrap().kind;
     assert_ne!(kinds[5], kinds[9]);
-    let csv = dam::report::methods::sweep_csv(&found).unwrap();
+    let csv = dam::report::methods::sweep_rows(&found).csv();
     assert!(csv.starts_with("wheel.stiffness [N m/rad],method,tolerance"));
 }
 
@@ -493,7 +493,7 @@ fn the_table_reads_back_as_the_points() {
     let plan = plan(1e-8, &methods, &[1e-5, 1e-9], &[1e-2, 1e-5]);
     let study = studied(WHEEL, &["wheel.damping=0"], &plan);
     let document: Value = serde_json::from_str(&serde_json::to_string(&study).unwrap()).unwrap();
-    let csv = dam::report::methods::methods_csv(&study).unwrap();
+    let csv = dam::report::methods::methods_rows(&study).csv();
     let mut rows = csv::Reader::from_reader(csv.as_bytes());
     let head = rows.headers().unwrap().clone();
     let column = |name: &str| head.iter().position(|found| found == name).unwrap();
@@ -577,7 +577,7 @@ fn the_command_prints_and_writes_one_and_the_same_study() {
     let output = dam(&arguments);
     let text = String::from_utf8(output.stdout).unwrap();
     assert!(
-        text.contains("reference: exact") && text.contains("for an error of 1e-7: "),
+        text.contains("exact: no truncation error") && text.contains("For an error of 1e-7: "),
         "{text}"
     );
     assert!(text.contains("UNSTABLE: "), "{text}");

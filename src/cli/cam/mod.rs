@@ -82,7 +82,7 @@ pub(crate) fn command(args: &CamArgs) -> Result<Status, Failure> {
     let answer = Answer {
         command: "cam",
         findings: &findings(&report, Source::scene(input.text(), hash)),
-        document: document(&report, hash),
+        document: document(&report, hash).into(),
         files: vec![
             (FILES[0].into(), Content::Document),
             (

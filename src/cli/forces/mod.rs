@@ -89,7 +89,7 @@ pub(crate) fn command(args: &ForcesArgs) -> Result<Status, Failure> {
     let answer = Answer {
         command: "forces",
         findings: &findings(&report, Source::scene(input.text(), report.hash)),
-        document: expected::beside(document(&report), &verdicts),
+        document: expected::beside(document(&report), &verdicts).into(),
         files,
         quiet: args.scene.quiet,
     };

@@ -49,7 +49,7 @@ pub(crate) fn command(args: &KinematicsArgs) -> Result<Status, Failure> {
     let answer = Answer {
         command: "kinematics",
         findings: &findings(name, &found, Source::scene(input.text(), hash)),
-        document: expected::beside(document(name, hash, &found), &verdicts),
+        document: expected::beside(document(name, hash, &found), &verdicts).into(),
         files: vec![
             (FILES[0].into(), Content::made(|| rows(&found).csv())),
             (FILES[1].into(), Content::Document),

@@ -46,7 +46,7 @@ fn deliver(
     let answer = Answer {
         command: "law",
         findings,
-        document,
+        document: document.into(),
         files: vec![
             (FILES[0].into(), Content::Document),
             (FILES[1].into(), Content::made(|| rows.csv())),

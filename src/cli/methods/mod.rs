@@ -1,25 +1,53 @@
 //! `dam methods`: speed against accuracy of every method, and where they fail.
 
 mod bar;
-mod files;
-mod text;
 
+use super::answer::{Answer, Content, Document, PAGE, Shown};
 use super::args::MethodsArgs;
-use super::console;
 use super::failure::Failure;
 use super::input::{Input, Ready};
 use super::interrupt;
-use super::output::{self, OutputFolder};
+use super::output::OutputFolder;
 use super::status::Status;
 use crate::ask::Judging;
 use crate::dynamics::integrate::Method;
 use crate::fault::Fault;
+use crate::report::diagram::Diagram;
+use crate::report::findings::Source;
+use crate::report::methods::charts::{
+    Against, cost, height_of_regions, regions, stable_steps, work_precision,
+};
+use crate::report::methods::{findings, methods_rows, sweep_findings, sweep_rows};
+use crate::report::plot::Plot;
 use crate::studies::axis::Axis;
 use crate::studies::methods::sweep::{Sweep, sweep};
 use crate::studies::methods::{Models, Plan, Study, all_methods, models, study};
 use crate::studies::{Control, RunSettings};
 use bar::PointBar;
 use std::time::Duration;
+
+/// Files of a study.
+const OF_STUDY: [&str; 5] = [
+    "methods.json",
+    "methods.csv",
+    "error-time.svg",
+    "error-evaluations.svg",
+    PAGE,
+];
+
+/// Files of a study over a parameter; without a method of fixed step there is
+/// no chart of stable steps.
+const OF_SWEEP: [&str; 6] = [
+    "methods.json",
+    "methods.csv",
+    "regions.svg",
+    "cost.svg",
+    "stable-steps.svg",
+    PAGE,
+];
+
+/// Size of the pictures (pixels).
+const SIZE: (f64, f64) = (900.0, 540.0);
 
 /// Most values of an axis: each is a study of its own.
 const MOST_VALUES: usize = 1000;
@@ -37,34 +65,82 @@ pub(crate) fn command(args: &MethodsArgs) -> Result<Status, Failure> {
     let plan = plan(args, &ready, models.as_ref())?;
     let folder = prepare_folder(args, &ready)?;
     let control = interrupt::budget();
-    let hash = &ready.scene().hash;
+    let (scene, hash) = (&ready.scene().name, &ready.scene().hash);
+    let (diagram, source) = (
+        Diagram::of(ready.system.model()),
+        Source::scene(input.text(), hash),
+    );
+    let answer = |findings, document, files| {
+        let answer = Answer {
+            command: "methods",
+            findings: &findings,
+            document,
+            files,
+            quiet: args.scene.quiet,
+        };
+        let shown = Shown::json_or(args.scene.json, Shown::Text);
+        answer.deliver(folder.as_ref(), shown)
+    };
     let complete = match &axis {
         None => {
             let mut found = single(args, &ready, &plan, control)?;
             if let Some(models) = models {
                 found = found.with_models(models);
             }
-            let files = || files::of_study(input.text(), &ready, &found);
-            let show = || show(args, &found, || text::study(&found));
-            output::deliver(folder.as_ref(), "methods", hash, files, show)?;
+            let document = Document::made(|| &found);
+            let files = files_of_study(&found);
+            answer(findings(&found, &diagram, source), document, files)?;
             found.complete
         }
         Some(axis) => {
             let found = over(args, &input, &ready, axis, &plan, control)?;
-            let scene = &ready.scene().name;
-            let files = || files::of_sweep(input.text(), &ready, &found);
-            let show = || show(args, &found, || text::sweep(scene, &plan.methods, &found));
-            output::deliver(folder.as_ref(), "methods", hash, files, show)?;
+            let document = Document::made(|| &found);
+            let files = files_of_sweep(&found);
+            let findings = sweep_findings(scene, &found, &diagram, source);
+            answer(findings, document, files)?;
             found.complete
         }
     };
-    if let (Some(folder), false) = (&folder, args.scene.quiet) {
-        folder.tell_report();
-    }
     Ok(match complete {
         true => Status::Answered,
         false => interrupt::status(),
     })
+}
+
+type Files<'a> = Vec<(String, Content<'a>)>;
+
+fn files_of_study(study: &Study) -> Files<'_> {
+    let chart = |against| Content::made(move || work_precision(study, against).svg(SIZE.0, SIZE.1));
+    let contents = [
+        Content::Document,
+        Content::made(|| methods_rows(study).csv()),
+        chart(Against::Time),
+        chart(Against::Evaluations),
+        Content::Page,
+    ];
+    OF_STUDY
+        .map(str::to_owned)
+        .into_iter()
+        .zip(contents)
+        .collect()
+}
+
+fn files_of_sweep(sweep: &Sweep) -> Files<'_> {
+    let chart = |chart: Option<Plot>, height| {
+        chart.map(|chart| Content::made(move || chart.svg(SIZE.0, height)))
+    };
+    let contents = [
+        Some(Content::Document),
+        Some(Content::made(|| sweep_rows(sweep).csv())),
+        chart(Some(regions(sweep)), height_of_regions(sweep)),
+        chart(cost(sweep), SIZE.1),
+        chart(stable_steps(sweep), SIZE.1),
+        Some(Content::Page),
+    ];
+    let named = OF_SWEEP.map(str::to_owned).into_iter().zip(contents);
+    named
+        .filter_map(|(name, content)| Some((name, content?)))
+        .collect()
 }
 
 /// How accurate max|δ| is to be where nothing is said.
@@ -86,23 +162,11 @@ fn with_model(args: &MethodsArgs, input: &Input) -> Result<(Ready, Option<Models
 /// The folder for the results, checked before the work.
 fn prepare_folder(args: &MethodsArgs, ready: &Ready) -> Result<Option<OutputFolder>, Failure> {
     let names: &[&str] = match args.x {
-        None => &files::OF_STUDY,
-        Some(_) => &files::OF_SWEEP,
+        None => &OF_STUDY,
+        Some(_) => &OF_SWEEP,
     };
     let scene = &ready.scene().name;
     Ok(OutputFolder::asked(&args.out, scene, names)?)
-}
-
-/// Prints a document or a text.
-fn show(
-    args: &MethodsArgs,
-    document: &impl serde::Serialize,
-    text: impl FnOnce() -> String,
-) -> Result<(), Failure> {
-    match args.scene.json {
-        true => console::json(document),
-        false => console::text(&text()),
-    }
 }
 
 fn axis(text: &str) -> Result<Axis, Failure> {

@@ -196,7 +196,7 @@ fn tell(args: &SteadyArgs, found: Found<'_>, folder: Option<&OutputFolder>) -> R
     let answer = answer::Answer {
         command: "steady",
         findings: &found.findings,
-        document: found.document,
+        document: found.document.into(),
         files: vec![
             (FILES[0].into(), Content::Document),
             (FILES[1].into(), Content::made(|| found.rows.csv())),

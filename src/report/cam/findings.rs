@@ -9,7 +9,7 @@ use super::{NamedCurve, charts};
 use crate::kinematics::cam::DiscCam;
 use crate::report::findings::{Findings, Item, Layout, Section, Source};
 use crate::report::html::player::{Coordinates, Player, Reading, RowAxis, Shown, short};
-use crate::report::verdict::{Sort, Verdict};
+use crate::report::verdict::{Sort, Verdict, capitalised};
 use crate::studies::cam::{CamFigures, CamForce};
 
 /// How long a turn is played at normal speed (s).
@@ -88,7 +88,7 @@ fn verdict(report: &CamReport<'_>) -> Verdict {
         },
         Some(first) => Verdict {
             sort: Sort::Mechanism,
-            headline: format!("{}{}.", first[..1].to_uppercase(), &first[1..]),
+            headline: capitalised(first) + ".",
             text: match grave.len() {
                 1 => String::new(),
                 count => format!("And {} more, listed below.", count - 1),

@@ -3,7 +3,7 @@
 use super::{Cell, Charts, Figure, Findings, Item, Layout, Section, Table, Value};
 use crate::report::html::{bar, fact_list, header, number, scene, shell, warnings};
 use crate::report::plot::{Plot, Plots};
-use crate::report::quantity::escape;
+use crate::report::quantity::{escape, raised};
 use std::fmt::Write as _;
 
 /// Width of a chart over the whole page, of one of two beside each other, of a round one (pixels).
@@ -37,7 +37,7 @@ impl Findings<'_> {
             add("Scene", &self.title);
         }
         if !source.hash.is_empty() {
-            add("SHA-256 of the canonical scene", source.hash);
+            add(&format!("SHA-256 of {}", source.hashed), source.hash);
         }
         add("Program", concat!("dam ", env!("CARGO_PKG_VERSION")));
         for (name, text) in &source.more {
@@ -60,10 +60,10 @@ impl Section<'_> {
         for item in &self.items {
             match item {
                 Item::Words(words) => {
-                    let _ = writeln!(out, "<p>{}</p>", escape(words));
+                    let _ = writeln!(out, "<p>{}</p>", prose(words));
                 }
                 Item::Legend(words) => {
-                    let _ = writeln!(out, "<p class=\"soft\">{}</p>", escape(words));
+                    let _ = writeln!(out, "<p class=\"soft\">{}</p>", prose(words));
                 }
                 Item::Notes(notes) => out.push_str(&list(notes)),
                 Item::Figures(figures) => out.push_str(&facts(figures)),
@@ -92,18 +92,23 @@ impl Section<'_> {
 }
 
 fn list(notes: &[String]) -> String {
-    let item = |note: &String| format!("<li>{}</li>\n", escape(note));
+    let item = |note: &String| format!("<li>{}</li>\n", prose(note));
     format!(
         "<ul>\n{}</ul>\n",
         notes.iter().map(item).collect::<String>()
     )
 }
 
+/// A sentence.
+fn prose(words: &str) -> String {
+    escape(&raised(words))
+}
+
 fn facts(figures: &[Figure]) -> String {
     let row = |figure: &Figure| {
         let note = match figure.note.as_str() {
             "" => String::new(),
-            note => format!(" <span class=\"note\">{}</span>", escape(note)),
+            note => format!(" <span class=\"note\">{}</span>", prose(note)),
         };
         (figure.name.clone(), value(&figure.value) + &note)
     };
@@ -128,6 +133,9 @@ impl Charts {
         let size = |plot: &Plot| match self.layout {
             Layout::Grid => HALF,
             Layout::Round => ROUND,
+            Layout::Panels(1) => [WIDE, 560.0],
+            Layout::Panels(2) => [HALF[0], 400.0],
+            Layout::Panels(_) => ROUND,
             Layout::Wide(height) => match plot.y.rows.len() {
                 0 => [WIDE, height],
                 rows => [WIDE, 150.0 + 24.0 * rows as f64],
@@ -145,6 +153,10 @@ impl Charts {
                 format!("<div class=\"plots\" style=\"--rows:{rows}\">\n{figures}</div>\n")
             }
             Layout::Round => format!("<div class=\"round\">\n{figures}</div>\n"),
+            Layout::Panels(columns) => format!(
+                "<div class=\"panels\" style=\"--columns:{columns};--few:{}\">\n{figures}</div>\n",
+                columns.div_ceil(2)
+            ),
         }
     }
 }
@@ -155,13 +167,22 @@ impl Table {
         if self.rows.is_empty() {
             return String::new();
         }
-        let left = |at: usize| match self.columns.get(at).is_some_and(|column| column.right) {
-            true => "",
-            false => "left ",
+        let class_of = |at: usize, tag: &str| match self.columns.get(at) {
+            Some(column) if column.minor && column.right => "minor ",
+            Some(column) if column.minor => "left minor ",
+            Some(column) if column.prose && tag != "head" => "words ",
+            Some(column) if column.right => "",
+            _ => "left ",
         };
         let head = self.columns.iter().enumerate();
         let head: String = head
-            .map(|(at, column)| format!("<th class=\"{}\">{}</th>", left(at), escape(&column.name)))
+            .map(|(at, column)| {
+                format!(
+                    "<th class=\"{}\">{}</th>",
+                    class_of(at, "head"),
+                    escape(&column.name)
+                )
+            })
             .collect();
         let cell = |(at, cell): (usize, &Cell)| {
             let tone = match cell.good {
@@ -169,12 +190,12 @@ impl Table {
                 Some(false) => "no",
                 None => "",
             };
-            let class = format!("{}{tone}", left(at));
             let note = match cell.note.is_empty() {
                 true => String::new(),
-                false => format!("<span class=\"sub\">{}</span>", escape(&cell.note)),
+                false => format!("<span class=\"sub\">{}</span>", prose(&cell.note)),
             };
             let tag = if at == 0 { "th" } else { "td" };
+            let class = format!("{}{tone}", class_of(at, tag));
             let class = match class.trim() {
                 "" => String::new(),
                 class => format!(" class=\"{class}\""),
@@ -192,5 +213,6 @@ impl Table {
         )
         .replace(" class=\"\"", "")
         .replace("class=\"left \"", "class=\"left\"")
+        .replace("class=\"minor \"", "class=\"minor\"")
     }
 }

@@ -1,6 +1,6 @@
 //! Findings on the terminal.
 
-use super::{Cell, Figure, Findings, Item, Section, Table, Value};
+use super::{Cell, Column, Figure, Findings, Item, Section, Table, Value};
 use std::fmt::Write as _;
 
 impl Findings<'_> {
@@ -9,7 +9,7 @@ impl Findings<'_> {
     pub fn text(&self, room: Option<usize>) -> String {
         let mut text = match self.subtitle.is_empty() {
             true => format!("{}\n", self.title),
-            false => format!("{}: {}\n", self.title, self.subtitle),
+            false => format!("{}: {}\n", self.title, typed(&self.subtitle)),
         };
         if let Some(answer) = &self.answer {
             let sentence = format!("{} {}", answer.headline, answer.text);
@@ -134,7 +134,8 @@ impl Table {
         self.lines(None, str::to_owned)
     }
 
-    /// The table in that room, its words as `said` has them.
+    /// The table in that room, its words as `said` has them. Sentences that find no room in their
+    /// line stand below it.
     fn lines(&self, room: Option<usize>, said: impl Fn(&str) -> String) -> String {
         let rows: Vec<&[Cell]> = (self.rows.iter())
             .filter(|row| !row.minor)
@@ -143,39 +144,74 @@ impl Table {
         if rows.is_empty() {
             return String::new();
         }
+        let of = |at: usize, part: &dyn Fn(&Cell) -> String| -> Vec<String> {
+            let cell = |row: &&[Cell]| row.get(at).map_or(String::new(), part);
+            rows.iter().map(cell).collect()
+        };
+        let under = |head: &str, cells: Vec<String>| [vec![head.to_owned()], cells].concat();
         // A column of additions stands behind that of the values.
-        let columns: Vec<Vec<Lane>> = (self.columns.iter().enumerate())
-            .map(|(at, column)| {
-                let of = |part: &dyn Fn(&Cell) -> String| -> Vec<String> {
-                    rows.iter()
-                        .map(|row| row.get(at).map_or(String::new(), part))
-                        .collect()
-                };
-                let values = [
-                    vec![column.name.clone()],
-                    of(&|cell| said(&cell.value.plain())),
-                ]
-                .concat();
-                let notes = [vec![String::new()], of(&|cell| said(&cell.note))].concat();
-                let lanes = [Lane::new(values, column.right), Lane::new(notes, false)];
-                lanes.into_iter().filter(|lane| lane.width > 0).collect()
-            })
-            .collect();
+        let column = |(at, column): (usize, &Column)| -> Vec<Lane> {
+            let value = |cell: &Cell| said(&cell.value.plain());
+            let lanes = match column.prose {
+                true => vec![Lane::new(under(&column.name, of(at, &prose)), false)],
+                false => vec![
+                    Lane::new(under(&column.name, of(at, &value)), column.right),
+                    Lane::new(under("", of(at, &|cell| said(&cell.note))), false),
+                ],
+            };
+            lanes.into_iter().filter(|lane| lane.width > 0).collect()
+        };
+        let shown = || (self.columns.iter().enumerate()).filter(|(_, column)| !column.minor);
+        let mut columns: Vec<Vec<Lane>> = shown().map(column).collect();
+        // Sentences stand behind the last block, or below its lines.
+        let sentences = shown().position(|(_, column)| column.prose);
+        let sentences = sentences.map_or(Vec::new(), |at| columns.remove(at));
         let Some((first, rest)) = columns.split_first() else {
             return String::new();
         };
+        let others: usize = columns.iter().map(|lanes| wide(lanes)).sum();
+        let all = others + wide(&sentences);
+        let below = room.is_some_and(|room| all > room && others > room / 2);
         let blocks = blocks(first, rest, room);
-        let block = |part: &&[Vec<Lane>]| -> String {
-            let lanes: Vec<&Lane> = first.iter().chain(part.iter().flatten()).collect();
-            (0..=rows.len()).map(|row| line(&lanes, row)).collect()
+        let sentence = |row: usize| match sentences.first() {
+            Some(lane) if below && row > 0 && !lane.cells[row].is_empty() => {
+                format!("      {}\n", lane.cells[row])
+            }
+            _ => String::new(),
         };
-        blocks.iter().map(block).collect::<Vec<_>>().join("\n")
+        let block = |(at, part): (usize, &&[Vec<Lane>])| -> String {
+            let mut lanes: Vec<&Lane> = first.iter().chain(part.iter().flatten()).collect();
+            let last = at + 1 == blocks.len();
+            lanes.extend(sentences.iter().filter(|_| last && !below));
+            let row = |row: usize| match last {
+                true => line(&lanes, row) + &sentence(row),
+                false => line(&lanes, row),
+            };
+            (0..=rows.len()).map(row).collect()
+        };
+        let blocks: Vec<String> = blocks.iter().enumerate().map(block).collect();
+        blocks.join("\n")
     }
+}
+
+/// A cell as a sentence: bad news in capitals, what is to be added behind a colon.
+fn prose(cell: &Cell) -> String {
+    let value = match cell.good {
+        Some(false) => cell.value.plain().to_uppercase(),
+        _ => cell.value.plain(),
+    };
+    match (value.as_str(), cell.note.as_str()) {
+        ("", other) | (other, "") => typed(other),
+        (value, note) => format!("{}: {}", typed(value), typed(note)),
+    }
+}
+
+fn wide(lanes: &[Lane]) -> usize {
+    lanes.iter().map(|lane| lane.width + 2).sum()
 }
 
 /// The columns behind the first in blocks that fit the room.
 fn blocks<'t>(first: &[Lane], rest: &'t [Vec<Lane>], room: Option<usize>) -> Vec<&'t [Vec<Lane>]> {
-    let wide = |lanes: &[Lane]| lanes.iter().map(|lane| lane.width + 2).sum::<usize>();
     let (Some(room), false) = (room, rest.is_empty()) else {
         return vec![rest];
     };

@@ -10,7 +10,7 @@ use crate::report::diagram::Diagram;
 use crate::report::machine::Machine;
 use crate::report::mechanism;
 use crate::report::plot::{Plots, page::SCRIPT, palette};
-use crate::report::quantity::{escape, scale, significant, with_unit};
+use crate::report::quantity::{escape, raised, scale, significant, with_unit};
 use crate::report::svg::graph;
 use crate::report::verdict::{Sort, Verdict, verdict};
 use crate::studies::order::Certificate;
@@ -117,11 +117,12 @@ fn verdict_banner(verdict: &Verdict) -> String {
         Sort::Mechanism => ("mechanism", "Mechanism"),
         Sort::Numerical => ("numerical", "Computation"),
         Sort::Unfinished => ("unfinished", "Run"),
+        Sort::Recommended => ("good", "Recommendation"),
     };
     format!(
         "<p class=\"verdict {class}\"><span class=\"sort\">{sort}</span><b>{}</b> {}</p>\n",
-        escape(&verdict.headline),
-        escape(&verdict.text)
+        escape(&raised(&verdict.headline)),
+        escape(&raised(&verdict.text))
     )
 }
 
@@ -145,7 +146,7 @@ pub(in crate::report) fn warnings(warnings: &[String]) -> String {
     if warnings.is_empty() {
         return String::new();
     }
-    let item = |warning: &String| format!("<li>{}</li>\n", escape(warning));
+    let item = |warning: &String| format!("<li>{}</li>\n", escape(&raised(warning)));
     let items: String = warnings.iter().map(item).collect();
     format!("<h2>Warnings</h2>\n<ul class=\"warnings\">\n{items}</ul>\n")
 }

@@ -1,18 +1,15 @@
-//! Maps as tables, documents and pages.
+//! Maps as findings, documents, rows and pictures.
 
-mod csv;
 mod document;
+mod findings;
 mod looks;
-mod page;
+mod meanings;
 mod panel;
 pub mod picture;
 mod pointing;
-mod report;
-mod text;
+mod rows;
 mod values;
 
-pub use csv::map_csv;
 pub use document::document;
-pub use page::page;
-pub use report::MapReport;
-pub use text::text;
+pub use findings::findings;
+pub use rows::map_rows;

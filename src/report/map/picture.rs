@@ -1,5 +1,5 @@
 //! A map as a picture: heat maps with contour lines over two parameters, curves over one,
-//! verdicts marked in both; and the same on a page.
+//! verdicts marked in both; and its parts for a page.
 
 use super::looks::{hatching, plain};
 use super::panel::{Panel, STRIP, undetermined};
@@ -7,7 +7,7 @@ use super::values::Values;
 use crate::report::plot::field::{patterns, swatch};
 use crate::report::plot::page::Plots;
 use crate::report::plot::palette::{SHADES, STYLE, shade};
-use crate::report::plot::{Entry, coordinate, document, legend_rows};
+use crate::report::plot::{Entry, Plot, coordinate, document, legend_rows};
 use crate::report::quantity::{escape, shortened};
 use crate::studies::map::{MapResult, Study, Verdict};
 use std::collections::BTreeMap;
@@ -17,8 +17,12 @@ const LEFT: f64 = 78.0;
 const TOP: f64 = 40.0;
 const FOOT: f64 = 48.0;
 const GAP: f64 = 26.0;
-/// Room for the bar of colours and its labels.
-const BAR: f64 = 140.0;
+/// Height of the bar of colours with its name and its labels.
+const BAR: f64 = 58.0;
+/// Width of bar and legend on a page.
+const KEY: f64 = 744.0;
+/// Longest title of a panel on a page (characters).
+const MOST_OF_HEAD: usize = 80;
 const LINE: f64 = 15.0;
 /// The picture of a study: all its panels, a bar of colours for all of them, and a legend of
 /// the verdicts that occur. A complete SVG document.
@@ -28,16 +32,56 @@ pub fn svg(study: &Study<'_>, result: &MapResult) -> String {
     document("dam-plot", sheet.size, &sheet.name, STYLE, &sheet.body)
 }
 
-/// The map on a page, whose script makes it answer.
-pub(super) fn on_page(study: &Study<'_>, result: &MapResult, plots: &mut Plots) -> String {
-    let sheet = Sheet::new(study, result, plots);
-    let [w, h] = sheet.size.map(coordinate);
+/// The panels as charts of a page.
+pub(super) fn panels(study: &Study<'_>, result: &MapResult) -> Vec<Plot> {
+    let values = Values::of(study, result);
+    let several = study.panels.panels.len() > 1;
+    let all = study.panels.panels.iter().zip(&result.panels).enumerate();
+    all.map(|(index, (panel, cells))| {
+        let plot = Panel {
+            study,
+            cells,
+            values: &values,
+        };
+        let settings = title(&panel.settings).join(", ");
+        let head = match (several, settings.as_str()) {
+            (true, settings) => format!("{}  {settings}", letter(index)),
+            (false, "") => study.figure.clone(),
+            (false, settings) => settings.to_owned(),
+        };
+        Plot {
+            title: shortened(&head, MOST_OF_HEAD),
+            ..plot.plot(format!("panel {index}"))
+        }
+    })
+    .collect()
+}
+
+/// The bar of colours and the legend of a page's panels.
+pub(super) fn key(study: &Study<'_>, result: &MapResult) -> String {
+    let (body, height) = foot(study, result, [LEFT, 0.0, KEY]);
+    let [w, h] = [KEY, height].map(coordinate);
     format!(
-        "<div class=\"chart map\"><svg class=\"dam-plot\" viewBox=\"0 0 {w} {h}\" width=\"{w}\" role=\"img\" \
-         aria-label=\"{}\">\n{}</svg></div>\n",
-        escape(&sheet.name),
-        sheet.body
+        "<div class=\"chart map\"><svg class=\"dam-plot\" viewBox=\"0 0 {w} {h}\" width=\"{w}\" \
+         role=\"img\" aria-label=\"colours and verdicts\">\n{}{body}</svg></div>\n",
+        patterns()
     )
+}
+
+/// The bar of colours, where there are any, and the legend, from a left and an upper edge on to
+/// a width: how high they are.
+fn foot(study: &Study<'_>, result: &MapResult, [left, top, width]: [f64; 3]) -> (String, f64) {
+    let (mut body, mut below) = (String::new(), top);
+    if study.y.is_some() {
+        let values = Values::of(study, result);
+        body.push_str(&bar_of_colours(
+            &values,
+            [left, top + 18.0, (width - left - GAP).min(560.0), 14.0],
+        ));
+        below += BAR;
+    }
+    let (legend, height) = legend_rows(entries(study, result), [left, width], below + 14.0);
+    (body + &legend, below + height + 16.0)
 }
 
 /// Letter of a panel: a … z, then by its number.
@@ -69,8 +113,7 @@ impl Sheet {
         let head = LINE * lines as f64 + 10.0;
         let strip = if study.y.is_some() { 0.0 } else { STRIP };
         let cell_height = head + plot_height + strip + FOOT;
-        let bar = if study.y.is_some() { BAR } else { 0.0 };
-        let width = cell_width * columns as f64 + bar;
+        let width = cell_width * columns as f64;
         let body_foot = TOP + cell_height * rows as f64;
         let mut body = patterns();
         let name = format!("{} of {}", study.figure, study.scene);
@@ -96,20 +139,10 @@ impl Sheet {
             let head = head_of(title, index, panels.panels.len(), &frame);
             body.push_str(&plot.panel(&frame, &head, number));
         }
-        if study.y.is_some() {
-            let place = [
-                cell_width * columns as f64 + 8.0,
-                TOP + head,
-                16.0,
-                (body_foot - TOP - head - FOOT).min(420.0),
-            ];
-            body.push_str(&bar_of_colours(&values, place));
-        }
-        let (legend, legend_height) =
-            legend_rows(entries(study, result), [16.0, width], body_foot + 14.0);
-        body.push_str(&legend);
+        let (below, height) = foot(study, result, [16.0, body_foot, width]);
+        body.push_str(&below);
         Self {
-            size: [width, body_foot + legend_height + 16.0],
+            size: [width, height],
             name,
             body,
         }
@@ -163,36 +196,36 @@ fn head_of(
     out
 }
 
-/// The bar of colours with its values.
+/// The bar of colours, its name above and its values below.
 fn bar_of_colours(values: &Values, [left, top, width, height]: [f64; 4]) -> String {
-    let step = height / SHADES as f64;
-    let (x, w) = (coordinate(left), coordinate(width));
+    let step = width / SHADES as f64;
+    let (y, h) = (coordinate(top), coordinate(height));
     let mut out = String::from("<g shape-rendering=\"crispEdges\">\n");
     for index in 0..SHADES {
-        let y = top + height - step * (index + 1) as f64;
         let _ = writeln!(
             out,
-            "<rect x=\"{x}\" y=\"{}\" width=\"{w}\" height=\"{}\" fill=\"{}\"/>",
-            coordinate(y),
+            "<rect x=\"{}\" y=\"{y}\" width=\"{}\" height=\"{h}\" fill=\"{}\"/>",
+            coordinate(left + step * index as f64),
             coordinate(step + 0.3),
             shade(index)
         );
     }
     out.push_str("</g>\n");
-    for (value, label) in values.levels((height / 34.0) as usize) {
-        let y = coordinate(top + (1.0 - values.share(value)) * height);
+    for (value, label) in values.levels((width / 80.0) as usize) {
+        let x = coordinate(left + values.share(value) * width);
         let _ = writeln!(
             out,
-            "<path class=\"axis\" d=\"M{} {y}h4\"/><text x=\"{}\" y=\"{y}\" dy=\"4\">{}</text>",
-            coordinate(left + width),
-            coordinate(left + width + 7.0),
+            "<path class=\"axis\" d=\"M{x} {}v4\"/><text x=\"{x}\" y=\"{}\" text-anchor=\"middle\">{}</text>",
+            coordinate(top + height),
+            coordinate(top + height + 17.0),
             escape(&label)
         );
     }
     let _ = writeln!(
         out,
-        "<text class=\"panel\" x=\"{x}\" y=\"{}\">{}</text>",
-        coordinate(top - 9.0),
+        "<text class=\"panel\" x=\"{}\" y=\"{}\">{}</text>",
+        coordinate(left),
+        coordinate(top - 7.0),
         escape(&values.name(&last_name(values.figure())))
     );
     out

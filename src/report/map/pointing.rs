@@ -1,42 +1,34 @@
-//! The picture of a map's page that answers pointing and clicking.
+//! What a map's page answers to pointing and clicking.
 
-use super::picture;
-use super::report::MapReport;
-use crate::report::html::bar;
-use crate::report::plot::Plots;
 use crate::report::quantity::with_unit;
 use crate::studies::axis::Axis;
-use crate::studies::map::{Cell, Verdict};
+use crate::studies::map::{Cell, MapResult, Study, Verdict};
 use serde_json::{Value, json};
 
 const SCRIPT: &str = include_str!("pointing.js");
 
-/// The picture, the words about the cell that is pointed at, and the command of
-/// the one that was clicked.
-pub(super) fn section(report: &MapReport<'_>, plots: &mut Plots) -> String {
-    let data = data(report).to_string().replace('<', "\\u003c");
+/// The words about the cell that is pointed at, and the command of the one that was clicked.
+pub(super) fn section(study: &Study<'_>, result: &MapResult, command: &[String]) -> String {
+    let data = data(study, result, command);
+    let data = data.to_string().replace('<', "\\u003c");
     format!(
-        "{}{}\
-         <div id=\"cell\" class=\"told\" aria-live=\"polite\">Point at a cell for its value, verdict \
+        "<div id=\"cell\" class=\"told\" aria-live=\"polite\">Point at a cell for its value, verdict \
          and cause; click it for the command that runs it.</div>\n\
          <pre id=\"cell-command\" hidden></pre>\n\
          <script id=\"map-data\" type=\"application/json\">{data}</script>\n\
-         <script>\n{SCRIPT}</script>\n",
-        bar("map"),
-        picture::on_page(report.study, report.result, plots)
+         <script>\n{SCRIPT}</script>\n"
     )
 }
 
 /// Every cell as it is told of.
-fn data(report: &MapReport<'_>) -> Value {
-    let study = report.study;
+fn data(study: &Study<'_>, result: &MapResult, command: &[String]) -> Value {
     let axis = |axis: &Axis| {
         let written: Vec<String> = axis.values().into_iter().map(|v| axis.written(v)).collect();
         json!({ "path": axis.path, "values": written })
     };
     let mut causes = Causes::default();
     let mut panels = Vec::new();
-    for (panel, cells) in study.panels.panels.iter().zip(&report.result.panels) {
+    for (panel, cells) in study.panels.panels.iter().zip(&result.panels) {
         let value = |cell: &Option<Cell>| {
             let value = cell.as_ref().and_then(|cell| cell.value);
             value.map(|value| with_unit(value, &study.unit, 6))
@@ -75,7 +67,7 @@ fn data(report: &MapReport<'_>) -> Value {
         "y": study.y.as_ref().map(axis),
         "verdicts": Verdict::ALL.map(Verdict::words),
         "causes": causes.texts,
-        "command": report.command,
+        "command": command,
         "panels": panels,
     })
 }

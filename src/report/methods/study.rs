@@ -1,0 +1,234 @@
+//! What a study of methods on one scene found.
+
+use super::charts::{Against, work_precision};
+use super::{HEIGHT, TIMING, verdict};
+use crate::frontend::scene::in_words;
+use crate::report::diagram::Diagram;
+use crate::report::findings::{Cell, Figure, Findings, Layout, Section, Source, Table, Value};
+use crate::report::html::mechanism;
+use crate::report::quantity::{significant, with_unit};
+use crate::report::verdict::{Sort, Verdict as Answer, capitalised};
+use crate::studies::methods::{GROWN, MethodLine, ModelError, Point, Reference, Study};
+
+/// Which method to take, speed against accuracy, the models, every point, and the limits of
+/// stability.
+pub fn findings<'a>(study: &Study, diagram: &'a Diagram, source: Source<'a>) -> Findings<'a> {
+    let chart = |heading: &str, against, link| {
+        let plot = work_precision(study, against);
+        Section::new(heading).charts(Layout::Wide(HEIGHT), link, vec![plot])
+    };
+    let mut sections = vec![
+        chart("Error against time", Against::Time, "time").legend(TIMING),
+        chart(
+            "Error against evaluations",
+            Against::Evaluations,
+            "evaluations",
+        ),
+        match &study.reference {
+            Some(found) => Section::new("Reference").figures(reference(study, found)),
+            None => no_reference(study),
+        },
+        models(study),
+        Section::new("Points").table(points(study)),
+        limits(study),
+        Section::default().drawing(|_| mechanism(diagram)),
+    ];
+    sections.retain(|section| !section.is_empty());
+    Findings {
+        title: study.scene.clone(),
+        subtitle: format!(
+            "{} methods on {} of motion; errors of δ relative to max|δ|, the worst object",
+            study.methods.len(),
+            with_unit(study.duration, "s", 4)
+        ),
+        answer: Some(answer(study)),
+        warnings: Vec::new(),
+        sections,
+        source,
+    }
+}
+
+fn answer(study: &Study) -> Answer {
+    let (sort, headline) = match &study.recommendation.method {
+        Some(method) => (Sort::Recommended, format!("Take {method}.")),
+        None => (
+            Sort::Numerical,
+            "No method is known to be accurate enough.".to_owned(),
+        ),
+    };
+    let interrupted = match study.complete {
+        true => "",
+        false => " INTERRUPTED: points that were not run are missing.",
+    };
+    let text = capitalised(&study.recommendation.text);
+    Answer::answer(sort, headline, format!("{text}.{interrupted}"))
+}
+
+/// What the errors are taken against, and how far they mean something.
+fn reference(study: &Study, reference: &Reference) -> Vec<Figure> {
+    let setting = match (reference.tolerance, reference.step) {
+        (Some(tolerance), _) => format!(" at tolerance {}", significant(tolerance, 2)),
+        (_, Some(step)) => format!(" at a step of {}", with_unit(step, "s", 3)),
+        _ => String::new(),
+    };
+    let kind = match reference.exact {
+        true => "no truncation error",
+        false => "agrees with a different method",
+    };
+    let confirmed = reference.confirmed_by.as_ref().map_or_else(
+        || "no other method confirms it".to_owned(),
+        |pair| format!("{}, {} apart", pair.other, significant(pair.distance, 2)),
+    );
+    let horizon = match reference.horizon < study.duration * (1.0 - 1e-9) {
+        true => format!(
+            "up to {}; beyond, NOTHING is judged",
+            with_unit(reference.horizon, "s", 6)
+        ),
+        false => "throughout".to_owned(),
+    };
+    let words = |name: &str, words: String| Figure::new(name, words);
+    let mut rows = vec![
+        words("method", format!("{}{setting}: {kind}", reference.method)),
+        words("nearest to it", confirmed),
+        words(
+            "determined",
+            format!(
+                "{horizon}; loads changed by one part in 10¹⁰ move δ by {} of max|δ|",
+                significant(reference.moved, 2)
+            ),
+        ),
+        words(
+            "errors are told down to",
+            significant(reference.resolution, 2),
+        ),
+        words("switches", reference.switches.to_string()),
+    ];
+    if !reference.undetermined.is_empty() {
+        let figures = reference.undetermined.join(", ");
+        rows.push(words("figures not determined to 10⁻⁷", figures));
+    }
+    rows
+}
+
+fn no_reference(study: &Study) -> Section<'static> {
+    let pairs = study.mutual_distances.iter();
+    let row = |pair: &crate::studies::methods::Distance| {
+        vec![
+            Cell::from(pair.one.as_str()),
+            pair.other.as_str().into(),
+            Value::new(pair.distance, "", 2).into(),
+        ]
+    };
+    Section::new("Reference")
+        .words("None: no two methods agree, and no errors can be known.")
+        .table(Table::new(["one", "other", ">apart"]).rows(pairs.map(row)))
+}
+
+/// The models with their errors; nothing where they were not asked for.
+fn models(study: &Study) -> Section<'static> {
+    let Some(models) = &study.models else {
+        return Section::default();
+    };
+    let row = |model: &ModelError| {
+        let role = match (model.levels == models.levels, model.given) {
+            (true, true) => "as given; the methods run it",
+            (true, false) => "the methods run it",
+            (false, true) => "as given",
+            (false, false) => "",
+        };
+        vec![
+            Cell::from(in_words(&model.levels)),
+            model.coordinates.to_string().into(),
+            Value::new(100.0 * model.error, "%", 2).into(),
+            role.into(),
+        ]
+    };
+    let table = Table::new(["model", ">coordinates", ">error", ""]);
+    Section::new("Models")
+        .words(
+            "Error of max|δ| against the continuum that the objects' data describe, the worst \
+             object.",
+        )
+        .legend("They are the level lines across the charts.")
+        .table(table.rows(models.tried.iter().map(row)))
+}
+
+fn points(study: &Study) -> Table {
+    let heads = [
+        "method",
+        ">setting",
+        ">error of δ",
+        "?>worst figure",
+        ">time",
+    ];
+    let more = [">evaluations", ">steps", ">switches", "?>|λ|h", "~verdict"];
+    let lines = study.methods.iter();
+    let rows = lines.flat_map(|line| line.points.iter().map(|point| row(line, point)));
+    Table::new(heads.into_iter().chain(more)).rows(rows)
+}
+
+fn row(line: &MethodLine, point: &Point) -> Vec<Cell> {
+    let count = |value: Option<u64>| Cell::from(value.map_or("–".to_owned(), |v| v.to_string()));
+    let worst = point.worst_figure.as_deref();
+    let mut figures = point.figures.iter();
+    let worst = figures.find(|figure| Some(figure.figure.as_str()) == worst);
+    let error = match (point.is_reference, point.error) {
+        (true, Some(error)) => format!("≤ {}", significant(error, 2)).into(),
+        (_, error) => Cell::known(error, "", 2),
+    };
+    let cause = match point.is_reference {
+        true => "the reference",
+        false => &point.cause,
+    };
+    vec![
+        line.method.name().into(),
+        match (point.tolerance, point.step) {
+            (Some(tolerance), _) => Cell::known(Some(tolerance), "", 1),
+            (_, step) => Cell::known(step, "s", 3),
+        },
+        error,
+        worst.map_or("–".into(), |worst| {
+            let error = Value::new(worst.error.unwrap_or(f64::NAN), "", 2);
+            Cell::with(error, worst.figure.as_str())
+        }),
+        Cell::known(point.measured_seconds, "s", 3),
+        count(point.evaluations),
+        count(point.steps),
+        count(point.switches),
+        Cell::known(point.rate_times_step, "", 3),
+        verdict(point.verdict, cause),
+    ]
+}
+
+/// Limits of stability, theory beside measurement.
+fn limits(study: &Study) -> Section<'static> {
+    let row = |line: &MethodLine| {
+        let limit = &line.stability;
+        let words = limit.place.or(limit.remark)?;
+        let degree = limit.degree;
+        let degree = degree.map(|degree| format!(", series of degree {degree}"));
+        Some(vec![
+            line.method.name().into(),
+            Cell::known(limit.theory, "", 4),
+            Cell::known(limit.theory_step, "s", 3),
+            Cell::known(limit.measured, "", 4),
+            Cell::known(limit.measured_step, "s", 3),
+            (words.to_owned() + &degree.unwrap_or_default()).into(),
+        ])
+    };
+    let heads = ["method", ">|λ|h", ">step", ">measured |λ|h", ">step"];
+    let table = Table::new(heads.into_iter().chain(["~where λ lies"]));
+    Section::new("Limits of stability")
+        .words(format!(
+            "Fastest rate |λ| of the system {} 1/s, all pairs engaged.",
+            significant(study.fastest_rate, 4)
+        ))
+        .legend(format!(
+            "In theory, and measured. While a pair is open the motion is slower, so that a scene \
+             with contact may bear a longer step than theory says. Measured is on this motion: the \
+             longest step with which this very run grows to no more than {GROWN} times what it \
+             should be; what would grow more slowly, or from another start, is not seen. Of power \
+             series: the longest step that multiplies no deviation."
+        ))
+        .table(table.rows(study.methods.iter().filter_map(row)))
+}
