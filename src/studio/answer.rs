@@ -5,6 +5,7 @@ use super::limits::{MASSES, ROWS, RUN, SAMPLES};
 use super::text::Counter;
 use crate::ask::{Judging, Mechanism};
 use crate::budget::Budget;
+use crate::dynamics::integrate::Stop;
 use crate::frontend::diagnostics::{Diagnostic, Diagnostics, Severity};
 use crate::frontend::scene::{BuiltIn, Catalogue, Document, Layered, Overrides, Reading, TypedScene, edit};
 use crate::report::live::{self, Charts};
@@ -117,14 +118,14 @@ impl<C: Catalogue + Sync> Asked<'_, C> {
         })
     }
 
-    /// Runs it: first as it stands, then, where its model is to be judged, with that done.
+    /// Runs it, with its model judged or as it stands; `None`: it was ended.
     pub(super) fn run(
         &self,
         reading: Reading,
         judging: Judging,
         stop: &AtomicBool,
         before: &Charts,
-    ) -> Result<(Answer, Charts), Diagnostics> {
+    ) -> Result<Option<(Answer, Charts)>, Diagnostics> {
         let budget = Budget::interrupted_by(stop).within(RUN);
         let wrong = |error: crate::Error| error.into_diagnostics();
         let mut mechanism = Mechanism::of_within(reading, judging, &budget).map_err(wrong)?;
@@ -141,8 +142,11 @@ impl<C: Catalogue + Sync> Asked<'_, C> {
             mechanism.settings.switch_rows = false;
             result = mechanism.run_within(&budget).map_err(wrong)?;
         }
+        if result.outcome.stop == Stop::Interrupted {
+            return Ok(None);
+        }
         let coarse = matches!(judging, Judging::Never) && is_judged(mechanism.scene());
-        Ok(self.answer(&mechanism, &result, before, coarse))
+        Ok(Some(self.answer(&mechanism, &result, before, coarse)))
     }
 
     fn answer(

@@ -357,8 +357,8 @@ impl Room {
                     return;
                 }
                 // Something newer has come.
-                Ok(_) if stop.load(Ordering::Relaxed) => return,
-                Ok((answer, charts)) => {
+                Ok(None) => return,
+                Ok(Some((answer, charts))) => {
                     *kept = charts;
                     self.tell_answer(Arc::new(answer));
                 }

@@ -7,7 +7,7 @@ import { dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 
 export const root = resolve(dirname(fileURLToPath(import.meta.url)), "../..");
-export const dam = process.env.DAM ? resolve(process.env.DAM) : join(root, "target/release/dam");
+export const dam = process.env.DAM ? resolve(process.env.INIT_CWD ?? ".", process.env.DAM) : join(root, "target/release/dam");
 export const browser = {
   executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
   args: ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync"],
