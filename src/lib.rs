@@ -149,6 +149,8 @@ mod math;
 pub mod prelude;
 pub mod report;
 pub mod studies;
+#[cfg(feature = "studio")]
+pub mod studio;
 pub mod units;
 
 pub use ask::{Mechanism, Scene};

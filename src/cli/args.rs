@@ -71,13 +71,19 @@ pub(crate) enum Command {
     Steady(SteadyArgs),
     /// Kinetostatics of a linkage: reactions, driving force, friction, transmission ratio, self-locking
     Forces(ForcesArgs),
+    /// Change scenes in the browser, and watch their answers follow
+    Studio(StudioArgs),
 }
 
 impl Command {
     /// True when standard output is to be one JSON document.
     pub(crate) fn json(&self) -> bool {
         match self {
-            Self::Schema(_) | Self::New(_) | Self::Completions(_) | Self::Manual(_) => false,
+            Self::Schema(_)
+            | Self::New(_)
+            | Self::Completions(_)
+            | Self::Manual(_)
+            | Self::Studio(_) => false,
             Self::Law(args) => args.json(),
             Self::Steady(args) => args.json,
             Self::Run(RunArgs { scene, .. })
@@ -118,6 +124,20 @@ pub(crate) struct RunArgs {
     /// accurate all are to be, `1 %`, or one, `rocker.delta_abs="0.1 mrad"` (may be repeated)
     #[arg(long, value_name = "[FIGURE=]ACCURACY")]
     pub(crate) accuracy: Vec<String>,
+}
+
+/// Arguments of `dam studio`.
+#[derive(Debug, Args)]
+pub(crate) struct StudioArgs {
+    /// A scene, or a folder of scenes; the folder one is in if not given
+    #[arg(value_name = "SCENE|FOLDER")]
+    pub(crate) target: Option<PathBuf>,
+    /// Do not open the browser: print the address, which lets in whoever has it
+    #[arg(long)]
+    pub(crate) no_open: bool,
+    /// Serve on this port of 127.0.0.1; any that is free if not given
+    #[arg(long, value_name = "PORT", value_parser = clap::value_parser!(u16).range(1..))]
+    pub(crate) port: Option<u16>,
 }
 
 /// Arguments of `dam new`.

@@ -27,6 +27,7 @@ mod run;
 mod show;
 mod status;
 mod steady;
+mod studio;
 mod tables;
 mod terminal;
 
@@ -73,6 +74,7 @@ fn run(command: &Command) -> Result<Status, Failure> {
         Command::Kinematics(args) => kinematics::command(args),
         Command::Steady(args) => steady::command(args),
         Command::Forces(args) => forces::command(args),
+        Command::Studio(args) => studio::command(args),
     }
 }
 

@@ -31,6 +31,8 @@ pub mod forces;
 pub mod html;
 pub mod kinematics;
 pub mod law;
+#[cfg(feature = "studio")]
+pub(crate) mod live;
 pub mod machine;
 pub mod map;
 pub mod math;

@@ -17,6 +17,7 @@ const ROWS: &[&[&str]] = &[
     &["error"],
     &["studies"],
     &["ask", "report"],
+    &["studio"],
     &["prelude", "cli"],
 ];
 

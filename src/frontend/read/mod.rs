@@ -31,7 +31,7 @@ pub use number::Wanted;
 pub use one_of::OneOf;
 pub use own::{OWN, Own};
 pub use parse::{parse, parse_fragment};
-pub use slot::{Reader, Slot};
+pub use slot::{Declared, Reader, Slot};
 pub use suggest::{closest, did_you_mean, quoted_list};
 pub use text::{MAX_DEPTH, MAX_SIZE};
 pub use tree::{Member, Node, Value};

@@ -45,7 +45,8 @@ impl Wanted {
         ANYTHING.into()
     }
 
-    fn quantities(&self) -> impl Iterator<Item = Quantity> {
+    /// The one, or both.
+    pub fn quantities(&self) -> impl Iterator<Item = Quantity> {
         [Some(self.first), self.second].into_iter().flatten()
     }
 
@@ -109,6 +110,7 @@ impl Slot<'_> {
             }
             return None;
         }
+        self.declare(Some(wanted), bounds);
         let value = match &self.node?.value {
             Value::Number(value) => *value,
             Value::Text(text) => self.measure(text, &wanted)?,
@@ -134,6 +136,10 @@ impl Slot<'_> {
             });
             return None;
         }
+        self.declare(
+            None,
+            Bounds::between(*range.start() as f64, *range.end() as f64),
+        );
         let Value::Number(value) = self.node?.value else {
             self.wrong_type("a whole number");
             return None;

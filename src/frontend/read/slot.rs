@@ -1,6 +1,8 @@
 //! The place of one value, and what can be read there.
 
+use super::bounds::Bounds;
 use super::dimension::Dimensions;
+use super::number::Wanted;
 use super::suggest::{did_you_mean, quoted_list};
 use super::tree::{Node, Value};
 use crate::frontend::diagnostics::{Diagnostic, Place};
@@ -14,12 +16,40 @@ pub struct Reader {
     pub(super) describing: bool,
     pub(super) definitions: Map<String, Json>,
     pub(super) dimensions: Dimensions,
+    /// Numbers met on the way, where they are asked for.
+    pub(super) numbers: Option<Vec<Declared>>,
+}
+
+/// A number of a text with what is declared of it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Declared {
+    /// Address of the number.
+    pub path: String,
+    /// Place of the value in the text.
+    pub place: Place,
+    /// What it measures; `None`: a whole number.
+    pub wanted: Option<Wanted>,
+    /// The interval it must lie in.
+    pub bounds: Bounds,
 }
 
 impl Reader {
     /// A reader of trees.
     pub fn new() -> Self {
         Self::default()
+    }
+
+    /// A reader of trees that keeps what is declared of every number it meets.
+    pub fn of_numbers() -> Self {
+        Self {
+            numbers: Some(Vec::new()),
+            ..Self::default()
+        }
+    }
+
+    /// The numbers met, faulty ones too, in the order of reading.
+    pub fn numbers(self) -> Vec<Declared> {
+        self.numbers.unwrap_or_default()
     }
 
     /// A reader that writes the JSON Schema of whatever it is made to read.
@@ -133,6 +163,19 @@ impl<'a> Slot<'a> {
         let fault = self.refuse("wrong-type", message);
         fault.label = format!("expected {wanted}");
         fault
+    }
+
+    /// Keeps what is declared of this number, where that is asked for.
+    pub(super) fn declare(&mut self, wanted: Option<Wanted>, bounds: Bounds) {
+        let Some((numbers, node)) = self.reader.numbers.as_mut().zip(self.node) else {
+            return;
+        };
+        numbers.push(Declared {
+            path: self.path.clone(),
+            place: node.place.clone(),
+            wanted,
+            bounds,
+        });
     }
 
     /// Another reading of the same value, when the first was only a look.

@@ -6,7 +6,7 @@ use super::{Catalogue, Levels, TypedScene, address, root};
 use crate::fault::Fault;
 use crate::frontend::diagnostics::{Diagnostic, Diagnostics, Place, Source, Sources};
 use crate::frontend::object::Registry;
-use crate::frontend::read::{self, Member, Node, Reader, Value, did_you_mean};
+use crate::frontend::read::{self, Declared, Member, Node, Reader, Value, did_you_mean};
 use sha2::{Digest, Sha256};
 use std::fmt::Write;
 use std::sync::{Arc, OnceLock};
@@ -199,6 +199,16 @@ impl Document {
             }
             _ => Err(diagnostics),
         }
+    }
+
+    /// The numbers that reading it meets, with what is declared of them.
+    pub(super) fn declared(&self, catalogue: &dyn Catalogue) -> Vec<Declared> {
+        let (mut sources, mut faults) = (self.sources.clone(), Vec::new());
+        let tree = self.tree(catalogue, &Overrides::none(), &mut sources, &mut faults);
+        let known = Known::new(&self.registry);
+        let mut reader = Reader::of_numbers();
+        reader.read(Some(&tree), "", |slot| root::read(slot, known));
+        reader.numbers()
     }
 
     /// What is known of its objects, however faulty they are, and what a catalogue offers.

@@ -16,8 +16,10 @@ use crate::report::verdict::{Sort, Verdict, verdict};
 use crate::studies::order::Certificate;
 use runs::RunSeries;
 
-const STYLE: &str = include_str!("style.css");
-const PLAYER: &str = include_str!("player.js");
+/// The style of pages.
+pub(in crate::report) const STYLE: &str = include_str!("style.css");
+/// The player of what moves.
+pub(in crate::report) const PLAYER: &str = include_str!("player.js");
 
 /// Everything that goes into the page of one run.
 #[derive(Clone, Copy, Debug)]
@@ -161,7 +163,8 @@ pub(in crate::report) fn mechanism(diagram: &Diagram) -> String {
     )
 }
 
-fn window_note(figures: &Figures, samples: usize) -> String {
+/// What the figures are taken over.
+pub(in crate::report) fn window_note(figures: &Figures, samples: usize) -> String {
     let run = &figures.run;
     let text = match (run.window, &run.window_missing) {
         (Some([from, to]), _) => format!(

@@ -3,13 +3,13 @@
 // moving part is a group that is placed anew; where it goes is a table over the rows, a
 // table over a coordinate, a turn or a slide by a coordinate. The player follows the
 // cursor of the charts, and the charts' cursors follow the player.
-(() => {
+const machine = (() => {
   const { minus, significant } = numbers;
 
   // A coordinate over the rows, and its deviation from the law.
-  function column(given) {
+  function column(given, columns) {
     if (given.own) return { values: given.own, deviation: null };
-    return { values: page.columns[given.values], deviation: given.deviation === null ? null : page.columns[given.deviation] };
+    return { values: columns[given.values], deviation: given.deviation === null ? null : columns[given.deviation] };
   }
 
   const number = (value) => significant(value, 5);
@@ -36,32 +36,46 @@
     return [mixed[0], mixed[1], mixed[2] / size, mixed[3] / size];
   }
 
-  function player(figure) {
-    const data = JSON.parse(document.getElementById(`${figure.id}-data`).textContent);
-    const clockwork = data.times === null ? null : page.columns[data.times];
-    const axis = data.axis || { name: "t", unit: "s", values: clockwork, times: clockwork, closed: false };
-    // The charts whose horizontal axis this one is.
-    const over = page.plots.map((plot) => plot.x).find((x) => x.unit === axis.unit);
-    const key = over ? `${over.name} ${over.unit}` : null;
-    const { values, times, closed } = axis, count = values.length;
-    if (!count) return;
-    const columns = data.columns.map(column);
-    const controls = figure.querySelector(".controls");
-    let factor = data.magnify ? data.magnify.factor : 1;
+  // Plays a figure: what moves in it, over the columns and charts of its page. It can be
+  // given another motion, and other pictures of it, later.
+  function player(figure, given, source) {
+    let data, axis, key, values, times, closed, timed, count, columns, drawings, sets, words, cells, poses = [];
+    let factor = given.magnify ? given.magnify.factor : 1;
     let place = 0, playing = false, last = null, clock = 0;
+    const controls = figure.querySelector(".controls");
 
-    const drawings = [...figure.querySelectorAll("svg.mechanism")].map((svg) => {
-      const first = +(svg.dataset.first || 0);
-      return {
-        links: [...svg.querySelectorAll("[data-link]")].map((node) => ({ node, body: first + +node.dataset.link })),
-        pins: [...svg.querySelectorAll("[data-on]")].filter((node) => +node.dataset.on >= 0)
-          .map((node) => ({ node, body: first + +node.dataset.on, at: node.dataset.at.split(" ").map(Number) })),
-      };
-    });
-    const sets = data.sets.map((_, index) => figure.querySelector(`[data-set="${index}"]`));
-    const words = [...figure.querySelectorAll("[data-column]")];
-    let poses = [];
-    const cells = data.readings.map((reading) => {
+    function take(next, { columns: all, plots }) {
+      data = next;
+      const clockwork = data.times === null ? null : all[data.times];
+      axis = data.axis || { name: "t", unit: "s", values: clockwork, times: clockwork, closed: false };
+      // The charts whose horizontal axis this one is.
+      const over = plots.map((plot) => plot.x).find((x) => x.unit === axis.unit);
+      key = over ? `${over.name} ${over.unit}` : null;
+      ({ values, times, closed } = axis);
+      count = values.length;
+      // Where the times say nothing, rows follow each other evenly.
+      timed = times.length === count && times.every((t, i) => t !== null && (i === 0 || t >= times[i - 1])) && times[count - 1] > times[0];
+      columns = data.columns.map((one) => column(one, all));
+    }
+
+    // What moves in the pictures as they are.
+    function look() {
+      drawings = [...figure.querySelectorAll("svg.mechanism")].map((svg) => {
+        const first = +(svg.dataset.first || 0);
+        return {
+          links: [...svg.querySelectorAll("[data-link]")].map((node) => ({ node, body: first + +node.dataset.link })),
+          pins: [...svg.querySelectorAll("[data-on]")].filter((node) => +node.dataset.on >= 0)
+            .map((node) => ({ node, body: first + +node.dataset.on, at: node.dataset.at.split(" ").map(Number) })),
+        };
+      });
+      sets = data.sets.map((_, index) => figure.querySelector(`[data-set="${index}"]`));
+      words = [...figure.querySelectorAll("[data-column]")];
+    }
+
+    take(given, source);
+    if (!count) return null;
+    look();
+    cells = data.readings.map((reading) => {
       const list = figure.querySelector(".readings"), name = document.createElement("dt"), value = document.createElement("dd");
       name.textContent = reading.name;
       list.append(name, value);
@@ -144,8 +158,6 @@
     const goTo = (value) => show(rowOf(value));
     const tell = (value) => { if (key) document.dispatchEvent(new CustomEvent("instant", { detail: { axis: key, value, by: "player" } })); };
 
-    // Where the times say nothing, rows follow each other evenly.
-    const timed = times.length === count && times.every((t, i) => t !== null && (i === 0 || t >= times[i - 1])) && times[count - 1] > times[0];
     const clockAt = (row) => timed ? (between(times, row) - times[0]) / (times[count - 1] - times[0]) : row / Math.max(1, count - 1);
     function rowAt(share) {
       if (!timed) return share * (count - 1);
@@ -197,31 +209,47 @@
     };
     data.sets.forEach((set, index) => check(set.caption, set.shown, (on) => sets[index].setAttribute("visibility", on ? "visible" : "hidden")));
     if (figure.querySelector("[data-path]")) check("paths", true, (on) => figure.querySelectorAll("[data-path]").forEach((node) => node.setAttribute("visibility", on ? "visible" : "hidden")));
-    document.addEventListener("instant", (event) => {
+    const follow = (event) => {
       const { axis: told, value, by } = event.detail;
       if (by !== "player" && told === key && value !== null && !playing) goTo(value);
-    });
+    };
+    document.addEventListener("instant", follow);
     // What the pointer rests on: the part with its place and angle, or its displacement.
-    for (const [index, svg] of [...figure.querySelectorAll("svg.mechanism")].entries()) {
-      svg.addEventListener("pointermove", (event) => {
-        const node = event.target.closest("[data-link]"), drawing = drawings[index];
-        const link = node && drawing.links.find((one) => one.node === node), body = link && data.bodies[link.body], pose = link && poses[link.body];
-        const name = link ? data.names[link.body] : null, lines = [];
-        if (name) lines.push(name);
-        if (data.scale) {
-          const [metres, x0, y0] = data.scale, point = new DOMPoint(event.clientX, event.clientY).matrixTransform(svg.getScreenCTM().inverse());
-          const length = (pixels) => numbers.withUnit(pixels * metres, "m", 4);
-          if (pose) lines.push(`origin (${length(pose[0] - x0)}, ${length(y0 - pose[1])}), angle ${significant(Math.atan2(pose[3], pose[2]) * 180 / Math.PI, 5)}°`);
-          lines.push(`pointer (${length(point.x - x0)}, ${length(y0 - point.y)})`);
-        } else if (body && body.column !== undefined) {
-          const word = words.find((one) => +one.dataset.column === body.column);
-          if (word) lines.push(word.textContent);
-        }
-        pointed(event, lines);
-      });
-      svg.addEventListener("pointerleave", (event) => pointed(event, null));
-    }
+    figure.addEventListener("pointermove", (event) => {
+      const svg = event.target.closest("svg.mechanism");
+      if (!svg) { pointed(event, null); return; }
+      const node = event.target.closest("[data-link]"), drawing = drawings[[...figure.querySelectorAll("svg.mechanism")].indexOf(svg)];
+      const link = node && drawing.links.find((one) => one.node === node), body = link && data.bodies[link.body], pose = link && poses[link.body];
+      const name = link ? data.names[link.body] : null, lines = [];
+      if (name) lines.push(name);
+      if (data.scale) {
+        const [metres, x0, y0] = data.scale, point = new DOMPoint(event.clientX, event.clientY).matrixTransform(svg.getScreenCTM().inverse());
+        const length = (pixels) => numbers.withUnit(pixels * metres, "m", 4);
+        if (pose) lines.push(`origin (${length(pose[0] - x0)}, ${length(y0 - pose[1])}), angle ${significant(Math.atan2(pose[3], pose[2]) * 180 / Math.PI, 5)}°`);
+        lines.push(`pointer (${length(point.x - x0)}, ${length(y0 - point.y)})`);
+      } else if (body && body.column !== undefined) {
+        const word = words.find((one) => +one.dataset.column === body.column);
+        if (word) lines.push(word.textContent);
+      }
+      pointed(event, lines);
+    });
+    figure.addEventListener("pointerleave", (event) => pointed(event, null));
     show(0);
+
+    // Another motion at the same instant; `pictures`: what it is drawn in now, where that is another.
+    function update(next, source, pictures) {
+      const at = values[Math.min(Math.round(place), count - 1)], row = place;
+      take(next, source);
+      if (pictures !== undefined) figure.querySelector(".stations").outerHTML = pictures;
+      if (pictures !== undefined) look();
+      show(timed && at <= values[count - 1] ? rowOf(at) : Math.min(row, count - 1));
+    }
+    function stop() {
+      playing = false;
+      document.removeEventListener("instant", follow);
+    }
+    return { update, stop };
   }
-  document.querySelectorAll("figure.moving").forEach(player);
+  for (const figure of document.querySelectorAll("figure.moving")) player(figure, JSON.parse(document.getElementById(`${figure.id}-data`).textContent), page);
+  return { player };
 })();

@@ -98,48 +98,113 @@ pub(in crate::report) fn followed(
     })
 }
 
-/// The section of an object: heading, tool bar, plots. Empty when no run has samples of it;
-/// quantities that are zero throughout every run are named in words.
+/// The charts of an object, with the quantities that are zero throughout every run.
+#[derive(Debug)]
+pub(in crate::report) struct Shown {
+    /// Id of the object.
+    id: String,
+    /// Kind and model in words.
+    kind: String,
+    pub(in crate::report) charts: Vec<Plot>,
+    silent: Vec<String>,
+    runs: usize,
+}
+
+impl Shown {
+    /// The charts of an object; `None` when no run has samples of it.
+    pub(in crate::report) fn of(runs: &[RunSeries<'_>], id: &str, kind: &str) -> Option<Self> {
+        let mut silent = Vec::new();
+        let mut charts = Vec::new();
+        for (quantity, name) in shown(id, runs) {
+            let own = columns(runs, id, quantity);
+            if own.is_empty() {
+                continue;
+            }
+            let zero = |(_, column): &(usize, &Column)| column.values.iter().all(|&v| v == 0.0);
+            match own.iter().all(zero) {
+                true => silent.push(name),
+                false => charts.extend(chart(runs, id, quantity, &name)),
+            }
+        }
+        if charts.is_empty() && silent.is_empty() {
+            return None;
+        }
+        Some(Self {
+            id: id.to_owned(),
+            kind: kind.to_owned(),
+            charts,
+            silent,
+            runs: runs.len(),
+        })
+    }
+
+    fn is_single(&self) -> bool {
+        self.runs > 1 || self.charts.len() == 1
+    }
+
+    /// Size of each chart as long as nothing scales it.
+    pub(in crate::report) fn size(&self) -> [f64; 2] {
+        if self.is_single() { SEVERAL } else { ONE }
+    }
+
+    /// Charts of one link are zoomed together.
+    pub(in crate::report) fn link(&self) -> String {
+        format!("object {}", self.id)
+    }
+
+    /// What the section shows besides numbers: two that are alike here differ in numbers alone.
+    #[cfg(feature = "studio")]
+    pub(in crate::report) fn likeness(&self) -> String {
+        let chart = |plot: &Plot| {
+            let series = plot
+                .series
+                .iter()
+                .map(|one| (&one.label, one.look, one.style));
+            let series: Vec<_> = series.collect();
+            let bands = plot.bands.iter().map(|band| (&band.label, band.series));
+            let bands: Vec<_> = bands.collect();
+            format!(
+                "{}{}{:?}{series:?}{bands:?}",
+                plot.id, plot.title, plot.y.name
+            )
+        };
+        let charts: String = self.charts.iter().map(chart).collect();
+        format!("{}{}{:?}{charts}", self.id, self.kind, self.silent)
+    }
+
+    /// The section: heading, tool bar, plots; quantities that are zero are named in words.
+    pub(in crate::report) fn html(&self, plots: &mut Plots) -> String {
+        let shaded = self.charts.iter().any(|chart| !chart.bands.is_empty());
+        let figures: String = (self.charts.iter())
+            .map(|chart| plots.figure(chart, self.size(), &self.link()))
+            .collect();
+        // The studio lets no style stand in its page, and has rows of its own.
+        let rows = match plots.is_live() {
+            true => String::new(),
+            false => format!(" style=\"--rows:{}\"", self.charts.len().div_ceil(2).max(1)),
+        };
+        format!(
+            "<section class=\"object\" id=\"object-{id}\">\n\
+             <h2>{id}<span class=\"kind\">{kind}</span></h2>\n\
+             <div class=\"bar\" data-zoom=\"object {id}\">{shading}</div>\n\
+             <div class=\"plots{single}\"{rows}>\n{figures}</div>\n{silent}</section>\n",
+            id = escape(&self.id),
+            kind = escape(&self.kind),
+            shading = match (shaded, self.runs) {
+                (false, _) => "",
+                (true, 1) => "<span class=\"key\"><span class=\"swatch\"></span>pair open</span>",
+                (true, _) => "<span>strips at the foot: pair open</span>",
+            },
+            single = if self.is_single() { " single" } else { "" },
+            rows = rows,
+            silent = silent_note(&self.silent),
+        )
+    }
+}
+
+/// The section of an object: heading, tool bar, plots. Empty when no run has samples of it.
 pub fn section(plots: &mut Plots, runs: &[RunSeries<'_>], id: &str, kind: &str) -> String {
-    let mut silent = Vec::new();
-    let mut charts = Vec::new();
-    for (quantity, name) in shown(id, runs) {
-        let own = columns(runs, id, quantity);
-        if own.is_empty() {
-            continue;
-        }
-        let zero = |(_, column): &(usize, &Column)| column.values.iter().all(|&v| v == 0.0);
-        match own.iter().all(zero) {
-            true => silent.push(name),
-            false => charts.extend(chart(runs, id, quantity, &name)),
-        }
-    }
-    if charts.is_empty() && silent.is_empty() {
-        return String::new();
-    }
-    let shaded = charts.iter().any(|chart| !chart.bands.is_empty());
-    let single = runs.len() > 1 || charts.len() == 1;
-    let size = if single { SEVERAL } else { ONE };
-    let figures: String = charts
-        .iter()
-        .map(|chart| plots.figure(chart, size, &format!("object {id}")))
-        .collect();
-    format!(
-        "<section class=\"object\" id=\"object-{id}\">\n\
-         <h2>{id}<span class=\"kind\">{kind}</span></h2>\n\
-         <div class=\"bar\" data-zoom=\"object {id}\">{shading}</div>\n\
-         <div class=\"plots{single}\" style=\"--rows:{rows}\">\n{figures}</div>\n{silent}</section>\n",
-        id = escape(id),
-        kind = escape(kind),
-        shading = match (shaded, runs.len()) {
-            (false, _) => "",
-            (true, 1) => "<span class=\"key\"><span class=\"swatch\"></span>pair open</span>",
-            (true, _) => "<span>strips at the foot: pair open</span>",
-        },
-        single = if single { " single" } else { "" },
-        rows = charts.len().div_ceil(2).max(1),
-        silent = silent_note(&silent),
-    )
+    Shown::of(runs, id, kind).map_or(String::new(), |shown| shown.html(plots))
 }
 
 /// The quantities of an object with their names on the plots: the six of every object,

@@ -46,6 +46,27 @@ impl Machine<'_> {
         record: &Record,
         plots: &mut Plots,
     ) -> String {
+        let Some(moving) = self.moving(figures, record, plots) else {
+            return String::new();
+        };
+        let style = match self.cams.is_empty() {
+            true => String::new(),
+            false => format!("<style>\n{}\n</style>\n", cam::style()),
+        };
+        format!(
+            "<h2>The machine moving</h2>\n{}{}",
+            moving.player.figure(&(style + &moving.pictures)),
+            moving.note()
+        )
+    }
+
+    /// What moves, and the pictures that it moves in; `None`: nothing can be drawn.
+    pub(in crate::report) fn moving(
+        &self,
+        figures: &Figures,
+        record: &Record,
+        plots: &mut Plots,
+    ) -> Option<Moving> {
         let all = self.drivers_first();
         let plotted = all
             .iter()
@@ -61,18 +82,14 @@ impl Machine<'_> {
         let of = |column: usize| Station::of(self, record, column, &drawn);
         let stations: Vec<Station> = (0..drawn.len()).flat_map(of).collect();
         if stations.is_empty() || record.times.len() < 2 {
-            return String::new();
+            return None;
         }
         let deflections = stations.iter().map(|station| {
             let own = figures.objects.get(&station.id);
             own.map_or(0.0, |own| own.delta_abs) * station.pixels
         });
         player.magnify = magnify(deflections.fold(0.0, f64::max));
-        let style = match self.cams.is_empty() {
-            true => String::new(),
-            false => format!("<style>\n{}\n</style>\n", cam::style()),
-        };
-        let mut pictures = style + "<div class=\"stations\">\n";
+        let mut pictures = "<div class=\"stations\">\n".to_owned();
         for mut station in stations {
             let first = player.bodies.len();
             player.bodies.append(&mut station.bodies);
@@ -83,11 +100,11 @@ impl Machine<'_> {
             pictures.push_str(&station.html(first, delta));
         }
         pictures.push_str("</div>\n");
-        format!(
-            "<h2>The machine moving</h2>\n{}{}",
-            player.figure(&pictures),
-            note(&player, all.len(), drawn.len())
-        )
+        Some(Moving {
+            player,
+            pictures,
+            drawn: [drawn.len(), all.len()],
+        })
     }
 
     /// The scene's objects, drivers before what they drive; outputs belong to
@@ -109,19 +126,34 @@ impl Machine<'_> {
     }
 }
 
-fn note(player: &Player, all: usize, drawn: usize) -> String {
-    let mut text = String::from(
-        "Angles are true; cams and linkages are to scale, a lever without geometry has unit \
-         length. The cursors of the plots below go with the machine.",
-    );
-    if player.magnify.is_some() {
-        text.push_str(
-            " Pale: where the law asks the object to be; in full: where it is, its deflection δ \
-             magnified by the factor beside the controls.",
+/// A machine that moves.
+#[derive(Debug)]
+pub(in crate::report) struct Moving {
+    /// Its motion.
+    pub(in crate::report) player: Player,
+    /// The pictures that it moves in.
+    pub(in crate::report) pictures: String,
+    /// Objects that are drawn, of all.
+    drawn: [usize; 2],
+}
+
+impl Moving {
+    /// What is to be said of the pictures.
+    pub(in crate::report) fn note(&self) -> String {
+        let mut text = String::from(
+            "Angles are true; cams and linkages are to scale, a lever without geometry has unit \
+             length. The cursors of the plots below go with the machine.",
         );
+        if self.player.magnify.is_some() {
+            text.push_str(
+                " Pale: where the law asks the object to be; in full: where it is, its deflection δ \
+                 magnified by the factor beside the controls.",
+            );
+        }
+        let [drawn, all] = self.drawn;
+        if drawn < all {
+            text.push_str(&format!(" {drawn} of {all} objects are drawn."));
+        }
+        format!("<p class=\"soft\">{}</p>\n", escape(&text))
     }
-    if drawn < all {
-        text.push_str(&format!(" {drawn} of {all} objects are drawn."));
-    }
-    format!("<p class=\"soft\">{}</p>\n", escape(&text))
 }

@@ -24,6 +24,9 @@ const KEY: f64 = 744.0;
 /// Longest title of a panel on a page (characters).
 const MOST_OF_HEAD: usize = 80;
 const LINE: f64 = 15.0;
+/// Size of the plot of a map that is steered.
+#[cfg(feature = "studio")]
+const STEERED: [f64; 2] = [340.0, 270.0];
 /// The picture of a study: all its panels, a bar of colours for all of them, and a legend of
 /// the verdicts that occur. A complete SVG document.
 pub fn svg(study: &Study<'_>, result: &MapResult) -> String {
@@ -84,6 +87,23 @@ fn foot(study: &Study<'_>, result: &MapResult, [left, top, width]: [f64; 3]) -> 
     (body + &legend, below + height + 16.0)
 }
 
+/// The map of one panel where it is looked at and steered, no larger than needed.
+#[cfg(feature = "studio")]
+pub(in crate::report) fn steered(
+    study: &Study<'_>,
+    result: &MapResult,
+    plots: &mut Plots,
+) -> String {
+    let sheet = Sheet::sized(study, result, plots, STEERED);
+    let [w, h] = sheet.size.map(coordinate);
+    format!(
+        "<div class=\"chart map\"><svg class=\"dam-plot\" data-steers=\"\" viewBox=\"0 0 {w} {h}\" \
+         width=\"{w}\" role=\"img\" aria-label=\"{}\">\n{}</svg></div>\n",
+        escape(&sheet.name),
+        sheet.body
+    )
+}
+
 /// Letter of a panel: a … z, then by its number.
 pub(in crate::report) fn letter(index: usize) -> String {
     match u8::try_from(index) {
@@ -100,15 +120,25 @@ struct Sheet {
 
 impl Sheet {
     fn new(study: &Study<'_>, result: &MapResult, plots: &mut Plots) -> Self {
+        let size = plot_size(columns(study), study.y.is_some());
+        Self::sized(study, result, plots, size)
+    }
+
+    /// With plots of a size.
+    fn sized(
+        study: &Study<'_>,
+        result: &MapResult,
+        plots: &mut Plots,
+        [plot_width, plot_height]: [f64; 2],
+    ) -> Self {
         let panels = &study.panels;
-        let columns = panels.columns.clamp(1, 4).min(panels.panels.len());
+        let columns = columns(study);
         let rows = panels.panels.len().div_ceil(columns);
         let values = Values::of(study, result);
         let titles: Vec<Vec<String>> = (panels.panels.iter())
             .map(|panel| title(&panel.settings))
             .collect();
         let lines = titles.iter().map(Vec::len).max().unwrap_or(0);
-        let (plot_width, plot_height) = plot_size(columns, study.y.is_some());
         let cell_width = LEFT + plot_width + GAP;
         let head = LINE * lines as f64 + 10.0;
         let strip = if study.y.is_some() { 0.0 } else { STRIP };
@@ -150,15 +180,21 @@ impl Sheet {
 }
 
 /// Size of one plot, by the number of plots in a row.
-fn plot_size(columns: usize, map: bool) -> (f64, f64) {
+fn plot_size(columns: usize, map: bool) -> [f64; 2] {
     match (columns, map) {
-        (1, true) => (640.0, 460.0),
-        (2, true) => (420.0, 320.0),
-        (_, true) => (330.0, 260.0),
-        (1, false) => (760.0, 340.0),
-        (2, false) => (440.0, 260.0),
-        (_, false) => (330.0, 210.0),
+        (1, true) => [640.0, 460.0],
+        (2, true) => [420.0, 320.0],
+        (_, true) => [330.0, 260.0],
+        (1, false) => [760.0, 340.0],
+        (2, false) => [440.0, 260.0],
+        (_, false) => [330.0, 210.0],
     }
+}
+
+/// Plots in a row.
+fn columns(study: &Study<'_>) -> usize {
+    let panels = &study.panels;
+    panels.columns.clamp(1, 4).min(panels.panels.len())
 }
 
 /// Title of a panel: what it differs in, a line a setting; how long it runs is left out.

@@ -180,7 +180,7 @@ impl Plot {
 
 impl Frame {
     /// Left, top, width and height (pixels), for the script.
-    fn place(&self) -> String {
+    pub(super) fn place(&self) -> String {
         let [left, top, width, height] =
             [self.left, self.top, self.width, self.height].map(coordinate);
         format!("{left} {top} {width} {height}")

@@ -15,6 +15,10 @@ pub struct Plots {
     columns: Vec<Vec<Option<f64>>>,
     known: BTreeMap<Vec<u64>, usize>,
     plots: Vec<Value>,
+    /// Number of the first chart: where several sets of charts stand on one page.
+    first: usize,
+    /// True: numbers keep all their digits, and charts tell where their frames stand.
+    live: bool,
 }
 
 /// Digits of numbers along the horizontal axis and of values: what a plot can show, in a third
@@ -23,13 +27,46 @@ const PLACES: usize = 12;
 const VALUES: usize = 9;
 
 impl Plots {
+    /// Charts that are given other numbers again and again: nothing is rounded. They are
+    /// numbered from `first` on.
+    #[cfg(feature = "studio")]
+    pub(in crate::report) fn live(first: usize) -> Self {
+        Self {
+            first,
+            live: true,
+            ..Self::default()
+        }
+    }
+
+    /// The columns, and the charts as JSON.
+    #[cfg(feature = "studio")]
+    pub(crate) fn parts(&self) -> (&[Vec<Option<f64>>], &[Value]) {
+        (&self.columns, &self.plots)
+    }
+
+    /// A chart of the page whose picture is there already.
+    #[cfg(feature = "studio")]
+    pub(in crate::report) fn again(&mut self, plot: &Plot, [width, height]: [f64; 2], link: &str) {
+        let (frame, _) = plot.layout(width, height);
+        self.add(plot, &frame, link);
+    }
+
+    /// True where numbers are exchanged again and again.
+    pub(in crate::report) fn is_live(&self) -> bool {
+        self.live
+    }
+
     /// Number of a column of values, added where it is new.
     pub(in crate::report) fn column(&mut self, values: &[f64], digits: usize) -> usize {
         let key: Vec<u64> = values.iter().map(|value| value.to_bits()).collect();
         if let Some(&known) = self.known.get(&key) {
             return known;
         }
-        let shown = |&v: &f64| v.is_finite().then(|| rounded(v, digits));
+        let live = self.live;
+        let shown = |&v: &f64| {
+            v.is_finite()
+                .then(|| if live { v } else { rounded(v, digits) })
+        };
         self.columns.push(values.iter().map(shown).collect());
         self.known.insert(key, self.columns.len() - 1);
         self.columns.len() - 1
@@ -43,7 +80,7 @@ impl Plots {
     /// A chart of the page, this large as long as nothing scales it. Charts with the same
     /// `link` are zoomed together.
     pub fn figure(&mut self, plot: &Plot, [width, height]: [f64; 2], link: &str) -> String {
-        let index = self.plots.len();
+        let index = self.first + self.plots.len();
         let (frame, _) = plot.layout(width, height);
         let body = plot.whole(width, height, index);
         self.add(plot, &frame, link);
@@ -77,6 +114,9 @@ impl Plots {
         if plot.plane {
             value["plane"] = json!(plot.free_direction(frame));
         }
+        if self.live {
+            value["frame"] = json!(frame.place());
+        }
         if plot.start {
             value["start"] = json!(true);
         }
@@ -92,7 +132,7 @@ impl Plots {
             });
         }
         self.plots.push(value);
-        self.plots.len() - 1
+        self.first + self.plots.len() - 1
     }
 
     fn series(&mut self, series: &super::Series) -> Value {

@@ -3,7 +3,8 @@
 // page's width, zoomed (drag, wheel, buttons; a double click shows everything), told of at the
 // pointer, and its series are switched in the legend. Colours and shapes are those of the
 // drawing. Cursors over one quantity go together, and with what moves on the page.
-const page = JSON.parse(document.getElementById("data").textContent);
+// A page has its numbers in it; the studio brings them later, again and again (`live`).
+const page = JSON.parse((document.getElementById("data") || { textContent: '{"columns":[],"plots":[]}' }).textContent);
 const numbers = (() => {
   const PREFIXES = { "-12": "p", "-9": "n", "-6": "µ", "-3": "m", 0: "", 3: "k", 6: "M", 9: "G" };
   const TAKE_ALL = ["N", "J", "W", "Pa", "Hz", "Nm"], TAKE_SMALL = ["s", "m", "rad"];
@@ -98,11 +99,11 @@ const pointed = (() => {
   };
 })();
 
-(() => {
+const live = (() => {
   const { significant, withUnit, ticks, shown, marksOf } = numbers;
   const SVG = "http://www.w3.org/2000/svg";
   const PITCH_X = 78, PITCH_Y = 32, RIGHT = 20, LANE = 26;
-  const moving = document.querySelector("figure.moving") !== null;
+  const moving = () => document.querySelector("figure.moving") !== null;
   let printing = false;
   // The place that all cursors and the machine stand at; null: none is shown.
   let instant = null;
@@ -118,12 +119,11 @@ const pointed = (() => {
   const widthOf = (text) => 6.8 * text.length;
 
   // ---- series --------------------------------------------------------------
-  const column = (index) => page.columns[index];
-  const rising = new Map();
+  const rising = new WeakMap();
   // Whether places follow one another along the axis, so that they can be searched.
-  function isRising(index) {
-    if (!rising.has(index)) rising.set(index, column(index).every((x, i, all) => x !== null && (i === 0 || x >= all[i - 1])));
-    return rising.get(index);
+  function isRising(xs) {
+    if (!rising.has(xs)) rising.set(xs, xs.every((x, i) => x !== null && (i === 0 || x >= xs[i - 1])));
+    return rising.get(xs);
   }
 
   // First index with values[index] >= v.
@@ -133,16 +133,14 @@ const pointed = (() => {
     return low;
   }
 
-  // Visible points of a series: indices from one before to one after the range.
-  function span(series, ends) {
-    const xs = column(series.x);
-    if (!isRising(series.x)) return [0, xs.length - 1];
+  // Visible points over places: indices from one before to one after the range.
+  function span(xs, ends) {
+    if (!isRising(xs)) return [0, xs.length - 1];
     return [Math.max(0, lowerBound(xs, ends[0]) - 1), Math.min(xs.length - 1, lowerBound(xs, ends[1]))];
   }
 
-  function nearest(series, x) {
-    const xs = column(series.x);
-    if (!isRising(series.x)) {
+  function nearest(xs, x) {
+    if (!isRising(xs)) {
       let best = 0;
       xs.forEach((at, i) => { if (at !== null && (xs[best] === null || Math.abs(at - x) < Math.abs(xs[best] - x))) best = i; });
       return best;
@@ -155,10 +153,11 @@ const pointed = (() => {
 
   // ---- charts --------------------------------------------------------------
   class Chart {
-    constructor(group) {
+    constructor(group, source) {
       this.group = group;
       this.svg = group.ownerSVGElement;
-      this.data = page.plots[+group.dataset.plot];
+      this.columns = source.columns;
+      this.data = source.plots[+group.dataset.plot];
       const [left, top, width, height] = group.dataset.frame.split(" ").map(Number);
       // The frame as it was drawn, and as it is.
       this.drawn = { left, top, width, height };
@@ -166,6 +165,8 @@ const pointed = (() => {
       this.whole = { x: this.data.x.ends, y: this.data.y.ends };
       this.range = { x: this.whole.x, y: this.whole.y };
       this.fluid = this.svg.dataset.fluid !== undefined;
+      // Where it steers, a click or drag tells a place instead of zooming.
+      this.steers = this.svg.dataset.steers !== undefined;
       const box = this.svg.viewBox.baseVal;
       this.size = [box.width, box.height];
       this.below = this.size[1] - top - height;
@@ -199,6 +200,28 @@ const pointed = (() => {
       this.entries = [...group.querySelectorAll(".legend .entry")];
       this.entries.filter((entry) => entry.dataset.series !== undefined).forEach((entry) => this.switches(entry));
       this.listen();
+    }
+
+    // The same chart with other numbers, as many series, bands and rules; what is zoomed stays so.
+    take(source) {
+      const zoomed = ["x", "y"].filter((axis) => this.range[axis].some((end, i) => end !== this.whole[axis][i]));
+      this.columns = source.columns;
+      this.data = source.plots[+this.group.dataset.plot];
+      const [left, top, width, height] = this.data.frame.split(" ").map(Number);
+      this.drawn = { left, top, width, height };
+      this.frame = { left, top, width, height };
+      this.whole = { x: this.data.x.ends, y: this.data.y.ends };
+      for (const axis of ["x", "y"]) this.range[axis] = zoomed.includes(axis) && (axis === "x" || this.data.both) ? within(this.range[axis], this.whole[axis]) : this.whole[axis];
+      this.axis = `${this.data.x.name} ${this.data.x.unit}`;
+    }
+    column(index) { return this.columns[index]; }
+
+    // A cross at a place that is not among the numbers: where the scene stands on a map.
+    mark(x, y) {
+      this.here = [x, y];
+      this.crosses = this.crosses || ["here-back", "here"].map((name) => add(this.over, "path", { class: name }));
+      const [px, py] = x === null || y === null ? [NaN, NaN] : [this.px(x), this.py(y)];
+      for (const cross of this.crosses) cross.setAttribute("d", this.inside(px, py) ? `M${fixed(px - 9)} ${fixed(py)}h18M${fixed(px)} ${fixed(py - 9)}v18` : "");
     }
 
     // -- places
@@ -266,7 +289,7 @@ const pointed = (() => {
       let low = Infinity, high = -Infinity;
       this.data.series.forEach((series, index) => {
         if (this.hidden.has(index)) return;
-        const [from, to] = span(series, this.range.x), ys = column(series.y);
+        const [from, to] = span(this.column(series.x), this.range.x), ys = this.column(series.y);
         for (let i = from; i <= to; i++) { const v = ys[i]; if (v === null) continue; if (v < low) low = v; if (v > high) high = v; }
       });
       for (const [at, upright] of this.data.rules) if (!upright && !this.zoomed()) { low = Math.min(low, at); high = Math.max(high, at); }
@@ -282,6 +305,7 @@ const pointed = (() => {
     zoomed() { return ["x", "y"].some((axis) => (axis === "x" || this.data.both) && this.range[axis].some((end, i) => end !== this.whole[axis][i])); }
 
     draw() {
+      this.stale = false;
       this.fit();
       this.level();
       this.drawGrid();
@@ -302,6 +326,7 @@ const pointed = (() => {
       this.drawGround();
       this.data.series.forEach((series, index) => this.drawSeries(series, index));
       if (this.chosen) this.placeCell(this.kept, this.chosen);
+      if (this.here) this.mark(...this.here);
       this.cell.setAttribute("visibility", "hidden");
       if (instant !== null && instant.axis === this.axis) this.pointAt(instant.value); else this.quiet();
     }
@@ -414,7 +439,7 @@ const pointed = (() => {
     // and last value, so that no peak is lost.
     drawSeries(series, index) {
       const off = this.hidden.has(index), curve = this.curves[index], set = this.sets[index];
-      const xs = column(series.x), ys = column(series.y), { top, left, width } = this.frame;
+      const xs = this.column(series.x), ys = this.column(series.y), { top, left, width } = this.frame;
       const lane = this.data.lane !== undefined && this.group.querySelector(".lane") !== null;
       const spot = (i) => {
         const x = this.px(xs[i]), y = this.py(ys[i]);
@@ -430,7 +455,7 @@ const pointed = (() => {
           parts.push(pen && series.steps ? `H${fixed(x)}V${fixed(y)}` : `${pen ? "L" : "M"}${fixed(x)} ${fixed(y)}`);
           pen = true;
         };
-        const [from, to] = span(series, this.data.x.log ? this.range.x.map((end) => 10 ** end) : this.range.x);
+        const [from, to] = span(xs, this.data.x.log ? this.range.x.map((end) => 10 ** end) : this.range.x);
         if (!off && !series.bare) {
           if (to - from < 3 * width) for (let i = from; i <= to; i++) point(i);
           else for (let i = from; i <= to;) {
@@ -485,8 +510,8 @@ const pointed = (() => {
       const values = [];
       let at = null;
       this.data.series.forEach((series, index) => {
-        if (this.hidden.has(index) || !column(series.x).length || (this.data.both && !isRising(series.x))) return;
-        const i = nearest(series, value), v = column(series.y)[i], place = column(series.x)[i];
+        if (this.hidden.has(index) || !this.column(series.x).length || (this.data.both && !isRising(this.column(series.x)))) return;
+        const i = nearest(this.column(series.x), value), v = this.column(series.y)[i], place = this.column(series.x)[i];
         if (v === null || place === null) return;
         if (at === null) at = place;
         const [px, py] = [this.px(place), this.py(v)];
@@ -519,7 +544,7 @@ const pointed = (() => {
       let best = null, least = 40;
       this.data.series.forEach((series, index) => {
         if (this.hidden.has(index)) return;
-        const xs = column(series.x), ys = column(series.y), { top } = this.frame;
+        const xs = this.column(series.x), ys = this.column(series.y), { top } = this.frame;
         const lane = this.group.querySelector(".lane") !== null && series.marks;
         for (let i = 0; i < xs.length; i++) {
           const px = this.px(xs[i]);
@@ -531,7 +556,7 @@ const pointed = (() => {
       });
       this.quiet();
       if (!best) return null;
-      const { series, index, i, px, py } = best, [a, b] = [column(series.x)[i], column(series.y)[i]];
+      const { series, index, i, px, py } = best, [a, b] = [this.column(series.x)[i], this.column(series.y)[i]];
       this.dots[index].setAttribute("cx", px); this.dots[index].setAttribute("cy", py);
       this.dots[index].setAttribute("visibility", "visible");
       const named = (axis, value, other) => value === null ? "" : `${axis.name || other} = ${withUnit(value, axis.unit, 6)}`;
@@ -605,14 +630,23 @@ const pointed = (() => {
     listen() {
       const node = this.pad;
       let start = null;
+      const steer = (event, done) => { const place = this.placeAt(...this.pixel(event)); this.say("steered", { x: this.back("x", place.x), y: this.back("y", place.y), done }); };
       node.addEventListener("pointerdown", (event) => {
-        if (event.button !== 0 || event.pointerType === "touch") return;
+        if (event.button !== 0) return;
+        if (this.steers) {
+          start = {};
+          try { node.setPointerCapture(event.pointerId); } catch { /* a pointer made by a script */ }
+          steer(event, false);
+          return;
+        }
+        if (event.pointerType === "touch") return;
         this.dragged = false;
         start = { pixel: this.pixel(event), place: this.placeAt(...this.pixel(event)), x: event.clientX, y: event.clientY };
         try { node.setPointerCapture(event.pointerId); } catch { /* a pointer made by a script */ }
       });
       node.addEventListener("pointermove", (event) => {
         if (!start) { this.hover(event); return; }
+        if (this.steers) { steer(event, false); return; }
         const [x, y] = this.pixel(event), { left, top, width, height } = this.frame, clamp = (v, a, b) => Math.min(Math.max(v, a), b);
         const xs = [start.pixel[0], clamp(x, left, left + width)].sort((a, b) => a - b);
         const ys = this.data.both ? [start.pixel[1], clamp(y, top, top + height)].sort((a, b) => a - b) : [top, top + height];
@@ -621,6 +655,7 @@ const pointed = (() => {
       });
       node.addEventListener("pointerup", (event) => {
         if (!start) return;
+        if (this.steers) { start = null; steer(event, true); return; }
         const end = this.placeAt(...this.pixel(event)), { place, x, y } = start;
         start = null;
         this.selection.setAttribute("visibility", "hidden");
@@ -632,6 +667,7 @@ const pointed = (() => {
         zoom(this, { x: turned("x", box("x")), y: this.data.both && this.free("y") ? turned("y", box("y")) : null });
       });
       node.addEventListener("click", (event) => {
+        if (this.steers) return;
         // The click that ends a drag chooses nothing.
         if (this.dragged) { this.dragged = false; return; }
         const cell = this.cellAt(...this.pixel(event));
@@ -648,7 +684,7 @@ const pointed = (() => {
         this.cell.setAttribute("visibility", "hidden");
         if (this.data.field) this.say("left", {});
         else if (this.data.both) this.quiet();
-        else if (!moving) tell(this.axis, null);
+        else if (!moving()) tell(this.axis, null);
       });
       node.addEventListener("dblclick", (event) => { event.preventDefault(); zoom(this, null); });
       // A wheel over a page full of charts means scrolling until a chart has been clicked.
@@ -663,7 +699,7 @@ const pointed = (() => {
     free(axis) { return !this.data[axis].rows.length && !(axis === "y" && this.data.field && this.data.field.strip); }
   }
 
-  const charts = [...document.querySelectorAll("svg.dam-plot g.plot")].map((group) => new Chart(group));
+  const charts = [];
   const linked = (chart) => chart.data.link ? charts.filter((other) => other.data.link === chart.data.link) : [chart];
   const barsOf = (link) => [...document.querySelectorAll(".bar[data-zoom]")].filter((bar) => bar.dataset.zoom === link);
 
@@ -715,9 +751,29 @@ const pointed = (() => {
   });
 
   // ---- setting up ----------------------------------------------------------
-  for (const bar of document.querySelectorAll(".bar[data-zoom]")) {
+  // The charts within an element, drawn already, with their numbers.
+  function make(root, source) {
+    const made = [...root.querySelectorAll("svg.dam-plot g.plot")].map((group) => new Chart(group, source));
+    charts.push(...made);
+    root.querySelectorAll(".bar[data-zoom]").forEach(buttons);
+    made.forEach((chart) => chart.draw());
+    return made;
+  }
+
+  // Other numbers for charts that are the same otherwise; those that are not seen are drawn later.
+  function update(made, source, visible = () => true) {
+    for (const chart of made) { chart.take(source); if (visible(chart)) chart.draw(); else chart.stale = true; }
+  }
+
+  // Forgets charts that are about to go.
+  function drop(made) {
+    const gone = new Set(made);
+    charts.splice(0, charts.length, ...charts.filter((chart) => !gone.has(chart)));
+  }
+
+  function buttons(bar) {
     const chart = charts.find((one) => one.data.link === bar.dataset.zoom);
-    if (!chart) { bar.remove(); continue; }
+    if (!chart) { bar.remove(); return; }
     const button = (text, label, act) => {
       const node = Object.assign(document.createElement("button"), { type: "button", textContent: text, title: label });
       node.setAttribute("aria-label", label);
@@ -740,9 +796,10 @@ const pointed = (() => {
     bar.appendChild(hint);
   }
   const drawAll = () => charts.forEach((chart) => chart.draw());
-  drawAll();
+  make(document, page);
   let pending = 0;
   window.addEventListener("resize", () => { clearTimeout(pending); pending = setTimeout(drawAll, 120); });
   window.addEventListener("beforeprint", () => { printing = true; drawAll(); });
   window.addEventListener("afterprint", () => { printing = false; drawAll(); });
+  return { make, update, drop };
 })();

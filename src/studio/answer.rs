@@ -1,0 +1,271 @@
+//! From a text to its answer: faults with their places, the numbers that can be moved, and the
+//! run as it is shown.
+
+use super::limits::{MASSES, ROWS, RUN, SAMPLES};
+use super::text::Counter;
+use crate::ask::{Judging, Mechanism};
+use crate::budget::Budget;
+use crate::dynamics::integrate::Stop;
+use crate::frontend::diagnostics::{Diagnostic, Diagnostics, Severity};
+use crate::frontend::scene::{
+    BuiltIn, Catalogue, Document, Layered, Overrides, Reading, TypedScene, edit,
+};
+use crate::report::live::{self, Charts};
+use crate::report::verdict::Sort;
+use crate::studies::cam::disc_cams;
+use crate::studies::plausible;
+use crate::studies::run::RunResult;
+use serde_json::{Value, json};
+use std::collections::hash_map::DefaultHasher;
+use std::hash::{Hash, Hasher};
+use std::sync::atomic::AtomicBool;
+
+/// What is known of a text before it is run.
+#[derive(Debug)]
+pub(super) struct Checked {
+    /// The message to windows: faults and numbers.
+    pub(super) message: String,
+    /// The scene, where it is right.
+    pub(super) reading: Option<Reading>,
+}
+
+/// A text that is looked at.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Asked<'a, C> {
+    /// Its version.
+    pub(super) version: u64,
+    /// Its name.
+    pub(super) name: &'a str,
+    /// The text.
+    pub(super) text: &'a str,
+    /// What it may copy from.
+    pub(super) catalogue: &'a C,
+}
+
+impl<C: Catalogue + Sync> Asked<'_, C> {
+    /// Reads it.
+    pub(super) fn check(&self) -> Checked {
+        match Document::parse(self.name, self.text.as_bytes()) {
+            Err(faults) => Checked {
+                message: self.message(None, &faults),
+                reading: None,
+            },
+            Ok(document) => {
+                let catalogue = Layered(self.catalogue, &BuiltIn);
+                match document.scene(&catalogue, &Overrides::none()) {
+                    Ok(reading) => Checked {
+                        message: self.message(Some(&document), &reading.warnings),
+                        reading: Some(reading),
+                    },
+                    Err(faults) => Checked {
+                        message: self.message(Some(&document), &faults),
+                        reading: None,
+                    },
+                }
+            }
+        }
+    }
+
+    /// Faults and numbers for the windows. Of what is no JSON no numbers are known.
+    pub(super) fn message(&self, document: Option<&Document>, faults: &Diagnostics) -> String {
+        let mut counter = Counter::new(self.text);
+        let numbers = document.map(|document| {
+            let numbers = document.numbers(&Layered(self.catalogue, &BuiltIn));
+            let one = |number| {
+                let mut value = json!(number);
+                let crate::frontend::scene::Number {
+                    value_at,
+                    number_at,
+                    ..
+                } = number;
+                let ends = [value_at.start, number_at.start, number_at.end, value_at.end];
+                let [a, b, c, d] = ends.map(|byte| counter.units(byte));
+                value["value_at"] = json!([a, d]);
+                value["number_at"] = json!([b, c]);
+                value
+            };
+            numbers.into_iter().map(one).collect::<Vec<Value>>()
+        });
+        let faults = faults
+            .items
+            .iter()
+            .map(|fault| self.fault(document, faults, fault));
+        json!({
+            "type": "checked",
+            "version": self.version,
+            "numbers": numbers,
+            "faults": faults.collect::<Vec<_>>(),
+        })
+        .to_string()
+    }
+
+    fn fault(&self, document: Option<&Document>, all: &Diagnostics, fault: &Diagnostic) -> Value {
+        let place = fault.place.as_ref().filter(|place| !place.is_nowhere());
+        let own = place
+            .filter(|place| place.source == 0)
+            .map(|place| place.range.clone());
+        // What stands in a catalogue shows at the object that copies it.
+        let object = || {
+            let id = fault.path.split(['.', '[']).next()?;
+            let place = &edit::property(document?.root(), id)?.place;
+            Some(place.range.start..place.range.start + 1)
+        };
+        let elsewhere = place.filter(|place| place.source != 0);
+        let elsewhere = elsewhere.and_then(|place| {
+            let (source, at) = (all.sources.get(place.source)?, all.sources.position(place)?);
+            Some(format!("{}:{}:{}", source.name, at.line, at.column))
+        });
+        let range = own.or_else(object).unwrap_or(0..0);
+        let mut counter = Counter::new(self.text);
+        json!({
+            "from": counter.units(range.start),
+            "to": counter.units(range.end),
+            "severity": if fault.severity == Severity::Error { "error" } else { "warning" },
+            "message": fault.message,
+            "label": fault.label,
+            "hints": fault.hints,
+            "path": fault.path,
+            "elsewhere": elsewhere,
+        })
+    }
+
+    /// Runs it, with its model judged or as it stands; `None`: it was ended.
+    pub(super) fn run(
+        &self,
+        reading: Reading,
+        judging: Judging,
+        stop: &AtomicBool,
+        before: &Charts,
+    ) -> Result<Option<(Answer, Charts)>, Diagnostics> {
+        let budget = Budget::interrupted_by(stop).within(RUN);
+        let wrong = |error: crate::Error| error.into_diagnostics();
+        let mut mechanism = Mechanism::of_within(reading, judging, &budget).map_err(wrong)?;
+        let settings = &mut mechanism.settings;
+        if !plausible::looks_at_samples(mechanism.system.model()) {
+            settings.samples = settings.samples.min(SAMPLES);
+        }
+        let masses = mechanism
+            .system
+            .initial_state()
+            .map_or(0, |start| start.y.len());
+        settings.masses &= masses <= MASSES;
+        settings.closeups = false;
+        let mut result = mechanism.run_within(&budget).map_err(wrong)?;
+        if result.record.times.len() > ROWS && mechanism.settings.switch_rows {
+            // Two rows at every switch are more than anybody sees.
+            mechanism.settings.switch_rows = false;
+            result = mechanism.run_within(&budget).map_err(wrong)?;
+        }
+        if result.outcome.stop == Stop::Interrupted {
+            return Ok(None);
+        }
+        let coarse = matches!(judging, Judging::Never) && is_judged(mechanism.scene());
+        Ok(Some(self.answer(&mechanism, &result, before, coarse)))
+    }
+
+    fn answer(
+        &self,
+        mechanism: &Mechanism,
+        result: &RunResult,
+        before: &Charts,
+        coarse: bool,
+    ) -> (Answer, Charts) {
+        let model = mechanism.model();
+        let cams = disc_cams(mechanism.scene(), model);
+        let shown = live::run(model, &cams, &result.figures, &result.record, before);
+        let mut warnings = mechanism.warnings();
+        let found = result.figures.warnings.iter();
+        let new: Vec<String> = found
+            .filter(|one| !warnings.contains(one))
+            .cloned()
+            .collect();
+        warnings.extend(new);
+        let (columns, plots) = shown.charts.plots.parts();
+        let numbers = columns.iter().flatten();
+        let numbers = numbers.flat_map(|value| value.unwrap_or(f64::NAN).to_le_bytes());
+        let verdict = &shown.verdict;
+        let (charts, pictures) = (key(&shown.charts.likeness), key(&shown.pictures));
+        let head = json!({
+            "version": self.version,
+            "verdict": {
+                "sort": match verdict.sort {
+                    Sort::Good | Sort::Recommended => "good",
+                    Sort::Mechanism => "mechanism",
+                    Sort::Numerical => "numerical",
+                    Sort::Unfinished => "unfinished",
+                },
+                "headline": verdict.headline,
+                "text": verdict.text,
+            },
+            "coarse": coarse,
+            "warnings": warnings,
+            "tables": shown.tables,
+            "figures": result.figures.objects,
+            "lengths": columns.iter().map(Vec::len).collect::<Vec<_>>(),
+            "plots": plots,
+            "moving": shown.moving,
+        });
+        let answer = Answer {
+            head: head.to_string(),
+            charts,
+            charts_html: shown.charts.html.clone(),
+            pictures,
+            pictures_html: shown.pictures,
+            numbers: numbers.collect(),
+        };
+        (answer, shown.charts)
+    }
+}
+
+/// Whether the model of a scene is judged before it answers, which takes longer.
+pub(super) fn is_judged(scene: &TypedScene) -> bool {
+    scene.elastic().open().next().is_some() || scene.run.accuracy.is_some()
+}
+
+fn key(text: &str) -> u64 {
+    let mut hasher = DefaultHasher::new();
+    text.hash(&mut hasher);
+    // Zero stands for nothing.
+    hasher.finish() | 1
+}
+
+/// The answer to a text, as windows show it.
+#[derive(Debug)]
+pub(super) struct Answer {
+    /// Sentence, tables, what moves, as JSON.
+    head: String,
+    /// Tell the charts, and the pictures, from others.
+    pub(super) charts: u64,
+    pub(super) pictures: u64,
+    charts_html: String,
+    pictures_html: String,
+    /// Columns of the charts, one after the other.
+    numbers: Vec<u8>,
+}
+
+impl Answer {
+    /// One frame: the length of the head in four bytes, the head as JSON, filled up with blanks
+    /// to a multiple of eight, the numbers. Charts and pictures that the window has are left out.
+    pub(super) fn frame(&self, charts: u64, pictures: u64) -> Vec<u8> {
+        let mut head = self.head.clone();
+        head.pop();
+        for (name, other, own, html) in [
+            ("charts", charts, self.charts, &self.charts_html),
+            ("pictures", pictures, self.pictures, &self.pictures_html),
+        ] {
+            if other != own {
+                head.push_str(&format!(",\"{name}\":{}", json!(html)));
+            }
+        }
+        head.push('}');
+        while !(head.len() + 4).is_multiple_of(8) {
+            head.push(' ');
+        }
+        let length = u32::try_from(head.len()).unwrap_or(u32::MAX);
+        let mut frame = Vec::with_capacity(4 + head.len() + self.numbers.len());
+        frame.extend_from_slice(&length.to_le_bytes());
+        frame.extend_from_slice(head.as_bytes());
+        frame.extend_from_slice(&self.numbers);
+        frame
+    }
+}

@@ -1,0 +1,145 @@
+//! The live map: a figure over two numbers of the text, first coarse, then finer.
+
+use super::limits::{CELLS, RUN};
+use super::messages::Asked;
+use crate::budget::Budget;
+use crate::frontend::scene::{BuiltIn, Catalogue, Document, Layered, Overrides};
+use crate::report::live;
+use crate::studies::map::{Cell, Listener, MapResult, Panels, Question, Study, StudyFault, map};
+use serde_json::json;
+use std::collections::BTreeMap;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+
+/// A map that is to be made.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Task<'a, C> {
+    pub(super) version: u64,
+    pub(super) name: &'a str,
+    pub(super) text: &'a str,
+    pub(super) catalogue: &'a C,
+    pub(super) asked: &'a Asked,
+}
+
+/// What becomes of it on the way.
+pub(super) trait Told: Sync {
+    /// A map, as a message; false: something newer waits, and this is enough.
+    fn map(&self, message: String) -> bool;
+    /// So many cells are done of so many.
+    fn progress(&self, done: usize, of: usize);
+}
+
+impl<C: Catalogue + Sync> Task<'_, C> {
+    /// What the map depends on: everything but the values of its own parameters. `None`: the
+    /// text is no scene.
+    pub(super) fn key(&self) -> Option<String> {
+        let document = Document::parse(self.name, self.text.as_bytes()).ok()?;
+        let axes = std::iter::once(&self.asked.x).chain(&self.asked.y);
+        let settings = axes.map(|range| {
+            let axis = range.axis(CELLS[0]);
+            axis.setting(axis.from)
+        });
+        let catalogue = Layered(self.catalogue, &BuiltIn);
+        let reading = document.scene(&catalogue, &Overrides::new(settings)).ok()?;
+        Some(format!("{} {:?}", reading.scene.hash, self.asked))
+    }
+
+    /// Makes it, from the coarse one on; what cannot be asked is told as a map without cells.
+    /// False: it was ended.
+    pub(super) fn make(&self, stop: &AtomicBool, told: &impl Told) -> bool {
+        let Ok(document) = Document::parse(self.name, self.text.as_bytes()) else {
+            return false;
+        };
+        let catalogue = Layered(self.catalogue, &BuiltIn);
+        let mut last = 0;
+        for count in CELLS {
+            let question = Question {
+                overrides: Vec::new(),
+                x: self.asked.x.axis(count),
+                y: self.asked.y.as_ref().map(|range| range.axis(count)),
+                panels: Panels::default(),
+                figure: self.asked.figure.clone(),
+                check_determined: false,
+                digits: 3,
+            };
+            let study = match Study::new(&document, &catalogue, question) {
+                Ok(study) => study,
+                Err(fault) => return told.map(self.refused(&fault)),
+            };
+            // Of a count there may be no more values.
+            if study.cells() == last {
+                continue;
+            }
+            last = study.cells();
+            let budget = Budget::interrupted_by(stop).within(RUN);
+            let listener = Counted::new(study.cells(), count == CELLS[0], told);
+            let Ok(found) = map(&study, BTreeMap::new(), None, &budget, &listener) else {
+                return false;
+            };
+            if !found.complete {
+                return false;
+            }
+            if !told.map(self.message(&study, &found)) {
+                return false;
+            }
+        }
+        true
+    }
+
+    fn message(&self, study: &Study<'_>, found: &MapResult) -> String {
+        let (html, plots, notes) = live::map(study, found);
+        let columns = plots.parts().0;
+        json!({
+            "type": "map",
+            "version": self.version,
+            "figure": study.figure,
+            "cells": study.cells(),
+            "html": html,
+            "plots": live::described_map(&plots),
+            "columns": columns,
+            "notes": notes,
+        })
+        .to_string()
+    }
+
+    fn refused(&self, fault: &StudyFault) -> String {
+        let words = match fault {
+            StudyFault::Question(words) => words.clone(),
+            StudyFault::Scene(faults) => {
+                let first = faults.items.first();
+                first
+                    .map_or("the scene is wrong", |one| &one.message)
+                    .to_owned()
+            }
+        };
+        json!({ "type": "map", "version": self.version, "refused": words }).to_string()
+    }
+}
+
+/// Counts cells, and tells of them where there are many.
+struct Counted<'t, T> {
+    done: AtomicUsize,
+    of: usize,
+    silent: bool,
+    told: &'t T,
+}
+
+impl<'t, T: Told> Counted<'t, T> {
+    fn new(of: usize, silent: bool, told: &'t T) -> Self {
+        Self {
+            done: AtomicUsize::new(0),
+            of,
+            silent,
+            told,
+        }
+    }
+}
+
+impl<T: Told> Listener for Counted<'_, T> {
+    fn row(&self, _row: usize, cells: &[Cell]) -> Result<(), String> {
+        let done = self.done.fetch_add(cells.len(), Ordering::Relaxed) + cells.len();
+        if !self.silent {
+            self.told.progress(done, self.of);
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,126 @@
+//! What windows say.
+
+use crate::studies::axis::Axis;
+use serde::Deserialize;
+use serde_json::Value;
+
+/// A message of a window.
+#[derive(Debug, Deserialize)]
+#[serde(tag = "type", rename_all = "snake_case", deny_unknown_fields)]
+pub(super) enum Said {
+    /// Who it is: the first message.
+    Hello {
+        /// The token.
+        token: String,
+    },
+    /// Opens a scene of the folder.
+    Open {
+        /// Its name.
+        scene: String,
+    },
+    /// Edits of a version of the text.
+    Push {
+        /// The version that the first of them changes.
+        version: u64,
+        /// The edits, each of the text after the one before.
+        updates: Vec<Update>,
+    },
+    /// Takes the last step back.
+    Undo,
+    /// Does it again.
+    Redo,
+    /// Writes the text to its file.
+    Save,
+    /// Writes it to a new file, which is opened then.
+    SaveAs {
+        /// The name of the file.
+        scene: String,
+    },
+    /// The file was changed by others: takes it.
+    Reload,
+    /// The file was changed by others: the text stays, and is saved over it when asked to.
+    KeepMine,
+    /// Takes the draft that was offered, or forgets it.
+    Draft {
+        /// True: takes it.
+        restore: bool,
+    },
+    /// Asks for a map that follows the text; without one it ends.
+    Map {
+        /// The question.
+        question: Option<Asked>,
+    },
+    /// An answer stands on the screen: the next may come.
+    Shown,
+    /// A map stands on the screen.
+    MapShown,
+    /// Asks for a sign of life.
+    Ping {
+        /// Comes back.
+        number: u64,
+    },
+}
+
+/// One edit.
+#[derive(Debug, Deserialize)]
+pub(super) struct Update {
+    /// Changes as the editor writes them.
+    pub(super) changes: Value,
+    /// Number of the drag that it belongs to.
+    #[serde(default)]
+    pub(super) drag: Option<u64>,
+}
+
+/// A map that is asked for.
+#[derive(Clone, Debug, Deserialize, PartialEq)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Asked {
+    /// The parameter along the map.
+    pub(super) x: Range,
+    /// The parameter up the map; without one it is a curve.
+    pub(super) y: Option<Range>,
+    /// Address of the figure; without one the greatest deviation of the last elastic object.
+    pub(super) figure: Option<String>,
+}
+
+/// The range of a parameter: ends of the map, half a cell beyond the outermost points.
+#[derive(Clone, Debug, Deserialize, PartialEq)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Range {
+    /// Address of the parameter.
+    pub(super) address: String,
+    /// Unit of the ends; empty: the SI unit.
+    pub(super) unit: String,
+    /// The ends.
+    pub(super) ends: [f64; 2],
+    /// Logarithmic.
+    pub(super) log: bool,
+    /// A whole number.
+    pub(super) whole: bool,
+}
+
+impl Range {
+    /// So many values in the middles of as many equal cells; of a whole number at most as many
+    /// as there are.
+    pub(super) fn axis(&self, count: usize) -> Axis {
+        let [a, b] = self.ends;
+        let count = match self.whole {
+            true => count.min((b - a).round().max(2.0) as usize).max(2),
+            false => count,
+        };
+        let half = 0.5 / count as f64;
+        let (from, to) = match self.log {
+            true => (a * (b / a).powf(half), b * (a / b).powf(half)),
+            false => (a + (b - a) * half, b - (b - a) * half),
+        };
+        let whole = |value: f64| if self.whole { value.round() } else { value };
+        Axis {
+            path: self.address.clone(),
+            unit: self.unit.clone(),
+            from: whole(from),
+            to: whole(to),
+            count,
+            log: self.log && !self.whole,
+        }
+    }
+}

@@ -1,0 +1,80 @@
+//! `dam studio`: a server on the loopback that shows a scene in the browser and lets it be
+//! changed, while its answers follow.
+//!
+//! * `server`, `guard`, `connections`: what is served, to whom, how much at a time;
+//! * `folder`, `atomic`, `drafts`, `launch`: files: within one folder, written as a whole, kept
+//!   from crashes; how the browser is told the token;
+//! * `text`: a scene's text with its edits; `room`: the text that all windows on a file share,
+//!   with its answers; `window`: what one of them is sent; `socket`: what it says;
+//! * `work`, `answer`: from a text to its answer, newest first; `chart`: the live map.
+//!
+//! The server is the authority: windows send edits of a version of the text, and get those of
+//! the others. Everything that they show follows from the text.
+
+mod answer;
+mod atomic;
+mod chart;
+mod connections;
+mod drafts;
+mod folder;
+mod guard;
+mod launch;
+mod limits;
+mod messages;
+mod room;
+mod server;
+mod socket;
+mod text;
+mod token;
+mod window;
+mod work;
+
+use folder::Folder;
+use server::Studio;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+/// What is to be served, and how.
+#[derive(Clone, Debug, Default)]
+pub struct Options {
+    /// A scene, or a folder of scenes; `None`: the folder one is in.
+    pub target: Option<PathBuf>,
+    /// The port; `None`: any that is free.
+    pub port: Option<u16>,
+    /// True: the browser is opened.
+    pub open: bool,
+}
+
+/// Serves until the program ends; `tell` is given what the user is to know.
+///
+/// # Errors
+/// There is no such scene or folder, or the port cannot be had.
+pub fn serve(options: &Options, tell: impl Fn(&str)) -> Result<(), String> {
+    let (folder, scene) = Folder::open(options.target.as_deref())?;
+    let runtime = tokio::runtime::Builder::new_current_thread()
+        .enable_all()
+        .build()
+        .map_err(|error| format!("cannot start the server: {error}"))?;
+    runtime.block_on(async {
+        let listener = server::listen(options.port).await?;
+        let port = listener.local_addr().map_err(|error| error.to_string())?;
+        let studio = Arc::new(Studio::new(folder, scene, port.port())?);
+        let address = studio.address();
+        let _page = match options.open {
+            false => {
+                tell(&format!("The studio is at {address}\n"));
+                None
+            }
+            true => {
+                let page = launch::open(&address)?;
+                tell(&format!(
+                    "The studio is open in the browser; it is served on port {} until Ctrl-C.\n",
+                    port.port()
+                ));
+                Some(page)
+            }
+        };
+        server::run(studio, listener).await;
+        Ok(())
+    })
+}

@@ -1,0 +1,204 @@
+//! What is served: the interface to everybody on this machine who asks rightly, scenes to the
+//! windows of the user.
+
+use super::connections;
+use super::drafts::Drafts;
+use super::folder::Folder;
+use super::guard::{Nonce, guard, refused};
+use super::limits::{BODY, ROOMS};
+use super::room::Room;
+use super::socket;
+use super::token::Token;
+use crate::frontend::scene::{BuiltIn, Document, Layered, schema_of};
+use crate::report::live;
+use axum::extract::{DefaultBodyLimit, Extension, Query, State, WebSocketUpgrade};
+use axum::http::StatusCode;
+use axum::http::header::CONTENT_TYPE;
+use axum::response::{IntoResponse, Response};
+use axum::routing::get;
+use axum::{Json, Router, middleware};
+use serde::Deserialize;
+use serde_json::json;
+use std::collections::BTreeMap;
+use std::net::Ipv4Addr;
+use std::path::PathBuf;
+use std::sync::atomic::AtomicUsize;
+use std::sync::{Arc, Mutex, PoisonError};
+use tokio::net::TcpListener;
+
+/// The interface as it was built.
+pub(super) const PAGE: &str = include_str!("../../studio/dist/index.html");
+const SCRIPT: &str = include_str!("../../studio/dist/studio.js");
+const STYLE: &str = include_str!("../../studio/dist/studio.css");
+
+/// Stands in the page for the nonce of its styles.
+const NONCE: &str = "NONCE";
+
+/// Everything that is served.
+#[derive(Debug)]
+pub(super) struct Studio {
+    pub(super) folder: Folder,
+    /// The scene that a window opens first.
+    pub(super) scene: Option<String>,
+    pub(super) drafts: Drafts,
+    /// Windows at present.
+    pub(super) windows: Arc<AtomicUsize>,
+    token: Token,
+    host: String,
+    rooms: Mutex<BTreeMap<PathBuf, Arc<Room>>>,
+}
+
+impl Studio {
+    /// A folder, served on a port.
+    ///
+    /// # Errors
+    /// The system gives no random numbers.
+    pub(super) fn new(folder: Folder, scene: Option<String>, port: u16) -> Result<Self, String> {
+        Ok(Self {
+            folder,
+            scene,
+            drafts: Drafts::of_user(),
+            windows: Arc::default(),
+            token: Token::new()?,
+            host: format!("127.0.0.1:{port}"),
+            rooms: Mutex::default(),
+        })
+    }
+
+    /// What `Host` must be.
+    pub(super) fn host(&self) -> &str {
+        &self.host
+    }
+
+    /// What `Origin` must be.
+    pub(super) fn origin(&self) -> String {
+        format!("http://{}", self.host)
+    }
+
+    /// The token.
+    pub(super) fn token(&self) -> &Token {
+        &self.token
+    }
+
+    /// The address that lets a window in: the token stands where no server is sent it.
+    pub(super) fn address(&self) -> String {
+        format!("{}/#{}", self.origin(), self.token.text())
+    }
+
+    /// The document of a file, which all its windows share.
+    ///
+    /// # Errors
+    /// There is no such scene, or it cannot be read; too many are open.
+    pub(super) fn room(&self, name: &str) -> Result<Arc<Room>, String> {
+        let path = self.folder.file(name)?;
+        let mut rooms = self.rooms.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(room) = rooms.get(&path) {
+            return Ok(room.clone());
+        }
+        if rooms.len() >= ROOMS {
+            let empty = rooms.iter().find(|(_, room)| room.is_idle());
+            let empty = empty.map(|(path, _)| path.clone());
+            let empty = empty.ok_or("too many scenes are open; close some windows")?;
+            rooms.remove(&empty);
+        }
+        let room = Room::open(
+            name,
+            &path,
+            self.folder.catalogue(&path),
+            self.drafts.clone(),
+        )?;
+        rooms.insert(path, room.clone());
+        Ok(room)
+    }
+
+    /// All documents that are open.
+    pub(super) fn rooms(&self) -> Vec<Arc<Room>> {
+        let rooms = self.rooms.lock().unwrap_or_else(PoisonError::into_inner);
+        rooms.values().cloned().collect()
+    }
+}
+
+/// A port of the loopback.
+///
+/// # Errors
+/// It cannot be had.
+pub(super) async fn listen(port: Option<u16>) -> Result<TcpListener, String> {
+    let port = port.unwrap_or(0);
+    TcpListener::bind((Ipv4Addr::LOCALHOST, port))
+        .await
+        .map_err(|error| format!("cannot serve on port {port} of 127.0.0.1: {error}"))
+}
+
+/// Serves until the program ends.
+pub(super) async fn run(studio: Arc<Studio>, listener: TcpListener) {
+    tokio::spawn(super::room::keep(studio.clone()));
+    connections::serve(listener, router(studio)).await;
+}
+
+fn router(studio: Arc<Studio>) -> Router {
+    Router::new()
+        .route("/", get(index))
+        .route("/studio.js", get(|| async { script(SCRIPT) }))
+        .route("/plot.js", get(|| async { script(live::PLOT_SCRIPT) }))
+        .route("/player.js", get(|| async { script(live::PLAYER_SCRIPT) }))
+        .route("/studio.css", get(|| async { style(STYLE.to_owned()) }))
+        .route("/look.css", get(|| async { style(live::style()) }))
+        .route("/api/scenes", get(scenes))
+        .route("/api/schema", get(schema))
+        .route("/ws", get(upgrade))
+        .fallback(|| async { refused(StatusCode::NOT_FOUND) })
+        .layer(DefaultBodyLimit::max(BODY))
+        .layer(middleware::from_fn_with_state(studio.clone(), guard))
+        .with_state(studio)
+}
+
+async fn index(Extension(Nonce(nonce)): Extension<Nonce>) -> Response {
+    let page = PAGE.replace(NONCE, &nonce);
+    ([(CONTENT_TYPE, "text/html; charset=utf-8")], page).into_response()
+}
+
+fn script(text: &'static str) -> Response {
+    ([(CONTENT_TYPE, "text/javascript; charset=utf-8")], text).into_response()
+}
+
+fn style(text: String) -> Response {
+    ([(CONTENT_TYPE, "text/css; charset=utf-8")], text).into_response()
+}
+
+async fn scenes(State(studio): State<Arc<Studio>>) -> Response {
+    Json(json!({ "folder": studio.folder.name(), "scenes": studio.folder.scenes() }))
+        .into_response()
+}
+
+/// A scene in the query.
+#[derive(Deserialize)]
+struct Named {
+    scene: String,
+}
+
+/// The schema of a scene as it is edited at present: what may be written where.
+async fn schema(State(studio): State<Arc<Studio>>, Query(named): Query<Named>) -> Response {
+    let wrong = |message: String| (StatusCode::NOT_FOUND, Json(json!({ "error": message })));
+    let room = match studio.room(&named.scene) {
+        Ok(room) => room,
+        Err(message) => return wrong(message).into_response(),
+    };
+    match Document::parse(room.name(), room.text().as_bytes()) {
+        Ok(document) => {
+            let catalogue = room.catalogue();
+            Json(schema_of(&document, &Layered(catalogue, &BuiltIn))).into_response()
+        }
+        Err(_) => Json(crate::frontend::scene::schema(
+            &crate::frontend::object::Registry::standard(),
+        ))
+        .into_response(),
+    }
+}
+
+async fn upgrade(State(studio): State<Arc<Studio>>, upgrade: WebSocketUpgrade) -> Response {
+    upgrade
+        .max_message_size(BODY)
+        .max_frame_size(BODY)
+        .max_write_buffer_size(64 << 20)
+        .on_upgrade(move |socket| socket::serve(socket, studio))
+}

@@ -1,0 +1,162 @@
+//! A window's WebSocket: what it says, and what it is sent.
+
+use super::atomic;
+use super::limits::{HELLO, WINDOWS};
+use super::messages::Said;
+use super::room::Room;
+use super::server::Studio;
+use super::window::{Sent, Window};
+use axum::extract::ws::{Message, WebSocket};
+use serde_json::json;
+use std::io::Write;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
+
+/// Numbers of windows; 0 is nobody.
+static NEXT: AtomicU64 = AtomicU64::new(1);
+
+/// One of the windows at present.
+struct Place(Arc<AtomicUsize>);
+
+impl Place {
+    fn take(studio: &Studio) -> Option<Self> {
+        let place = Self(studio.windows.clone());
+        // One too many is given back as this is dropped.
+        (place.0.fetch_add(1, Ordering::Relaxed) < WINDOWS).then_some(place)
+    }
+}
+
+impl Drop for Place {
+    fn drop(&mut self) {
+        self.0.fetch_sub(1, Ordering::Relaxed);
+    }
+}
+
+/// Serves a window until it goes.
+pub(super) async fn serve(mut socket: WebSocket, studio: Arc<Studio>) {
+    let hello = tokio::time::timeout(HELLO, socket.recv()).await;
+    let Ok(Some(Ok(Message::Text(text)))) = hello else {
+        return;
+    };
+    let known = match serde_json::from_str(&text) {
+        Ok(Said::Hello { token }) => studio.token().is(&token),
+        _ => false,
+    };
+    let Some(_place) = known.then(|| Place::take(&studio)).flatten() else {
+        return;
+    };
+    let window = Arc::new(Window::new(NEXT.fetch_add(1, Ordering::Relaxed)));
+    let welcome = json!({
+        "type": "welcome",
+        "window": window.id.to_string(),
+        "folder": studio.folder.name(),
+        "scene": studio.scene,
+        "program": env!("CARGO_PKG_VERSION"),
+    });
+    window.send(welcome.to_string().into());
+    let mut visit = Visit {
+        studio,
+        window,
+        room: None,
+    };
+    // What goes wrong with the connection ends the visit.
+    let _ = visit.last(&mut socket).await;
+    if let Some(room) = visit.room.take() {
+        room.leave(visit.window.id);
+    }
+}
+
+struct Visit {
+    studio: Arc<Studio>,
+    window: Arc<Window>,
+    room: Option<Arc<Room>>,
+}
+
+impl Visit {
+    async fn last(&mut self, socket: &mut WebSocket) -> Option<()> {
+        loop {
+            while let Some(sent) = self.window.next().ok()? {
+                let message = match sent {
+                    Sent::Text(text) => Message::Text((&*text).into()),
+                    Sent::Binary(bytes) => Message::Binary(bytes.into()),
+                };
+                socket.send(message).await.ok()?;
+            }
+            let window = self.window.clone();
+            tokio::select! {
+                () = window.wake.notified() => {}
+                said = socket.recv() => match said?.ok()? {
+                    Message::Text(text) => self.hear(&text)?,
+                    Message::Ping(_) | Message::Pong(_) => {}
+                    Message::Binary(_) | Message::Close(_) => return None,
+                },
+            }
+        }
+    }
+
+    /// `None`: it says what no window says, and is not listened to any more.
+    fn hear(&mut self, text: &str) -> Option<()> {
+        let said = serde_json::from_str(text).ok()?;
+        if let Err(message) = self.obey(said) {
+            let told = json!({ "type": "error", "message": message });
+            self.window.send(told.to_string().into());
+        }
+        Some(())
+    }
+
+    fn obey(&mut self, said: Said) -> Result<(), String> {
+        let id = self.window.id;
+        match said {
+            Said::Open { scene } => return self.open(&scene),
+            Said::Ping { number } => {
+                let told = json!({ "type": "pong", "number": number });
+                self.window.send(told.to_string().into());
+                return Ok(());
+            }
+            Said::Shown => self.window.shown(false),
+            Said::MapShown => self.window.shown(true),
+            Said::Hello { .. } => return Err("it is known who you are".to_owned()),
+            _ => {}
+        }
+        let room = self.room.clone().ok_or("no scene is open")?;
+        match said {
+            Said::Push { version, updates } => room.push(&self.window, version, &updates),
+            Said::Undo => Ok(room.step(true)),
+            Said::Redo => Ok(room.step(false)),
+            Said::Save => room.save(),
+            Said::SaveAs { scene } => {
+                self.write(&scene, &room.text())?;
+                self.open(&scene)
+            }
+            Said::Reload => room.decide(true),
+            Said::KeepMine => room.decide(false),
+            Said::Draft { restore } => Ok(room.draft(restore)),
+            Said::Map { question } => Ok(room.map(id, question)),
+            Said::Hello { .. }
+            | Said::Open { .. }
+            | Said::Ping { .. }
+            | Said::Shown
+            | Said::MapShown => Ok(()),
+        }
+    }
+
+    fn open(&mut self, scene: &str) -> Result<(), String> {
+        let room = self.studio.room(scene)?;
+        if let Some(before) = self.room.replace(room.clone()) {
+            before.leave(self.window.id);
+        }
+        room.join(&self.window);
+        Ok(())
+    }
+
+    /// Makes a new file.
+    fn write(&self, scene: &str, text: &str) -> Result<(), String> {
+        let place = self.studio.folder.place(scene)?;
+        atomic::new(&place, false)
+            .and_then(|mut file| {
+                file.write_all(text.as_bytes())
+                    .and_then(|()| file.sync_all())
+            })
+            .map_err(|error| format!("the file cannot be written: {}", error.kind()))
+    }
+}

@@ -1,0 +1,66 @@
+//! The token that tells the windows of the user from everybody else.
+
+use std::fmt::Write;
+
+/// 256 random bits, in hexadecimal.
+#[derive(Clone)]
+pub(super) struct Token(String);
+
+impl Token {
+    /// A new one.
+    ///
+    /// # Errors
+    /// The system gives no random numbers.
+    pub(super) fn new() -> Result<Self, String> {
+        Ok(Self(random()?))
+    }
+
+    /// Whether a text is the token; takes as long wherever they differ.
+    pub(super) fn is(&self, text: &str) -> bool {
+        let (own, other) = (self.0.as_bytes(), text.as_bytes());
+        let differ = own.iter().zip(other).fold(0, |all, (a, b)| all | (a ^ b));
+        own.len() == other.len() && differ == 0
+    }
+
+    /// The token itself.
+    pub(super) fn text(&self) -> &str {
+        &self.0
+    }
+}
+
+impl std::fmt::Debug for Token {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str("Token")
+    }
+}
+
+/// 256 random bits, in hexadecimal: tokens, nonces, names of files.
+///
+/// # Errors
+/// The system gives no random numbers.
+pub(super) fn random() -> Result<String, String> {
+    let mut bytes = [0; 32];
+    getrandom::fill(&mut bytes)
+        .map_err(|error| format!("the system gives no random numbers: {error}"))?;
+    let mut text = String::with_capacity(64);
+    for byte in bytes {
+        // Writing to a string cannot fail.
+        let _ = write!(text, "{byte:02x}");
+    }
+    Ok(text)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Token;
+
+    #[test]
+    fn only_the_token_itself_is_taken() {
+        let (token, other) = (Token::new().unwrap(), Token::new().unwrap());
+        assert_eq!(token.text().len(), 64);
+        assert!(token.is(token.text()));
+        assert!(!token.is(other.text()));
+        assert!(!token.is(&token.text()[..63]));
+        assert!(!token.is(""));
+    }
+}

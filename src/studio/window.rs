@@ -1,0 +1,123 @@
+//! What a window is sent: every message in order, of answers and maps the newest alone, and the
+//! next only once the one before stands on the screen.
+
+use super::answer::Answer;
+use super::limits::WAITING;
+use std::collections::VecDeque;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use tokio::sync::Notify;
+
+/// A window of the browser.
+#[derive(Debug)]
+pub(super) struct Window {
+    /// Its number among all.
+    pub(super) id: u64,
+    queue: Mutex<Queue>,
+    pub(super) wake: Notify,
+}
+
+#[derive(Debug, Default)]
+struct Queue {
+    messages: VecDeque<Arc<str>>,
+    answer: Option<Arc<Answer>>,
+    map: Option<Arc<str>>,
+    /// An answer, a map was sent that does not stand on the screen yet.
+    showing: bool,
+    showing_map: bool,
+    /// What of the last answer it has: numbers of charts and pictures.
+    charts: u64,
+    pictures: u64,
+    lost: bool,
+}
+
+/// Something to be sent.
+#[derive(Debug)]
+pub(super) enum Sent {
+    /// A text.
+    Text(Arc<str>),
+    /// Bytes.
+    Binary(Vec<u8>),
+}
+
+impl Window {
+    pub(super) fn new(id: u64) -> Self {
+        Self {
+            id,
+            queue: Mutex::default(),
+            wake: Notify::new(),
+        }
+    }
+
+    fn lock(&self) -> MutexGuard<'_, Queue> {
+        self.queue.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Sends a message.
+    pub(super) fn send(&self, message: Arc<str>) {
+        let mut queue = self.lock();
+        queue.lost |= queue.messages.len() >= WAITING;
+        if !queue.lost {
+            queue.messages.push_back(message);
+        }
+        drop(queue);
+        self.wake.notify_one();
+    }
+
+    /// Sends an answer, in place of one that still waits.
+    pub(super) fn answer(&self, answer: Arc<Answer>) {
+        self.lock().answer = Some(answer);
+        self.wake.notify_one();
+    }
+
+    /// Sends a map, in place of one that still waits.
+    pub(super) fn map(&self, map: Arc<str>) {
+        self.lock().map = Some(map);
+        self.wake.notify_one();
+    }
+
+    /// What was sent last stands on the screen.
+    pub(super) fn shown(&self, map: bool) {
+        let mut queue = self.lock();
+        match map {
+            true => queue.showing_map = false,
+            false => queue.showing = false,
+        }
+        drop(queue);
+        self.wake.notify_one();
+    }
+
+    /// Another document: nothing of the one before is there.
+    pub(super) fn forget(&self) {
+        let mut queue = self.lock();
+        *queue = Queue {
+            messages: std::mem::take(&mut queue.messages),
+            ..Queue::default()
+        };
+    }
+
+    /// What is to be sent now; `Err`: the window does not listen any more.
+    pub(super) fn next(&self) -> Result<Option<Sent>, ()> {
+        let mut queue = self.lock();
+        if queue.lost {
+            return Err(());
+        }
+        if let Some(message) = queue.messages.pop_front() {
+            return Ok(Some(Sent::Text(message)));
+        }
+        if !queue.showing
+            && let Some(answer) = queue.answer.take()
+        {
+            let frame = answer.frame(queue.charts, queue.pictures);
+            (queue.charts, queue.pictures) = (answer.charts, answer.pictures);
+            queue.showing = true;
+            return Ok(Some(Sent::Binary(frame)));
+        }
+        if !queue.showing_map
+            && let Some(map) = queue.map.take()
+        {
+            queue.showing_map = true;
+            return Ok(Some(Sent::Text(map)));
+        }
+        Ok(None)
+    }
+}

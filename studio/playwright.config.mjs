@@ -1,0 +1,13 @@
+import { defineConfig } from "@playwright/test";
+import { browser } from "./tests/server.mjs";
+
+// The program is a built one, DAM=…; the browser Chromium, CHROMIUM=… or Debian's.
+export default defineConfig({
+  testDir: "tests",
+  outputDir: "test-results",
+  timeout: 60_000,
+  expect: { timeout: 15_000 },
+  workers: 1,
+  reporter: "list",
+  use: { viewport: { width: 1280, height: 900 }, launchOptions: browser },
+});

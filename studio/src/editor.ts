@@ -1,0 +1,168 @@
+// The text in the window: CodeMirror, in step with the document on the server, which has the
+// history. Edits go there one after the other; those of others come as they are made.
+
+import { acceptCompletion, autocompletion, closeBrackets, closeBracketsKeymap, completionKeymap, startCompletion } from "@codemirror/autocomplete";
+import { collab, getSyncedVersion, receiveUpdates, sendableUpdates } from "@codemirror/collab";
+import { defaultKeymap, indentWithTab } from "@codemirror/commands";
+import { json } from "@codemirror/lang-json";
+import { bracketMatching, foldGutter, foldKeymap, HighlightStyle, indentOnInput, syntaxHighlighting } from "@codemirror/language";
+import { lintGutter, lintKeymap, setDiagnostics, type Diagnostic } from "@codemirror/lint";
+import { highlightSelectionMatches, searchKeymap } from "@codemirror/search";
+import { Annotation, ChangeSet, Compartment, EditorState, type ChangeSpec } from "@codemirror/state";
+import { drawSelection, EditorView, highlightActiveLine, highlightActiveLineGutter, hoverTooltip, keymap, lineNumbers } from "@codemirror/view";
+import { tags } from "@lezer/highlight";
+import type { Link, Message } from "./link";
+import { fields, setFields, type Field } from "./numbers";
+import { Guide } from "./schema";
+
+const dragged = Annotation.define<number>();
+const nonce = document.querySelector<HTMLMetaElement>("meta[name=nonce]")?.content ?? "";
+
+const colours = HighlightStyle.define([
+  { tag: tags.propertyName, color: "var(--link)" },
+  { tag: tags.string, color: "var(--good)" },
+  { tag: tags.number, color: "var(--accent)" },
+  { tag: [tags.bool, tags.null], color: "var(--mechanism)" },
+]);
+
+const look = EditorView.theme({
+  "&": { height: "100%", fontSize: "13px", backgroundColor: "var(--paper)", color: "var(--ink)" },
+  ".cm-scroller": { fontFamily: "ui-monospace, 'SF Mono', Menlo, Consolas, 'DejaVu Sans Mono', monospace", lineHeight: "1.5" },
+  ".cm-gutters": { backgroundColor: "var(--panel)", color: "var(--ink-soft)", border: "0" },
+  ".cm-activeLine, .cm-activeLineGutter": { backgroundColor: "color-mix(in srgb, var(--link) 7%, transparent)" },
+  "&.cm-focused .cm-cursor": { borderLeftColor: "var(--ink)" },
+  ".cm-selectionBackground, &.cm-focused .cm-selectionBackground": { backgroundColor: "color-mix(in srgb, var(--link) 25%, transparent) !important" },
+  ".cm-tooltip": { backgroundColor: "var(--panel)", color: "var(--ink)", border: "1px solid var(--line)", maxWidth: "60ch" },
+  ".cm-tooltip-autocomplete ul li[aria-selected]": { backgroundColor: "var(--link)", color: "var(--paper)" },
+  ".cm-panels": { backgroundColor: "var(--panel)", color: "var(--ink)" },
+  ".cm-help": { padding: "4px 8px" },
+});
+
+export class Editor {
+  readonly view: EditorView;
+  private pushing = false;
+  private later: (() => void)[] = [];
+  private readonly writable = new Compartment();
+  private schema: { at: number; guide: Promise<Guide> } | null = null;
+  private scene = "";
+  private drags = 0;
+  changed: (state: EditorState) => void = () => {};
+
+  constructor(parent: Element, private readonly link: Link, private readonly by: () => string) {
+    this.view = new EditorView({ parent, state: this.state("", 0) });
+    link.on("updates", (message) => this.receive(message));
+    link.on("late", () => { this.pushing = false; this.push(); });
+  }
+
+  private state(text: string, version: number): EditorState {
+    const step = (type: string) => () => { this.when(() => this.link.send({ type })); return true; };
+    return EditorState.create({
+      doc: text,
+      extensions: [
+        EditorView.cspNonce.of(nonce), look, syntaxHighlighting(colours),
+        lineNumbers(), foldGutter(), lintGutter(), highlightActiveLine(), highlightActiveLineGutter(), drawSelection(),
+        bracketMatching(), closeBrackets(), indentOnInput(), highlightSelectionMatches(), json(),
+        autocompletion({ override: [async (context) => (await this.guide()).complete(context)] }),
+        hoverTooltip(async (view, position) => {
+          const help = (await this.guide()).hover(view.state, position);
+          if (!help) return null;
+          return { pos: help.from, end: help.to, above: true, create: () => {
+            const dom = document.createElement("div");
+            dom.className = "cm-help";
+            for (const line of help.lines) dom.appendChild(document.createElement("div")).textContent = line;
+            return { dom };
+          } };
+        }),
+        collab({ startVersion: version, clientID: this.by() }), fields, this.writable.of([]),
+        keymap.of([
+          { key: "Mod-z", run: step("undo"), preventDefault: true },
+          { key: "Mod-y", mac: "Mod-Shift-z", run: step("redo"), preventDefault: true },
+          { key: "Mod-Shift-z", run: step("redo"), preventDefault: true },
+          { key: "Mod-s", run: step("save"), preventDefault: true },
+          { key: "Tab", run: acceptCompletion }, { key: "Mod-Space", run: startCompletion },
+          ...closeBracketsKeymap, ...completionKeymap, ...searchKeymap, ...lintKeymap, ...foldKeymap, ...defaultKeymap,
+          // Escape, then Tab leaves the text; Tab alone indents.
+          indentWithTab,
+        ]),
+        EditorView.contentAttributes.of({ "aria-label": "text of the scene" }),
+        EditorView.updateListener.of((update) => { if (update.docChanged || update.transactions.some((one) => one.effects.some((effect) => effect.is(setFields)))) { this.changed(update.state); this.push(); } }),
+      ],
+    });
+  }
+
+  // Another document, or the same anew.
+  open(message: Message): void {
+    this.pushing = false;
+    this.later = [];
+    this.scene = message.scene;
+    this.schema = null;
+    this.view.setState(this.state(message.text, message.version));
+    this.lock(message.draft !== null);
+    this.changed(this.view.state);
+  }
+
+  // Whether nothing can be changed.
+  lock(on: boolean): void { this.view.dispatch({ effects: this.writable.reconfigure(on ? EditorState.readOnly.of(true) : []) }); }
+
+  // A new step of undo, that the next edits with its number belong to.
+  drag(): number { return ++this.drags; }
+
+  // Changes the text from outside of it.
+  change(changes: ChangeSpec, drag: number): void {
+    if (!this.view.state.readOnly) this.view.dispatch({ changes, annotations: dragged.of(drag) });
+  }
+
+  // Does something once the server has all edits.
+  when(act: () => void): void { if (this.settled()) act(); else this.later.push(act); }
+
+  private settled(): boolean { return sendableUpdates(this.view.state).length === 0; }
+
+  // Whether the text is that of a version.
+  isAt(version: number): boolean { return this.settled() && getSyncedVersion(this.view.state) === version; }
+
+  private push(): void {
+    if (this.pushing) return;
+    const updates = sendableUpdates(this.view.state);
+    if (!updates.length) { this.later.splice(0).forEach((act) => act()); return; }
+    this.pushing = this.link.send({
+      type: "push", version: getSyncedVersion(this.view.state),
+      updates: updates.map(({ changes, origin }) => ({ changes: changes.toJSON(), drag: origin.annotation(dragged) })),
+    });
+  }
+
+  private receive({ version, updates }: Message): void {
+    const known = getSyncedVersion(this.view.state);
+    const fresh = updates.slice(Math.max(0, known - version));
+    if (fresh.some((one: any) => one.by === this.by())) this.pushing = false;
+    if (fresh.length) this.view.dispatch(receiveUpdates(this.view.state, fresh.map((one: any) => ({ changes: ChangeSet.fromJSON(one.changes), clientID: one.by }))));
+    this.push();
+  }
+
+  // What the server found in a version: it counts while that is the text.
+  check({ version, numbers, faults }: Message): boolean {
+    if (!this.isAt(version)) return false;
+    const length = this.view.state.doc.length;
+    const diagnostics: Diagnostic[] = faults.map((fault: any) => ({
+      from: Math.min(fault.from, length), to: Math.min(Math.max(fault.to, fault.from), length), severity: fault.severity,
+      message: [fault.elsewhere ? `${fault.elsewhere}: ${fault.message}` : fault.message, ...fault.hints].join("\n"),
+    }));
+    this.view.dispatch(setDiagnostics(this.view.state, diagnostics));
+    if (numbers) this.view.dispatch({ effects: setFields.of(numbers as Field[]) });
+    return true;
+  }
+
+  // The schema of the scene, with its ids, as it was not long ago.
+  private guide(): Promise<Guide> {
+    if (!this.schema || Date.now() - this.schema.at > 5000) {
+      const guide = this.link.get(`/api/schema?scene=${encodeURIComponent(this.scene)}`).then((schema) => new Guide(schema));
+      this.schema = { at: Date.now(), guide };
+      guide.catch(() => { this.schema = null; });
+    }
+    return this.schema.guide;
+  }
+
+  show(from: number, to: number): void {
+    this.view.dispatch({ selection: { anchor: from, head: to }, effects: EditorView.scrollIntoView(from, { y: "center" }) });
+    this.view.focus();
+  }
+}

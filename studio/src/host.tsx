@@ -1,0 +1,15 @@
+// An element whose content is made by others: text, charts, drawings.
+
+import { Component, createRef } from "preact";
+
+interface Props { of: (element: HTMLElement) => void; kind?: "div" | "section"; class?: string; label?: string }
+
+export class Host extends Component<Props> {
+  private readonly own = createRef<HTMLElement>();
+  override componentDidMount(): void { this.props.of(this.own.current!); }
+  override shouldComponentUpdate(): boolean { return false; }
+  override render() {
+    const { kind, label, class: name } = this.props, own = this.own as any;
+    return kind === "section" ? <section ref={own} class={name} aria-label={label} /> : <div ref={own} class={name} />;
+  }
+}

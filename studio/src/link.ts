@@ -1,0 +1,61 @@
+// The line to the server: one WebSocket, JSON in both directions, answers as bytes.
+
+export type Message = { type: string } & Record<string, any>;
+
+const KEY = "dam-studio-token";
+
+// The token comes behind the # of the first address, where no server sees it, and stays in
+// this window alone.
+function token(): string | null {
+  const given = location.hash.slice(1);
+  if (/^[0-9a-f]{64}$/.test(given)) {
+    sessionStorage.setItem(KEY, given);
+    history.replaceState(null, "", location.pathname);
+  }
+  return sessionStorage.getItem(KEY);
+}
+
+export class Link {
+  private socket: WebSocket | null = null;
+  private readonly token = token();
+  private readonly heard = new Map<string, (message: Message) => void>();
+  private wait = 250;
+  answer: (frame: ArrayBuffer) => void = () => {};
+  state: (connected: boolean) => void = () => {};
+
+  get known(): boolean { return this.token !== null; }
+
+  on(type: string, act: (message: Message) => void): void { this.heard.set(type, act); }
+
+  connect(): void {
+    const socket = new WebSocket(`ws://${location.host}/ws`);
+    socket.binaryType = "arraybuffer";
+    this.socket = socket;
+    socket.onopen = () => socket.send(JSON.stringify({ type: "hello", token: this.token }));
+    socket.onmessage = (event) => {
+      if (typeof event.data !== "string") { this.answer(event.data); return; }
+      const message = JSON.parse(event.data) as Message;
+      if (message.type === "welcome") { this.wait = 250; this.state(true); }
+      this.heard.get(message.type)?.(message);
+    };
+    socket.onclose = () => {
+      if (this.socket !== socket) return;
+      this.socket = null;
+      this.state(false);
+      setTimeout(() => this.connect(), this.wait);
+      this.wait = Math.min(4000, 2 * this.wait);
+    };
+  }
+
+  send(message: Message): boolean {
+    if (this.socket?.readyState !== WebSocket.OPEN) return false;
+    this.socket.send(JSON.stringify(message));
+    return true;
+  }
+
+  async get(path: string): Promise<any> {
+    const answer = await fetch(path, { headers: { Authorization: `Bearer ${this.token}` } });
+    if (!answer.ok) throw new Error(`${answer.status}`);
+    return answer.json();
+  }
+}

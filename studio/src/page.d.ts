@@ -1,0 +1,16 @@
+// What plot.js and player.js, the scripts of all pages of dam, leave for the studio.
+
+interface PlotSource { columns: (number | null)[][]; plots: Record<number, PlotData> | PlotData[] }
+interface PlotAxis { name: string; unit: string; ends: [number, number] }
+interface PlotData { x: PlotAxis; y: PlotAxis; field?: { notes: string[] } }
+interface PlotChart { svg: SVGElement; mark(x: number | null, y: number | null): void; draw(): void; stale: boolean }
+declare const live: {
+  make(root: Element, source: PlotSource): PlotChart[];
+  update(made: PlotChart[], source: PlotSource, visible?: (chart: PlotChart) => boolean): void;
+  drop(made: PlotChart[]): void;
+};
+interface Moving { magnify: { choices: number[] } | null; columns: unknown[] }
+interface Playing { update(moving: Moving, source: PlotSource, pictures?: string): void; stop(): void }
+declare const machine: { player(figure: Element, moving: Moving, source: PlotSource): Playing | null };
+declare const numbers: { withUnit(value: number, unit: string, digits: number): string };
+declare module "*.css";

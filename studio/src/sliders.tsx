@@ -1,0 +1,80 @@
+// Every number of the scene as a field with its unit and a slider.
+
+import { useRef, useState } from "preact/hooks";
+import type { Editor } from "./editor";
+import { fieldOf, shareOf, spanOf, typed, valueAt, written, type Field, type Span } from "./numbers";
+
+const STEPS = 1000;
+// A key that rests this long begins a new step of undo.
+const PAUSE = 600;
+
+interface Props { editor: Editor; fields: Field[]; spans: Map<string, Span> }
+
+export function Sliders({ editor, fields, spans }: Props) {
+  const groups = new Map<string, Field[]>();
+  for (const field of fields) {
+    const id = field.address.split(/[.[]/)[0]!;
+    groups.set(id, [...(groups.get(id) ?? []), field]);
+  }
+  return (
+    <div class="sliders" role="group" aria-label="numbers of the scene">
+      {[...groups].map(([id, own]) => (
+        <details key={id} open={id !== "run" && own.length <= 60}>
+          <summary>{id} <span class="soft">{own.length}</span></summary>
+          {own.map((field) => <Slider key={field.address} editor={editor} field={field} spans={spans} />)}
+        </details>
+      ))}
+      {fields.length === 0 && <p class="soft">No numbers can be read from the text yet.</p>}
+    </div>
+  );
+}
+
+function Slider({ editor, field, spans }: { editor: Editor; field: Field; spans: Map<string, Span> }) {
+  const drag = useRef(0), last = useRef(0), held = useRef(false);
+  const [wrong, setWrong] = useState(false);
+  const { address, value, unit, units } = field;
+  let span = spans.get(address);
+  // A number that was set elsewhere may lie beyond.
+  if (!span || (!held.current && (value < span.low * (1 - 1e-9) - 1e-300 || value > span.high * (1 + 1e-9) || (span.log && value <= 0)))) {
+    span = spanOf(field);
+    spans.set(address, span);
+  }
+  const name = address.replace(/^[^.[]+\.?/, "") || address;
+  const shownUnit = unit || (field.whole ? "" : units[0] ?? "");
+
+  const move = (share: number) => {
+    const now = performance.now();
+    if (!held.current && now - last.current > PAUSE) drag.current = editor.drag();
+    last.current = now;
+    const state = editor.view.state, own = fieldOf(state, address);
+    if (!own) return;
+    const [from, to] = own.number_at, before = state.sliceDoc(from, to);
+    const insert = written(valueAt(span!, share), before, field.whole, span!);
+    if (insert !== before) editor.change({ from, to, insert }, drag.current);
+  };
+  const settle = () => {
+    held.current = false;
+    const share = shareOf(span!, value);
+    if (share < 0.02 || share > 0.98) spans.set(address, spanOf(field));
+  };
+  const enter = (text: string) => {
+    const own = fieldOf(editor.view.state, address), change = own && typed(own, text);
+    setWrong(!change);
+    if (change) { spans.delete(address); editor.change(change, editor.drag()); }
+  };
+  const [from, to] = field.number_at, text = editor.view.state.sliceDoc(from, to);
+  return (
+    <div class="slider" data-address={address}>
+      <label for={`number ${address}`} title={`${address}${field.quantity ? `: ${field.quantity}` : ""}`}>{name}</label>
+      <input type="range" min={0} max={STEPS} step={1} value={Math.round(STEPS * shareOf(span, value))} aria-label={`${address}, slider`}
+        aria-valuetext={`${text} ${shownUnit}`}
+        onPointerDown={() => { held.current = true; drag.current = editor.drag(); }}
+        onInput={(event) => move(Number(event.currentTarget.value) / STEPS)} onChange={settle} />
+      <input type="text" id={`number ${address}`} value={`${text}${shownUnit ? ` ${shownUnit}` : ""}`} aria-invalid={wrong} spellcheck={false} size={12}
+        title={units.length ? `in ${units.join(", ")}` : field.whole ? "a whole number" : "a number"}
+        onFocus={(event) => event.currentTarget.select()}
+        onKeyDown={(event) => { if (event.key === "Enter") enter(event.currentTarget.value.replace(unit ? "" : ` ${shownUnit}`, "")); }}
+        onBlur={(event) => { const given = event.currentTarget.value; if (given !== `${text}${shownUnit ? ` ${shownUnit}` : ""}`) enter(unit ? given : given.replace(` ${shownUnit}`, "")); }} />
+    </div>
+  );
+}

@@ -1,0 +1,50 @@
+// A studio on a folder of its own, and the program beside it.
+
+import { execFileSync, spawn } from "node:child_process";
+import { copyFileSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { dirname, join, resolve } from "node:path";
+import { fileURLToPath } from "node:url";
+
+export const root = resolve(dirname(fileURLToPath(import.meta.url)), "../..");
+export const dam = process.env.DAM ? resolve(process.env.INIT_CWD ?? ".", process.env.DAM) : join(root, "target/release/dam");
+export const browser = {
+  executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
+  args: ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync"],
+};
+
+export class Server {
+  constructor(scenes = { "two_masses.json": "scenarios/rocker/two_masses.json" }) {
+    this.base = mkdtempSync(join(tmpdir(), "dam-studio-"));
+    this.folder = join(this.base, "scenes");
+    mkdirSync(this.folder);
+    for (const [name, from] of Object.entries(scenes)) copyFileSync(join(root, from), join(this.folder, name));
+  }
+  path(name = "two_masses.json") { return join(this.folder, name); }
+  text(name) { return readFileSync(this.path(name), "utf8"); }
+  write(text, name) { writeFileSync(this.path(name), text); }
+  async start(port) {
+    const args = ["studio", this.folder, "--no-open", ...(port ? ["--port", String(port)] : [])];
+    this.child = spawn(dam, args, { env: { ...process.env, XDG_STATE_HOME: join(this.base, "state") } });
+    this.address = await new Promise((found, failed) => {
+      let told = "";
+      this.child.stderr.on("data", (more) => { told += more; const match = /http:\S+/.exec(told); if (match) found(match[0]); });
+      this.child.on("exit", () => failed(new Error(told)));
+    });
+    return this.address;
+  }
+  async kill() {
+    const gone = new Promise((done) => this.child.once("exit", done));
+    this.child.kill("SIGKILL");
+    await gone;
+  }
+  async end() { if (this.child?.exitCode === null && this.child.signalCode === null) await this.kill(); rmSync(this.base, { recursive: true, force: true }); }
+  // The figures of the program for a text.
+  run(text) {
+    const file = join(this.base, "asked.json");
+    writeFileSync(file, text);
+    let out;
+    try { out = execFileSync(dam, ["run", file, "--json", "--quiet"], { encoding: "utf8", stdio: ["ignore", "pipe", "ignore"] }); } catch (error) { out = error.stdout; }
+    return JSON.parse(out);
+  }
+}
