@@ -18,4 +18,5 @@ mod random_scenes;
 mod read_scene;
 mod reduce;
 mod reference_rocker;
+mod scoreboard;
 mod short_steps;
