@@ -27,8 +27,6 @@ mod run;
 mod show;
 mod status;
 mod steady;
-mod tables;
-mod terminal;
 
 use args::{Cli, Command};
 use clap::Parser;

@@ -200,7 +200,11 @@ impl Table {
                 "" => String::new(),
                 class => format!(" class=\"{class}\""),
             };
-            format!("<{tag}{class}>{}{note}</{tag}>", value(&cell.value))
+            let value = match cell.object {
+                true => format!("<a href=\"#object-{0}\">{0}</a>", value(&cell.value)),
+                false => value(&cell.value),
+            };
+            format!("<{tag}{class}>{value}{note}</{tag}>")
         };
         let row = |cells: &[Cell]| {
             let cells: String = cells.iter().enumerate().map(cell).collect();
