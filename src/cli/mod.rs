@@ -28,8 +28,6 @@ mod show;
 mod status;
 mod steady;
 mod studio;
-mod tables;
-mod terminal;
 
 use args::{Cli, Command};
 use clap::Parser;

@@ -1,13 +1,14 @@
 //! `dam run`: the motion of a scene and its figures.
 
+use super::answer::{Answer, Content, Document as Written, PAGE, Shown};
 use super::args::{Columns, RunArgs};
 use super::console;
 use super::failure::Failure;
 use super::input::{Input, Ready};
-use super::output::{self, OutputFolder, ResultFile};
+use super::interrupt;
+use super::output::OutputFolder;
 use super::progress::Progress;
 use super::status::Status;
-use super::{interrupt, tables, terminal};
 use crate::ask::Judging;
 use crate::dynamics::integrate::{Sink, Stop};
 use crate::dynamics::record::Figures;
@@ -15,8 +16,9 @@ use crate::frontend::scene::Expected;
 use crate::report::accuracy;
 use crate::report::csv::record_csv;
 use crate::report::diagram::Diagram;
-use crate::report::html::{RunReport, page};
+use crate::report::findings::Source;
 use crate::report::machine::Machine;
+use crate::report::run::{RunReport, findings};
 use crate::studies::cam::disc_cams;
 use crate::studies::expectations::{Verdict, check, of_run};
 use crate::studies::limit::without_limit;
@@ -28,7 +30,7 @@ use serde::Serialize;
 use serde_json::Value;
 use std::time::Instant;
 
-const FILES: [&str; 4] = ["summary.json", "record.csv", "report.html", "timing.json"];
+const FILES: [&str; 4] = ["summary.json", "record.csv", PAGE, "timing.json"];
 
 /// The document of a run: the figures, and what else was asked for.
 #[derive(Serialize)]
@@ -44,14 +46,22 @@ struct Document<'a> {
     diagnostics: Option<Value>,
 }
 
-impl Document<'_> {
-    /// As JSON, with what the figures are worth where that was judged.
-    fn json(&self, certificate: Option<&Certificate>) -> Result<Value, Failure> {
-        let mut document = serde_json::to_value(self).map_err(|error| error.to_string())?;
-        if let Some(certificate) = certificate {
-            accuracy::add_to(&mut document, certificate);
-        }
-        Ok(document)
+/// A document, with what the figures are worth where that was judged.
+#[derive(Serialize)]
+#[serde(untagged)]
+enum Certified<'a> {
+    Alone(&'a Document<'a>),
+    With(Value),
+}
+
+impl<'a> Certified<'a> {
+    fn new(document: &'a Document<'a>, certificate: Option<&Certificate>) -> Self {
+        let value = certificate.map(|certificate| {
+            let mut value = serde_json::to_value(document).unwrap_or_default();
+            accuracy::add_to(&mut value, certificate);
+            value
+        });
+        value.map_or(Self::Alone(document), Self::With)
     }
 }
 
@@ -110,19 +120,42 @@ pub(crate) fn command(args: &RunArgs) -> Result<Status, Failure> {
         diagnostics: doubts(&ready),
     };
     let certificate = ready.certificate.as_ref();
-    let files = || files(&input, &ready, &result, &document, seconds);
-    let show = || match args.scene.json {
-        true => match certificate {
-            None => console::json(&document),
-            Some(_) => console::json(&document.json(certificate)?),
-        },
-        false => {
-            let spread = spread.as_ref().map_or(String::new(), tables::spread);
-            let accuracy = certificate.map_or(String::new(), accuracy::text);
-            console::text(&(terminal::summary(&result.figures) + &accuracy + &spread))
-        }
+    let model = ready.system.model();
+    let cams = disc_cams(ready.scene(), model);
+    let report = RunReport {
+        figures: &result.figures,
+        record: &result.record,
+        diagram: &Diagram::of(model),
+        machine: Some(Machine { model, cams: &cams }),
+        certificate,
+        spread: spread.as_ref(),
     };
-    output::deliver(folder.as_ref(), "run", &ready.scene().hash, files, show)?;
+    let timing = || {
+        let timing = serde_json::json!({ "dam": 1, "scene": ready.scene().name, "run_s": seconds });
+        format!("{timing:#}\n")
+    };
+    let record = match folder {
+        Some(_) => record_csv(&result.record)?,
+        None => String::new(),
+    };
+    let contents = [
+        Content::Document,
+        Content::made(|| record.clone()),
+        Content::Page,
+        Content::made(timing),
+    ];
+    let answer = Answer {
+        command: "run",
+        findings: &findings(&report, Source::scene(input.text(), &ready.scene().hash)),
+        document: Written::made(|| Certified::new(&document, certificate)),
+        files: FILES.map(str::to_owned).into_iter().zip(contents).collect(),
+        // Warnings are told in their time.
+        quiet: true,
+    };
+    answer.deliver(
+        folder.as_ref(),
+        Shown::json_or(args.scene.json, Shown::Text),
+    )?;
     if !quiet {
         talk(&ready, &result, &verdicts, seconds);
         if let Some(folder) = &folder {
@@ -161,41 +194,6 @@ pub(crate) fn run_with_progress(
     let result = run(&ready.system, settings, control, &mut sinks);
     progress.finish();
     result.map_err(|faults| ready.reading.places.diagnose(&faults).into())
-}
-
-fn files(
-    input: &Input,
-    ready: &Ready,
-    result: &RunResult,
-    document: &Document<'_>,
-    seconds: f64,
-) -> Result<Vec<ResultFile>, Failure> {
-    let certificate = ready.certificate.as_ref();
-    let mut summary = match certificate {
-        None => serde_json::to_string_pretty(document),
-        Some(_) => serde_json::to_string_pretty(&document.json(certificate)?),
-    }
-    .map_err(|error| error.to_string())?;
-    summary.push('\n');
-    let model = ready.system.model();
-    let cams = disc_cams(ready.scene(), model);
-    let report = page(&RunReport {
-        figures: &result.figures,
-        record: &result.record,
-        diagram: &Diagram::of(model),
-        machine: Some(Machine { model, cams: &cams }),
-        certificate,
-        scene: input.text(),
-        version: env!("CARGO_PKG_VERSION"),
-    });
-    let record = record_csv(&result.record).map_err(|error| error.to_string())?;
-    let timing = serde_json::json!({ "dam": 1, "scene": ready.scene().name, "run_s": seconds });
-    Ok(vec![
-        ResultFile::new(FILES[0], summary),
-        ResultFile::new(FILES[1], record),
-        ResultFile::new(FILES[2], report),
-        ResultFile::new(FILES[3], format!("{timing:#}\n")),
-    ])
 }
 
 fn talk(ready: &Ready, result: &RunResult, verdicts: &[Verdict], seconds: f64) {

@@ -3,10 +3,11 @@
 use crate::dynamics::record::Quantity;
 use crate::report::diagram::Diagram;
 use crate::report::findings::{Cell, Findings, Item, Section, Source, Table, Value};
+use crate::report::html::mechanism;
 use crate::report::html::runs::{self, QUANTITIES, RunSeries};
-use crate::report::html::{mechanism, tables};
 use crate::report::plot::Plot;
 use crate::report::quantity::{significant, with_unit};
+use crate::report::run::units;
 use crate::report::verdict::{Sort, Verdict, verdict};
 use crate::studies::compare::{ComparedRun, Comparison, TableRow};
 use crate::units::shown;
@@ -101,7 +102,7 @@ fn answer(runs: &[ComparedRun]) -> Verdict {
     let deviation = |run: &ComparedRun| {
         let all = run.result.figures.objects.iter();
         let greatest = all.max_by(|a, b| a.1.delta_abs.total_cmp(&b.1.delta_abs))?;
-        let unit = tables::units(&run.result.figures, greatest.0).displacement;
+        let unit = units(&run.result.figures, greatest.0).displacement;
         Some((greatest.0.clone(), greatest.1.delta_abs, unit))
     };
     let found: Vec<_> = runs.iter().filter_map(deviation).collect();

@@ -3,9 +3,8 @@
 
 use super::cam;
 use super::diagram::Diagram;
+use super::html::STYLE;
 use super::html::runs::{RunSeries, Shown};
-use super::html::tables;
-use super::html::{STYLE, window_note};
 use super::machine::Machine;
 use super::map::picture;
 use super::mechanism;
@@ -84,13 +83,9 @@ pub(crate) fn run(
     let mut charts = charts(&shown.collect::<Vec<_>>(), before);
     let machine = Machine { model, cams };
     let moving = machine.moving(figures, &merged, &mut charts.plots);
-    let tables = [
-        tables::figures(figures),
-        tables::pairs(figures),
-        tables::stops(figures),
-        tables::joints(figures),
-        window_note(figures, merged.times.len()),
-    ];
+    let tables = super::run::objects(figures, merged.times.len());
+    let tables = tables.iter().map(|section| section.html(&mut charts.plots));
+    let tables: String = tables.collect();
     let (moving, pictures) = match moving {
         // Plain numbers, strings and lists: writing them cannot fail.
         Some(moving) => (
@@ -101,7 +96,7 @@ pub(crate) fn run(
     };
     LiveRun {
         verdict: verdict(figures),
-        tables: tables.concat(),
+        tables,
         charts,
         moving,
         pictures,

@@ -1,7 +1,8 @@
 //! Pictures and texts of models and runs, as pure functions: data in, text out.
 //!
 //! * [`accuracy`]: what its figures are worth, the error of the model included.
-//! * [`html`]: the page of a run; [`compare`]: the page of several runs over each other.
+//! * [`run`]: what a run found; [`compare`]: several runs over each other; [`html`]: what pages are
+//!   made of.
 //! * [`machine`]: the machine of a run, moving.
 //! * [`mechanism`]: linkages to scale, still or moving.
 //! * [`cam`]: disc cams: text, tables, drawings, DXF, the page on which they turn.
@@ -42,6 +43,7 @@ mod order;
 pub mod plot;
 pub mod quantity;
 pub mod reduce;
+pub mod run;
 pub mod show;
 pub mod steady;
 pub mod svg;

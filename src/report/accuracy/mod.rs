@@ -1,10 +1,8 @@
-//! What the figures of a run are worth: text, JSON and the section of a page.
+//! What the figures of a run are worth: sections of findings, and JSON.
 
-mod page;
-mod text;
+mod chart;
 
-pub(in crate::report) use page::section;
-pub use text::text;
+pub(in crate::report) use chart::chart;
 
 use crate::report::findings::{Cell, Section, Table, Value};
 use crate::report::plot::Rule;
@@ -19,8 +17,8 @@ pub(in crate::report) fn sections<'a>(certificate: &Certificate) -> Vec<Section<
         vec![
             Cell::from(name.as_str()),
             number(found.value, 7).into(),
-            Cell::with(worth(found), found.why.clone().unwrap_or_default()),
             number(found.limit.unwrap_or(f64::NAN), 7).into(),
+            Cell::with(worth(found), found.why.clone().unwrap_or_default()),
         ]
     };
     let object = |(id, model): (&String, &ObjectModel)| {
@@ -31,12 +29,18 @@ pub(in crate::report) fn sections<'a>(certificate: &Certificate) -> Vec<Section<
             format!("with {} {} is {off} off", less.level, less.figure)
         });
         let level = model.level.to_string();
-        [id.as_str(), &level, &less].map(Cell::from).to_vec()
+        [id.as_str(), &level, &model.why, &less]
+            .map(Cell::from)
+            .to_vec()
     };
-    let figures = Table::new(["figure", ">value", "error", ">limit"]);
-    let objects = Table::new(["object", "model", "less is not enough:"]);
+    let figures = Table::new(["figure", ">value", ">limit", "~error"]);
+    let objects = Table::new(["object", "model", "why", "less is not enough:"]);
     vec![
         Section::new("Accuracy, the error of the model included")
+            .legend(
+                "How far each figure may be from that of the continuum that the objects' data \
+                 describe.",
+            )
             .table(figures.rows(certificate.accuracy.iter().map(figure))),
         Section::new("Models").table(objects.rows(certificate.models.iter().map(object))),
     ]

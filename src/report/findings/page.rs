@@ -51,7 +51,8 @@ impl Findings<'_> {
 }
 
 impl Section<'_> {
-    fn html(&self, plots: &mut Plots) -> String {
+    /// The section on a page.
+    pub(in crate::report) fn html(&self, plots: &mut Plots) -> String {
         let mut out = String::new();
         if !self.heading.is_empty() {
             let _ = writeln!(out, "<h2>{}</h2>", escape(&self.heading));
@@ -200,7 +201,11 @@ impl Table {
                 "" => String::new(),
                 class => format!(" class=\"{class}\""),
             };
-            format!("<{tag}{class}>{}{note}</{tag}>", value(&cell.value))
+            let value = match cell.object {
+                true => format!("<a href=\"#object-{0}\">{0}</a>", value(&cell.value)),
+                false => value(&cell.value),
+            };
+            format!("<{tag}{class}>{value}{note}</{tag}>")
         };
         let row = |cells: &[Cell]| {
             let cells: String = cells.iter().enumerate().map(cell).collect();

@@ -162,6 +162,8 @@ pub struct Cell {
     pub note: String,
     /// What it means; `None`: neither good nor bad.
     pub good: Option<bool>,
+    /// True: the id of an object, whose motion a page shows.
+    pub object: bool,
 }
 
 impl<V: Into<Value>> From<V> for Cell {
@@ -170,6 +172,7 @@ impl<V: Into<Value>> From<V> for Cell {
             value: value.into(),
             note: String::new(),
             good: None,
+            object: false,
         }
     }
 }
@@ -178,6 +181,14 @@ impl Cell {
     /// A number, or what stands where there is none.
     pub fn known(value: Option<f64>, unit: &str, digits: usize) -> Self {
         Value::new(value.unwrap_or(f64::NAN), unit, digits).into()
+    }
+
+    /// The id of an object, whose motion the page shows.
+    pub fn object(id: &str) -> Self {
+        Self {
+            object: true,
+            ..id.into()
+        }
     }
 
     /// The cell as good or bad news.

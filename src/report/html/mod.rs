@@ -2,80 +2,18 @@
 
 pub(in crate::report) mod player;
 pub mod runs;
-pub mod tables;
 
-use crate::dynamics::record::{Figures, Record};
-use crate::report::accuracy;
 use crate::report::diagram::Diagram;
-use crate::report::machine::Machine;
 use crate::report::mechanism;
-use crate::report::plot::{Plots, page::SCRIPT, palette};
-use crate::report::quantity::{escape, raised, scale, significant, with_unit};
+use crate::report::plot::{page::SCRIPT, palette};
+use crate::report::quantity::{escape, raised, scale, significant};
 use crate::report::svg::graph;
-use crate::report::verdict::{Sort, Verdict, verdict};
-use crate::studies::order::Certificate;
-use runs::RunSeries;
+use crate::report::verdict::{Sort, Verdict};
 
 /// The style of pages.
 pub(in crate::report) const STYLE: &str = include_str!("style.css");
 /// The player of what moves.
 pub(in crate::report) const PLAYER: &str = include_str!("player.js");
-
-/// Everything that goes into the page of one run.
-#[derive(Clone, Copy, Debug)]
-pub struct RunReport<'a> {
-    /// Figures, run statistics, warnings.
-    pub figures: &'a Figures,
-    /// Samples, switches, open intervals.
-    pub record: &'a Record,
-    /// The object graph.
-    pub diagram: &'a Diagram,
-    /// Machine that is drawn moving; `None`: nothing is.
-    pub machine: Option<Machine<'a>>,
-    /// What the figures are worth, where that was judged.
-    pub certificate: Option<&'a Certificate>,
-    /// The scene's text, shown as it is.
-    pub scene: &'a str,
-    /// Version of `dam`.
-    pub version: &'a str,
-}
-
-/// The page of one run.
-pub fn page(report: &RunReport<'_>) -> String {
-    let figures = report.figures;
-    let record = report.record.merged();
-    let series = [RunSeries {
-        label: String::new(),
-        record: &record,
-    }];
-    let mut plots = Plots::default();
-    let mut body = header(&figures.scene, &subtitle(figures), Some(&verdict(figures)));
-    body.push_str("<main>\n");
-    body.push_str(&warnings(&figures.warnings));
-    body.push_str(&mechanism(report.diagram));
-    if let Some(machine) = &report.machine {
-        body.push_str(&machine.section(figures, &record, &mut plots));
-    }
-    body.push_str("<h2>Figures</h2>\n");
-    body.push_str(&tables::figures(figures));
-    body.push_str(&tables::pairs(figures));
-    body.push_str(&tables::stops(figures));
-    body.push_str(&tables::joints(figures));
-    body.push_str(&window_note(figures, record.times.len()));
-    if let Some(certificate) = report.certificate {
-        body.push_str(&accuracy::section(certificate, &mut plots));
-    }
-    for one in &report.diagram.boxes {
-        let kind = format!("{}, {}", one.kind.replace('_', " "), one.detail);
-        body.push_str(&runs::section(&mut plots, &series, &one.id, &kind));
-    }
-    body.push_str(&tables::switches(report.record, figures));
-    body.push_str(&tables::statistics(figures));
-    body.push_str(&scene(report.scene));
-    body.push_str("</main>\n");
-    body.push_str(&footer(figures, report.version));
-    shell(&figures.scene, &body, &plots.json())
-}
 
 /// A complete document around `body`, with the data of its plots, and with the
 /// player where something moves.
@@ -128,16 +66,6 @@ fn verdict_banner(verdict: &Verdict) -> String {
     )
 }
 
-fn subtitle(figures: &Figures) -> String {
-    let count = figures.objects.len();
-    format!(
-        "{} s of motion, {count} {}, method {}",
-        significant(figures.run.time, 6),
-        if count == 1 { "object" } else { "objects" },
-        figures.run.method
-    )
-}
-
 /// The place of the buttons that zoom the charts of a link, and of words on how.
 pub(in crate::report) fn bar(link: &str) -> String {
     format!("<div class=\"bar\" data-zoom=\"{}\"></div>\n", escape(link))
@@ -163,27 +91,6 @@ pub(in crate::report) fn mechanism(diagram: &Diagram) -> String {
     )
 }
 
-/// What the figures are taken over.
-pub(in crate::report) fn window_note(figures: &Figures, samples: usize) -> String {
-    let run = &figures.run;
-    let text = match (run.window, &run.window_missing) {
-        (Some([from, to]), _) => format!(
-            "Figures are taken over the whole run; whether a pair is in working order over the \
-             steady window from {} to {}.",
-            with_unit(from, "s", 6),
-            with_unit(to, "s", 6)
-        ),
-        (None, Some(reason)) => {
-            format!("Figures are taken over the whole run. No steady window: {reason}.")
-        }
-        (None, None) => "Figures are taken over the whole run.".into(),
-    };
-    let between = format!(
-        "Peaks and extremes also cover what lies between the {samples} samples that the plots join."
-    );
-    format!("<p class=\"soft\">{} {between}</p>\n", escape(&text))
-}
-
 /// The scene as it was written.
 pub(in crate::report) fn scene(text: &str) -> String {
     let lines = text.lines().count();
@@ -193,19 +100,6 @@ pub(in crate::report) fn scene(text: &str) -> String {
          <pre>{}</pre>\n</details>\n",
         escape(text.trim_end())
     )
-}
-
-fn footer(figures: &Figures, version: &str) -> String {
-    let run = &figures.run;
-    let rows = [
-        ("Scene", figures.scene.clone()),
-        ("SHA-256 of the canonical scene", figures.hash.clone()),
-        ("Program", format!("dam {version}")),
-        ("Method", format!("{}: {}", run.method, run.why)),
-        ("Tolerance", significant(run.tolerance, 3)),
-        ("Energy error", significant(run.energy_error, 3)),
-    ];
-    format!("<footer>\n<h2>Provenance</h2>\n{}</footer>\n", facts(&rows))
 }
 
 /// A list of names and texts.
@@ -242,6 +136,3 @@ pub(in crate::report) fn number(value: f64, unit: &str, digits: usize) -> String
         escape(&shown.unit)
     )
 }
-
-#[cfg(test)]
-mod tests;

@@ -1,6 +1,7 @@
-use super::{RunReport, page};
+use super::{RunReport, findings};
 use crate::dynamics::record::SwitchRow;
 use crate::report::diagram::Diagram;
+use crate::report::findings::Source;
 use crate::report::fixture;
 use crate::report::machine::Machine;
 
@@ -11,18 +12,19 @@ fn rendered(
 ) -> String {
     let (mut figures, mut record) = fixture::run(2, 0.05, 200);
     change(&mut figures, &mut record);
-    page(&RunReport {
+    let (diagram, model) = (Diagram::of(&fixture::rocker(2)), fixture::rocker(2));
+    let report = RunReport {
         figures: &figures,
         record: &record,
-        diagram: &Diagram::of(&fixture::rocker(2)),
+        diagram: &diagram,
         certificate: None,
         machine: Some(Machine {
-            model: &fixture::rocker(2),
+            model: &model,
             cams: &[],
         }),
-        scene: SCENE,
-        version: "0.1.0",
-    })
+        spread: None,
+    };
+    findings(&report, Source::scene(SCENE, "")).page()
 }
 
 /// The data block of a page.

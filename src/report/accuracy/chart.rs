@@ -1,0 +1,69 @@
+//! Errors of the models that were tried.
+
+use super::asked_rule;
+use crate::frontend::scene::in_words;
+use crate::report::findings::{Layout, Section};
+use crate::report::plot::{Axis, Mark, Plot, Series, Shape};
+use crate::report::quantity::with_unit;
+use crate::studies::order::{Certificate, FigureAccuracy, Tried};
+
+/// Relative errors below this are drawn at it.
+const LEAST: f64 = 1e-12;
+
+/// Error of each figure over the coordinates of the model, every model tried a mark.
+pub(in crate::report) fn chart<'a>(certificate: &Certificate) -> Section<'a> {
+    let limits = certificate.accuracy.iter().filter_map(|(name, figure)| {
+        let limit = figure.limit.filter(|limit| *limit != 0.0)?;
+        Some((name, figure, limit))
+    });
+    let series: Vec<Series> = limits
+        .map(|(name, figure, limit)| {
+            let points = certificate.tried.iter().filter_map(|tried| {
+                let value = tried.values.get(name).copied().flatten()?;
+                let error = ((value - limit) / limit).abs().max(LEAST);
+                Some((
+                    (tried.coordinates as f64, error),
+                    mark(tried, figure, value),
+                ))
+            });
+            let (points, marks): (Vec<_>, Vec<_>) = points.unzip();
+            Series {
+                marks,
+                ..Series::line(name, points)
+            }
+        })
+        .collect();
+    if series.is_empty() {
+        return Section::default();
+    }
+    let plot = Plot {
+        id: "models".to_owned(),
+        title: "Distance of each figure from its limit, over the size of the model".to_owned(),
+        x: Axis::new("coordinates of all elastic objects", ""),
+        y: Axis {
+            log: true,
+            ..Axis::new("distance from the limit", "")
+        },
+        series,
+        rules: asked_rule(certificate),
+        ..Plot::default()
+    };
+    Section::default().charts(Layout::Wide(420.0), "", vec![plot])
+}
+
+/// Filled for the model chosen, open for the others.
+fn mark(tried: &Tried, figure: &FigureAccuracy, value: f64) -> Mark {
+    let chosen = if tried.chosen { ", chosen" } else { "" };
+    Mark {
+        shape: if tried.chosen {
+            Shape::Good
+        } else {
+            Shape::Open
+        },
+        note: format!(
+            "{}{chosen}: {}",
+            in_words(&tried.levels),
+            with_unit(value, &figure.unit, 6)
+        ),
+    }
+}

@@ -1,0 +1,193 @@
+//! What a run found: figures, what they are worth, the machine moving, the motion of every
+//! object, switches, and how the run went.
+
+mod tables;
+#[cfg(test)]
+mod tests;
+
+pub(in crate::report) use tables::units;
+
+use super::accuracy;
+use super::diagram::{Diagram, ObjectBox};
+use super::findings::{Cell, Findings, Item, Section, Source, Table, Value};
+use super::html::{mechanism, runs};
+use super::machine::Machine;
+use super::quantity::{significant, with_unit};
+use super::verdict::{Verdict, verdict};
+use crate::dynamics::record::{Figures, Record};
+use crate::studies::order::Certificate;
+use crate::studies::spread::{FigureSpread, Spread};
+use runs::RunSeries;
+use std::rc::Rc;
+
+/// Everything that is told of one run.
+#[derive(Clone, Copy, Debug)]
+pub struct RunReport<'a> {
+    /// Figures, run statistics, warnings.
+    pub figures: &'a Figures,
+    /// Samples, switches, open intervals.
+    pub record: &'a Record,
+    /// The object graph.
+    pub diagram: &'a Diagram,
+    /// Machine that is drawn moving; `None`: nothing is.
+    pub machine: Option<Machine<'a>>,
+    /// What the figures are worth, where that was judged.
+    pub certificate: Option<&'a Certificate>,
+    /// How far the figures move under a tiny change, where that was asked.
+    pub spread: Option<&'a Spread>,
+}
+
+/// The findings of one run.
+pub fn findings<'a>(report: &RunReport<'a>, source: Source<'a>) -> Findings<'a> {
+    let RunReport {
+        figures,
+        diagram,
+        machine,
+        ..
+    } = *report;
+    let record = Rc::new(report.record.merged());
+    let samples = record.times.len();
+    let mut sections = vec![Section::default().drawing(|_| mechanism(diagram))];
+    if let Some(machine) = machine {
+        let record = Rc::clone(&record);
+        let moving = move |plots: &mut _| machine.section(figures, &record, plots);
+        sections.push(Section::default().drawing(moving));
+    }
+    sections.extend(objects(figures, samples));
+    if let Some(certificate) = report.certificate {
+        sections.extend(accuracy::sections(certificate));
+        sections.push(accuracy::chart(certificate));
+    }
+    sections.extend(report.spread.map(spread));
+    let boxes = diagram.boxes.iter();
+    sections.extend(boxes.map(|one| object(one, Rc::clone(&record))));
+    sections.push(switches(report.record, figures));
+    sections.push(Section::new("Run").figures(tables::statistics(figures)));
+    sections.retain(has_rows);
+    let judged = verdict(figures);
+    let count = figures.objects.len();
+    Findings {
+        title: figures.scene.clone(),
+        subtitle: format!(
+            "{} of motion, {count} {}, method {}",
+            with_unit(figures.run.time, "s", 6),
+            if count == 1 { "object" } else { "objects" },
+            figures.run.method
+        ),
+        answer: Some(Verdict {
+            headline: judged.headline + ".",
+            ..judged
+        }),
+        warnings: figures.warnings.clone(),
+        sections,
+        source,
+    }
+}
+
+/// The figures of all objects, of their pairs, stops and joints.
+pub(in crate::report) fn objects<'a>(figures: &Figures, samples: usize) -> Vec<Section<'a>> {
+    let mut sections = vec![
+        Section::new("Figures")
+            .table(tables::figures(figures))
+            .legend(format!(
+                "Peaks and extremes also cover what lies between the {samples} samples that the \
+                 plots join."
+            )),
+        Section::new("Driving pairs")
+            .table(tables::pairs(figures))
+            .legend(window(figures)),
+        Section::new("Stops").table(tables::stops(figures)),
+        Section::new("Joint friction").table(tables::joints(figures)),
+    ];
+    sections.retain(has_rows);
+    sections
+}
+
+/// False of a section that begins with an empty table, or has nothing.
+fn has_rows(section: &Section<'_>) -> bool {
+    match &section.items[..] {
+        [Item::Table(table), ..] => !table.rows.is_empty(),
+        _ => !section.is_empty(),
+    }
+}
+
+/// The motion of an object.
+fn object<'a>(one: &'a ObjectBox, record: Rc<Record>) -> Section<'a> {
+    Section::default().drawing(move |plots| {
+        let kind = format!("{}, {}", one.kind.replace('_', " "), one.detail);
+        let series = [RunSeries {
+            label: String::new(),
+            record: &record,
+        }];
+        runs::section(plots, &series, &one.id, &kind)
+    })
+}
+
+/// What figures of pairs are taken over.
+fn window(figures: &Figures) -> String {
+    let run = &figures.run;
+    let judged = match (run.window, &run.window_missing) {
+        (Some([from, to]), _) => format!(
+            "; whether a pair is in working order over the steady window from {} to {}",
+            with_unit(from, "s", 6),
+            with_unit(to, "s", 6)
+        ),
+        (None, Some(reason)) => format!(". No steady window: {reason}"),
+        (None, None) => String::new(),
+    };
+    format!("Figures are taken over the whole run{judged}.")
+}
+
+/// How far figures move under a tiny change.
+fn spread<'a>(spread: &Spread) -> Section<'a> {
+    let moved = |by: Option<f64>| match by {
+        None => Cell::from("gone"),
+        Some(_) => Cell::known(by, "", 2),
+    };
+    let row = |figure: &FigureSpread| {
+        let mark = if figure.determined {
+            ""
+        } else {
+            "NOT DETERMINED"
+        };
+        vec![
+            figure.figure.as_str().into(),
+            Value::new(figure.value, "", 7).into(),
+            moved(figure.by_loads),
+            moved(figure.by_tolerance),
+            Cell::from(mark).judged((!figure.determined).then_some(false)),
+        ]
+    };
+    let heads = ["figure", ">value", ">by loads", ">by tolerance", ""];
+    Section::new("Spread")
+        .words(format!(
+            "Loads and gaps changed by {}, tolerance by {}.",
+            significant(spread.change, 7),
+            spread.tolerance_factor
+        ))
+        .table(Table::new(heads).rows(spread.figures.iter().map(row)))
+}
+
+/// Up to this many switches are listed openly; more are folded away.
+const OPEN_LIST: usize = 12;
+
+/// All switches in order of time, on a page.
+fn switches<'a>(record: &Record, figures: &Figures) -> Section<'a> {
+    let section = Section::new("Switches");
+    let (Some(first), Some(last)) = (record.switches.first(), record.switches.last()) else {
+        return section.legend("No pair opens or closes during the run.");
+    };
+    let table = tables::switches(&record.switches, figures);
+    let count = record.switches.len();
+    section.item(match count <= OPEN_LIST {
+        true => Item::Table(table),
+        false => Item::Folded(
+            format!(
+                "{count} switches between {} and {}",
+                with_unit(first.time, "s", 6),
+                with_unit(last.time, "s", 6)
+            ),
+            table,
+        ),
+    })
+}

@@ -1,0 +1,223 @@
+//! Tables of a run: figures, pairs, stops, joints, switches, statistics.
+
+use crate::dynamics::record::{EnergyAudit, Figures, ObjectFigures, PairFigures, SwitchRow, Units};
+use crate::report::findings::{Cell, Figure, Table, Value};
+use crate::report::quantity::{significant, with_unit};
+
+/// Significant digits; files carry all of them.
+const DIGITS: usize = 7;
+
+/// Units of an object; SI turning units when the document names none.
+pub(in crate::report) fn units(figures: &Figures, id: &str) -> Units {
+    figures.units.get(id).copied().unwrap_or(Units {
+        displacement: "rad",
+        force: "N m",
+    })
+}
+
+fn value(value: f64, unit: &str) -> Cell {
+    Value::new(value, unit, DIGITS).into()
+}
+
+/// Unit of a speed.
+fn speed(units: Units) -> String {
+    format!("{}/s", units.displacement)
+}
+
+/// A table with a row for every object that has what it is of.
+fn table<'n, const N: usize>(
+    heads: [&'n str; N],
+    figures: &Figures,
+    cells: impl Fn(&ObjectFigures, Units) -> Option<Vec<Cell>>,
+) -> Table {
+    let row = |(id, object): (&String, &ObjectFigures)| {
+        let cells = cells(object, units(figures, id))?;
+        Some([vec![Cell::object(id)], cells].concat())
+    };
+    let heads = std::iter::once("object").chain(heads);
+    Table::new(heads).rows(figures.objects.iter().filter_map(row))
+}
+
+/// Figures of every object.
+pub(super) fn figures(figures: &Figures) -> Table {
+    let heads = [
+        ">greatest |δ|",
+        ">greatest δ",
+        ">least δ",
+        ">σ, mean |δ|",
+        ">peak speed",
+        ">peak acceleration",
+        ">peak reaction",
+        ">displacement at the end",
+        ">speed at the end",
+    ];
+    table(heads, figures, |object, units| {
+        let (length, speed) = (units.displacement, speed(units));
+        Some(vec![
+            value(object.delta_abs, length),
+            value(object.delta_max, length),
+            value(object.delta_min, length),
+            value(object.sigma, length),
+            value(object.peak_speed, &speed),
+            value(object.peak_acceleration, &format!("{length}/s²")),
+            value(object.peak_reaction, units.force),
+            value(object.end.displacement, length),
+            value(object.end.speed, &speed),
+        ])
+    })
+}
+
+/// Figures of every pair that can open.
+pub(super) fn pairs(figures: &Figures) -> Table {
+    let heads = [
+        ">in working order",
+        ">separations",
+        ">closures",
+        ">time open",
+        ">longest opening",
+        ">greatest lift",
+        ">greatest approach speed",
+        ">greatest contact force",
+    ];
+    table(heads, figures, |object, units| {
+        let pair = object.pair.as_ref()?;
+        let force = Cell {
+            note: pair.max_indentation.map_or(String::new(), |depth| {
+                format!("indentation {}", with_unit(depth, units.displacement, 5))
+            }),
+            ..value(pair.max_contact_force, units.force)
+        };
+        Some(vec![
+            order(pair, units),
+            pair.separations.to_string().into(),
+            pair.closures.to_string().into(),
+            value(pair.separated_time, "s"),
+            value(pair.longest_separation, "s"),
+            value(pair.max_lift, units.displacement),
+            value(pair.max_approach_speed, &speed(units)),
+            force,
+        ])
+    })
+}
+
+/// Whether a pair is in working order; of a rigid object, the least force that its motion needs.
+fn order(pair: &PairFigures, units: Units) -> Cell {
+    match (pair.margin, pair.in_working_order) {
+        (Some(margin), _) => {
+            let word = if margin < 0.0 {
+                "would lift off"
+            } else {
+                "yes"
+            };
+            let least = with_unit(margin, units.force, DIGITS);
+            Cell::with(word, format!("least force {least}")).judged(Some(margin >= 0.0))
+        }
+        (None, Some(true)) => Cell::from("yes").judged(Some(true)),
+        (None, Some(false)) => Cell::from("NO").judged(Some(false)),
+        (None, None) => "not judged".into(),
+    }
+}
+
+/// Figures of every stop.
+pub(super) fn stops(figures: &Figures) -> Table {
+    let heads = [
+        ">closures",
+        ">time in contact",
+        ">greatest approach speed",
+        ">greatest contact force",
+        ">greatest indentation",
+    ];
+    table(heads, figures, |object, units| {
+        let stop = object.stop.as_ref()?;
+        Some(vec![
+            stop.closures.to_string().into(),
+            value(stop.contact_time, "s"),
+            value(stop.max_approach_speed, &speed(units)),
+            value(stop.max_contact_force, units.force),
+            value(stop.max_indentation, units.displacement),
+        ])
+    })
+}
+
+/// Figures of every linkage whose joints have friction.
+pub(super) fn joints(figures: &Figures) -> Table {
+    let heads = [">standstills", ">time at rest", ">energy lost"];
+    table(heads, figures, |object, _| {
+        let joints = object.joints.as_ref()?;
+        Some(vec![
+            joints.standstills.to_string().into(),
+            value(joints.time_at_rest, "s"),
+            value(joints.friction_loss, "J"),
+        ])
+    })
+}
+
+/// Switches, too many for a terminal.
+pub(super) fn switches(rows: &[SwitchRow], figures: &Figures) -> Table {
+    let row = |(index, row): (usize, &SwitchRow)| {
+        vec![
+            (index + 1).to_string().into(),
+            significant(row.time, 12).into(),
+            row.object.as_str().into(),
+            row.what.into(),
+            row.flank.into(),
+            value(row.speed, &speed(units(figures, &row.object))),
+        ]
+    };
+    let heads = ["no.", ">time, s", "object", "pair", "flank"];
+    let heads = heads.into_iter().chain([">speed of approach or parting"]);
+    let mut table = Table::new(heads).rows::<Cell>(rows.iter().enumerate().map(row));
+    table.rows.iter_mut().for_each(|row| row.minor = true);
+    table
+}
+
+/// How the run went.
+pub(super) fn statistics(figures: &Figures) -> Vec<Figure> {
+    let run = &figures.run;
+    let bound = EnergyAudit::bound(run.tolerance);
+    let judged = if run.energy_error <= bound {
+        "within"
+    } else {
+        "BEYOND"
+    };
+    let end = match (&run.stopped, run.complete) {
+        (_, true) => "complete".to_owned(),
+        (Some(name), false) => format!("INCOMPLETE, {}", name.replace('_', " ")),
+        (None, false) => "INCOMPLETE".to_owned(),
+    };
+    let window = match (run.window, &run.window_missing) {
+        (Some([from, to]), _) => Some(format!(
+            "{} to {}",
+            with_unit(from, "s", DIGITS),
+            with_unit(to, "s", DIGITS)
+        )),
+        (None, Some(reason)) => Some(format!("none, {reason}")),
+        (None, None) => None,
+    };
+    let words = |name: &str, words: String| Figure::new(name, words);
+    let mut rows = vec![words(
+        "time reached",
+        format!("{}, {end}", with_unit(run.time, "s", 9)),
+    )];
+    rows.extend(run.stopped_because.clone().map(|why| words("reason", why)));
+    rows.extend(window.map(|window| words("steady window", window)));
+    rows.extend([
+        words("method", format!("{}: {}", run.method, run.why)),
+        words("tolerance", significant(run.tolerance, 3)),
+        words(
+            "energy error",
+            format!(
+                "{}, {judged} its bound of {}",
+                significant(run.energy_error, 2),
+                significant(bound, 2)
+            ),
+        ),
+        words(
+            "steps",
+            format!("{} accepted, {} rejected", run.steps, run.rejected),
+        ),
+        words("evaluations", run.evaluations.to_string()),
+        words("switches of pairs", run.switches.to_string()),
+    ]);
+    rows
+}
