@@ -144,7 +144,11 @@ pub(crate) fn map(study: &Study<'_>, result: &MapResult) -> (String, Plots, Vec<
                 true => cell.verdict.words().to_owned(),
                 false => format!("{}: {}", cell.verdict.words(), cell.cause),
             };
-            value.into_iter().chain([cause]).collect::<Vec<_>>().join("; ")
+            value
+                .into_iter()
+                .chain([cause])
+                .collect::<Vec<_>>()
+                .join("; ")
         }
     };
     let notes = cells.map(note).collect();

@@ -7,7 +7,9 @@ use crate::ask::{Judging, Mechanism};
 use crate::budget::Budget;
 use crate::dynamics::integrate::Stop;
 use crate::frontend::diagnostics::{Diagnostic, Diagnostics, Severity};
-use crate::frontend::scene::{BuiltIn, Catalogue, Document, Layered, Overrides, Reading, TypedScene, edit};
+use crate::frontend::scene::{
+    BuiltIn, Catalogue, Document, Layered, Overrides, Reading, TypedScene, edit,
+};
 use crate::report::live::{self, Charts};
 use crate::report::verdict::Sort;
 use crate::studies::cam::disc_cams;
@@ -71,7 +73,11 @@ impl<C: Catalogue + Sync> Asked<'_, C> {
             let numbers = document.numbers(&Layered(self.catalogue, &BuiltIn));
             let one = |number| {
                 let mut value = json!(number);
-                let crate::frontend::scene::Number { value_at, number_at, .. } = number;
+                let crate::frontend::scene::Number {
+                    value_at,
+                    number_at,
+                    ..
+                } = number;
                 let ends = [value_at.start, number_at.start, number_at.end, value_at.end];
                 let [a, b, c, d] = ends.map(|byte| counter.units(byte));
                 value["value_at"] = json!([a, d]);
@@ -80,7 +86,10 @@ impl<C: Catalogue + Sync> Asked<'_, C> {
             };
             numbers.into_iter().map(one).collect::<Vec<Value>>()
         });
-        let faults = faults.items.iter().map(|fault| self.fault(document, faults, fault));
+        let faults = faults
+            .items
+            .iter()
+            .map(|fault| self.fault(document, faults, fault));
         json!({
             "type": "checked",
             "version": self.version,
@@ -92,7 +101,9 @@ impl<C: Catalogue + Sync> Asked<'_, C> {
 
     fn fault(&self, document: Option<&Document>, all: &Diagnostics, fault: &Diagnostic) -> Value {
         let place = fault.place.as_ref().filter(|place| !place.is_nowhere());
-        let own = place.filter(|place| place.source == 0).map(|place| place.range.clone());
+        let own = place
+            .filter(|place| place.source == 0)
+            .map(|place| place.range.clone());
         // What stands in a catalogue shows at the object that copies it.
         let object = || {
             let id = fault.path.split(['.', '[']).next()?;
@@ -133,7 +144,10 @@ impl<C: Catalogue + Sync> Asked<'_, C> {
         if !plausible::looks_at_samples(mechanism.system.model()) {
             settings.samples = settings.samples.min(SAMPLES);
         }
-        let masses = mechanism.system.initial_state().map_or(0, |start| start.y.len());
+        let masses = mechanism
+            .system
+            .initial_state()
+            .map_or(0, |start| start.y.len());
         settings.masses &= masses <= MASSES;
         settings.closeups = false;
         let mut result = mechanism.run_within(&budget).map_err(wrong)?;
@@ -161,7 +175,10 @@ impl<C: Catalogue + Sync> Asked<'_, C> {
         let shown = live::run(model, &cams, &result.figures, &result.record, before);
         let mut warnings = mechanism.warnings();
         let found = result.figures.warnings.iter();
-        let new: Vec<String> = found.filter(|one| !warnings.contains(one)).cloned().collect();
+        let new: Vec<String> = found
+            .filter(|one| !warnings.contains(one))
+            .cloned()
+            .collect();
         warnings.extend(new);
         let (columns, plots) = shown.charts.plots.parts();
         let numbers = columns.iter().flatten();

@@ -106,7 +106,9 @@ impl<C: Catalogue + Sync> Task<'_, C> {
             StudyFault::Question(words) => words.clone(),
             StudyFault::Scene(faults) => {
                 let first = faults.items.first();
-                first.map_or("the scene is wrong", |one| &one.message).to_owned()
+                first
+                    .map_or("the scene is wrong", |one| &one.message)
+                    .to_owned()
             }
         };
         json!({ "type": "map", "version": self.version, "refused": words }).to_string()

@@ -36,7 +36,9 @@ impl Open {
         if open.len() < CONNECTIONS {
             return;
         }
-        let unknown = open.iter().position(|(_, trust, _)| !trust.0.load(Ordering::Relaxed));
+        let unknown = open
+            .iter()
+            .position(|(_, trust, _)| !trust.0.load(Ordering::Relaxed));
         if let Some((_, _, task)) = open.remove(unknown.unwrap_or(0)) {
             task.abort();
         }

@@ -95,7 +95,9 @@ impl Draft {
 pub(super) fn state_folder() -> Option<PathBuf> {
     let given = |name: &str| std::env::var_os(name).filter(|value| !value.is_empty());
     let absolute = |path: PathBuf| path.is_absolute().then_some(path);
-    let own = given("XDG_STATE_HOME").map(PathBuf::from).and_then(absolute);
+    let own = given("XDG_STATE_HOME")
+        .map(PathBuf::from)
+        .and_then(absolute);
     let windows = given("LOCALAPPDATA").filter(|_| cfg!(windows));
     let home = || given("HOME").map(|home| PathBuf::from(home).join(".local/state"));
     let base = own.or(windows.map(PathBuf::from)).or_else(home)?;

@@ -30,9 +30,14 @@ impl Folder {
         if real.is_dir() {
             return Ok((Self { root: real }, None));
         }
-        let (folder, name) = (real.parent(), real.file_name().and_then(|name| name.to_str()));
+        let (folder, name) = (
+            real.parent(),
+            real.file_name().and_then(|name| name.to_str()),
+        );
         let (Some(folder), Some(name), true) = (folder, name, real.is_file()) else {
-            return Err(format!("`{shown}` is neither a scene nor a folder of scenes"));
+            return Err(format!(
+                "`{shown}` is neither a scene nor a folder of scenes"
+            ));
         };
         let folder = Self {
             root: folder.to_owned(),
@@ -80,7 +85,9 @@ impl Folder {
     /// A name without anything that leads elsewhere.
     fn plain(&self, name: &str) -> Result<PathBuf, String> {
         let parts = Path::new(name).components();
-        let plain = parts.clone().all(|part| matches!(part, Component::Normal(_)));
+        let plain = parts
+            .clone()
+            .all(|part| matches!(part, Component::Normal(_)));
         let fine = plain && !name.is_empty() && name.len() < 1024;
         // Of other systems, where they would mean something.
         let fine = fine && !name.contains(['\\', '\0', ':']) && !name.ends_with('/');
@@ -202,7 +209,11 @@ mod tests {
             fs::create_dir_all(folder).unwrap();
         }
         let scene = r#"{"dam":1}"#;
-        for file in [root.join("a.json"), root.join("deep/b.json"), other.join("c.json")] {
+        for file in [
+            root.join("a.json"),
+            root.join("deep/b.json"),
+            other.join("c.json"),
+        ] {
             fs::write(file, scene).unwrap();
         }
         fs::write(other.join("objects/o.json"), "{}").unwrap();
@@ -213,15 +224,37 @@ mod tests {
         let (folder, none) = Folder::open(Some(&root)).unwrap();
         assert_eq!(none, None);
         assert!(folder.file("a.json").is_ok() && folder.file("deep/b.json").is_ok());
-        assert_eq!(folder.file("same.json").unwrap(), folder.file("a.json").unwrap());
+        assert_eq!(
+            folder.file("same.json").unwrap(),
+            folder.file("a.json").unwrap()
+        );
         let absolute = other.join("c.json").display().to_string();
         for name in [
-            "link.json", "away/c.json", "../other/c.json", "deep/../a.json", "./a.json", "", ".",
-            "/etc/passwd", &absolute, "deep", "a.json/", "a\\b.json", "nothing.json", "a.json\0",
+            "link.json",
+            "away/c.json",
+            "../other/c.json",
+            "deep/../a.json",
+            "./a.json",
+            "",
+            ".",
+            "/etc/passwd",
+            &absolute,
+            "deep",
+            "a.json/",
+            "a\\b.json",
+            "nothing.json",
+            "a.json\0",
         ] {
             assert!(folder.file(name).is_err(), "{name:?}");
         }
-        for name in ["away/new.json", "../new.json", "a.json", "link.json", "new.txt", "no/new.json"] {
+        for name in [
+            "away/new.json",
+            "../new.json",
+            "a.json",
+            "link.json",
+            "new.txt",
+            "no/new.json",
+        ] {
             assert!(folder.place(name).is_err(), "{name}");
         }
         assert!(folder.place("deep/new.json").is_ok());
@@ -229,7 +262,10 @@ mod tests {
         let shelf = folder.catalogue(&folder.file("a.json").unwrap());
         assert!(shelf.lookup("o").is_none() && shelf.names().is_empty());
         let (of_scene, name) = Folder::open(Some(&root.join("link.json"))).unwrap();
-        assert_eq!((of_scene.name().as_str(), name.as_deref()), ("other", Some("c.json")));
+        assert_eq!(
+            (of_scene.name().as_str(), name.as_deref()),
+            ("other", Some("c.json"))
+        );
         let shelf = of_scene.catalogue(&of_scene.file("c.json").unwrap());
         assert_eq!(shelf.lookup("o").unwrap().0, "objects/o.json");
     }

@@ -55,7 +55,9 @@ fn let_in(studio: &Studio, request: &Request) -> Result<(), StatusCode> {
     let site = HeaderName::from_static("sec-fetch-site");
     // A page opened from a file or typed by the user comes from nowhere, or from elsewhere
     // without anything that tells: only the pages themselves are given to it.
-    let from = headers.get(site).map_or("none", |site| site.to_str().unwrap_or("?"));
+    let from = headers
+        .get(site)
+        .map_or("none", |site| site.to_str().unwrap_or("?"));
     if !["none", "same-origin"].contains(&from) && path != "/" {
         return Err(StatusCode::FORBIDDEN);
     }
@@ -98,7 +100,10 @@ fn with_headers(mut response: Response, nonce: &str) -> Response {
     ];
     let headers = response.headers_mut();
     for (name, value) in fixed {
-        headers.insert(HeaderName::from_static(name), HeaderValue::from_static(value));
+        headers.insert(
+            HeaderName::from_static(name),
+            HeaderValue::from_static(value),
+        );
     }
     if let Ok(policy) = HeaderValue::from_str(&policy) {
         headers.insert(HeaderName::from_static("content-security-policy"), policy);

@@ -39,7 +39,9 @@ pub(super) fn open(address: &str) -> Result<Page, String> {
         Ok(page)
     })();
     let page = page.map_err(|error: std::io::Error| {
-        format!("cannot write the page that opens the studio: {error}; --no-open prints the address")
+        format!(
+            "cannot write the page that opens the studio: {error}; --no-open prints the address"
+        )
     })?;
     let (program, arguments) = opener();
     let started = Command::new(program)

@@ -1,6 +1,7 @@
 //! The document of a file: its text, which all windows on it share, and what follows from it.
 
 use super::answer::{self, Answer, Asked};
+use super::atomic;
 use super::chart::{Task, Told};
 use super::drafts::{Draft, Drafts};
 use super::folder::{Folder, Shelf};
@@ -9,7 +10,6 @@ use super::server::Studio;
 use super::text::{Group, Text};
 use super::window::Window;
 use super::work::{Desk, LOOK, memory};
-use super::atomic;
 use crate::ask::Judging;
 use crate::frontend::diagnostics::Diagnostics;
 use crate::frontend::scene::Document;
@@ -193,13 +193,22 @@ impl Room {
 
     /// Edits of a window: those of the newest version are taken; others must be made anew on
     /// what the window has not seen, which it is sent anyway.
-    pub(super) fn push(&self, window: &Window, version: u64, updates: &[Update]) -> Result<(), String> {
+    pub(super) fn push(
+        &self,
+        window: &Window,
+        version: u64,
+        updates: &[Update],
+    ) -> Result<(), String> {
         let mut state = self.lock();
         if state.offered.is_some() {
             return Err("decide about the draft first".to_owned());
         }
         if version != state.text.version() {
-            window.send(json!({ "type": "late", "version": state.text.version() }).to_string().into());
+            window.send(
+                json!({ "type": "late", "version": state.text.version() })
+                    .to_string()
+                    .into(),
+            );
             return Ok(());
         }
         for update in updates {
@@ -223,7 +232,11 @@ impl Room {
     pub(super) fn step(&self, back: bool) {
         let mut state = self.lock();
         let before = state.text.version();
-        let changes = if back { state.text.undo() } else { state.text.redo() };
+        let changes = if back {
+            state.text.undo()
+        } else {
+            state.text.redo()
+        };
         if let Some(changes) = changes.filter(|_| state.offered.is_none()) {
             state.tell_changes(before, 0, &changes);
             self.changed(state);
@@ -312,9 +325,8 @@ impl Room {
 
     fn ask_map(&self, state: &State) {
         let windows = state.asked.iter();
-        let asked = windows.filter_map(|(id, asked)| {
-            Some((state.windows.get(id)?.clone(), asked.clone()))
-        });
+        let asked =
+            windows.filter_map(|(id, asked)| Some((state.windows.get(id)?.clone(), asked.clone())));
         if let Some(maps) = self.maps.get() {
             maps.ask(MapQuestion {
                 version: state.text.version(),
@@ -353,7 +365,10 @@ impl Room {
                     return;
                 }
                 Ok(_) if self.exhausted.swap(false, Ordering::Relaxed) => {
-                    self.tell_failure(question.version, "the run took too much memory and was ended");
+                    self.tell_failure(
+                        question.version,
+                        "the run took too much memory and was ended",
+                    );
                     return;
                 }
                 // Something newer has come.
@@ -550,9 +565,9 @@ impl State {
 
     /// Everything that a window begins with.
     fn opened(&self, name: &str) -> String {
-        let draft = self.offered.as_ref().map(|draft| {
-            json!({ "time": draft.time, "other_base": draft.is_of_another(&self.saved) })
-        });
+        let draft = self.offered.as_ref().map(
+            |draft| json!({ "time": draft.time, "other_base": draft.is_of_another(&self.saved) }),
+        );
         json!({
             "type": "opened",
             "scene": name,

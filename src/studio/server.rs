@@ -101,7 +101,12 @@ impl Studio {
             let empty = empty.ok_or("too many scenes are open; close some windows")?;
             rooms.remove(&empty);
         }
-        let room = Room::open(name, &path, self.folder.catalogue(&path), self.drafts.clone())?;
+        let room = Room::open(
+            name,
+            &path,
+            self.folder.catalogue(&path),
+            self.drafts.clone(),
+        )?;
         rooms.insert(path, room.clone());
         Ok(room)
     }
@@ -161,7 +166,8 @@ fn style(text: String) -> Response {
 }
 
 async fn scenes(State(studio): State<Arc<Studio>>) -> Response {
-    Json(json!({ "folder": studio.folder.name(), "scenes": studio.folder.scenes() })).into_response()
+    Json(json!({ "folder": studio.folder.name(), "scenes": studio.folder.scenes() }))
+        .into_response()
 }
 
 /// A scene in the query.

@@ -132,7 +132,11 @@ impl Visit {
             Said::KeepMine => room.decide(false),
             Said::Draft { restore } => Ok(room.draft(restore)),
             Said::Map { question } => Ok(room.map(id, question)),
-            Said::Hello { .. } | Said::Open { .. } | Said::Ping { .. } | Said::Shown | Said::MapShown => Ok(()),
+            Said::Hello { .. }
+            | Said::Open { .. }
+            | Said::Ping { .. }
+            | Said::Shown
+            | Said::MapShown => Ok(()),
         }
     }
 
@@ -149,7 +153,10 @@ impl Visit {
     fn write(&self, scene: &str, text: &str) -> Result<(), String> {
         let place = self.studio.folder.place(scene)?;
         atomic::new(&place, false)
-            .and_then(|mut file| file.write_all(text.as_bytes()).and_then(|()| file.sync_all()))
+            .and_then(|mut file| {
+                file.write_all(text.as_bytes())
+                    .and_then(|()| file.sync_all())
+            })
             .map_err(|error| format!("the file cannot be written: {}", error.kind()))
     }
 }

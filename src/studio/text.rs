@@ -147,13 +147,24 @@ impl Text {
     pub(super) fn replace(&mut self, other: &str) -> Vec<Value> {
         let same = |pair: &(char, char)| pair.0 == pair.1;
         let (own, new) = (self.text.chars(), other.chars());
-        let mut start: usize = own.zip(new).take_while(same).map(|(a, _)| a.len_utf8()).sum();
+        let mut start: usize = own
+            .zip(new)
+            .take_while(same)
+            .map(|(a, _)| a.len_utf8())
+            .sum();
         // A line break is not taken apart.
         if self.text[..start].ends_with('\r') {
             start -= 1;
         }
-        let (own, new) = (self.text[start..].chars().rev(), other[start..].chars().rev());
-        let mut end: usize = own.zip(new).take_while(same).map(|(a, _)| a.len_utf8()).sum();
+        let (own, new) = (
+            self.text[start..].chars().rev(),
+            other[start..].chars().rev(),
+        );
+        let mut end: usize = own
+            .zip(new)
+            .take_while(same)
+            .map(|(a, _)| a.len_utf8())
+            .sum();
         let split = |text: &str, end: usize| {
             let at = text.len() - end;
             text[at..].starts_with('\n') && text[start..at].ends_with('\r')
@@ -239,7 +250,9 @@ impl Text {
         });
         let size = |step: &Step| -> usize {
             let edits = step.edits.iter();
-            edits.map(|edit| 64 + edit.removed.len() + edit.inserted.len()).sum()
+            edits
+                .map(|edit| 64 + edit.removed.len() + edit.inserted.len())
+                .sum()
         };
         let mut kept: usize = self.done.iter().map(size).sum();
         while kept > HISTORY && self.done.len() > 1 {
@@ -257,7 +270,10 @@ impl Text {
                 walk.go(kept).ok_or(WRONG)?;
                 continue;
             }
-            let (count, lines) = part.as_array().and_then(|part| part.split_first()).ok_or(WRONG)?;
+            let (count, lines) = part
+                .as_array()
+                .and_then(|part| part.split_first())
+                .ok_or(WRONG)?;
             let start = walk.at;
             walk.go(count.as_u64().ok_or(WRONG)?).ok_or(WRONG)?;
             let lines: Option<Vec<&str>> = lines.iter().map(Value::as_str).collect();
@@ -370,7 +386,10 @@ mod tests {
 
     impl Random {
         fn below(&mut self, most: usize) -> usize {
-            self.0 = self.0.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+            self.0 = self
+                .0
+                .wrapping_mul(6364136223846793005)
+                .wrapping_add(1442695040888963407);
             (self.0 >> 33) as usize % most
         }
     }
@@ -379,13 +398,18 @@ mod tests {
     fn random_edits_and_as_many_undos_give_the_bytes_back() {
         for seed in 0..40 {
             let mut random = Random(seed);
-            let original = "{ \"a\": 1,\r\n\t\"µ😀\": [2, 3] }\n\r\nend".repeat(1 + random.below(3));
+            let original =
+                "{ \"a\": 1,\r\n\t\"µ😀\": [2, 3] }\n\r\nend".repeat(1 + random.below(3));
             let mut text = Text::new(original.clone()).unwrap();
             let mut window = text.shown();
             for step in 0..100 {
                 // Anywhere but within a character.
                 let places: Vec<usize> = std::iter::once(0)
-                    .chain(window.char_indices().map(|(at, c)| length(&window[..at + c.len_utf8()])))
+                    .chain(
+                        window
+                            .char_indices()
+                            .map(|(at, c)| length(&window[..at + c.len_utf8()])),
+                    )
                     .collect();
                 let mut ends = [0; 4].map(|_| places[random.below(places.len())]);
                 ends.sort_unstable();
@@ -401,7 +425,13 @@ mod tests {
                 };
                 let end = ends[2].min(ends[1] + 4).max(ends[1]);
                 let end = *places.iter().rev().find(|place| **place <= end).unwrap();
-                let changes = json!([ends[0], one(ends[0], ends[0]), ends[1] - ends[0], one(ends[1], end), all - end]);
+                let changes = json!([
+                    ends[0],
+                    one(ends[0], ends[0]),
+                    ends[1] - ends[0],
+                    one(ends[1], end),
+                    all - end
+                ]);
                 window = in_window(&window, &changes);
                 let group = match random.below(3) {
                     0 => Group::Typing(1),
@@ -414,7 +444,9 @@ mod tests {
             let edited = text.text().to_owned();
             let mut steps = 0;
             while let Some(changes) = text.undo() {
-                window = changes.iter().fold(window, |window, one| in_window(&window, one));
+                window = changes
+                    .iter()
+                    .fold(window, |window, one| in_window(&window, one));
                 assert_eq!(text.shown(), window, "seed {seed}");
                 steps += 1;
             }
@@ -431,10 +463,12 @@ mod tests {
         let mut length = 3;
         for number in ["0.2", "0.35", "12", "0.4"] {
             let rest = 13 - 8 - 3;
-            text.apply(&json!([8, [length, number], rest]), Group::Drag(3, 1)).unwrap();
+            text.apply(&json!([8, [length, number], rest]), Group::Drag(3, 1))
+                .unwrap();
             length = number.len();
         }
-        text.apply(&json!([8, [length, "9"], 2]), Group::Drag(3, 2)).unwrap();
+        text.apply(&json!([8, [length, "9"], 2]), Group::Drag(3, 2))
+            .unwrap();
         assert_eq!(text.text(), "{\"gap\": 9 }");
         text.undo();
         assert_eq!(text.text(), "{\"gap\": 0.4 }");
@@ -448,9 +482,17 @@ mod tests {
         let mut text = Text::new("a😀b".to_owned()).unwrap();
         let big = "x".repeat(1 << 20);
         for wrong in [
-            json!(null), json!([5]), json!([3]), json!([2, [0, "x"], 2]), json!([4, [1]]),
-            json!([4, [0, "a\nb"]]), json!([4, [0, 7]]), json!([4, []]), json!([4, "x"]),
-            json!([[-1], 4]), json!([4, [0, big]]),
+            json!(null),
+            json!([5]),
+            json!([3]),
+            json!([2, [0, "x"], 2]),
+            json!([4, [1]]),
+            json!([4, [0, "a\nb"]]),
+            json!([4, [0, 7]]),
+            json!([4, []]),
+            json!([4, "x"]),
+            json!([[-1], 4]),
+            json!([4, [0, big]]),
         ] {
             assert!(text.apply(&wrong, Group::Alone).is_err());
             assert_eq!((text.text(), text.version()), ("a😀b", 0));
@@ -471,7 +513,9 @@ mod tests {
             let mut text = Text::new(old.to_owned()).unwrap();
             let window = text.shown();
             let changes = text.replace(new);
-            let window = changes.iter().fold(window, |window, one| in_window(&window, one));
+            let window = changes
+                .iter()
+                .fold(window, |window, one| in_window(&window, one));
             assert_eq!((text.text(), text.shown()), (new, window));
             text.undo();
             assert_eq!(text.text(), old);
@@ -482,7 +526,10 @@ mod tests {
     fn bytes_become_units() {
         let text = "µ\r\n😀x";
         let mut counter = Counter::new(text);
-        assert_eq!([0, 2, 4, 8, 9].map(|byte| counter.units(byte)), [0, 1, 2, 4, 5]);
+        assert_eq!(
+            [0, 2, 4, 8, 9].map(|byte| counter.units(byte)),
+            [0, 1, 2, 4, 5]
+        );
         assert_eq!(counter.units(2), 1);
         assert_eq!(counter.units(99), 5);
     }

@@ -86,7 +86,10 @@ impl<Q: Send + 'static> Desk<Q> {
                 });
                 return Some((question, stop));
             }
-            state = self.bell.wait(state).unwrap_or_else(PoisonError::into_inner);
+            state = self
+                .bell
+                .wait(state)
+                .unwrap_or_else(PoisonError::into_inner);
         }
     }
 
@@ -150,7 +153,10 @@ pub(super) const LOOK: Duration = Duration::from_millis(50);
 /// Memory that the program has at present (bytes); zero where the system does not tell.
 pub(super) fn memory() -> u64 {
     let told = std::fs::read_to_string("/proc/self/statm").unwrap_or_default();
-    let pages = told.split(' ').nth(1).and_then(|pages| pages.parse::<u64>().ok());
+    let pages = told
+        .split(' ')
+        .nth(1)
+        .and_then(|pages| pages.parse::<u64>().ok());
     pages.unwrap_or(0) * 4096
 }
 

@@ -66,15 +66,18 @@ fn number(declared: &Declared, text: &str) -> Option<Number> {
             (number, unit, 1 + inner.len() - inner.trim_start().len())
         }
     };
-    let value = number.parse().ok().filter(|value: &f64| value.is_finite())?;
+    let value = number
+        .parse()
+        .ok()
+        .filter(|value: &f64| value.is_finite())?;
     let factor = match unit {
         "" => Some(1.0),
         unit => parse(&format!("1 {unit}")).ok().map(|one| one.value),
     };
     let start = whole.start + offset;
-    let quantities = declared.wanted.map_or(Vec::new(), |wanted| {
-        wanted.quantities().collect::<Vec<_>>()
-    });
+    let quantities = declared
+        .wanted
+        .map_or(Vec::new(), |wanted| wanted.quantities().collect::<Vec<_>>());
     let units = quantities.iter().flat_map(|one| one.units.iter().copied());
     let (bounds, included) = ends(&declared.bounds);
     let path = &declared.path;
@@ -108,7 +111,9 @@ mod tests {
     #[test]
     fn numbers_know_their_place_unit_and_bounds() {
         let text = std::fs::read_to_string("scenarios/rocker/two_masses.json").unwrap();
-        let numbers = Document::parse("scene", text.as_bytes()).unwrap().numbers(&BuiltIn);
+        let numbers = Document::parse("scene", text.as_bytes())
+            .unwrap()
+            .numbers(&BuiltIn);
         let of = |address: &str| numbers.iter().find(|one| one.address == address).unwrap();
         let speed = of("shaft.motion.speed");
         assert_eq!(&text[speed.value_at.clone()], "\"10 rev/s\"");
@@ -118,7 +123,10 @@ mod tests {
         assert!(speed.units.contains(&"rpm"));
         let stiffness = of("rocker.stiffness");
         assert_eq!(&text[stiffness.number_at.clone()], "1e7");
-        assert_eq!((stiffness.bounds[0], stiffness.included[0]), (Some(0.0), false));
+        assert_eq!(
+            (stiffness.bounds[0], stiffness.included[0]),
+            (Some(0.0), false)
+        );
         assert!(of("rocker.masses").whole);
         assert_eq!(of("rocker.loads.closing.constant").value, -600.0);
         assert!(numbers.iter().all(|one| !one.address.starts_with("expect")));
@@ -130,7 +138,9 @@ mod tests {
     fn faulty_scenes_have_numbers_too() {
         let text = r#"{"dam":1,"name":"x","objects":{"a":{"kind":"drive","motion":{"speed":"3 furlong"}},
             "b":{"kind":"rocker","input":"nobody","inertia":-1}},"run":{"duration":" 2.5 ms "}}"#;
-        let numbers = Document::parse("scene", text.as_bytes()).unwrap().numbers(&BuiltIn);
+        let numbers = Document::parse("scene", text.as_bytes())
+            .unwrap()
+            .numbers(&BuiltIn);
         let told: Vec<(&str, f64, Option<f64>)> = numbers
             .iter()
             .map(|one| (one.address.as_str(), one.value, one.factor))

@@ -156,11 +156,17 @@ impl Shown {
     #[cfg(feature = "studio")]
     pub(in crate::report) fn likeness(&self) -> String {
         let chart = |plot: &Plot| {
-            let series = plot.series.iter().map(|one| (&one.label, one.look, one.style));
+            let series = plot
+                .series
+                .iter()
+                .map(|one| (&one.label, one.look, one.style));
             let series: Vec<_> = series.collect();
             let bands = plot.bands.iter().map(|band| (&band.label, band.series));
             let bands: Vec<_> = bands.collect();
-            format!("{}{}{:?}{series:?}{bands:?}", plot.id, plot.title, plot.y.name)
+            format!(
+                "{}{}{:?}{series:?}{bands:?}",
+                plot.id, plot.title, plot.y.name
+            )
         };
         let charts: String = self.charts.iter().map(chart).collect();
         format!("{}{}{:?}{charts}", self.id, self.kind, self.silent)

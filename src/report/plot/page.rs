@@ -63,7 +63,10 @@ impl Plots {
             return known;
         }
         let live = self.live;
-        let shown = |&v: &f64| v.is_finite().then(|| if live { v } else { rounded(v, digits) });
+        let shown = |&v: &f64| {
+            v.is_finite()
+                .then(|| if live { v } else { rounded(v, digits) })
+        };
         self.columns.push(values.iter().map(shown).collect());
         self.known.insert(key, self.columns.len() - 1);
         self.columns.len() - 1
