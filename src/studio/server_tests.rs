@@ -4,7 +4,6 @@ use super::folder::Folder;
 use super::server::{self, Studio};
 use std::io::{Read, Write};
 use std::net::TcpStream;
-use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -35,7 +34,7 @@ impl Served {
                 .enable_all()
                 .build();
             runtime.unwrap().block_on(async {
-                let (folder, scene) = Folder::open(Some(&PathBuf::from(folder))).unwrap();
+                let (folder, scene) = Folder::open(Some(&folder)).unwrap();
                 let listener = server::listen(None).await.unwrap();
                 let port = listener.local_addr().unwrap().port();
                 let studio = Arc::new(Studio::new(folder, scene, port).unwrap());
