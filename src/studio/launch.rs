@@ -30,11 +30,11 @@ pub(super) fn open(address: &str) -> Result<Page, String> {
         let path = folder.join(format!("open-{}.html", &name[..16]));
         let mut file = atomic::new(&path, true)?;
         let page = Page(path);
-        write!(
+        writeln!(
             file,
             "<!DOCTYPE html><meta charset=\"utf-8\"><meta name=\"referrer\" content=\"no-referrer\">\
              <title>dam studio</title><script>location.replace(\"{address}\")</script>\
-             <p><a href=\"{address}\">dam studio</a></p>\n"
+             <p><a href=\"{address}\">dam studio</a></p>"
         )?;
         Ok(page)
     })();

@@ -22,7 +22,11 @@ mod launch;
 mod limits;
 mod messages;
 mod room;
+#[cfg(test)]
+mod room_tests;
 mod server;
+#[cfg(test)]
+mod server_tests;
 mod socket;
 mod text;
 mod token;

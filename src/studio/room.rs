@@ -100,6 +100,10 @@ impl Room {
         let disk = Disk::Same(stamp(path));
         let saved = Folder::read(path)?;
         let offered = drafts.find(path).filter(|draft| draft.text != saved);
+        if offered.is_none() {
+            // One of what was saved in the end.
+            drafts.forget(path);
+        }
         let room = Arc::new(Self {
             name: name.to_owned(),
             path: path.to_owned(),
@@ -231,13 +235,15 @@ impl Room {
     /// Takes a step back, or does it again.
     pub(super) fn step(&self, back: bool) {
         let mut state = self.lock();
+        if state.offered.is_some() {
+            return;
+        }
         let before = state.text.version();
-        let changes = if back {
-            state.text.undo()
-        } else {
-            state.text.redo()
+        let changes = match back {
+            true => state.text.undo(),
+            false => state.text.redo(),
         };
-        if let Some(changes) = changes.filter(|_| state.offered.is_none()) {
+        if let Some(changes) = changes {
             state.tell_changes(before, 0, &changes);
             self.changed(state);
         }
@@ -252,6 +258,7 @@ impl Room {
             state.tell_status();
             return Err("the file was changed by another program; decide first".to_owned());
         }
+        self.is_itself()?;
         let written = atomic::write(&self.path, state.text.text().as_bytes(), false);
         written.map_err(|error| format!("the file cannot be written: {}", error.kind()))?;
         state.saved = state.text.text().to_owned();
@@ -266,6 +273,7 @@ impl Room {
     pub(super) fn decide(&self, reload: bool) -> Result<(), String> {
         let mut state = self.lock();
         let stamp = stamp(&self.path);
+        self.is_itself()?;
         let found = Folder::read(&self.path)?;
         if reload {
             if found.replace("\r\n", "").contains('\r') {
@@ -438,6 +446,21 @@ impl Room {
         }
     }
 
+    /// Whether no link has come in the way of the file since it was opened.
+    fn is_itself(&self) -> Result<(), String> {
+        let folder = self.path.parent();
+        let folder_is = folder.is_some_and(|own| own.canonicalize().is_ok_and(|real| real == own));
+        let file_is = match self.path.symlink_metadata() {
+            Ok(known) => known.is_file(),
+            // It is gone, and may be made anew.
+            Err(_) => true,
+        };
+        match folder_is && file_is {
+            true => Ok(()),
+            false => Err("the file leads out of its folder now".to_owned()),
+        }
+    }
+
     /// Looks at the file: whether others have changed it.
     fn look_at(&self, state: &mut State) {
         let now = stamp(&self.path);
@@ -448,7 +471,8 @@ impl Room {
         if now == was && now.is_some() {
             return;
         }
-        state.disk = match (now, Folder::read(&self.path)) {
+        let found = self.is_itself().and_then(|()| Folder::read(&self.path));
+        state.disk = match (now, found) {
             (None, _) => Disk::Gone,
             (_, Ok(found)) if found == state.saved => Disk::Same(now),
             (_, Ok(found)) if found == state.text.text() => {

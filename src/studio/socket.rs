@@ -121,8 +121,6 @@ impl Visit {
         let room = self.room.clone().ok_or("no scene is open")?;
         match said {
             Said::Push { version, updates } => room.push(&self.window, version, &updates),
-            Said::Undo => Ok(room.step(true)),
-            Said::Redo => Ok(room.step(false)),
             Said::Save => room.save(),
             Said::SaveAs { scene } => {
                 self.write(&scene, &room.text())?;
@@ -130,13 +128,17 @@ impl Visit {
             }
             Said::Reload => room.decide(true),
             Said::KeepMine => room.decide(false),
-            Said::Draft { restore } => Ok(room.draft(restore)),
-            Said::Map { question } => Ok(room.map(id, question)),
-            Said::Hello { .. }
-            | Said::Open { .. }
-            | Said::Ping { .. }
-            | Said::Shown
-            | Said::MapShown => Ok(()),
+            other => {
+                match other {
+                    Said::Undo => room.step(true),
+                    Said::Redo => room.step(false),
+                    Said::Draft { restore } => room.draft(restore),
+                    Said::Map { question } => room.map(id, question),
+                    // Heard above.
+                    _ => {}
+                }
+                Ok(())
+            }
         }
     }
 

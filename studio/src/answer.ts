@@ -45,10 +45,6 @@ export class Board {
 
   show(frame: ArrayBuffer): Answer {
     const { head, columns } = read(frame), source = { columns, plots: head.plots };
-    if (head.tables !== this.tables) {
-      this.tables = head.tables;
-      this.parts.tables.innerHTML = head.tables;
-    }
     if (head.charts !== undefined) {
       live.drop(this.made);
       this.watch.disconnect();
@@ -58,6 +54,10 @@ export class Board {
       for (const chart of this.made) { this.seen.add(chart.svg); this.watch.observe(chart.svg); }
     } else live.update(this.made, source, (chart) => this.seen.has(chart.svg));
     this.move(head, source);
+    if (head.tables !== this.tables) {
+      this.tables = head.tables;
+      this.parts.tables.innerHTML = head.tables;
+    }
     return head;
   }
 

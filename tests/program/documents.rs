@@ -3,8 +3,9 @@
 //! Lines of `sh` blocks that call `dam` (or `cargo run --release --`) are run
 //! in an empty folder that sees `scenarios` and `objects`. A comment
 //! `# exit status N` on the line states an expected status other than 0. Maps are
-//! run with fewer cells than shown.
+//! run with fewer cells than shown. A studio is ended once it has told its address.
 
+use std::io::{BufRead, BufReader};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -68,6 +69,7 @@ fn parse(document: &'static str, line: usize, text: &str) -> Shown {
         .map_or(0, |number| number.trim().parse().unwrap());
     let arguments = command
         .strip_prefix("cargo run --release -- ")
+        .or_else(|| command.strip_prefix("cargo run --release --features studio -- "))
         .or_else(|| command.strip_prefix("dam "))
         .unwrap_or_else(|| panic!("{document}:{line}: a test cannot run `{text}`"));
     Shown {
@@ -119,6 +121,34 @@ fn link(folder: &Path, name: &str) {
     panic!("this test needs links to {name} in {}", folder.display());
 }
 
+/// The studio tells its address and serves until it is ended; a program without it says how to
+/// get it.
+fn studio(arguments: &[String], folder: &Path) -> Result<(), String> {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_dam"))
+        .args(arguments)
+        .args((!arguments.contains(&"--no-open".to_owned())).then_some("--no-open"))
+        .current_dir(folder)
+        .stderr(std::process::Stdio::piped())
+        .spawn()
+        .unwrap();
+    let mut told = String::new();
+    let mut lines = BufReader::new(child.stderr.take().unwrap());
+    lines.read_line(&mut told).unwrap();
+    let served = told.contains("http://127.0.0.1:");
+    if served {
+        child.kill().unwrap();
+    }
+    let status = child.wait().unwrap();
+    let fits = match cfg!(feature = "studio") {
+        true => served,
+        false => status.code() == Some(2) && told.contains("--features studio"),
+    };
+    match fits {
+        true => Ok(()),
+        false => Err(format!("dam {}: {status}\n{told}", arguments.join(" "))),
+    }
+}
+
 #[test]
 fn every_command_shown_in_a_document_runs() {
     let folder = tempfile::tempdir().unwrap();
@@ -132,6 +162,10 @@ fn every_command_shown_in_a_document_runs() {
         // `> file` at the end of a line: the shell's part.
         if let Some(at) = arguments.iter().position(|word| word == ">") {
             arguments.truncate(at);
+        }
+        if arguments.first().is_some_and(|command| command == "studio") {
+            failures.extend(studio(&arguments, folder.path()).err());
+            continue;
         }
         let output = Command::new(env!("CARGO_BIN_EXE_dam"))
             .args(fewer_cells(arguments))

@@ -241,9 +241,10 @@ const live = (() => {
     }
 
     // -- drawing
-    fit() {
+    room() { return this.svg.parentNode.clientWidth; }
+    fit(room) {
       if (this.fluid) {
-        const total = Math.max(280, printing ? Math.min(700, this.size[0]) : this.svg.parentNode.clientWidth);
+        const total = Math.max(280, printing ? Math.min(700, this.size[0]) : room);
         let x = this.drawn.left, row = 0;
         for (const entry of this.entries) {
           const room = +entry.dataset.room;
@@ -304,9 +305,9 @@ const live = (() => {
 
     zoomed() { return ["x", "y"].some((axis) => (axis === "x" || this.data.both) && this.range[axis].some((end, i) => end !== this.whole[axis][i])); }
 
-    draw() {
+    draw(room = this.room()) {
       this.stale = false;
-      this.fit();
+      this.fit(room);
       this.level();
       this.drawGrid();
       for (const { node, d } of this.paths) {
@@ -762,7 +763,10 @@ const live = (() => {
 
   // Other numbers for charts that are the same otherwise; those that are not seen are drawn later.
   function update(made, source, visible = () => true) {
-    for (const chart of made) { chart.take(source); if (visible(chart)) chart.draw(); else chart.stale = true; }
+    const drawn = made.filter(visible), rooms = drawn.map((chart) => chart.room());
+    // Nothing is asked of the page once something was changed: it would be laid out anew each time.
+    for (const chart of made) { chart.take(source); chart.stale = true; }
+    drawn.forEach((chart, index) => chart.draw(rooms[index]));
   }
 
   // Forgets charts that are about to go.

@@ -1,0 +1,221 @@
+//! Documents: edits of several windows, files that others change, drafts.
+
+use super::drafts::Drafts;
+use super::folder::Folder;
+use super::messages::Update;
+use super::room::Room;
+use super::window::{Sent, Window};
+use serde_json::{Value, json};
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+struct Opened {
+    base: tempfile::TempDir,
+    room: Arc<Room>,
+    window: Arc<Window>,
+}
+
+fn room(base: &std::path::Path) -> Arc<Room> {
+    let folder = base.join("open");
+    let (folder, _) = Folder::open(Some(&folder)).unwrap();
+    let path = folder.file("scene.json").unwrap();
+    let drafts = Drafts::within(&base.join("drafts"));
+    Room::open("scene.json", &path, folder.catalogue(&path), drafts).unwrap()
+}
+
+impl Opened {
+    fn new() -> Self {
+        let base = tempfile::tempdir().unwrap();
+        std::fs::create_dir(base.path().join("open")).unwrap();
+        std::fs::copy(
+            "scenarios/rocker/two_masses.json",
+            base.path().join("open/scene.json"),
+        )
+        .unwrap();
+        let (room, window) = (room(base.path()), Arc::new(Window::new(7)));
+        room.join(&window);
+        Self { base, room, window }
+    }
+
+    fn path(&self) -> PathBuf {
+        self.base.path().join("open/scene.json")
+    }
+
+    /// Puts something in place of a piece of the text.
+    fn replace(&self, version: u64, old: &str, new: &str, drag: Option<u64>) {
+        let text = self.room.text();
+        let at = text.find(old).unwrap();
+        let [before, removed, rest] =
+            [&text[..at], old, &text[at + old.len()..]].map(super::text::length);
+        let changes = json!([before, [removed, new], rest]);
+        self.room
+            .push(&self.window, version, &[Update { changes, drag }])
+            .unwrap();
+    }
+
+    /// Waits for a message of a kind.
+    fn told(&self, kind: &str, fits: impl Fn(&Value) -> bool) -> Value {
+        let begun = Instant::now();
+        loop {
+            while let Some(sent) = self.window.next().unwrap() {
+                let message: Value = match sent {
+                    Sent::Text(text) => serde_json::from_str(&text).unwrap(),
+                    Sent::Binary(bytes) => {
+                        self.window.shown(false);
+                        let length = u32::from_le_bytes(bytes[..4].try_into().unwrap()) as usize;
+                        assert_eq!((4 + length) % 8, 0);
+                        let mut head: Value =
+                            serde_json::from_slice(&bytes[4..4 + length]).unwrap();
+                        let lengths = head["lengths"].as_array().unwrap().iter();
+                        let values: u64 = lengths.map(|one| one.as_u64().unwrap()).sum();
+                        assert_eq!(bytes.len() as u64, 4 + length as u64 + 8 * values);
+                        head["type"] = json!("answer");
+                        head
+                    }
+                };
+                if message["type"] == kind && fits(&message) {
+                    return message;
+                }
+            }
+            assert!(begun.elapsed() < Duration::from_secs(60), "no {kind}");
+            std::thread::yield_now();
+        }
+    }
+}
+
+#[test]
+fn answers_follow_the_text_and_are_those_of_a_run() {
+    let opened = Opened::new();
+    let first = opened.told("answer", |one| one["version"] == 0);
+    assert!(
+        first["charts"].as_str().unwrap().contains("<svg")
+            && !first["charts"].as_str().unwrap().contains("style=")
+    );
+    assert!(!first["pictures"].as_str().unwrap().contains("style="));
+    opened.replace(0, "\"inertia\": 0.1", "\"inertia\": 0.13", None);
+    let second = opened.told("answer", |one| one["version"] == 1);
+    // The charts are the same but for their numbers.
+    assert!(second["charts"].is_null());
+    let scene = crate::Scene::from_json(&opened.room.text()).unwrap();
+    let run = scene.run().unwrap();
+    let wanted = serde_json::to_value(&run.figures.objects).unwrap();
+    assert_eq!(second["figures"], wanted);
+    assert_ne!(first["figures"], wanted);
+}
+
+#[test]
+fn faults_and_numbers_have_their_places_as_windows_count() {
+    let opened = Opened::new();
+    opened.replace(0, "two masses\"", "µ😀\"", None);
+    opened.replace(1, "\"input\": \"shaft\"", "\"input\": \"shafd\"", None);
+    let checked = opened.told("checked", |one| one["version"] == 2);
+    let fault = &checked["faults"][0];
+    assert!(
+        fault["hints"][0].as_str().unwrap().contains("shaft"),
+        "{fault}"
+    );
+    let units: Vec<u16> = opened.room.text().encode_utf16().collect();
+    let piece = |place: &Value, from: &str, to: &str| {
+        let end = |name: &str| match place[name].as_u64() {
+            Some(at) => at as usize,
+            None => panic!("{place}"),
+        };
+        String::from_utf16(&units[end(from)..end(to)]).unwrap()
+    };
+    assert_eq!(piece(fault, "from", "to"), "\"shafd\"");
+    let numbers = checked["numbers"].as_array().unwrap();
+    let inertia = numbers
+        .iter()
+        .find(|one| one["address"] == "rocker.inertia")
+        .unwrap();
+    let at = |k: usize| inertia["number_at"][k].as_u64().unwrap() as usize;
+    assert_eq!(String::from_utf16(&units[at(0)..at(1)]).unwrap(), "0.1");
+    // What is no JSON has a fault, and nothing is known of its numbers.
+    opened.replace(2, "\"dam\": 1,", "\"dam\": 1,,", None);
+    let checked = opened.told("checked", |one| one["version"] == 3);
+    assert!(checked["numbers"].is_null() && checked["faults"][0]["severity"] == "error");
+}
+
+#[test]
+fn late_edits_wait_and_foreign_ones_are_refused() {
+    let opened = Opened::new();
+    let before = opened.room.text();
+    opened.replace(0, "0.1", "0.2", Some(1));
+    let changed = opened.room.text();
+    opened.replace(0, "0.2", "0.3", Some(1));
+    assert_eq!(opened.room.text(), changed);
+    assert_eq!(opened.told("late", |_| true)["version"], 1);
+    let wrong = [Update {
+        changes: json!([1, [5, "x"]]),
+        drag: None,
+    }];
+    assert!(opened.room.push(&opened.window, 1, &wrong).is_err());
+    assert_eq!(
+        opened.told("opened", |one| one["version"] == 1)["text"],
+        json!(changed)
+    );
+    opened.room.step(true);
+    assert_eq!(opened.room.text(), before);
+    opened.room.step(false);
+    assert_eq!(opened.room.text(), changed);
+}
+
+#[test]
+fn a_file_that_others_changed_is_not_written_over() {
+    let opened = Opened::new();
+    opened.replace(0, "0.1", "0.2", None);
+    opened.room.save().unwrap();
+    assert_eq!(
+        std::fs::read_to_string(opened.path()).unwrap(),
+        opened.room.text()
+    );
+    opened.replace(1, "0.2", "0.25", None);
+    let theirs = "{ \"dam\": 1, \"theirs\": true }";
+    std::fs::write(opened.path(), theirs).unwrap();
+    assert!(opened.room.save().is_err());
+    assert_eq!(std::fs::read_to_string(opened.path()).unwrap(), theirs);
+    assert_eq!(
+        opened.told("status", |one| one["disk"] == "changed")["saved"],
+        false
+    );
+    opened.room.decide(false).unwrap();
+    opened.room.save().unwrap();
+    assert!(
+        std::fs::read_to_string(opened.path())
+            .unwrap()
+            .contains("0.25")
+    );
+    std::fs::write(opened.path(), theirs).unwrap();
+    opened.room.decide(true).unwrap();
+    assert_eq!(opened.room.text(), theirs);
+    opened.room.step(true);
+    assert!(opened.room.text().contains("0.25"));
+}
+
+#[test]
+fn a_draft_is_offered_and_the_text_waits_for_the_decision() {
+    let opened = Opened::new();
+    let (saved, draft) = (opened.room.text(), opened.room.text().replace("0.1", "0.4"));
+    let drafts = Drafts::within(&opened.base.path().join("drafts"));
+    let path = opened.path().canonicalize().unwrap();
+    for restore in [true, false] {
+        drafts.keep(&path, &saved, &draft).unwrap();
+        let again = Opened {
+            room: room(opened.base.path()),
+            window: Arc::new(Window::new(8)),
+            base: tempfile::tempdir().unwrap(),
+        };
+        again.room.join(&again.window);
+        assert_eq!(again.told("opened", |_| true)["draft"]["other_base"], false);
+        let edit = [Update {
+            changes: json!([[0, " "], saved.len()]),
+            drag: None,
+        }];
+        assert!(again.room.push(&again.window, 0, &edit).is_err());
+        again.room.draft(restore);
+        assert_eq!(again.room.text(), if restore { &*draft } else { &*saved });
+        assert_eq!(drafts.find(&path).is_some(), restore);
+        drafts.forget(&path);
+    }
+}

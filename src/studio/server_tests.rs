@@ -1,0 +1,262 @@
+//! Who is let in, over a real connection.
+
+use super::folder::Folder;
+use super::server::{self, Studio};
+use std::io::{Read, Write};
+use std::net::TcpStream;
+use std::sync::Arc;
+use std::time::Duration;
+
+/// A studio on a folder with a scene, a link that leads out, and a secret beside it.
+struct Served {
+    base: tempfile::TempDir,
+    port: u16,
+    token: String,
+}
+
+impl Served {
+    fn new() -> Self {
+        let base = tempfile::tempdir().unwrap();
+        let folder = base.path().join("open");
+        std::fs::create_dir(&folder).unwrap();
+        std::fs::copy(
+            "scenarios/rocker/two_masses.json",
+            folder.join("scene.json"),
+        )
+        .unwrap();
+        std::fs::write(base.path().join("secret.json"), "{\"dam\": 1}").unwrap();
+        #[cfg(unix)]
+        std::os::unix::fs::symlink(base.path().join("secret.json"), folder.join("link.json"))
+            .unwrap();
+        let (send, receive) = std::sync::mpsc::channel();
+        std::thread::spawn(move || {
+            let runtime = tokio::runtime::Builder::new_current_thread()
+                .enable_all()
+                .build();
+            runtime.unwrap().block_on(async {
+                let (folder, scene) = Folder::open(Some(&folder)).unwrap();
+                let listener = server::listen(None).await.unwrap();
+                let port = listener.local_addr().unwrap().port();
+                let studio = Arc::new(Studio::new(folder, scene, port).unwrap());
+                send.send((port, studio.token().text().to_owned())).unwrap();
+                server::run(studio, listener).await;
+            });
+        });
+        let (port, token) = receive.recv().unwrap();
+        Self { base, port, token }
+    }
+
+    fn host(&self) -> String {
+        format!("127.0.0.1:{}", self.port)
+    }
+
+    fn say(&self, request: &str) -> String {
+        let mut stream = TcpStream::connect(("127.0.0.1", self.port)).unwrap();
+        stream
+            .set_read_timeout(Some(Duration::from_secs(30)))
+            .unwrap();
+        stream.write_all(request.as_bytes()).unwrap();
+        let mut answer = Vec::new();
+        // A connection that is cut has said what it says.
+        let _ = stream.read_to_end(&mut answer);
+        String::from_utf8_lossy(&answer).into_owned()
+    }
+
+    /// Status and answer of a request with these headers.
+    fn ask(&self, line: &str, headers: &[&str]) -> (u16, String) {
+        let headers: String = headers.iter().map(|one| format!("{one}\r\n")).collect();
+        let answer = self.say(&format!(
+            "{line} HTTP/1.1\r\n{headers}Connection: close\r\n\r\n"
+        ));
+        let status = answer
+            .split(' ')
+            .nth(1)
+            .and_then(|status| status.parse().ok());
+        (status.unwrap_or(0), answer)
+    }
+}
+
+#[test]
+fn the_page_has_a_nonce_of_its_own_and_the_headers_that_keep_it() {
+    let served = Served::new();
+    let host = format!("Host: {}", served.host());
+    let ask = || served.ask("GET /", &[&host]);
+    let (status, page) = ask();
+    assert_eq!(status, 200);
+    let nonce = |page: &str| {
+        page.split("'nonce-")
+            .nth(1)
+            .unwrap()
+            .split('\'')
+            .next()
+            .unwrap()
+            .to_owned()
+    };
+    let policy = format!(
+        "content-security-policy: default-src 'self'; style-src 'self' 'nonce-{}'; img-src 'self' blob: data:; \
+         frame-ancestors 'none'; base-uri 'none'; form-action 'none'\r\n",
+        nonce(&page)
+    );
+    assert!(page.contains(&policy), "{page}");
+    assert!(page.contains(&format!("content=\"{}\"", nonce(&page))));
+    assert!(
+        page.contains("x-content-type-options: nosniff")
+            && page.contains("referrer-policy: no-referrer")
+    );
+    assert!(!page.contains(&served.token));
+    assert_ne!(nonce(&page), nonce(&ask().1));
+    for path in [
+        "/studio.js",
+        "/studio.css",
+        "/look.css",
+        "/plot.js",
+        "/player.js",
+    ] {
+        assert_eq!(
+            served.ask(&format!("GET {path}"), &[&host]).0,
+            200,
+            "{path}"
+        );
+    }
+}
+
+#[test]
+fn only_rightful_requests_are_answered() {
+    let served = Served::new();
+    let host = format!("Host: {}", served.host());
+    let bearer = format!("Authorization: Bearer {}", served.token);
+    let own = format!("Origin: http://{}", served.host());
+    let (status, scenes) = served.ask("GET /api/scenes", &[&host, &bearer]);
+    assert_eq!(status, 200);
+    assert!(
+        scenes.contains("scene.json") && !scenes.contains("link.json"),
+        "{scenes}"
+    );
+    let rightful = ["GET /api/schema?scene=scene.json"];
+    assert_eq!(served.ask(rightful[0], &[&host, &bearer, &own]).0, 200);
+    let port = served.port;
+    let (wrong, twice) = (
+        format!("Authorization: Bearer {}", "0".repeat(64)),
+        format!("{host}\r\n{host}"),
+    );
+    let (localhost, absolute) = (
+        format!("Host: localhost:{port}"),
+        format!("GET http://evil.example:{port}/api/scenes"),
+    );
+    let upgrade = "Upgrade: websocket\r\nSec-WebSocket-Version: 13\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==";
+    let cases: &[(&str, &[&str], u16)] = &[
+        ("GET /", &["Host: evil.example"], 403),
+        ("GET /", &[&localhost], 403),
+        ("GET /", &[&twice], 403),
+        ("GET /", &[], 403),
+        (&absolute, &[&host, &bearer], 403),
+        ("GET /api/scenes", &[&host], 401),
+        ("GET /api/scenes", &[&host, &wrong], 401),
+        ("GET /api/scenes", &[&host, &bearer, &bearer], 401),
+        (
+            "GET /api/scenes",
+            &[&host, &bearer, "Origin: http://evil.example"],
+            403,
+        ),
+        (
+            "GET /api/scenes",
+            &[&host, &bearer, "Sec-Fetch-Site: cross-site"],
+            403,
+        ),
+        ("POST /api/scenes", &[&host, &bearer], 403),
+        ("POST /api/scenes", &[&host, &bearer, &own], 405),
+        (
+            "GET /api/schema?scene=../secret.json",
+            &[&host, &bearer],
+            404,
+        ),
+        (
+            "GET /api/schema?scene=%2e%2e/secret.json",
+            &[&host, &bearer],
+            404,
+        ),
+        ("GET /api/schema?scene=link.json", &[&host, &bearer], 404),
+        ("GET /../secret.json", &[&host, &bearer], 404),
+        ("GET /ws", &[&host, upgrade], 403),
+        ("GET /ws", &[&host, upgrade, "Origin: null"], 403),
+    ];
+    for (line, headers, wanted) in cases {
+        let (status, answer) = served.ask(line, headers);
+        assert_eq!(status, *wanted, "{line} {headers:?}: {answer}");
+        let folder = served.base.path().display().to_string();
+        assert!(
+            !answer.contains(&folder) && !answer.contains(&served.token),
+            "{answer}"
+        );
+    }
+}
+
+#[test]
+fn a_websocket_without_the_token_is_told_nothing() {
+    let served = Served::new();
+    let upgrade = |frame: &[u8]| {
+        let head = format!(
+            "GET /ws HTTP/1.1\r\nHost: {0}\r\nOrigin: http://{0}\r\nConnection: Upgrade\r\nUpgrade: websocket\r\n\
+             Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n\r\n",
+            served.host()
+        );
+        let mut stream = TcpStream::connect(("127.0.0.1", served.port)).unwrap();
+        stream
+            .set_read_timeout(Some(Duration::from_secs(30)))
+            .unwrap();
+        stream
+            .write_all(&[head.as_bytes(), frame].concat())
+            .unwrap();
+        let mut answer = Vec::new();
+        let _ = stream.read_to_end(&mut answer);
+        let at = answer
+            .windows(4)
+            .position(|four| four == b"\r\n\r\n")
+            .unwrap();
+        assert!(answer.starts_with(b"HTTP/1.1 101"));
+        answer.split_off(at + 4)
+    };
+    // Masked with zeros, as nobody forbids.
+    let text = |text: String| {
+        let mut frame = vec![0x81, 0x80 | text.len() as u8, 0, 0, 0, 0];
+        frame.extend_from_slice(text.as_bytes());
+        frame
+    };
+    let hello = |token: &str| text(format!("{{\"type\":\"hello\",\"token\":\"{token}\"}}"));
+    let told = |answer: &[u8]| {
+        answer
+            .first()
+            .is_some_and(|first| [1, 2].contains(&(first & 0x0f)))
+    };
+    for frame in [
+        hello(&"0".repeat(64)),
+        hello(""),
+        text("{\"type\":\"open\",\"scene\":\"scene.json\"}".to_owned()),
+        text("[".to_owned()),
+        vec![0x82, 0x80, 0, 0, 0, 0],
+        vec![0x01, 0x02, b'{', b'}'],
+    ] {
+        assert!(!told(&upgrade(&frame)), "{frame:?}");
+    }
+    // With it, it is; what no window says ends it.
+    let answer = upgrade(
+        &[
+            hello(&served.token),
+            text("{\"type\":\"nothing\"}".to_owned()),
+        ]
+        .concat(),
+    );
+    assert!(told(&answer) && String::from_utf8_lossy(&answer).contains("welcome"));
+}
+
+#[test]
+fn the_interface_is_small() {
+    // Measured compressed by `.ci/run`; what stands here bounds it from above.
+    let sizes = ["index.html", "studio.js", "studio.css"].map(|name| {
+        std::fs::metadata(format!("studio/dist/{name}"))
+            .unwrap()
+            .len()
+    });
+    assert!(sizes.iter().sum::<u64>() < 600_000, "{sizes:?}");
+    assert!(super::server::PAGE.contains("NONCE"));
+}
