@@ -79,6 +79,12 @@ impl MapQuestion {
         self
     }
 
+    /// The figure by its address: `rocker.delta_max`.
+    pub fn figure_at(mut self, address: &str) -> Self {
+        self.figure = Some(address.to_owned());
+        self
+    }
+
     /// Leaves out the second run of every cell that tells whether its figure is
     /// determined.
     pub fn unchecked(mut self) -> Self {
@@ -113,6 +119,29 @@ impl MapQuestion {
     /// # Errors
     /// As of [`Self::ask`]; it was ended before the last point, or by its listener.
     pub fn ask_within(&self, control: &Control<'_>, listener: &dyn Listener) -> Result<Map, Error> {
+        self.studied(|study| {
+            let found = map(study, BTreeMap::new(), self.threads, control, listener);
+            let mut found = found.map_err(Error::question)?;
+            let cells: Option<Vec<Cell>> = found.panels.swap_remove(0).into_iter().collect();
+            Ok(Map {
+                x: study.x.values(),
+                y: study.y.as_ref().map(Axis::values).unwrap_or_default(),
+                figure: study.figure.clone(),
+                unit: study.unit.clone(),
+                cells: cells.ok_or_else(|| Error::question("the map was interrupted"))?,
+            })
+        })
+    }
+
+    /// Shows the study behind the question, found to make sense: for single rows
+    /// ([`map`] takes those that are known), journals, documents and pages.
+    ///
+    /// # Errors
+    /// As of [`Self::ask`], and those of `look`.
+    pub fn studied<T>(
+        &self,
+        look: impl FnOnce(&Study<'_>) -> Result<T, Error>,
+    ) -> Result<T, Error> {
         for axis in std::iter::once(&self.x).chain(&self.y) {
             axis.check().map_err(Error::question)?;
         }
@@ -126,20 +155,9 @@ impl MapQuestion {
             digits: self.digits,
         };
         self.scene.built_soundly()?;
-        self.scene.looking(|catalogue| {
-            let document = self.scene.document();
-            let study = Study::new(document, catalogue, question)?;
-            let found = map(&study, BTreeMap::new(), self.threads, control, listener);
-            let mut found = found.map_err(Error::question)?;
-            let cells: Option<Vec<Cell>> = found.panels.swap_remove(0).into_iter().collect();
-            Ok(Map {
-                x: study.x.values(),
-                y: study.y.as_ref().map(Axis::values).unwrap_or_default(),
-                figure: study.figure.clone(),
-                unit: study.unit.clone(),
-                cells: cells.ok_or_else(|| Error::question("the map was interrupted"))?,
-            })
-        })
+        let document = self.scene.document();
+        self.scene
+            .looking(|catalogue| look(&Study::new(document, catalogue, question)?))
     }
 }
 

@@ -12,17 +12,25 @@
 //! | [`reduce`](Scene::reduce) | how little of it is needed | [`Reduction`](crate::studies::reduce::Reduction) |
 //! | [`kinematics`](Scene::kinematics) | how does a linkage move | [`Kinematics`](crate::studies::kinematics::Kinematics) |
 //! | [`forces`](Scene::forces) | which forces do its pairs carry | [`ForceStudy`](crate::studies::forces::ForceStudy) |
+//! | [`cam`](Mechanism::cam) | can its cam be made, and does it keep its follower | [`FoundCam`] |
+//! | [`law_cycle`](Mechanism::law_cycle) | what does an object follow over a cycle | [`FollowedCycle`] |
+//! | [`methods`](Mechanism::methods) | which method is soonest accurate | [`Study`](crate::studies::methods::Study) |
 //! | [`steady`](Scene::steady) | how evenly does the machine turn | [`Answer`](crate::studies::steady::Answer) |
 //!
 //! All fail with the one [`Error`](crate::Error).
 
+mod cam;
+mod laws;
 mod linkages;
 mod map;
 mod mechanism;
+mod methods;
 mod reduce;
 mod run;
 mod scene;
 
+pub use cam::{CamQuestion, FoundCam};
+pub use laws::FollowedCycle;
 pub use map::{Map, MapQuestion};
 pub use mechanism::{Judging, Mechanism};
 pub use run::RunOptions;

@@ -33,23 +33,29 @@ use args::{Cli, Command};
 use clap::Parser;
 use failure::Failure;
 use status::Status;
+use std::ffi::OsString;
 use std::io::Write;
 use std::process::ExitCode;
 use std::time::Duration;
 
 /// Runs the program.
 pub fn main() -> ExitCode {
-    let cli = match Cli::try_parse() {
+    ExitCode::from(main_with(std::env::args_os()))
+}
+
+/// Runs the program with these arguments, of which the first is its name; its exit status.
+pub fn main_with(arguments: impl IntoIterator<Item = OsString>) -> u8 {
+    let cli = match Cli::try_parse_from(arguments) {
         Ok(cli) => cli,
         Err(told) => return without_command(&told),
     };
     let json = cli.command.json();
     interrupt::start(cli.time_limit.map(Duration::from_secs_f64), json);
     match run(&cli.command) {
-        Ok(status) => ExitCode::from(status.code()),
+        Ok(status) => status.code(),
         Err(failure) => {
             report(&failure, json);
-            ExitCode::from(failure.code())
+            failure.code()
         }
     }
 }
@@ -77,16 +83,16 @@ fn run(command: &Command) -> Result<Status, Failure> {
 }
 
 /// Help, the version, or what is wrong with the arguments.
-fn without_command(told: &clap::Error) -> ExitCode {
+fn without_command(told: &clap::Error) -> u8 {
     let printed = told.print().and_then(|()| std::io::stdout().flush());
     if told.use_stderr() {
-        return ExitCode::from(2);
+        return 2;
     }
     match console::checked(printed) {
-        Ok(()) => ExitCode::SUCCESS,
+        Ok(()) => 0,
         Err(failure) => {
             failure.talk();
-            ExitCode::from(failure.code())
+            failure.code()
         }
     }
 }

@@ -59,6 +59,21 @@ impl Rows {
         }
     }
 
+    /// Names of the columns.
+    pub fn head(&self) -> &[String] {
+        &self.head
+    }
+
+    /// The numbers of a column, those that are no number as NaN; `None` where there are
+    /// words in it. They are what the CSV holds: the shortest decimals read back.
+    pub fn numbers(&self, column: usize) -> Option<Vec<f64>> {
+        let number = |row: &Vec<Field>| match row.get(column)?.0.as_str() {
+            "" => Some(f64::NAN),
+            text => text.parse().ok(),
+        };
+        self.rows.iter().map(number).collect()
+    }
+
     /// The table as CSV (RFC 4180, UTF-8).
     pub fn csv(&self) -> String {
         let head = line(self.head.iter().map(String::as_str));
@@ -170,6 +185,18 @@ mod tests {
             .collect();
         assert_eq!(last, [0.1 + 0.2, 1.0 / 3.0]);
         assert_eq!(text.lines().count(), 3);
+    }
+
+    #[test]
+    fn columns_of_numbers_are_taken_back_exactly() {
+        let rows = [("a", Some(0.1 + 0.2)), ("b", None)];
+        let rows = rows.map(|(name, value)| [super::Field::from(name), value.into()]);
+        let table = super::Rows::new(["name", "value"], rows);
+        assert_eq!(table.head(), ["name", "value"]);
+        assert_eq!(table.numbers(0), None);
+        let numbers = table.numbers(1).unwrap();
+        assert_eq!(numbers[0], 0.1 + 0.2);
+        assert!(numbers[1].is_nan());
     }
 
     #[test]

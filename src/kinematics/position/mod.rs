@@ -8,6 +8,7 @@
 
 mod cam;
 mod four_bar;
+mod interpolated;
 mod linkage;
 mod reach;
 mod short_form;
@@ -21,6 +22,7 @@ mod tests;
 pub use crate::kinematics::motion::{Cycle, CycleSpec, LawName, LawSpec};
 pub use cam::Cam;
 pub use four_bar::FourBar;
+pub use interpolated::Interpolated;
 pub use linkage::LinkageOutput;
 pub(crate) use linkage::reach as linkage_reach;
 pub use reach::OutOfReach;

@@ -1,0 +1,155 @@
+from collections.abc import Callable, Iterable, Sequence
+from os import PathLike
+from typing import Final, final
+
+from dam._tree import Value
+from dam.errors import Fault
+
+__all__ = [
+    "VERSION",
+    "Answer",
+    "Column",
+    "Own",
+    "Scene",
+    "law_of",
+    "load",
+    "position",
+    "position_jets",
+    "program",
+    "schema",
+]
+
+VERSION: Final[str]
+
+_Progress = Callable[[float], object]
+_Figure = tuple[str, float, str, float | None, str]
+
+def program(arguments: Sequence[str]) -> int: ...
+def schema() -> str: ...
+def law_of(law: str, run_up: bool, samples: int) -> Answer: ...
+def position(
+    function: Callable[[float], float],
+    period: float,
+    reach: tuple[float, float] | None,
+    breaks: Sequence[float],
+    name: str | None,
+) -> Own: ...
+def position_jets(
+    function: Callable[[float], float],
+    period: float,
+    reach: tuple[float, float] | None,
+    breaks: Sequence[float],
+    at: Sequence[float],
+) -> list[list[float]]: ...
+def load(
+    function: Callable[..., float],
+    magnitude: float,
+    slopes: Callable[..., object] | None,
+    needs_speed: bool,
+    mass: Value,
+    name: str | None,
+) -> Own: ...
+@final
+class Own:
+    @property
+    def values(self) -> int | None: ...
+
+@final
+class Column:
+    def __len__(self) -> int: ...
+    def __getitem__(self, at: int, /) -> float: ...
+    @property
+    def __array_interface__(self) -> dict[str, object]: ...
+
+@final
+class Answer:
+    def document(self) -> str: ...
+    def text(self, width: int | None = None) -> str: ...
+    def page(self) -> str: ...
+    def answer(self) -> tuple[str, str, str] | None: ...
+    def warnings(self) -> list[str]: ...
+    def figures(self) -> list[_Figure]: ...
+    def heads(self) -> list[tuple[str, str]]: ...
+    def column(self, index: int) -> Column: ...
+    def arrow_c_stream(self) -> object: ...
+
+@final
+class Scene:
+    @staticmethod
+    def read(path: str | PathLike[str]) -> Scene: ...
+    @staticmethod
+    def parse(text: str, name: str, folder: str | PathLike[str] | None = None) -> Scene: ...
+    @staticmethod
+    def of_tree(tree: Value) -> Scene: ...
+    def set(self, address: str, value: Value) -> Scene: ...
+    def set_all(self, settings: Sequence[str]) -> Scene: ...
+    @property
+    def json(self) -> str: ...
+    @property
+    def settings(self) -> list[str]: ...
+    def identity(self) -> tuple[str, str]: ...
+    def check(self) -> list[Fault]: ...
+    def run(self, progress: _Progress | None = None) -> tuple[Answer, bool]: ...
+    def compare(
+        self, address: str, values: Sequence[Value], progress: _Progress | None = None
+    ) -> Answer: ...
+    def map(
+        self,
+        x: str,
+        y: str | None,
+        figure: str | None,
+        check: bool,
+        digits: int,
+        threads: int | None,
+        progress: _Progress | None,
+    ) -> tuple[
+        Answer,
+        tuple[int, int],
+        tuple[str, str],
+        str,
+        list[tuple[str, str, bool | None]],
+    ]: ...
+    def methods(
+        self,
+        accuracy: float | None,
+        methods: Sequence[str] | None,
+        tolerances: Sequence[float] | None,
+        steps: Sequence[float] | None,
+        repeats: int,
+        point_limit: float,
+        progress: _Progress | None,
+    ) -> Answer: ...
+    def kinematics(
+        self,
+        object: str | None,
+        over: str | None,
+        from_to: tuple[float, float] | None,
+        positions: int,
+        speed: float | None,
+        acceleration: float | None,
+    ) -> Answer: ...
+    def forces(
+        self,
+        object: str | None,
+        over: str | None,
+        from_to: tuple[float, float] | None,
+        positions: int,
+        speed: float | None,
+        acceleration: float | None,
+    ) -> Answer: ...
+    def steady(self, progress: _Progress | None = None) -> Answer: ...
+    def cam(
+        self,
+        object: str | None,
+        speed: str | None,
+        pressure_angle: str | None,
+        return_pressure_angle: str | None,
+        roller_factor: float,
+        least_radius: str | None,
+        reserve: str,
+        reserve_is_force: bool,
+        tolerance: str | None,
+        cutter: str | None,
+    ) -> tuple[Answer, str, str]: ...
+    def law(self, object: str, samples: int) -> Answer: ...
+    def reduce(self, progress: _Progress | None = None) -> tuple[Answer, Scene, bool]: ...

@@ -1,0 +1,3538 @@
+"""Everything that a scene holds, as classes: objects of all kinds, and what their properties
+are made of. Written by `python/generate.py` from the declarations that scenes are read by.
+
+A quantity is a number in SI units or a text with its unit. What is left out has the default
+that is said. Instead of an object of a class, a mapping with the same names is taken.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Literal, Union
+
+from dam._tree import Own, Quantity, Tree, Value
+
+__all__ = [
+    "AnyKind",
+    "Cam",
+    "CamFollower",
+    "CamLaw",
+    "CamOf",
+    "Contact",
+    "Couple",
+    "CoupleTable",
+    "Crank",
+    "CrankGeometry",
+    "Differential",
+    "DifferentialInput",
+    "DiscCam",
+    "Drive",
+    "Flat",
+    "Force",
+    "FourBar",
+    "Friction",
+    "From",
+    "Geometry",
+    "Gravity",
+    "HuntCrossley",
+    "Kloss",
+    "Law",
+    "LawOf",
+    "Lever",
+    "Line",
+    "Linear",
+    "Linkage",
+    "LinkageAssembly",
+    "LinkageForce",
+    "LinkageForceForce",
+    "LinkageForceTable",
+    "LinkageLink",
+    "LinkageLinkGeometry",
+    "LinkageOutput",
+    "LinkagePair",
+    "Load",
+    "Motion",
+    "Motor",
+    "Pair",
+    "PairContact",
+    "Plan",
+    "Planetary",
+    "PlannedMotion",
+    "Point",
+    "Polynomial",
+    "Position",
+    "PositionPolynomial",
+    "PositionTable",
+    "Ratio",
+    "Rocker",
+    "RockerGeometry",
+    "Run",
+    "RunLaw",
+    "RunUp",
+    "Scca",
+    "Sections",
+    "Shaft",
+    "ShaftGeometry",
+    "Sine",
+    "Slider",
+    "SliderCrank",
+    "Sliding",
+    "SlottedLink",
+    "Spring",
+    "Start",
+    "Stations",
+    "Steady",
+    "Stop",
+    "StopContact",
+    "Strut",
+    "Table",
+    "Teeth",
+    "Torque",
+    "TorqueLinear",
+    "Torsion",
+    "Trapezoid",
+    "Weight",
+    "Window",
+]
+
+
+class Cam(Tree):
+    """Cam with rise, dwell, return and rest.
+
+    Parameters
+    ----------
+    law
+        Law of motion of both, or an object with one for the rise and one for the return.
+    lift
+        Full stroke (angle in rad, deg, mrad or rev; or length in m, mm, cm or µm)
+    return_
+        Angle of the return (angle in rad, deg, mrad or rev)
+    rise
+        Angle of the rise (angle in rad, deg, mrad or rev)
+    dwell
+        Angle of the upper dwell (angle in rad, deg, mrad or rev) Default: 0.0.
+    phase
+        Added to the driver's angle (angle in rad, deg, mrad or rev) Default: 0.0.
+    rest
+        Angle of the rest; if given, the four angles must make a full turn (angle in rad,
+        deg, mrad or rev)
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        law: Literal['parabolic', 'harmonic', 'cycloidal', 'modified_trapezoid', 'modified_sine', 'modified_constant_velocity', '3-4-5', '4-5-6-7'] | LawOf | Mapping[str, Value] | CamLaw,
+        lift: Quantity,
+        return_: Quantity,
+        rise: Quantity,
+        dwell: Quantity | None = None,
+        phase: Quantity | None = None,
+        rest: Quantity | None = None,
+    ) -> None:
+        super().__init__(
+            ("law", law),
+            ("lift", lift),
+            ("return", return_),
+            ("rise", rise),
+            ("dwell", dwell),
+            ("phase", phase),
+            ("rest", rest),
+        )
+
+
+class CamFollower(Tree):
+    """The follower of a cam, turning or sliding, held to it by a closing force.
+
+    Parameters
+    ----------
+    input
+        Id of the object that drives this one, or one of its outputs: `press`, `press.ram`.
+    cam
+        Geometry of the disc cam that realises the position function; used by `dam cam`
+        only, not by the dynamics.
+    damping
+        Damping b seen at the last mass (rotational damping in N m s/rad or N m s; or
+        damping in N s/m or kN s/m)
+    damping_capacity
+        Specific damping capacity ψ: share of the elastic energy lost in one cycle. Default
+        0. (a pure number)
+    dampings
+        Damping of each link
+    description
+        Remarks for people.
+    flexibility
+        `static`, in place of `masses`: the uniform object gives way as under slow forces,
+        without vibrations; its speed follows, its acceleration is that of its driven end.
+        Needs a pair that stays closed and a motion that is known beforehand.
+    from_
+        Catalogue object to copy, as in `rocker/steel-lever-205mm`; properties given here
+        replace its own.
+    geometry
+        Dimensions and material, in place of inertia and stiffness
+    inertia
+        Total inertia J (moment of inertia in kg m^2, kg cm^2 or g mm^2; or mass in kg, g or
+        t)
+    inertias
+        Inertia of each mass
+    lever_arm
+        Arm on which an angle given by the position function becomes a length (length in m,
+        mm, cm or µm)
+    lever_ratio
+        Factor on the position function. (a pure number)
+    loads
+        Loads by name. Positive forces act in the direction of positive displacement.
+        Default: {}.
+    lumping
+        Where the inertia of each of the cells that the object is cut into is put: `ends`,
+        at the far end of the cell; or `balanced`, at both its ends so that its first moment
+        of compliance is kept, which needs a pair that cannot open. Default `ends`.
+    masses
+        Number of masses; 0: rigid; "auto": as many masses or modes as the accuracy of the
+        run needs. Default: 1, or the length of the lists.
+    modes
+        Number of vibration modes that the uniform object is reduced to, in place of
+        `masses`: the lowest, of the object held at its driven end; what the others give way
+        by under slow forces stays. Needs a pair that stays closed.
+    motion
+        Whether the follower turns or slides.
+    pair
+        The driving pair. Default: {}.
+    position
+        Position function U(φ): where the driver asks this object to be.
+    split
+        How the inertia is split: `cubes` (uniform lever), `equal`, or a list of shares.
+    stiffness
+        Stiffness c seen at the last mass (rotational stiffness in N m/rad, N m, kN m/rad or
+        N m/deg; or stiffness in N/m, N/mm or kN/mm)
+    stiffnesses
+        Stiffness of each link
+    stops
+        One-sided stops of the last mass against the ground, by name. Default: {}.
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        input: str | None = None,
+        *,
+        cam: DiscCam | Mapping[str, Value] | None = None,
+        damping: Quantity | None = None,
+        damping_capacity: Quantity | None = None,
+        dampings: Sequence[Quantity] | None = None,
+        description: str | None = None,
+        flexibility: Literal['static'] | None = None,
+        from_: str | None = None,
+        geometry: Geometry | Mapping[str, Value] | None = None,
+        inertia: Quantity | None = None,
+        inertias: Sequence[Quantity] | None = None,
+        lever_arm: Quantity | None = None,
+        lever_ratio: Quantity | None = None,
+        loads: Mapping[str, Load | Mapping[str, Value] | Own] | None = None,
+        lumping: Literal['ends', 'balanced'] | None = None,
+        masses: int | Literal['auto'] | None = None,
+        modes: int | None = None,
+        motion: Literal['turning', 'sliding'] | None = None,
+        pair: Pair | Mapping[str, Value] | None = None,
+        position: Position | Mapping[str, Value] | Own | None = None,
+        split: Literal['cubes', 'equal'] | Sequence[Quantity] | None = None,
+        stiffness: Quantity | None = None,
+        stiffnesses: Sequence[Quantity] | None = None,
+        stops: Mapping[str, Stop | Mapping[str, Value]] | None = None,
+    ) -> None:
+        super().__init__(
+            ("kind", "cam_follower"),
+            ("input", input),
+            ("cam", cam),
+            ("damping", damping),
+            ("damping_capacity", damping_capacity),
+            ("dampings", dampings),
+            ("description", description),
+            ("flexibility", flexibility),
+            ("from", from_),
+            ("geometry", geometry),
+            ("inertia", inertia),
+            ("inertias", inertias),
+            ("lever_arm", lever_arm),
+            ("lever_ratio", lever_ratio),
+            ("loads", loads),
+            ("lumping", lumping),
+            ("masses", masses),
+            ("modes", modes),
+            ("motion", motion),
+            ("pair", pair),
+            ("position", position),
+            ("split", split),
+            ("stiffness", stiffness),
+            ("stiffnesses", stiffnesses),
+            ("stops", stops),
+        )
+
+
+class CamLaw(Tree):
+    """What `law` is made of.
+
+    Parameters
+    ----------
+    return_
+        Law of the return, run backwards.
+    rise
+        Law of the rise.
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        return_: Literal['parabolic', 'harmonic', 'cycloidal', 'modified_trapezoid', 'modified_sine', 'modified_constant_velocity', '3-4-5', '4-5-6-7'] | LawOf | Mapping[str, Value],
+        rise: Literal['parabolic', 'harmonic', 'cycloidal', 'modified_trapezoid', 'modified_sine', 'modified_constant_velocity', '3-4-5', '4-5-6-7'] | LawOf | Mapping[str, Value],
+    ) -> None:
+        super().__init__(
+            ("return", return_),
+            ("rise", rise),
+        )
+
+
+class CamOf(Tree):
+    """What `cam` is made of.
+
+    Parameters
+    ----------
+    base_radius
+        Radius of the base circle: the smallest circle about the axis that the profile
+        touches (length in m, mm, cm or µm)
+    contact
+        What of the follower touches the cam.
+    arm
+        From the follower's axis to the centre of the roller, or to the edge (length in m,
+        mm, cm or µm)
+    centre_distance
+        Distance between the axes of cam and follower (length in m, mm, cm or µm)
+    direction
+        For drawings: direction of outward motion (default 90 deg), or from the cam's axis
+        to that of a turning follower (default 0) (angle in rad, deg, mrad or rev)
+    positive
+        Where positive displacement takes the follower, seen from the cam's axis. Default:
+        "outward".
+    range
+        First and last angle of the cam that an open profile covers; without it a whole turn
+    sense
+        Sense in which the cam turns as its angle grows. Default: "counterclockwise".
+    surface
+        Which side of the cam is touched. Default: "disc".
+    swing
+        Whether the follower moves outwards against the sense in which the cam turns, or
+        with it. Default: "against".
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        base_radius: Quantity,
+        contact: Literal['knife_edge'] | Contact | Mapping[str, Value],
+        arm: Quantity | None = None,
+        centre_distance: Quantity | None = None,
+        direction: Quantity | None = None,
+        positive: Literal['outward', 'inward'] | None = None,
+        range: Sequence[Quantity] | None = None,
+        sense: Literal['counterclockwise', 'clockwise'] | None = None,
+        surface: Literal['disc', 'hollow', 'groove'] | None = None,
+        swing: Literal['against', 'with'] | None = None,
+    ) -> None:
+        super().__init__(
+            ("base_radius", base_radius),
+            ("contact", contact),
+            ("arm", arm),
+            ("centre_distance", centre_distance),
+            ("direction", direction),
+            ("positive", positive),
+            ("range", range),
+            ("sense", sense),
+            ("surface", surface),
+            ("swing", swing),
+        )
+
+
+class Contact(Tree):
+    """What `contact` is made of.
+
+    Parameters
+    ----------
+    flat
+        A flat face.
+    roller
+        Radius of the roller, or of a round face (length in m, mm, cm or µm)
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        flat: Flat | Mapping[str, Value] | None = None,
+        roller: Quantity | None = None,
+    ) -> None:
+        super().__init__(
+            ("flat", flat),
+            ("roller", roller),
+        )
+
+
+class Couple(Tree):
+    """A constant couple on a link, counterclockwise.
+
+    Parameters
+    ----------
+    link
+        The link.
+    moment
+        The couple (moment in N m, kN m or N mm)
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        link: str,
+        moment: Quantity,
+    ) -> None:
+        super().__init__(
+            ("link", link),
+            ("moment", moment),
+        )
+
+
+class CoupleTable(Tree):
+    """A couple on a link, counterclockwise, over the input coordinate.
+
+    Parameters
+    ----------
+    link
+        The link.
+    points
+        List of [input coordinate, couple]: linear between the points, constant outside.
+    period
+        Repeats after this much of the input coordinate (angle in rad, deg, mrad or rev; or
+        length in m, mm, cm or µm)
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        link: str,
+        points: Sequence[Sequence[Quantity]],
+        period: Quantity | None = None,
+    ) -> None:
+        super().__init__(
+            ("link", link),
+            ("points", points),
+            ("period", period),
+        )
+
+
+class Crank(Tree):
+    """A crank: a lever that turns about a fixed axis.
+
+    Parameters
+    ----------
+    input
+        Id of the object that drives this one, or one of its outputs: `press`, `press.ram`.
+    damping
+        Damping b seen at the last mass (rotational damping in N m s/rad or N m s)
+    damping_capacity
+        Specific damping capacity ψ: share of the elastic energy lost in one cycle. Default
+        0. (a pure number)
+    dampings
+        Damping of each link
+    description
+        Remarks for people.
+    flexibility
+        `static`, in place of `masses`: the uniform object gives way as under slow forces,
+        without vibrations; its speed follows, its acceleration is that of its driven end.
+        Needs a pair that stays closed and a motion that is known beforehand.
+    from_
+        Catalogue object to copy, as in `rocker/steel-lever-205mm`; properties given here
+        replace its own.
+    geometry
+        Dimensions and material, in place of inertia and stiffness
+    inertia
+        Total inertia J (moment of inertia in kg m^2, kg cm^2 or g mm^2)
+    inertias
+        Inertia of each mass
+    lever_ratio
+        Factor on the position function. (a pure number)
+    loads
+        Loads by name. Positive forces act in the direction of positive displacement.
+        Default: {}.
+    lumping
+        Where the inertia of each of the cells that the object is cut into is put: `ends`,
+        at the far end of the cell; or `balanced`, at both its ends so that its first moment
+        of compliance is kept, which needs a pair that cannot open. Default `ends`.
+    masses
+        Number of masses; 0: rigid; "auto": as many masses or modes as the accuracy of the
+        run needs. Default: 1, or the length of the lists.
+    modes
+        Number of vibration modes that the uniform object is reduced to, in place of
+        `masses`: the lowest, of the object held at its driven end; what the others give way
+        by under slow forces stays. Needs a pair that stays closed.
+    pair
+        The driving pair. Default: {}.
+    position
+        Position function U(φ): where the driver asks this object to be.
+    split
+        How the inertia is split: `cubes` (uniform lever), `equal`, or a list of shares.
+    stiffness
+        Stiffness c seen at the last mass (rotational stiffness in N m/rad, N m, kN m/rad or
+        N m/deg)
+    stiffnesses
+        Stiffness of each link
+    stops
+        One-sided stops of the last mass against the ground, by name. Default: {}.
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        input: str | None = None,
+        *,
+        damping: Quantity | None = None,
+        damping_capacity: Quantity | None = None,
+        dampings: Sequence[Quantity] | None = None,
+        description: str | None = None,
+        flexibility: Literal['static'] | None = None,
+        from_: str | None = None,
+        geometry: CrankGeometry | Mapping[str, Value] | None = None,
+        inertia: Quantity | None = None,
+        inertias: Sequence[Quantity] | None = None,
+        lever_ratio: Quantity | None = None,
+        loads: Mapping[str, Load | Mapping[str, Value] | Own] | None = None,
+        lumping: Literal['ends', 'balanced'] | None = None,
+        masses: int | Literal['auto'] | None = None,
+        modes: int | None = None,
+        pair: Pair | Mapping[str, Value] | None = None,
+        position: Position | Mapping[str, Value] | Own | None = None,
+        split: Literal['cubes', 'equal'] | Sequence[Quantity] | None = None,
+        stiffness: Quantity | None = None,
+        stiffnesses: Sequence[Quantity] | None = None,
+        stops: Mapping[str, Stop | Mapping[str, Value]] | None = None,
+    ) -> None:
+        super().__init__(
+            ("kind", "crank"),
+            ("input", input),
+            ("damping", damping),
+            ("damping_capacity", damping_capacity),
+            ("dampings", dampings),
+            ("description", description),
+            ("flexibility", flexibility),
+            ("from", from_),
+            ("geometry", geometry),
+            ("inertia", inertia),
+            ("inertias", inertias),
+            ("lever_ratio", lever_ratio),
+            ("loads", loads),
+            ("lumping", lumping),
+            ("masses", masses),
+            ("modes", modes),
+            ("pair", pair),
+            ("position", position),
+            ("split", split),
+            ("stiffness", stiffness),
+            ("stiffnesses", stiffnesses),
+            ("stops", stops),
+        )
+
+
+class CrankGeometry(Tree):
+    """Dimensions and material, in place of inertia and stiffness
+
+    Parameters
+    ----------
+    density
+        Density of the material (density in kg/m^3 or g/cm^3)
+    height
+        Height of the section, in the plane of motion (length in m, mm, cm or µm)
+    length
+        Length from the axis to the tip (length in m, mm, cm or µm)
+    modulus
+        Young's modulus of the material (modulus in Pa, MPa, GPa or N/mm^2)
+    width
+        Width of the section, along the axis (length in m, mm, cm or µm)
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        density: Quantity,
+        height: Quantity,
+        length: Quantity,
+        modulus: Quantity,
+        width: Quantity,
+    ) -> None:
+        super().__init__(
+            ("density", density),
+            ("height", height),
+            ("length", length),
+            ("modulus", modulus),
+            ("width", width),
+        )
+
+
+class Differential(Tree):
+    """A sum of several inputs: a planetary gear, a differential, a summing lever.
+
+    Parameters
+    ----------
+    backlash
+        Backlash: gap of a form-closed pair (angle in rad, deg, mrad or rev; or length in m,
+        mm, cm or µm)
+    coordinate
+        Whether it turns or slides. Default: "turning".
+    damping
+        Damping b seen at the last mass (rotational damping in N m s/rad or N m s; or
+        damping in N s/m or kN s/m)
+    damping_capacity
+        Specific damping capacity ψ: share of the elastic energy lost in one cycle. Default
+        0. (a pure number)
+    dampings
+        Damping of each link
+    description
+        Remarks for people.
+    flexibility
+        `static`, in place of `masses`: the uniform object gives way as under slow forces,
+        without vibrations; its speed follows, its acceleration is that of its driven end.
+        Needs a pair that stays closed and a motion that is known beforehand.
+    from_
+        Catalogue object to copy, as in `rocker/steel-lever-205mm`; properties given here
+        replace its own.
+    geometry
+        Dimensions and material, in place of inertia and stiffness
+    inertia
+        Total inertia J (moment of inertia in kg m^2, kg cm^2 or g mm^2; or mass in kg, g or
+        t)
+    inertias
+        Inertia of each mass
+    inputs
+        What it sums, by name: at least two.
+    lever
+        A lever that sums by its arms: each input stands `at` a place along it.
+    loads
+        Loads by name. Positive forces act in the direction of positive displacement.
+        Default: {}.
+    lumping
+        Where the inertia of each of the cells that the object is cut into is put: `ends`,
+        at the far end of the cell; or `balanced`, at both its ends so that its first moment
+        of compliance is kept, which needs a pair that cannot open. Default `ends`.
+    masses
+        Number of masses; 0: rigid; "auto": as many masses or modes as the accuracy of the
+        run needs. Default: 1, or the length of the lists.
+    modes
+        Number of vibration modes that the uniform object is reduced to, in place of
+        `masses`: the lowest, of the object held at its driven end; what the others give way
+        by under slow forces stays. Needs a pair that stays closed.
+    offset
+        Output where every input is at zero; default 0 (angle in rad, deg, mrad or rev; or
+        length in m, mm, cm or µm)
+    pair
+        The driving pair. Default: {}.
+    planetary
+        A planetary gear: two of its inputs `sun`, `ring` and `carrier` drive the third.
+    split
+        How the inertia is split: `cubes` (uniform lever), `equal`, or a list of shares.
+    stiffness
+        Stiffness c seen at the last mass (rotational stiffness in N m/rad, N m, kN m/rad or
+        N m/deg; or stiffness in N/m, N/mm or kN/mm)
+    stiffnesses
+        Stiffness of each link
+    stops
+        One-sided stops of the last mass against the ground, by name. Default: {}.
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        backlash: Quantity | None = None,
+        coordinate: Literal['turning', 'sliding'] | None = None,
+        damping: Quantity | None = None,
+        damping_capacity: Quantity | None = None,
+        dampings: Sequence[Quantity] | None = None,
+        description: str | None = None,
+        flexibility: Literal['static'] | None = None,
+        from_: str | None = None,
+        geometry: Geometry | Mapping[str, Value] | None = None,
+        inertia: Quantity | None = None,
+        inertias: Sequence[Quantity] | None = None,
+        inputs: Mapping[str, DifferentialInput | Mapping[str, Value]] | None = None,
+        lever: Lever | Mapping[str, Value] | None = None,
+        loads: Mapping[str, Load | Mapping[str, Value] | Own] | None = None,
+        lumping: Literal['ends', 'balanced'] | None = None,
+        masses: int | Literal['auto'] | None = None,
+        modes: int | None = None,
+        offset: Quantity | None = None,
+        pair: Pair | Mapping[str, Value] | None = None,
+        planetary: Planetary | Mapping[str, Value] | None = None,
+        split: Literal['cubes', 'equal'] | Sequence[Quantity] | None = None,
+        stiffness: Quantity | None = None,
+        stiffnesses: Sequence[Quantity] | None = None,
+        stops: Mapping[str, Stop | Mapping[str, Value]] | None = None,
+    ) -> None:
+        super().__init__(
+            ("kind", "differential"),
+            ("backlash", backlash),
+            ("coordinate", coordinate),
+            ("damping", damping),
+            ("damping_capacity", damping_capacity),
+            ("dampings", dampings),
+            ("description", description),
+            ("flexibility", flexibility),
+            ("from", from_),
+            ("geometry", geometry),
+            ("inertia", inertia),
+            ("inertias", inertias),
+            ("inputs", inputs),
+            ("lever", lever),
+            ("loads", loads),
+            ("lumping", lumping),
+            ("masses", masses),
+            ("modes", modes),
+            ("offset", offset),
+            ("pair", pair),
+            ("planetary", planetary),
+            ("split", split),
+            ("stiffness", stiffness),
+            ("stiffnesses", stiffnesses),
+            ("stops", stops),
+        )
+
+
+class DifferentialInput(Tree):
+    """What `differential_input` is made of.
+
+    Parameters
+    ----------
+    object
+        Id of the object that drives this one, or one of its outputs: `press`, `press.ram`.
+    at
+        Place of the input along the lever, with `lever` (length in m, mm, cm or µm)
+    ratio
+        Factor with which the input enters the sum. (a pure number; or length per angle in
+        m/rad, mm/rad, mm/rev or mm)
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        object: str,
+        at: Quantity | None = None,
+        ratio: Quantity | None = None,
+    ) -> None:
+        super().__init__(
+            ("object", object),
+            ("at", at),
+            ("ratio", ratio),
+        )
+
+
+class DiscCam(Tree):
+    """What `disc_cam` is made of.
+
+    Parameters
+    ----------
+    base_radius
+        Radius of the base circle: the smallest circle about the axis that the profile
+        touches (length in m, mm, cm or µm)
+    contact
+        What of the follower touches the cam.
+    arm
+        From the follower's axis to the centre of the roller, or to the edge (length in m,
+        mm, cm or µm)
+    centre_distance
+        Distance between the axes of cam and follower (length in m, mm, cm or µm)
+    direction
+        For drawings: direction of outward motion (default 90 deg), or from the cam's axis
+        to that of a turning follower (default 0) (angle in rad, deg, mrad or rev)
+    offset
+        Distance of the follower's line from the cam's axis, positive to the side on which
+        the cam's surface moves outwards (length in m, mm, cm or µm) Default: 0.0.
+    positive
+        Where positive displacement takes the follower, seen from the cam's axis. Default:
+        "outward".
+    range
+        First and last angle of the cam that an open profile covers; without it a whole turn
+    sense
+        Sense in which the cam turns as its angle grows. Default: "counterclockwise".
+    surface
+        Which side of the cam is touched. Default: "disc".
+    swing
+        Whether the follower moves outwards against the sense in which the cam turns, or
+        with it. Default: "against".
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        base_radius: Quantity,
+        contact: Literal['knife_edge'] | Contact | Mapping[str, Value],
+        arm: Quantity | None = None,
+        centre_distance: Quantity | None = None,
+        direction: Quantity | None = None,
+        offset: Quantity | None = None,
+        positive: Literal['outward', 'inward'] | None = None,
+        range: Sequence[Quantity] | None = None,
+        sense: Literal['counterclockwise', 'clockwise'] | None = None,
+        surface: Literal['disc', 'hollow', 'groove'] | None = None,
+        swing: Literal['against', 'with'] | None = None,
+    ) -> None:
+        super().__init__(
+            ("base_radius", base_radius),
+            ("contact", contact),
+            ("arm", arm),
+            ("centre_distance", centre_distance),
+            ("direction", direction),
+            ("offset", offset),
+            ("positive", positive),
+            ("range", range),
+            ("sense", sense),
+            ("surface", surface),
+            ("swing", swing),
+        )
+
+
+class Drive(Tree):
+    """A drive: prescribed motion, or a motor.
+
+    Parameters
+    ----------
+    coordinate
+        Whether the drive turns or slides (a cylinder, a linear motor). Default: "turning".
+    description
+        Remarks for people.
+    from_
+        Catalogue object to copy, as in `rocker/steel-lever-205mm`; properties given here
+        replace its own.
+    loads
+        Loads by name. Positive forces act in the direction of positive displacement.
+        Default: {}.
+    motion
+        Prescribed motion.
+    motor
+        A motor.
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        coordinate: Literal['turning', 'sliding'] | None = None,
+        description: str | None = None,
+        from_: str | None = None,
+        loads: Mapping[str, Load | Mapping[str, Value] | Own] | None = None,
+        motion: Motion | Mapping[str, Value] | None = None,
+        motor: Motor | Mapping[str, Value] | None = None,
+    ) -> None:
+        super().__init__(
+            ("kind", "drive"),
+            ("coordinate", coordinate),
+            ("description", description),
+            ("from", from_),
+            ("loads", loads),
+            ("motion", motion),
+            ("motor", motor),
+        )
+
+
+class Flat(Tree):
+    """A flat face.
+
+    Parameters
+    ----------
+    face_offset
+        Distance of the face from the follower's axis, positive when the face lies between
+        that axis and the cam (length in m, mm, cm or µm) Default: 0.0.
+    inclination
+        Angle between the face's normal and the direction of motion, positive against the
+        sense in which the cam turns (angle in rad, deg, mrad or rev) Default: 0.0.
+    width
+        Width of the face (length in m, mm, cm or µm)
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        face_offset: Quantity | None = None,
+        inclination: Quantity | None = None,
+        width: Quantity | None = None,
+    ) -> None:
+        super().__init__(
+            ("face_offset", face_offset),
+            ("inclination", inclination),
+            ("width", width),
+        )
+
+
+class Force(Tree):
+    """Driving force over speed.
+
+    Parameters
+    ----------
+    constant
+        Constant force (force in N, kN or MN)
+    linear
+        T₀·(1 − ω/ω₀).
+    table
+        List of [speed, force]: linear between the points, constant outside.
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        constant: Quantity | None = None,
+        linear: Linear | Mapping[str, Value] | None = None,
+        table: Sequence[Sequence[Quantity]] | None = None,
+    ) -> None:
+        super().__init__(
+            ("constant", constant),
+            ("linear", linear),
+            ("table", table),
+        )
+
+
+class FourBar(Tree):
+    """Four-bar linkage: angle of the driven lever.
+
+    Parameters
+    ----------
+    coupler
+        Length of the coupler (length in m, mm, cm or µm)
+    crank
+        Length of the driving crank (length in m, mm, cm or µm)
+    frame
+        Distance of the fixed pivots (length in m, mm, cm or µm)
+    rocker
+        Length of the driven lever (length in m, mm, cm or µm)
+    branch
+        `+`: open, `-`: crossed. Default: "+".
+    phase
+        Added to the driver's angle (angle in rad, deg, mrad or rev) Default: 0.0.
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        coupler: Quantity,
+        crank: Quantity,
+        frame: Quantity,
+        rocker: Quantity,
+        branch: Literal['+', '-'] | None = None,
+        phase: Quantity | None = None,
+    ) -> None:
+        super().__init__(
+            ("coupler", coupler),
+            ("crank", crank),
+            ("frame", frame),
+            ("rocker", rocker),
+            ("branch", branch),
+            ("phase", phase),
+        )
+
+
+class Friction(Tree):
+    """Coulomb friction, regularised: W = −force·tanh(φ̇/width).
+
+    Parameters
+    ----------
+    force
+        Force of sliding friction (moment in N m, kN m or N mm; or force in N, kN or MN)
+    width
+        Regularisation width: speed at which 76 % of the force is reached (angular speed in
+        rad/s, rev/s, rpm or deg/s; or speed in m/s, mm/s or m/min)
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        force: Quantity,
+        width: Quantity,
+    ) -> None:
+        super().__init__(
+            ("force", force),
+            ("width", width),
+        )
+
+
+class From(Tree):
+    """Geometry from which the stiffness follows, in its place.
+
+    Parameters
+    ----------
+    line
+        Contact along a line (roller, flat face): k is the secant N/p at a stated load.
+    point
+        Contact in a point, by Hertz: K; the law is `hertz`.
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        line: Line | Mapping[str, Value] | None = None,
+        point: Point | Mapping[str, Value] | None = None,
+    ) -> None:
+        super().__init__(
+            ("line", line),
+            ("point", point),
+        )
+
+
+class Geometry(Tree):
+    """Dimensions and material, in place of inertia and stiffness
+
+    Parameters
+    ----------
+    density
+        Density of the material (density in kg/m^3 or g/cm^3)
+    length
+        Length (length in m, mm, cm or µm)
+    modulus
+        Young's modulus of the material (modulus in Pa, MPa, GPa or N/mm^2)
+    area
+        Area of the section (area in m^2, mm^2 or cm^2)
+    diameter
+        Diameter of a round section (length in m, mm, cm or µm)
+    section
+        Width and height of a rectangular section
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        density: Quantity,
+        length: Quantity,
+        modulus: Quantity,
+        area: Quantity | None = None,
+        diameter: Quantity | None = None,
+        section: Sequence[Quantity] | None = None,
+    ) -> None:
+        super().__init__(
+            ("density", density),
+            ("length", length),
+            ("modulus", modulus),
+            ("area", area),
+            ("diameter", diameter),
+            ("section", section),
+        )
+
+
+class Gravity(Tree):
+    """What `gravity` is made of.
+
+    Parameters
+    ----------
+    acceleration
+        Acceleration of free fall (acceleration in m/s^2 or mm/s^2) Default: 9.80665.
+    direction
+        Its direction; default downwards, −90 deg (angle in rad, deg, mrad or rev) Default:
+        -1.5707963267948966.
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        acceleration: Quantity | None = None,
+        direction: Quantity | None = None,
+    ) -> None:
+        super().__init__(
+            ("acceleration", acceleration),
+            ("direction", direction),
+        )
+
+
+class HuntCrossley(Tree):
+    """N = c·p·max(0, 1 + κ·ṗ)
+
+    Parameters
+    ----------
+    kappa
+        κ, seconds per unit of penetration (time per angle in s/rad or s; or time per length
+        in s/m or s/mm)
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        kappa: Quantity,
+    ) -> None:
+        super().__init__(
+            ("kappa", kappa),
+        )
+
+
+class Kloss(Tree):
+    """Asynchronous motor: 2·T_b/(s/s_b + s_b/s), s = 1 − ω/ω_s.
+
+    Parameters
+    ----------
+    breakdown_slip
+        Slip s_b of the greatest torque (a pure number)
+    breakdown_torque
+        Greatest torque T_b (moment in N m, kN m or N mm)
+    synchronous_speed
+        Synchronous speed ω_s (angular speed in rad/s, rev/s, rpm or deg/s)
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        breakdown_slip: Quantity,
+        breakdown_torque: Quantity,
+        synchronous_speed: Quantity,
+    ) -> None:
+        super().__init__(
+            ("breakdown_slip", breakdown_slip),
+            ("breakdown_torque", breakdown_torque),
+            ("synchronous_speed", synchronous_speed),
+        )
+
+
+class Law(Tree):
+    """What `law` is made of.
+
+    Parameters
+    ----------
+    hunt_crossley
+        N = c·p·max(0, 1 + κ·ṗ)
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        hunt_crossley: HuntCrossley | Mapping[str, Value],
+    ) -> None:
+        super().__init__(
+            ("hunt_crossley", hunt_crossley),
+        )
+
+
+class LawOf(Tree):
+    """What `law` is made of.
+
+    Parameters
+    ----------
+    polynomial
+        Polynomial from conditions at its ends; θ and θ′ are 0, 0 and 1, 0 there.
+    scca
+        Sine, constant and cosine acceleration, symmetric.
+    sections
+        Run-up, uniform motion and run-out.
+    table
+        List of [τ, θ] from [0, 0] to [1, 1]: a smooth spline, at rest at both ends.
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        polynomial: Polynomial | Mapping[str, Value] | None = None,
+        scca: Scca | Mapping[str, Value] | None = None,
+        sections: Sections | Mapping[str, Value] | None = None,
+        table: Sequence[Sequence[Quantity]] | None = None,
+    ) -> None:
+        super().__init__(
+            ("polynomial", polynomial),
+            ("scca", scca),
+            ("sections", sections),
+            ("table", table),
+        )
+
+
+class Lever(Tree):
+    """A lever that sums by its arms: each input stands `at` a place along it.
+
+    Parameters
+    ----------
+    output
+        Place of the output along the lever (length in m, mm, cm or µm)
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        output: Quantity,
+    ) -> None:
+        super().__init__(
+            ("output", output),
+        )
+
+
+class Line(Tree):
+    """Contact along a line (roller, flat face): k is the secant N/p at a stated load.
+
+    Parameters
+    ----------
+    load
+        Contact force at which k is the secant N/p (force in N, kN or MN)
+    modulus
+        Young's modulus of the object (modulus in Pa, MPa, GPa or N/mm^2)
+    width
+        Length of the line of contact (length in m, mm, cm or µm)
+    arm
+        Arm on which the contact acts, of an object that turns (length in m, mm, cm or µm)
+    counter_depth
+        Depth below the counter-body's surface from which its approach is counted, where
+        that is flat or hollow (length in m, mm, cm or µm)
+    counter_modulus
+        Young's modulus of the counter-body; absent: that of the object (modulus in Pa, MPa,
+        GPa or N/mm^2)
+    counter_poisson_ratio
+        Poisson's ratio of the counter-body; absent: that of the object (a pure number)
+    counter_radius
+        Radius of the counter-body: positive convex, negative hollow; absent: flat (length
+        in m, mm, cm or µm)
+    depth
+        Depth below the object's surface from which its approach is counted, where that is
+        flat or hollow (length in m, mm, cm or µm)
+    poisson_ratio
+        Poisson's ratio of the object. (a pure number) Default: 0.3.
+    radius
+        Radius of the object: positive convex, negative hollow; absent: flat (length in m,
+        mm, cm or µm)
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        load: Quantity,
+        modulus: Quantity,
+        width: Quantity,
+        arm: Quantity | None = None,
+        counter_depth: Quantity | None = None,
+        counter_modulus: Quantity | None = None,
+        counter_poisson_ratio: Quantity | None = None,
+        counter_radius: Quantity | None = None,
+        depth: Quantity | None = None,
+        poisson_ratio: Quantity | None = None,
+        radius: Quantity | None = None,
+    ) -> None:
+        super().__init__(
+            ("load", load),
+            ("modulus", modulus),
+            ("width", width),
+            ("arm", arm),
+            ("counter_depth", counter_depth),
+            ("counter_modulus", counter_modulus),
+            ("counter_poisson_ratio", counter_poisson_ratio),
+            ("counter_radius", counter_radius),
+            ("depth", depth),
+            ("poisson_ratio", poisson_ratio),
+            ("radius", radius),
+        )
+
+
+class Linear(Tree):
+    """T₀·(1 − ω/ω₀).
+
+    Parameters
+    ----------
+    no_load_speed
+        Speed without load, ω₀ (speed in m/s, mm/s or m/min)
+    stall_force
+        Force at rest, F₀ (force in N, kN or MN)
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        no_load_speed: Quantity,
+        stall_force: Quantity,
+    ) -> None:
+        super().__init__(
+            ("no_load_speed", no_load_speed),
+            ("stall_force", stall_force),
+        )
+
+
+class Linkage(Tree):
+    """A planar linkage of rigid links with one degree of freedom.
+
+    Parameters
+    ----------
+    input
+        Id of the object that drives this one, or one of its outputs: `press`, `press.ram`.
+    assembly
+        How a group of links is put together, by one of its links: default by its branch
+        `+`. Default: {}.
+    description
+        Remarks for people.
+    dimensions
+        Named numbers, to which the others refer: "rod", "-rod", "rod/2", "rod*0.4". Those
+        of a catalogue object are replaced one by one.
+    driver
+        The pair that is driven: its coordinate is the input of the linkage.
+    forces
+        Springs, dampers and forces by name. Default: {}.
+    from_
+        Catalogue object to copy, as in `rocker/steel-lever-205mm`; properties given here
+        replace its own.
+    gravity
+        Weights of the links: false, true (9.80665 m/s², downwards), or acceleration and
+        direction. Default: false.
+    ground
+        Points of the ground by name, each [x, y]. Default: {}.
+    joint_friction
+        True: the friction of the pairs acts on the motion in `dam run`, and the linkage may
+        come to rest by it; false: it counts in `dam forces` only. Default: false.
+    links
+        The moving links by name.
+    outputs
+        Outputs by name: other objects take them as `input`, as in `press.ram`, and they are
+        recorded. Default: {}.
+    pairs
+        The kinematic pairs by name.
+    position
+        Input coordinate over the driver's displacement: a constant ratio. Default:
+        {"ratio": 1.0}.
+    start
+        Input coordinate at which `assembly` holds: the linkage is put together there (angle
+        in rad, deg, mrad or rev; or length in m, mm, cm or µm) Default: 0.0.
+    travel
+        Least and greatest input coordinate: the stroke of a cylinder; default as far as the
+        links allow.
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        input: str | None = None,
+        *,
+        assembly: Mapping[str, LinkageAssembly | Mapping[str, Value]] | None = None,
+        description: str | None = None,
+        dimensions: Mapping[str, Quantity] | None = None,
+        driver: str | None = None,
+        forces: Mapping[str, LinkageForce | Mapping[str, Value]] | None = None,
+        from_: str | None = None,
+        gravity: Gravity | Mapping[str, Value] | bool | None = None,
+        ground: Mapping[str, Sequence[Quantity]] | None = None,
+        joint_friction: bool | None = None,
+        links: Mapping[str, LinkageLink | Mapping[str, Value]] | None = None,
+        outputs: Mapping[str, LinkageOutput | Mapping[str, Value]] | None = None,
+        pairs: Mapping[str, LinkagePair | Mapping[str, Value]] | None = None,
+        position: Position | Mapping[str, Value] | Own | None = None,
+        start: Quantity | None = None,
+        travel: Sequence[Quantity] | None = None,
+    ) -> None:
+        super().__init__(
+            ("kind", "linkage"),
+            ("input", input),
+            ("assembly", assembly),
+            ("description", description),
+            ("dimensions", dimensions),
+            ("driver", driver),
+            ("forces", forces),
+            ("from", from_),
+            ("gravity", gravity),
+            ("ground", ground),
+            ("joint_friction", joint_friction),
+            ("links", links),
+            ("outputs", outputs),
+            ("pairs", pairs),
+            ("position", position),
+            ("start", start),
+            ("travel", travel),
+        )
+
+
+class LinkageAssembly(Tree):
+    """What `linkage_assembly` is made of.
+
+    Parameters
+    ----------
+    angle
+        Its angle at the start is near this one (angle in rad, deg, mrad or rev)
+    branch
+        Side on which a group of two links lies.
+    near
+        Its point is near this place at the start.
+    point
+        The point of `near`; default the origin of the link's frame.
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        angle: Quantity | None = None,
+        branch: Literal['+', '-'] | None = None,
+        near: Sequence[Quantity] | None = None,
+        point: str | None = None,
+    ) -> None:
+        super().__init__(
+            ("angle", angle),
+            ("branch", branch),
+            ("near", near),
+            ("point", point),
+        )
+
+
+class LinkageForce(Tree):
+    """What `linkage_force` is made of.
+
+    Parameters
+    ----------
+    couple
+        A constant couple on a link, counterclockwise.
+    couple_table
+        A couple on a link, counterclockwise, over the input coordinate.
+    force
+        A constant force on a point.
+    strut
+        A spring, a damper and a constant force between two points; tension pulls them
+        together.
+    table
+        A force on a point along a direction, over the input coordinate.
+    torsion
+        A spring and a damper in a revolute pair.
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        couple: Couple | Mapping[str, Value] | None = None,
+        couple_table: CoupleTable | Mapping[str, Value] | None = None,
+        force: LinkageForceForce | Mapping[str, Value] | None = None,
+        strut: Strut | Mapping[str, Value] | None = None,
+        table: LinkageForceTable | Mapping[str, Value] | None = None,
+        torsion: Torsion | Mapping[str, Value] | None = None,
+    ) -> None:
+        super().__init__(
+            ("couple", couple),
+            ("couple_table", couple_table),
+            ("force", force),
+            ("strut", strut),
+            ("table", table),
+            ("torsion", torsion),
+        )
+
+
+class LinkageForceForce(Tree):
+    """A constant force on a point.
+
+    Parameters
+    ----------
+    force
+        The force, [x, y].
+    point
+        Where it acts.
+    follows
+        True: the force turns with the link; false: its direction is fixed. Default: false.
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        force: Sequence[Quantity],
+        point: str,
+        follows: bool | None = None,
+    ) -> None:
+        super().__init__(
+            ("force", force),
+            ("point", point),
+            ("follows", follows),
+        )
+
+
+class LinkageForceTable(Tree):
+    """A force on a point along a direction, over the input coordinate.
+
+    Parameters
+    ----------
+    point
+        Where it acts.
+    points
+        List of [input coordinate, force]: linear between the points, constant outside.
+    direction
+        Its direction in the frame of the ground (angle in rad, deg, mrad or rev) Default:
+        0.0.
+    period
+        Repeats after this much of the input coordinate (angle in rad, deg, mrad or rev; or
+        length in m, mm, cm or µm)
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        point: str,
+        points: Sequence[Sequence[Quantity]],
+        direction: Quantity | None = None,
+        period: Quantity | None = None,
+    ) -> None:
+        super().__init__(
+            ("point", point),
+            ("points", points),
+            ("direction", direction),
+            ("period", period),
+        )
+
+
+class LinkageLink(Tree):
+    """What `linkage_link` is made of.
+
+    Parameters
+    ----------
+    centre
+        Centre of mass: [x, y] in the frame of the link, or the name of a point; default its
+        origin.
+    geometry
+        A uniform bar between two points, in place of `mass`, `centre` and `moment`.
+    mass
+        Mass; default 0 (mass in kg, g or t)
+    moment
+        Moment of inertia about the centre of mass; default 0 (moment of inertia in kg m^2,
+        kg cm^2 or g mm^2)
+    points
+        Points by name, each [x, y] in the frame of the link; `origin` is always there.
+        Default: {}.
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        centre: Sequence[Quantity] | str | None = None,
+        geometry: LinkageLinkGeometry | Mapping[str, Value] | None = None,
+        mass: Quantity | None = None,
+        moment: Quantity | None = None,
+        points: Mapping[str, Sequence[Quantity]] | None = None,
+    ) -> None:
+        super().__init__(
+            ("centre", centre),
+            ("geometry", geometry),
+            ("mass", mass),
+            ("moment", moment),
+            ("points", points),
+        )
+
+
+class LinkageLinkGeometry(Tree):
+    """A uniform bar between two points, in place of `mass`, `centre` and `moment`.
+
+    Parameters
+    ----------
+    density
+        Density of the material, with `width` and `height` (density in kg/m^3 or g/cm^3)
+    from_
+        Point at which the bar begins; both ends may be left out when the link has two
+        points, or one besides its origin.
+    height
+        Height of the section, in the plane of motion; default 0: a slender bar (length in
+        m, mm, cm or µm)
+    mass
+        Mass of the whole bar (mass in kg, g or t)
+    to
+        Point at which it ends.
+    width
+        Width of the section, with `density` (length in m, mm, cm or µm)
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        density: Quantity | None = None,
+        from_: str | None = None,
+        height: Quantity | None = None,
+        mass: Quantity | None = None,
+        to: str | None = None,
+        width: Quantity | None = None,
+    ) -> None:
+        super().__init__(
+            ("density", density),
+            ("from", from_),
+            ("height", height),
+            ("mass", mass),
+            ("to", to),
+            ("width", width),
+        )
+
+
+class LinkageOutput(Tree):
+    """What `linkage_output` is made of.
+
+    Parameters
+    ----------
+    angle
+        The angle of a link.
+    direction
+        Direction of a point's displacement in the frame of the ground; default 0 (angle in
+        rad, deg, mrad or rev)
+    loads
+        Loads by name. Positive forces act in the direction of positive displacement.
+        Default: {}.
+    pair
+        The coordinate of a pair.
+    point
+        The displacement of a point along a direction.
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        angle: str | None = None,
+        direction: Quantity | None = None,
+        loads: Mapping[str, Load | Mapping[str, Value] | Own] | None = None,
+        pair: str | None = None,
+        point: str | None = None,
+    ) -> None:
+        super().__init__(
+            ("angle", angle),
+            ("direction", direction),
+            ("loads", loads),
+            ("pair", pair),
+            ("point", point),
+        )
+
+
+class LinkagePair(Tree):
+    """What `linkage_pair` is made of.
+
+    Parameters
+    ----------
+    diameter
+        Diameter of the pin, for friction; default 0 (length in m, mm, cm or µm)
+    friction
+        Coefficient of Coulomb friction μ; it counts in `dam forces`, and with
+        `joint_friction` in the motion. (a pure number) Default: 0.0.
+    revolute
+        A pin: its points on both links. Its coordinate is the angle of the second link less
+        that of the first.
+    sliding
+        A block that slides along a guide.
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        diameter: Quantity | None = None,
+        friction: Quantity | None = None,
+        revolute: Sequence[str] | None = None,
+        sliding: Sliding | Mapping[str, Value] | None = None,
+    ) -> None:
+        super().__init__(
+            ("diameter", diameter),
+            ("friction", friction),
+            ("revolute", revolute),
+            ("sliding", sliding),
+        )
+
+
+class Load(Tree):
+    """What `load` is made of.
+
+    Parameters
+    ----------
+    constant
+        Constant force W (moment in N m, kN m or N mm; or force in N, kN or MN)
+    friction
+        Coulomb friction, regularised: W = −force·tanh(φ̇/width).
+    mass
+        Mass it acts on: `last`, `first`, `all`, or its number from 1; default `all` for a
+        weight, `last` for everything else.
+    position_table
+        Force over the driver's displacement.
+    spring
+        Spring: W = −preload − rate·φ.
+    time_table
+        List of [time, force]: linear between the points, constant outside.
+    viscous
+        Viscous: W = −b·φ̇, b (rotational damping in N m s/rad or N m s; or damping in N s/m
+        or kN s/m)
+    weight
+        Weight: W = −m·g·sin(inclination).
+    window
+        Constant force while the driver is between two positions.
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        constant: Quantity | None = None,
+        friction: Friction | Mapping[str, Value] | None = None,
+        mass: int | Literal['last', 'first', 'all'] | None = None,
+        position_table: PositionTable | Mapping[str, Value] | Own | None = None,
+        spring: Spring | Mapping[str, Value] | None = None,
+        time_table: Sequence[Sequence[Quantity]] | None = None,
+        viscous: Quantity | None = None,
+        weight: Weight | Mapping[str, Value] | None = None,
+        window: Window | Mapping[str, Value] | None = None,
+    ) -> None:
+        super().__init__(
+            ("constant", constant),
+            ("friction", friction),
+            ("mass", mass),
+            ("position_table", position_table),
+            ("spring", spring),
+            ("time_table", time_table),
+            ("viscous", viscous),
+            ("weight", weight),
+            ("window", window),
+        )
+
+
+class Motion(Tree):
+    """Prescribed motion.
+
+    Parameters
+    ----------
+    acceleration
+        Constant acceleration (angular acceleration in rad/s^2 or deg/s^2; or acceleration
+        in m/s^2 or mm/s^2)
+    angle
+        Angle at t = 0, with `speed` or `acceleration`; default 0 (angle in rad, deg, mrad
+        or rev; or length in m, mm, cm or µm)
+    displacement
+        Displacement at t = 0 of a drive that slides, with `speed` or `acceleration`;
+        default 0 (length in m, mm, cm or µm)
+    fixed
+        Held at this displacement. (angle in rad, deg, mrad or rev; or length in m, mm, cm
+        or µm)
+    plan
+        Plan of motion over time: moves by laws of motion and dwells.
+    run_up
+        Smooth run-up from rest to a speed.
+    speed
+        Constant speed (angular speed in rad/s, rev/s, rpm or deg/s; or speed in m/s, mm/s
+        or m/min)
+    start_speed
+        Speed at t = 0, with `acceleration`; default 0 (angular speed in rad/s, rev/s, rpm
+        or deg/s; or speed in m/s, mm/s or m/min)
+    table
+        List of [time, displacement], at least three: a smooth spline through the points.
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        acceleration: Quantity | None = None,
+        angle: Quantity | None = None,
+        displacement: Quantity | None = None,
+        fixed: Quantity | None = None,
+        plan: Plan | Mapping[str, Value] | None = None,
+        run_up: RunUp | Mapping[str, Value] | None = None,
+        speed: Quantity | None = None,
+        start_speed: Quantity | None = None,
+        table: Sequence[Sequence[Quantity]] | None = None,
+    ) -> None:
+        super().__init__(
+            ("acceleration", acceleration),
+            ("angle", angle),
+            ("displacement", displacement),
+            ("fixed", fixed),
+            ("plan", plan),
+            ("run_up", run_up),
+            ("speed", speed),
+            ("start_speed", start_speed),
+            ("table", table),
+        )
+
+
+class Motor(Tree):
+    """A motor.
+
+    Parameters
+    ----------
+    inertia
+        Inertia of the rotor, or mass of a linear motor; 0 when what follows it rigidly has
+        inertia enough (moment of inertia in kg m^2, kg cm^2 or g mm^2; or mass in kg, g or
+        t)
+    angle
+        Angle at t = 0 of a drive that turns (angle in rad, deg, mrad or rev; or length in
+        m, mm, cm or µm) Default: 0.0.
+    displacement
+        Displacement at t = 0 of a drive that slides (angle in rad, deg, mrad or rev; or
+        length in m, mm, cm or µm) Default: 0.0.
+    force
+        Driving force over speed.
+    speed
+        Speed at t = 0 (angular speed in rad/s, rev/s, rpm or deg/s; or speed in m/s, mm/s
+        or m/min) Default: 0.0.
+    torque
+        Driving torque over speed.
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        inertia: Quantity,
+        angle: Quantity | None = None,
+        displacement: Quantity | None = None,
+        force: Force | Mapping[str, Value] | None = None,
+        speed: Quantity | None = None,
+        torque: Torque | Mapping[str, Value] | None = None,
+    ) -> None:
+        super().__init__(
+            ("inertia", inertia),
+            ("angle", angle),
+            ("displacement", displacement),
+            ("force", force),
+            ("speed", speed),
+            ("torque", torque),
+        )
+
+
+class Pair(Tree):
+    """The driving pair.
+
+    Parameters
+    ----------
+    closure
+        How the pair is kept together: always (`bilateral`), by a closing `force`, or by
+        `form` with a gap. Default: "force" or "bilateral".
+    contact
+        Contact between driver and object: an element of its own, in front of link 1.
+    gap
+        Gap η of a form-closed pair (angle in rad, deg, mrad or rev; or length in m, mm, cm
+        or µm) Default: 0.0.
+    law
+        Law of the contact force. Default: "kelvin_voigt".
+    opens
+        Side to which a force-closed pair lifts off. Default: "+".
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        closure: Literal['bilateral', 'force', 'form'] | None = None,
+        contact: PairContact | Mapping[str, Value] | None = None,
+        gap: Quantity | None = None,
+        law: Literal['kelvin_voigt', 'hunt_crossley'] | Law | Mapping[str, Value] | None = None,
+        opens: Literal['+', '-'] | None = None,
+    ) -> None:
+        super().__init__(
+            ("closure", closure),
+            ("contact", contact),
+            ("gap", gap),
+            ("law", law),
+            ("opens", opens),
+        )
+
+
+class PairContact(Tree):
+    """Contact between driver and object: an element of its own, in front of link 1.
+
+    Parameters
+    ----------
+    damping
+        Damping of `kelvin_voigt` (rotational damping in N m s/rad or N m s; or damping in N
+        s/m or kN s/m)
+    dissipation
+        χ of `hunt_crossley` and `hertz`, seconds per unit of indentation (time per angle in
+        s/rad or s; or time per length in s/m or s/mm)
+    from_
+        Geometry from which the stiffness follows, in its place.
+    law
+        N over the indentation p and its rate: `elastic` k·p; `kelvin_voigt` k·p +
+        damping·ṗ; `hunt_crossley` k·p·(1 + dissipation·ṗ); `hertz` K·p^(3/2)·(1 +
+        dissipation·ṗ). Default: "elastic".
+    stiffness
+        Stiffness k of the contact; of `hertz` K, a bare number in N/m^(3/2) or N
+        m/rad^(3/2) (rotational stiffness in N m/rad, N m, kN m/rad or N m/deg; or stiffness
+        in N/m, N/mm or kN/mm)
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        damping: Quantity | None = None,
+        dissipation: Quantity | None = None,
+        from_: From | Mapping[str, Value] | None = None,
+        law: Literal['elastic', 'kelvin_voigt', 'hunt_crossley', 'hertz'] | None = None,
+        stiffness: Quantity | None = None,
+    ) -> None:
+        super().__init__(
+            ("damping", damping),
+            ("dissipation", dissipation),
+            ("from", from_),
+            ("law", law),
+            ("stiffness", stiffness),
+        )
+
+
+class Plan(Tree):
+    """Plan of motion: any number of rises, dwells and returns.
+
+    Parameters
+    ----------
+    stations
+        Stations of the plan, ascending. The last one may close the period.
+    advance
+        Displacement gained in every cycle: the pitch of an indexing motion (angle in rad,
+        deg, mrad or rev; or length in m, mm, cm or µm) Default: 0.0.
+    period
+        Length of the cycle; default one turn of a driver that turns, else once through
+        (angle in rad, deg, mrad or rev; or length in m, mm, cm or µm) Or: Duration of the
+        cycle; default: once through (time in s, ms, µs, min or h)
+    phase
+        Added to the driver's displacement (or to the time) (angle in rad, deg, mrad or rev;
+        or length in m, mm, cm or µm; or time in s, ms, µs, min or h) Default: 0.0.
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        stations: Sequence[Stations | Mapping[str, Value]],
+        advance: Quantity | None = None,
+        period: Quantity | None = None,
+        phase: Quantity | None = None,
+    ) -> None:
+        super().__init__(
+            ("stations", stations),
+            ("advance", advance),
+            ("period", period),
+            ("phase", phase),
+        )
+
+
+class Planetary(Tree):
+    """A planetary gear: two of its inputs `sun`, `ring` and `carrier` drive the third.
+
+    Parameters
+    ----------
+    basic_ratio
+        φ_sun/φ_ring with the carrier held: negative where a ring gear turns the other way.
+        (a pure number)
+    teeth
+        Tooth numbers of sun and ring gear.
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        basic_ratio: Quantity | None = None,
+        teeth: Teeth | Mapping[str, Value] | None = None,
+    ) -> None:
+        super().__init__(
+            ("basic_ratio", basic_ratio),
+            ("teeth", teeth),
+        )
+
+
+class PlannedMotion(Tree):
+    """What `planned_motion` is made of.
+
+    Parameters
+    ----------
+    polynomial
+        Polynomial from conditions at its ends; θ and θ′ are 0, 0 and 1, 0 there.
+    scca
+        Sine, constant and cosine acceleration, symmetric.
+    sections
+        Run-up, uniform motion and run-out.
+    table
+        List of [τ, θ] from [0, 0] to [1, 1]: a smooth spline, at rest at both ends.
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        polynomial: Polynomial | Mapping[str, Value] | None = None,
+        scca: Scca | Mapping[str, Value] | None = None,
+        sections: Sections | Mapping[str, Value] | None = None,
+        table: Sequence[Sequence[Quantity]] | None = None,
+    ) -> None:
+        super().__init__(
+            ("polynomial", polynomial),
+            ("scca", scca),
+            ("sections", sections),
+            ("table", table),
+        )
+
+
+class Point(Tree):
+    """Contact in a point, by Hertz: K; the law is `hertz`.
+
+    Parameters
+    ----------
+    modulus
+        Young's modulus of the object (modulus in Pa, MPa, GPa or N/mm^2)
+    arm
+        Arm on which the contact acts, of an object that turns (length in m, mm, cm or µm)
+    counter_crown_radius
+        Radius of the counter-body across the motion; absent: flat (length in m, mm, cm or
+        µm)
+    counter_modulus
+        Young's modulus of the counter-body; absent: that of the object (modulus in Pa, MPa,
+        GPa or N/mm^2)
+    counter_poisson_ratio
+        Poisson's ratio of the counter-body; absent: that of the object (a pure number)
+    counter_radius
+        Radius of the counter-body: positive convex, negative hollow; absent: flat (length
+        in m, mm, cm or µm)
+    crown_radius
+        Radius of the object across its motion; absent: `radius`, a ball (length in m, mm,
+        cm or µm)
+    poisson_ratio
+        Poisson's ratio of the object. (a pure number) Default: 0.3.
+    radius
+        Radius of the object: positive convex, negative hollow; absent: flat (length in m,
+        mm, cm or µm)
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        modulus: Quantity,
+        arm: Quantity | None = None,
+        counter_crown_radius: Quantity | None = None,
+        counter_modulus: Quantity | None = None,
+        counter_poisson_ratio: Quantity | None = None,
+        counter_radius: Quantity | None = None,
+        crown_radius: Quantity | None = None,
+        poisson_ratio: Quantity | None = None,
+        radius: Quantity | None = None,
+    ) -> None:
+        super().__init__(
+            ("modulus", modulus),
+            ("arm", arm),
+            ("counter_crown_radius", counter_crown_radius),
+            ("counter_modulus", counter_modulus),
+            ("counter_poisson_ratio", counter_poisson_ratio),
+            ("counter_radius", counter_radius),
+            ("crown_radius", crown_radius),
+            ("poisson_ratio", poisson_ratio),
+            ("radius", radius),
+        )
+
+
+class Polynomial(Tree):
+    """Polynomial from conditions at its ends; θ and θ′ are 0, 0 and 1, 0 there.
+
+    Parameters
+    ----------
+    end
+        θ, θ′, θ″, … at τ = 1.
+    start
+        θ, θ′, θ″, … at τ = 0.
+    through
+        Points [τ, θ] between the ends. Default: [].
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        end: Sequence[Quantity],
+        start: Sequence[Quantity],
+        through: Sequence[Sequence[Quantity]] | None = None,
+    ) -> None:
+        super().__init__(
+            ("end", end),
+            ("start", start),
+            ("through", through),
+        )
+
+
+class Position(Tree):
+    """What `position` is made of.
+
+    Parameters
+    ----------
+    cam
+        Cam with rise, dwell, return and rest.
+    four_bar
+        Four-bar linkage: angle of the driven lever.
+    plan
+        Plan of motion: any number of rises, dwells and returns.
+    polynomial
+        U = a₀ + a₁·φ + a₂·φ² + …
+    ratio
+        Constant ratio: U = ratio·φ + offset. (a pure number; or length per angle in m/rad,
+        mm/rad, mm/rev or mm; or angle per length in rad/m, rad/mm or deg/mm)
+    sine
+        U = amplitude·sin(harmonic·φ + phase) + offset.
+    slider_crank
+        Slider-crank: distance of the slide from the crank's axis.
+    slotted_link
+        Slotted link: crank and slotted link on fixed pivots, a block on the crank's end in
+        the slot; crank or block drives.
+    table
+        Smooth spline through given points.
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        cam: Cam | Mapping[str, Value] | None = None,
+        four_bar: FourBar | Mapping[str, Value] | None = None,
+        plan: Plan | Mapping[str, Value] | None = None,
+        polynomial: PositionPolynomial | Mapping[str, Value] | None = None,
+        ratio: Quantity | Ratio | Mapping[str, Value] | None = None,
+        sine: Sine | Mapping[str, Value] | None = None,
+        slider_crank: SliderCrank | Mapping[str, Value] | None = None,
+        slotted_link: SlottedLink | Mapping[str, Value] | None = None,
+        table: Table | Mapping[str, Value] | None = None,
+    ) -> None:
+        super().__init__(
+            ("cam", cam),
+            ("four_bar", four_bar),
+            ("plan", plan),
+            ("polynomial", polynomial),
+            ("ratio", ratio),
+            ("sine", sine),
+            ("slider_crank", slider_crank),
+            ("slotted_link", slotted_link),
+            ("table", table),
+        )
+
+
+class PositionPolynomial(Tree):
+    """U = a₀ + a₁·φ + a₂·φ² + …
+
+    Parameters
+    ----------
+    coefficients
+        a₀, a₁, a₂, … in SI units (or texts with units), lowest power first.
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        coefficients: Sequence[Quantity],
+    ) -> None:
+        super().__init__(
+            ("coefficients", coefficients),
+        )
+
+
+class PositionTable(Tree):
+    """Force over the driver's displacement.
+
+    Parameters
+    ----------
+    points
+        List of [driver's displacement, force]: linear between the points.
+    period
+        Repeats after this much of the driver's displacement; without it the force is
+        constant outside the points (angle in rad, deg, mrad or rev; or length in m, mm, cm
+        or µm)
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        points: Sequence[Sequence[Quantity]],
+        period: Quantity | None = None,
+    ) -> None:
+        super().__init__(
+            ("points", points),
+            ("period", period),
+        )
+
+
+class Ratio(Tree):
+    """What `ratio` is made of.
+
+    Parameters
+    ----------
+    ratio
+        U′ (a pure number; or length per angle in m/rad, mm/rad, mm/rev or mm; or angle per
+        length in rad/m, rad/mm or deg/mm)
+    offset
+        U at φ = 0 (angle in rad, deg, mrad or rev; or length in m, mm, cm or µm) Default:
+        0.0.
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        ratio: Quantity,
+        offset: Quantity | None = None,
+    ) -> None:
+        super().__init__(
+            ("ratio", ratio),
+            ("offset", offset),
+        )
+
+
+class Rocker(Tree):
+    """A rocker: a lever that swings about a fixed axis.
+
+    Parameters
+    ----------
+    input
+        Id of the object that drives this one, or one of its outputs: `press`, `press.ram`.
+    cam
+        Geometry of the disc cam that realises the position function; used by `dam cam`
+        only, not by the dynamics.
+    damping
+        Damping b seen at the last mass (rotational damping in N m s/rad or N m s)
+    damping_capacity
+        Specific damping capacity ψ: share of the elastic energy lost in one cycle. Default
+        0. (a pure number)
+    dampings
+        Damping of each link
+    description
+        Remarks for people.
+    flexibility
+        `static`, in place of `masses`: the uniform object gives way as under slow forces,
+        without vibrations; its speed follows, its acceleration is that of its driven end.
+        Needs a pair that stays closed and a motion that is known beforehand.
+    from_
+        Catalogue object to copy, as in `rocker/steel-lever-205mm`; properties given here
+        replace its own.
+    geometry
+        Dimensions and material, in place of inertia and stiffness
+    inertia
+        Total inertia J (moment of inertia in kg m^2, kg cm^2 or g mm^2)
+    inertias
+        Inertia of each mass
+    lever_ratio
+        Factor on the position function. (a pure number)
+    loads
+        Loads by name. Positive forces act in the direction of positive displacement.
+        Default: {}.
+    lumping
+        Where the inertia of each of the cells that the object is cut into is put: `ends`,
+        at the far end of the cell; or `balanced`, at both its ends so that its first moment
+        of compliance is kept, which needs a pair that cannot open. Default `ends`.
+    masses
+        Number of masses; 0: rigid; "auto": as many masses or modes as the accuracy of the
+        run needs. Default: 1, or the length of the lists.
+    modes
+        Number of vibration modes that the uniform object is reduced to, in place of
+        `masses`: the lowest, of the object held at its driven end; what the others give way
+        by under slow forces stays. Needs a pair that stays closed.
+    pair
+        The driving pair. Default: {}.
+    position
+        Position function U(φ): where the driver asks this object to be.
+    split
+        How the inertia is split: `cubes` (uniform lever), `equal`, or a list of shares.
+    stiffness
+        Stiffness c seen at the last mass (rotational stiffness in N m/rad, N m, kN m/rad or
+        N m/deg)
+    stiffnesses
+        Stiffness of each link
+    stops
+        One-sided stops of the last mass against the ground, by name. Default: {}.
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        input: str | None = None,
+        *,
+        cam: CamOf | Mapping[str, Value] | None = None,
+        damping: Quantity | None = None,
+        damping_capacity: Quantity | None = None,
+        dampings: Sequence[Quantity] | None = None,
+        description: str | None = None,
+        flexibility: Literal['static'] | None = None,
+        from_: str | None = None,
+        geometry: RockerGeometry | Mapping[str, Value] | None = None,
+        inertia: Quantity | None = None,
+        inertias: Sequence[Quantity] | None = None,
+        lever_ratio: Quantity | None = None,
+        loads: Mapping[str, Load | Mapping[str, Value] | Own] | None = None,
+        lumping: Literal['ends', 'balanced'] | None = None,
+        masses: int | Literal['auto'] | None = None,
+        modes: int | None = None,
+        pair: Pair | Mapping[str, Value] | None = None,
+        position: Position | Mapping[str, Value] | Own | None = None,
+        split: Literal['cubes', 'equal'] | Sequence[Quantity] | None = None,
+        stiffness: Quantity | None = None,
+        stiffnesses: Sequence[Quantity] | None = None,
+        stops: Mapping[str, Stop | Mapping[str, Value]] | None = None,
+    ) -> None:
+        super().__init__(
+            ("kind", "rocker"),
+            ("input", input),
+            ("cam", cam),
+            ("damping", damping),
+            ("damping_capacity", damping_capacity),
+            ("dampings", dampings),
+            ("description", description),
+            ("flexibility", flexibility),
+            ("from", from_),
+            ("geometry", geometry),
+            ("inertia", inertia),
+            ("inertias", inertias),
+            ("lever_ratio", lever_ratio),
+            ("loads", loads),
+            ("lumping", lumping),
+            ("masses", masses),
+            ("modes", modes),
+            ("pair", pair),
+            ("position", position),
+            ("split", split),
+            ("stiffness", stiffness),
+            ("stiffnesses", stiffnesses),
+            ("stops", stops),
+        )
+
+
+class RockerGeometry(Tree):
+    """Dimensions and material, in place of inertia and stiffness
+
+    Parameters
+    ----------
+    density
+        Density of the material (density in kg/m^3 or g/cm^3)
+    height
+        Height of the section, in the plane of motion (length in m, mm, cm or µm)
+    length
+        Length from the axis to the tip (length in m, mm, cm or µm)
+    modulus
+        Young's modulus of the material (modulus in Pa, MPa, GPa or N/mm^2)
+    width
+        Width of the section, along the axis (length in m, mm, cm or µm)
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        density: Quantity,
+        height: Quantity,
+        length: Quantity,
+        modulus: Quantity,
+        width: Quantity,
+    ) -> None:
+        super().__init__(
+            ("density", density),
+            ("height", height),
+            ("length", length),
+            ("modulus", modulus),
+            ("width", width),
+        )
+
+
+class Run(Tree):
+    """How the scene is run.
+
+    Parameters
+    ----------
+    duration
+        Simulated time (time in s, ms, µs, min or h)
+    accuracy
+        Accuracy wanted of the figures, the error of the model included: a share of each, "1
+        %", or by the address of a figure a share or a quantity. Objects of `masses`: "auto"
+        are modelled as far as it takes. (a pure number)
+    max_switches
+        Most switches before the run is given up. Default: 1000000.
+    method
+        Method of integration. Default: "auto".
+    record
+        Columns of the record: `objects`, six of each object (default), or `all`,
+        displacement and speed of every mass and the force of every link of elastic objects
+        too
+    samples
+        Number of equal sample intervals. Default: 1000.
+    start
+        State at t = 0: `kinetostatic` (quiet), `static`, `on_law`, or explicit states by
+        object. Default: "kinetostatic".
+    step
+        Step of `rk4`; greatest step of the other methods (time in s, ms, µs, min or h)
+    switch_rows
+        True: two rows (before, after) at each switch. Default: false.
+    tolerance
+        Error wanted in each object's δ, relative to its scale. (a pure number) Default:
+        1e-06.
+    window
+        [from, to]: where steady figures are taken. Default: the last whole cycle of the
+        drive.
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        duration: Quantity,
+        accuracy: Quantity | Mapping[str, Quantity] | None = None,
+        max_switches: int | None = None,
+        method: Literal['auto', 'exact', 'rk4', 'dopri5', 'dop853', 'taylor', 'rodas5p', 'radau', 'bdf', 'tr_bdf2', 'esdirk34'] | None = None,
+        record: Literal['objects', 'all'] | None = None,
+        samples: int | None = None,
+        start: Literal['kinetostatic', 'static', 'on_law'] | Mapping[str, Start | Mapping[str, Value]] | None = None,
+        step: Quantity | None = None,
+        switch_rows: bool | None = None,
+        tolerance: Quantity | None = None,
+        window: Sequence[Quantity] | None = None,
+    ) -> None:
+        super().__init__(
+            ("duration", duration),
+            ("accuracy", accuracy),
+            ("max_switches", max_switches),
+            ("method", method),
+            ("record", record),
+            ("samples", samples),
+            ("start", start),
+            ("step", step),
+            ("switch_rows", switch_rows),
+            ("tolerance", tolerance),
+            ("window", window),
+        )
+
+
+class RunLaw(Tree):
+    """What `run_law` is made of.
+
+    Parameters
+    ----------
+    polynomial
+        Polynomial from conditions at its ends; θ and θ′ are 0, 0 at the start, θ is 1 at
+        the end.
+    table
+        List of [τ, θ] from [0, 0] to [1, 1]: a smooth spline, from rest.
+    trapezoid
+        Modified trapezoid of general form: shares of rise and fall of the acceleration,
+        together at most 1.
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        polynomial: Polynomial | Mapping[str, Value] | None = None,
+        table: Sequence[Sequence[Quantity]] | None = None,
+        trapezoid: Trapezoid | Mapping[str, Value] | None = None,
+    ) -> None:
+        super().__init__(
+            ("polynomial", polynomial),
+            ("table", table),
+            ("trapezoid", trapezoid),
+        )
+
+
+class RunUp(Tree):
+    """Smooth run-up from rest to a speed.
+
+    Parameters
+    ----------
+    speed
+        Final speed (angular speed in rad/s, rev/s, rpm or deg/s; or speed in m/s, mm/s or
+        m/min)
+    time
+        Duration of the run-up (time in s, ms, µs, min or h)
+    angle
+        Angle at t = 0 of a drive that turns (angle in rad, deg, mrad or rev; or length in
+        m, mm, cm or µm) Default: 0.0.
+    displacement
+        Displacement at t = 0 of a drive that slides (angle in rad, deg, mrad or rev; or
+        length in m, mm, cm or µm) Default: 0.0.
+    law
+        Law of the run-up; default: speed 3τ² − 2τ³ of the final one.
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        speed: Quantity,
+        time: Quantity,
+        angle: Quantity | None = None,
+        displacement: Quantity | None = None,
+        law: Literal['rectangular', 'equilateral_trapezoid', 'sine', 'cosine', 'reversed_cosine', 'unequal_trapezoid', 'modified_sine'] | RunLaw | Mapping[str, Value] | None = None,
+    ) -> None:
+        super().__init__(
+            ("speed", speed),
+            ("time", time),
+            ("angle", angle),
+            ("displacement", displacement),
+            ("law", law),
+        )
+
+
+class Scca(Tree):
+    """Sine, constant and cosine acceleration, symmetric.
+
+    Parameters
+    ----------
+    b
+        Share of the sines at both ends together. (a pure number)
+    d
+        Share of the cosine about the middle. (a pure number)
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        b: Quantity,
+        d: Quantity,
+    ) -> None:
+        super().__init__(
+            ("b", b),
+            ("d", d),
+        )
+
+
+class Sections(Tree):
+    """Run-up, uniform motion and run-out.
+
+    Parameters
+    ----------
+    run_out
+        Law of the run-out, run backwards.
+    run_up
+        Law of the run-up.
+    skewness
+        Duration of the run-out by that of the run-up. (a pure number) Default: 1.0.
+    uniform
+        Share of the whole duration with uniform motion, below 1. (a pure number) Default:
+        0.0.
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        run_out: Literal['rectangular', 'equilateral_trapezoid', 'sine', 'cosine', 'reversed_cosine', 'unequal_trapezoid', 'modified_sine'] | RunLaw | Mapping[str, Value],
+        run_up: Literal['rectangular', 'equilateral_trapezoid', 'sine', 'cosine', 'reversed_cosine', 'unequal_trapezoid', 'modified_sine'] | RunLaw | Mapping[str, Value],
+        skewness: Quantity | None = None,
+        uniform: Quantity | None = None,
+    ) -> None:
+        super().__init__(
+            ("run_out", run_out),
+            ("run_up", run_up),
+            ("skewness", skewness),
+            ("uniform", uniform),
+        )
+
+
+class Shaft(Tree):
+    """A shaft: turns in a constant ratio to its driver, with torsional masses and backlash.
+
+    Parameters
+    ----------
+    input
+        Id of the object that drives this one, or one of its outputs: `press`, `press.ram`.
+    backlash
+        Backlash: gap of a form-closed pair (angle in rad, deg, mrad or rev)
+    damping
+        Damping b seen at the last mass (rotational damping in N m s/rad or N m s)
+    damping_capacity
+        Specific damping capacity ψ: share of the elastic energy lost in one cycle. Default
+        0. (a pure number)
+    dampings
+        Damping of each link
+    description
+        Remarks for people.
+    flexibility
+        `static`, in place of `masses`: the uniform object gives way as under slow forces,
+        without vibrations; its speed follows, its acceleration is that of its driven end.
+        Needs a pair that stays closed and a motion that is known beforehand.
+    from_
+        Catalogue object to copy, as in `rocker/steel-lever-205mm`; properties given here
+        replace its own.
+    geometry
+        Dimensions and material, in place of inertia and stiffness
+    inertia
+        Total inertia J (moment of inertia in kg m^2, kg cm^2 or g mm^2)
+    inertias
+        Inertia of each mass
+    lever_ratio
+        Factor on the position function. (a pure number)
+    loads
+        Loads by name. Positive forces act in the direction of positive displacement.
+        Default: {}.
+    lumping
+        Where the inertia of each of the cells that the object is cut into is put: `ends`,
+        at the far end of the cell; or `balanced`, at both its ends so that its first moment
+        of compliance is kept, which needs a pair that cannot open. Default `ends`.
+    masses
+        Number of masses; 0: rigid; "auto": as many masses or modes as the accuracy of the
+        run needs. Default: 1, or the length of the lists.
+    modes
+        Number of vibration modes that the uniform object is reduced to, in place of
+        `masses`: the lowest, of the object held at its driven end; what the others give way
+        by under slow forces stays. Needs a pair that stays closed.
+    pair
+        The driving pair. Default: {}.
+    position
+        Position function U(φ): where the driver asks this object to be. Default: {"ratio":
+        1.0}.
+    split
+        How the inertia is split: `cubes` (uniform lever), `equal`, or a list of shares.
+    stiffness
+        Stiffness c seen at the last mass (rotational stiffness in N m/rad, N m, kN m/rad or
+        N m/deg)
+    stiffnesses
+        Stiffness of each link
+    stops
+        One-sided stops of the last mass against the ground, by name. Default: {}.
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        input: str | None = None,
+        *,
+        backlash: Quantity | None = None,
+        damping: Quantity | None = None,
+        damping_capacity: Quantity | None = None,
+        dampings: Sequence[Quantity] | None = None,
+        description: str | None = None,
+        flexibility: Literal['static'] | None = None,
+        from_: str | None = None,
+        geometry: ShaftGeometry | Mapping[str, Value] | None = None,
+        inertia: Quantity | None = None,
+        inertias: Sequence[Quantity] | None = None,
+        lever_ratio: Quantity | None = None,
+        loads: Mapping[str, Load | Mapping[str, Value] | Own] | None = None,
+        lumping: Literal['ends', 'balanced'] | None = None,
+        masses: int | Literal['auto'] | None = None,
+        modes: int | None = None,
+        pair: Pair | Mapping[str, Value] | None = None,
+        position: Position | Mapping[str, Value] | Own | None = None,
+        split: Literal['cubes', 'equal'] | Sequence[Quantity] | None = None,
+        stiffness: Quantity | None = None,
+        stiffnesses: Sequence[Quantity] | None = None,
+        stops: Mapping[str, Stop | Mapping[str, Value]] | None = None,
+    ) -> None:
+        super().__init__(
+            ("kind", "shaft"),
+            ("input", input),
+            ("backlash", backlash),
+            ("damping", damping),
+            ("damping_capacity", damping_capacity),
+            ("dampings", dampings),
+            ("description", description),
+            ("flexibility", flexibility),
+            ("from", from_),
+            ("geometry", geometry),
+            ("inertia", inertia),
+            ("inertias", inertias),
+            ("lever_ratio", lever_ratio),
+            ("loads", loads),
+            ("lumping", lumping),
+            ("masses", masses),
+            ("modes", modes),
+            ("pair", pair),
+            ("position", position),
+            ("split", split),
+            ("stiffness", stiffness),
+            ("stiffnesses", stiffnesses),
+            ("stops", stops),
+        )
+
+
+class ShaftGeometry(Tree):
+    """Dimensions and material, in place of inertia and stiffness
+
+    Parameters
+    ----------
+    density
+        Density of the material (density in kg/m^3 or g/cm^3)
+    diameter
+        Outer diameter (length in m, mm, cm or µm)
+    length
+        Length between driver and follower (length in m, mm, cm or µm)
+    shear_modulus
+        Shear modulus of the material (modulus in Pa, MPa, GPa or N/mm^2)
+    bore
+        Diameter of the bore, less than `diameter` (length in m, mm, cm or µm) Default: 0.0.
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        density: Quantity,
+        diameter: Quantity,
+        length: Quantity,
+        shear_modulus: Quantity,
+        bore: Quantity | None = None,
+    ) -> None:
+        super().__init__(
+            ("density", density),
+            ("diameter", diameter),
+            ("length", length),
+            ("shear_modulus", shear_modulus),
+            ("bore", bore),
+        )
+
+
+class Sine(Tree):
+    """U = amplitude·sin(harmonic·φ + phase) + offset.
+
+    Parameters
+    ----------
+    amplitude
+        Half the stroke (angle in rad, deg, mrad or rev; or length in m, mm, cm or µm)
+    harmonic
+        Oscillations per turn of the driver (a pure number; or angle per length in rad/m,
+        rad/mm or deg/mm) Default: 1.0.
+    offset
+        Middle of the stroke (angle in rad, deg, mrad or rev; or length in m, mm, cm or µm)
+        Default: 0.0.
+    phase
+        Phase at φ = 0 (angle in rad, deg, mrad or rev) Default: 0.0.
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        amplitude: Quantity,
+        harmonic: Quantity | None = None,
+        offset: Quantity | None = None,
+        phase: Quantity | None = None,
+    ) -> None:
+        super().__init__(
+            ("amplitude", amplitude),
+            ("harmonic", harmonic),
+            ("offset", offset),
+            ("phase", phase),
+        )
+
+
+class Slider(Tree):
+    """A slide in a straight guide.
+
+    Parameters
+    ----------
+    input
+        Id of the object that drives this one, or one of its outputs: `press`, `press.ram`.
+    damping
+        Damping b seen at the last mass (damping in N s/m or kN s/m)
+    damping_capacity
+        Specific damping capacity ψ: share of the elastic energy lost in one cycle. Default
+        0. (a pure number)
+    dampings
+        Damping of each link
+    description
+        Remarks for people.
+    flexibility
+        `static`, in place of `masses`: the uniform object gives way as under slow forces,
+        without vibrations; its speed follows, its acceleration is that of its driven end.
+        Needs a pair that stays closed and a motion that is known beforehand.
+    from_
+        Catalogue object to copy, as in `rocker/steel-lever-205mm`; properties given here
+        replace its own.
+    geometry
+        Dimensions and material, in place of inertia and stiffness
+    inertia
+        Total inertia J (mass in kg, g or t)
+    inertias
+        Inertia of each mass
+    lever_arm
+        Arm on which an angle given by the position function becomes a length (length in m,
+        mm, cm or µm)
+    lever_ratio
+        Factor on the position function. (a pure number)
+    loads
+        Loads by name. Positive forces act in the direction of positive displacement.
+        Default: {}.
+    lumping
+        Where the inertia of each of the cells that the object is cut into is put: `ends`,
+        at the far end of the cell; or `balanced`, at both its ends so that its first moment
+        of compliance is kept, which needs a pair that cannot open. Default `ends`.
+    masses
+        Number of masses; 0: rigid; "auto": as many masses or modes as the accuracy of the
+        run needs. Default: 1, or the length of the lists.
+    modes
+        Number of vibration modes that the uniform object is reduced to, in place of
+        `masses`: the lowest, of the object held at its driven end; what the others give way
+        by under slow forces stays. Needs a pair that stays closed.
+    pair
+        The driving pair. Default: {}.
+    position
+        Position function U(φ): where the driver asks this object to be.
+    split
+        How the inertia is split: `cubes` (uniform lever), `equal`, or a list of shares.
+    stiffness
+        Stiffness c seen at the last mass (stiffness in N/m, N/mm or kN/mm)
+    stiffnesses
+        Stiffness of each link
+    stops
+        One-sided stops of the last mass against the ground, by name. Default: {}.
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        input: str | None = None,
+        *,
+        damping: Quantity | None = None,
+        damping_capacity: Quantity | None = None,
+        dampings: Sequence[Quantity] | None = None,
+        description: str | None = None,
+        flexibility: Literal['static'] | None = None,
+        from_: str | None = None,
+        geometry: Geometry | Mapping[str, Value] | None = None,
+        inertia: Quantity | None = None,
+        inertias: Sequence[Quantity] | None = None,
+        lever_arm: Quantity | None = None,
+        lever_ratio: Quantity | None = None,
+        loads: Mapping[str, Load | Mapping[str, Value] | Own] | None = None,
+        lumping: Literal['ends', 'balanced'] | None = None,
+        masses: int | Literal['auto'] | None = None,
+        modes: int | None = None,
+        pair: Pair | Mapping[str, Value] | None = None,
+        position: Position | Mapping[str, Value] | Own | None = None,
+        split: Literal['cubes', 'equal'] | Sequence[Quantity] | None = None,
+        stiffness: Quantity | None = None,
+        stiffnesses: Sequence[Quantity] | None = None,
+        stops: Mapping[str, Stop | Mapping[str, Value]] | None = None,
+    ) -> None:
+        super().__init__(
+            ("kind", "slider"),
+            ("input", input),
+            ("damping", damping),
+            ("damping_capacity", damping_capacity),
+            ("dampings", dampings),
+            ("description", description),
+            ("flexibility", flexibility),
+            ("from", from_),
+            ("geometry", geometry),
+            ("inertia", inertia),
+            ("inertias", inertias),
+            ("lever_arm", lever_arm),
+            ("lever_ratio", lever_ratio),
+            ("loads", loads),
+            ("lumping", lumping),
+            ("masses", masses),
+            ("modes", modes),
+            ("pair", pair),
+            ("position", position),
+            ("split", split),
+            ("stiffness", stiffness),
+            ("stiffnesses", stiffnesses),
+            ("stops", stops),
+        )
+
+
+class SliderCrank(Tree):
+    """Slider-crank: distance of the slide from the crank's axis.
+
+    Parameters
+    ----------
+    crank
+        Crank radius r (length in m, mm, cm or µm)
+    rod
+        Connecting rod length l (length in m, mm, cm or µm)
+    branch
+        Side of the crank's axis on which the slide runs. Default: "+".
+    offset
+        Offset e of the guide from the crank's axis (length in m, mm, cm or µm) Default:
+        0.0.
+    phase
+        Added to the driver's angle (angle in rad, deg, mrad or rev) Default: 0.0.
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        crank: Quantity,
+        rod: Quantity,
+        branch: Literal['+', '-'] | None = None,
+        offset: Quantity | None = None,
+        phase: Quantity | None = None,
+    ) -> None:
+        super().__init__(
+            ("crank", crank),
+            ("rod", rod),
+            ("branch", branch),
+            ("offset", offset),
+            ("phase", phase),
+        )
+
+
+class Sliding(Tree):
+    """A block that slides along a guide.
+
+    Parameters
+    ----------
+    block
+        The block's point on the axis, on the link that slides.
+    guide
+        A point of the guide's axis, on the link that guides.
+    angle
+        Angle of the block's frame less the direction of the guide (angle in rad, deg, mrad
+        or rev) Default: 0.0.
+    corners
+        Places of the block's two corners along the guide from its point, the forward one
+        first, for reactions and friction; default 10 mm ahead and behind
+    direction
+        Direction of the guide in the frame of its link; default 0 (angle in rad, deg, mrad
+        or rev)
+    half_height
+        Half the height of the block (length in m, mm, cm or µm) Default: 0.0.
+    through
+        In place of `direction`: another point of the guide's axis, towards which it is
+        directed.
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        block: str,
+        guide: str,
+        angle: Quantity | None = None,
+        corners: Sequence[Quantity] | None = None,
+        direction: Quantity | None = None,
+        half_height: Quantity | None = None,
+        through: str | None = None,
+    ) -> None:
+        super().__init__(
+            ("block", block),
+            ("guide", guide),
+            ("angle", angle),
+            ("corners", corners),
+            ("direction", direction),
+            ("half_height", half_height),
+            ("through", through),
+        )
+
+
+class SlottedLink(Tree):
+    """Slotted link: crank and slotted link on fixed pivots, a block on the crank's end in the slot; crank or block drives.
+
+    Parameters
+    ----------
+    crank
+        Length of the crank (length in m, mm, cm or µm)
+    frame
+        Distance of the fixed pivots (length in m, mm, cm or µm)
+    branch
+        When the block drives: the crank turns counterclockwise (`+`) or clockwise (`-`) as
+        the block moves away from the pivot of the slotted link. Default: "+".
+    driver
+        What is driven: the crank by its angle, or the block by its distance from the pivot
+        of the slotted link. Default: "crank".
+    output
+        U: the angle of the slotted link or of the crank, or the distance of the block;
+        default by the object: what turns follows the link, what slides the block.
+    phase
+        Added to the driver's displacement (angle in rad, deg, mrad or rev; or length in m,
+        mm, cm or µm) Default: 0.0.
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        crank: Quantity,
+        frame: Quantity,
+        branch: Literal['+', '-'] | None = None,
+        driver: Literal['crank', 'block'] | None = None,
+        output: Literal['link', 'crank', 'block'] | None = None,
+        phase: Quantity | None = None,
+    ) -> None:
+        super().__init__(
+            ("crank", crank),
+            ("frame", frame),
+            ("branch", branch),
+            ("driver", driver),
+            ("output", output),
+            ("phase", phase),
+        )
+
+
+class Spring(Tree):
+    """Spring: W = −preload − rate·φ.
+
+    Parameters
+    ----------
+    rate
+        Rate of the spring (rotational stiffness in N m/rad, N m, kN m/rad or N m/deg; or
+        stiffness in N/m, N/mm or kN/mm)
+    preload
+        Force at φ = 0, positive towards negative displacement (moment in N m, kN m or N mm;
+        or force in N, kN or MN) Default: 0.0.
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        rate: Quantity,
+        preload: Quantity | None = None,
+    ) -> None:
+        super().__init__(
+            ("rate", rate),
+            ("preload", preload),
+        )
+
+
+class Start(Tree):
+    """What `start` is made of.
+
+    Parameters
+    ----------
+    displacement
+        Displacement of each mass
+    speed
+        Speed of each mass
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        displacement: Sequence[Quantity],
+        speed: Sequence[Quantity],
+    ) -> None:
+        super().__init__(
+            ("displacement", displacement),
+            ("speed", speed),
+        )
+
+
+class Stations(Tree):
+    """What `stations` is made of.
+
+    Parameters
+    ----------
+    at
+        Displacement of the driver, or time (angle in rad, deg, mrad or rev; or length in m,
+        mm, cm or µm; or time in s, ms, µs, min or h)
+    displacement
+        Displacement there (angle in rad, deg, mrad or rev; or length in m, mm, cm or µm)
+    acceleration
+        Second derivative there, taken by smooth motions that meet here (coefficient in SI
+        units; or angular acceleration in rad/s^2 or deg/s^2; or acceleration in m/s^2 or
+        mm/s^2)
+    match
+        Order of derivatives up to which smooth motions match their neighbour here. Default:
+        2.
+    motion
+        Motion from here to the next station: `dwell`, `uniform`, `smooth` (the polynomial
+        that matches its neighbours), or a law from rest to rest. Default: "dwell".
+    speed
+        First derivative there, taken by smooth motions that meet here (a pure number; or
+        length per angle in m/rad, mm/rad, mm/rev or mm; or angle per length in rad/m,
+        rad/mm or deg/mm; or angular speed in rad/s, rev/s, rpm or deg/s; or speed in m/s,
+        mm/s or m/min)
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        at: Quantity,
+        displacement: Quantity,
+        acceleration: Quantity | None = None,
+        match: int | None = None,
+        motion: Literal['dwell', 'uniform', 'smooth', 'parabolic', 'harmonic', 'cycloidal', 'modified_trapezoid', 'modified_sine', 'modified_constant_velocity', '3-4-5', '4-5-6-7'] | PlannedMotion | Mapping[str, Value] | None = None,
+        speed: Quantity | None = None,
+    ) -> None:
+        super().__init__(
+            ("at", at),
+            ("displacement", displacement),
+            ("acceleration", acceleration),
+            ("match", match),
+            ("motion", motion),
+            ("speed", speed),
+        )
+
+
+class Steady(Tree):
+    """What is asked of the steady motion of the drive (`dam steady`).
+
+    Parameters
+    ----------
+    balance
+        True: a constant moment on the drive makes the work of a cycle zero. Default: false.
+    cycle
+        Angle of the drive after which the machine repeats, or a part of it: ratios may ask
+        for more turns (angle in rad, deg, mrad or rev) Default: 6.283185307179586.
+    drive
+        The drive whose motion is asked for; not needed where there is one.
+    fluctuation
+        Required coefficient of fluctuation (ω_max − ω_min)/ω_av: sizes a flywheel (a pure
+        number)
+    mean
+        What is meant by the mean: over `time`, over the `angle`, or `midrange`, midway
+        between the extremes. Default: "time".
+    mean_speed
+        Required mean speed of the drive. Default: the speed of a prescribed drive; with
+        moments that depend on speed only of elastic objects, with `balance` (angular speed
+        in rad/s, rev/s, rpm or deg/s)
+    periods
+        Elastic scenes: turns of the drive after which the motion may repeat, at most.
+        Default: 1.
+    tolerance
+        How far the mean speed may be off, relative (a pure number) Default: 1e-12.
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        balance: bool | None = None,
+        cycle: Quantity | None = None,
+        drive: str | None = None,
+        fluctuation: Quantity | None = None,
+        mean: Literal['time', 'angle', 'midrange'] | None = None,
+        mean_speed: Quantity | None = None,
+        periods: int | None = None,
+        tolerance: Quantity | None = None,
+    ) -> None:
+        super().__init__(
+            ("balance", balance),
+            ("cycle", cycle),
+            ("drive", drive),
+            ("fluctuation", fluctuation),
+            ("mean", mean),
+            ("mean_speed", mean_speed),
+            ("periods", periods),
+            ("tolerance", tolerance),
+        )
+
+
+class Stop(Tree):
+    """What `stop` is made of.
+
+    Parameters
+    ----------
+    at
+        Displacement at which it is touched (angle in rad, deg, mrad or rev; or length in m,
+        mm, cm or µm)
+    contact
+        Its contact.
+    side
+        `-`: it holds the mass from going below `at`; `+`: from going above.
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        at: Quantity,
+        contact: StopContact | Mapping[str, Value],
+        side: Literal['+', '-'],
+    ) -> None:
+        super().__init__(
+            ("at", at),
+            ("contact", contact),
+            ("side", side),
+        )
+
+
+class StopContact(Tree):
+    """Its contact.
+
+    Parameters
+    ----------
+    damping
+        Damping of `kelvin_voigt` (rotational damping in N m s/rad or N m s; or damping in N
+        s/m or kN s/m)
+    dissipation
+        χ of `hunt_crossley` and `hertz`, seconds per unit of indentation (time per angle in
+        s/rad or s; or time per length in s/m or s/mm)
+    from_
+        Geometry from which the stiffness follows, in its place.
+    law
+        N over the indentation p and its rate: `elastic` k·p; `kelvin_voigt` k·p +
+        damping·ṗ; `hunt_crossley` k·p·(1 + dissipation·ṗ); `hertz` K·p^(3/2)·(1 +
+        dissipation·ṗ). Default: "elastic".
+    stiffness
+        Stiffness k of the contact; of `hertz` K, a bare number in N/m^(3/2) or N
+        m/rad^(3/2) (rotational stiffness in N m/rad, N m, kN m/rad or N m/deg; or stiffness
+        in N/m, N/mm or kN/mm)
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        damping: Quantity | None = None,
+        dissipation: Quantity | None = None,
+        from_: From | Mapping[str, Value] | None = None,
+        law: Literal['elastic', 'kelvin_voigt', 'hunt_crossley', 'hertz'] | None = None,
+        stiffness: Quantity | None = None,
+    ) -> None:
+        super().__init__(
+            ("damping", damping),
+            ("dissipation", dissipation),
+            ("from", from_),
+            ("law", law),
+            ("stiffness", stiffness),
+        )
+
+
+class Strut(Tree):
+    """A spring, a damper and a constant force between two points; tension pulls them together.
+
+    Parameters
+    ----------
+    from_
+        One end.
+    to
+        The other end.
+    damping
+        Damping (damping in N s/m or kN s/m) Default: 0.0.
+    force
+        Constant force besides, as of a gas spring or a cylinder: positive pulls the ends
+        together, negative presses them apart (force in N, kN or MN) Default: 0.0.
+    free_length
+        Length at which the spring has no force (length in m, mm, cm or µm) Default: 0.0.
+    rate
+        Rate of the spring (stiffness in N/m, N/mm or kN/mm) Default: 0.0.
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        from_: str,
+        to: str,
+        damping: Quantity | None = None,
+        force: Quantity | None = None,
+        free_length: Quantity | None = None,
+        rate: Quantity | None = None,
+    ) -> None:
+        super().__init__(
+            ("from", from_),
+            ("to", to),
+            ("damping", damping),
+            ("force", force),
+            ("free_length", free_length),
+            ("rate", rate),
+        )
+
+
+class Table(Tree):
+    """Smooth spline through given points.
+
+    Parameters
+    ----------
+    points
+        List of [driver's displacement, displacement], at least three, the first values
+        ascending.
+    end_slopes
+        Slopes U′ at both ends of a table that is not periodic Default: [0.0, 0.0].
+    periodic
+        True: the last point closes the period; it has the displacement of the first.
+        Default: false.
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        points: Sequence[Sequence[Quantity]],
+        end_slopes: Sequence[Quantity] | None = None,
+        periodic: bool | None = None,
+    ) -> None:
+        super().__init__(
+            ("points", points),
+            ("end_slopes", end_slopes),
+            ("periodic", periodic),
+        )
+
+
+class Teeth(Tree):
+    """Tooth numbers of sun and ring gear.
+
+    Parameters
+    ----------
+    ring
+        Teeth of the ring gear.
+    sun
+        Teeth of the sun gear.
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        ring: int,
+        sun: int,
+    ) -> None:
+        super().__init__(
+            ("ring", ring),
+            ("sun", sun),
+        )
+
+
+class Torque(Tree):
+    """Driving torque over speed.
+
+    Parameters
+    ----------
+    constant
+        Constant torque (moment in N m, kN m or N mm)
+    kloss
+        Asynchronous motor: 2·T_b/(s/s_b + s_b/s), s = 1 − ω/ω_s.
+    linear
+        T₀·(1 − ω/ω₀).
+    table
+        List of [speed, torque]: linear between the points, constant outside.
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        constant: Quantity | None = None,
+        kloss: Kloss | Mapping[str, Value] | None = None,
+        linear: TorqueLinear | Mapping[str, Value] | None = None,
+        table: Sequence[Sequence[Quantity]] | None = None,
+    ) -> None:
+        super().__init__(
+            ("constant", constant),
+            ("kloss", kloss),
+            ("linear", linear),
+            ("table", table),
+        )
+
+
+class TorqueLinear(Tree):
+    """T₀·(1 − ω/ω₀).
+
+    Parameters
+    ----------
+    no_load_speed
+        Speed without load, ω₀ (angular speed in rad/s, rev/s, rpm or deg/s)
+    stall_torque
+        Torque at rest, T₀ (moment in N m, kN m or N mm)
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        no_load_speed: Quantity,
+        stall_torque: Quantity,
+    ) -> None:
+        super().__init__(
+            ("no_load_speed", no_load_speed),
+            ("stall_torque", stall_torque),
+        )
+
+
+class Torsion(Tree):
+    """A spring and a damper in a revolute pair.
+
+    Parameters
+    ----------
+    pair
+        The revolute pair.
+    damping
+        Damping (rotational damping in N m s/rad or N m s) Default: 0.0.
+    free_angle
+        The pair's angle at which the spring has no moment (angle in rad, deg, mrad or rev)
+        Default: 0.0.
+    rate
+        Rate of the spring (rotational stiffness in N m/rad, N m, kN m/rad or N m/deg)
+        Default: 0.0.
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        pair: str,
+        damping: Quantity | None = None,
+        free_angle: Quantity | None = None,
+        rate: Quantity | None = None,
+    ) -> None:
+        super().__init__(
+            ("pair", pair),
+            ("damping", damping),
+            ("free_angle", free_angle),
+            ("rate", rate),
+        )
+
+
+class Trapezoid(Tree):
+    """Modified trapezoid of general form: shares of rise and fall of the acceleration, together at most 1.
+
+    Parameters
+    ----------
+    s1
+        Share of the rise, a quarter sine. (a pure number)
+    s2
+        Share of the fall, a quarter cosine. (a pure number)
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        s1: Quantity,
+        s2: Quantity,
+    ) -> None:
+        super().__init__(
+            ("s1", s1),
+            ("s2", s2),
+        )
+
+
+class Weight(Tree):
+    """Weight: W = −m·g·sin(inclination).
+
+    Parameters
+    ----------
+    inclination
+        Angle of the positive direction above the horizontal (angle in rad, deg, mrad or
+        rev)
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        inclination: Quantity,
+    ) -> None:
+        super().__init__(
+            ("inclination", inclination),
+        )
+
+
+class Window(Tree):
+    """Constant force while the driver is between two positions.
+
+    Parameters
+    ----------
+    force
+        Force inside the window (moment in N m, kN m or N mm; or force in N, kN or MN)
+    from_
+        Start of the window (angle in rad, deg, mrad or rev; or length in m, mm, cm or µm)
+    to
+        End of the window, beyond its start (angle in rad, deg, mrad or rev; or length in m,
+        mm, cm or µm)
+    once
+        True: the window comes once and does not repeat. Default: false.
+    period
+        Repeats after this much of the driver's displacement; default one turn of a turning
+        driver (angle in rad, deg, mrad or rev; or length in m, mm, cm or µm)
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        force: Quantity,
+        from_: Quantity,
+        to: Quantity,
+        once: bool | None = None,
+        period: Quantity | None = None,
+    ) -> None:
+        super().__init__(
+            ("force", force),
+            ("from", from_),
+            ("to", to),
+            ("once", once),
+            ("period", period),
+        )
+
+
+AnyKind = Union[CamFollower, Crank, Differential, Drive, Linkage, Rocker, Shaft, Slider]
+"""An object of any kind."""

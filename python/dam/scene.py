@@ -1,0 +1,412 @@
+"""Scenes: mechanisms, and how they are run."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Mapping, Sequence
+from typing import TYPE_CHECKING, Protocol, Union
+
+from dam import _dam, answers
+from dam._tree import Quantity, Value
+
+if TYPE_CHECKING:
+    from dam.errors import Fault
+    from dam.kinds import AnyKind, Run, Steady
+
+__all__ = ["Axis", "Progress", "Scene", "Tqdm", "law", "load", "loads", "schema"]
+
+
+class Tqdm(Protocol):
+    """What `tqdm.tqdm(total=1.0)` makes, or anything like it."""
+
+    total: float | None
+    n: float
+
+    def update(self, n: float = 1, /) -> object:
+        """Goes on by so much."""
+        ...
+
+
+Progress = Union[Callable[[float], object], Tqdm]
+"""What is told how far a computation is: a function of the share that is done, or a bar of
+tqdm, whose total becomes 1 unless it has one. What it raises ends the computation."""
+
+Axis = Union[str, tuple[str, float, float, int], tuple[str, float, float, int, str]]
+"""A parameter and its values: `"rocker.inertia=0.05:1:20"`, `"shaft.motion.speed=100:900 rpm:50"`,
+`"rocker.stiffness=1e6:1e9:40:log"`, or the same as a tuple, `("rocker.inertia", 0.05, 1.0, 20)`,
+`("rocker.stiffness", 1e6, 1e9, 40, "log")`."""
+
+
+def _axis(axis: Axis) -> str:
+    if isinstance(axis, str):
+        return axis
+    path, first, last, count, *scale = axis
+    parts = [repr(float(first)), repr(float(last)), str(int(count)), *map(str, scale)]
+    return f"{path}={':'.join(parts)}"
+
+
+def _told(progress: Progress | None) -> Callable[[float], object] | None:
+    """The function that is told."""
+    if progress is None:
+        return None
+    update = getattr(progress, "update", None)
+    if update is None:
+        if not callable(progress):
+            raise TypeError("progress is a function of the share that is done, or a bar of tqdm")
+        return progress
+    bar = progress
+    total = getattr(bar, "total", None)
+    if total is None:
+        total = 1.0
+        setattr(bar, "total", total)
+    done = 0.0
+
+    def tell(share: float) -> None:
+        nonlocal done
+        update((share - done) * total)
+        done = share
+
+    return tell
+
+
+class Scene:
+    """A mechanism, and how it is run. A scene does not change: `set` gives another one.
+
+    Parameters
+    ----------
+    name
+        Name of the scene.
+    objects
+        The objects by their ids: of the classes of `dam.kinds`, or mappings as in JSON.
+    run
+        How it is run: a duration (s), or `dam.kinds.Run`, or a mapping.
+    steady
+        What is asked of the steady motion of the drive.
+    description
+        Remarks for people.
+
+    What is wrong with it shows when it is asked something, all at once, as `dam.SceneError`;
+    or see `check`.
+    """
+
+    __slots__ = ("_core", "_source")
+
+    def __init__(
+        self,
+        name: str,
+        objects: Mapping[str, AnyKind | Mapping[str, Value]],
+        run: Quantity | Run | Mapping[str, Value],
+        *,
+        steady: Steady | Mapping[str, Value] | None = None,
+        description: str | None = None,
+    ) -> None:
+        if isinstance(run, (int, float, str)):
+            run = {"duration": run}
+        tree: dict[str, Value] = {
+            "dam": 1,
+            "name": name,
+            "description": description,
+            "objects": dict(objects),
+            "run": run,
+            "steady": steady,
+        }
+        self._core = _dam.Scene.of_tree(tree)
+        self._source: tuple[str, str, str | None] | dict[str, Value] = tree
+
+    @classmethod
+    def _of(
+        cls, core: _dam.Scene, source: tuple[str, str, str | None] | dict[str, Value]
+    ) -> Scene:
+        self = cls.__new__(cls)
+        self._core = core
+        self._source = source
+        return self
+
+    @property
+    def json(self) -> str:
+        """The scene's text; what was set is not in it."""
+        return self._core.json
+
+    @property
+    def settings(self) -> list[str]:
+        """What was set, as the program takes it: `rocker.masses=10`."""
+        return self._core.settings
+
+    @property
+    def name(self) -> str:
+        """Name of the scene."""
+        return self._core.identity()[0]
+
+    @property
+    def hash(self) -> str:
+        """SHA-256 of the canonical scene, settings included."""
+        return self._core.identity()[1]
+
+    def set(self, address: str, value: Value) -> Scene:
+        """Another scene, in which the property at an address has this value:
+        `scene.set("rocker.masses", 10)`. Later settings win; they also reach what an object
+        copies from the catalogue."""
+        return Scene._of(self._core.set(address, value), self._source)
+
+    def check(self) -> list[Fault]:
+        """What is wrong and what should be known, each with its place; empty: nothing."""
+        return self._core.check()
+
+    def run(self, *, progress: Progress | None = None) -> answers.Run:
+        """Runs the scene. A run that stops early raises nothing: see `verdict`."""
+        return answers.Run(*self._core.run(_told(progress)))
+
+    def compare(
+        self, address: str, values: Sequence[Value], *, progress: Progress | None = None
+    ) -> answers.Comparison:
+        """Runs the scene for several values of a parameter, and compares the figures with
+        those of the last: `compare("rocker.masses", [1, 2, 10])`."""
+        found = self._core.compare(address, list(values), _told(progress))
+        return answers.Comparison(found)
+
+    def map(
+        self,
+        x: Axis,
+        y: Axis | None = None,
+        *,
+        figure: str | None = None,
+        check: bool = True,
+        digits: int = 3,
+        threads: int | None = None,
+        progress: Progress | None = None,
+    ) -> answers.Map:
+        """A figure over one or two parameters: where does the mechanism work?
+
+        Parameters
+        ----------
+        x, y
+            The parameters along and up the map.
+        figure
+            Address of the figure; default: the greatest |δ| of the last elastic object.
+        check
+            Whether each cell is run a second time, to tell whether its figure is determined.
+        digits
+            Digits to which a figure is to be known so as to count as determined.
+        threads
+            Number of threads; default: one for every processor core. The values do not
+            depend on it.
+        """
+        along = _axis(x)
+        up = None if y is None else _axis(y)
+        found = self._core.map(along, up, figure, check, digits, threads, _told(progress))
+        answer, shape, figure_of, hash, verdicts = found
+        return answers.Map(answer, (along, up), shape, figure_of, hash, verdicts)
+
+    def methods(
+        self,
+        *,
+        accuracy: float | None = None,
+        methods: Sequence[str] | None = None,
+        tolerances: Sequence[float] | None = None,
+        steps: Sequence[float] | None = None,
+        repeats: int = 5,
+        point_limit: float = 5.0,
+        progress: Progress | None = None,
+    ) -> answers.Methods:
+        """Speed against accuracy of the methods of integration, and where they fail.
+
+        Parameters
+        ----------
+        accuracy
+            Error of δ wanted, relative to max|δ|; default: the tolerance of the scene.
+        methods
+            Names of the methods; default: all.
+        tolerances, steps
+            Settings that are tried: of methods of adaptive and of fixed step (s).
+        repeats
+            Timed runs of a point at most.
+        point_limit
+            Longest time of a point (s).
+        """
+        found = self._core.methods(
+            accuracy, methods, tolerances, steps, repeats, point_limit, _told(progress)
+        )
+        return answers.Methods(found)
+
+    def kinematics(
+        self,
+        object: str | None = None,
+        *,
+        turn: bool = False,
+        range: tuple[float, float] | None = None,
+        time: float | None = None,
+        positions: int = 360,
+        speed: float | None = None,
+        acceleration: float | None = None,
+    ) -> answers.Kinematics:
+        """How a linkage moves: positions, transfer functions, speeds, accelerations.
+
+        Parameters
+        ----------
+        object
+            The linkage's id; may be left out where there is one only.
+        turn, range, time
+            Over what: a period of the input, a range of its coordinate (rad or m), or time
+            (s) under the motion of the scene's drive. Left out: what suits it.
+        positions
+            Number of intervals between rows.
+        speed, acceleration
+            Of the input over a turn or range (rad/s or m/s, and by s again).
+        """
+        over = _over(turn, range, time)
+        found = self._core.kinematics(object, *over, positions, speed, acceleration)
+        return answers.Kinematics(found)
+
+    def forces(
+        self,
+        object: str | None = None,
+        *,
+        turn: bool = False,
+        range: tuple[float, float] | None = None,
+        time: float | None = None,
+        positions: int = 360,
+        speed: float | None = None,
+        acceleration: float | None = None,
+    ) -> answers.Forces:
+        """Which forces the pairs of a linkage carry, with friction, and which force drives
+        it. The parameters are those of `kinematics`."""
+        over = _over(turn, range, time)
+        found = self._core.forces(object, *over, positions, speed, acceleration)
+        return answers.Forces(found)
+
+    def steady(self, *, progress: Progress | None = None) -> answers.Steady:
+        """The steady motion that the scene's `steady` block asks for."""
+        return answers.Steady(self._core.steady(_told(progress)))
+
+    def cam(
+        self,
+        object: str | None = None,
+        *,
+        speed: Quantity | None = None,
+        pressure_angle: Quantity | None = None,
+        return_pressure_angle: Quantity | None = None,
+        roller_factor: float = 0.7,
+        least_radius: Quantity | None = None,
+        reserve: Quantity = 0.2,
+        tolerance: Quantity | None = None,
+        cutter: Quantity | None = None,
+    ) -> answers.Cam:
+        """The cam of an object: profile, checks, sizes, the force that keeps the follower on
+        it.
+
+        Parameters
+        ----------
+        object
+            The object that follows it; may be left out where one only tells of its cam.
+        speed
+            Speed of the cam; default: that of the scene.
+        pressure_angle, return_pressure_angle
+            Greatest pressure angle outwards and inwards; default 30°, of a turning follower
+            45°.
+        roller_factor
+            Greatest radius of the roller by the least radius of curvature of its path.
+        least_radius
+            Least radius of curvature of a profile under a flat face.
+        reserve
+            What is to be left in contact: a share of the greatest force that would open it
+            without the spring, or a force with its unit.
+        tolerance
+            How far curves may stand off their chords; default 1 µm.
+        cutter
+            Radius of a cutter, whose path is wanted too.
+        """
+        left, is_force = str(reserve), isinstance(reserve, str) and not _is_number(reserve)
+        found = self._core.cam(
+            object,
+            _text(speed),
+            _text(pressure_angle),
+            _text(return_pressure_angle),
+            roller_factor,
+            _text(least_radius),
+            left,
+            is_force,
+            _text(tolerance),
+            _text(cutter),
+        )
+        return answers.Cam(*found)
+
+    def law(self, object: str, *, samples: int = 360) -> answers.Law:
+        """The whole cycle of the cam or plan that an object follows: joints, extremes,
+        shocks, and that many equal steps of it."""
+        return answers.Law(self._core.law(object, samples))
+
+    def reduce(self, *, progress: Progress | None = None) -> answers.Reduction:
+        """The smallest scene that gives figures within their accuracy: those of
+        `run.accuracy`, else those that the scene expects."""
+        found, core, holds = self._core.reduce(_told(progress))
+        left = Scene._of(core, (core.json, "reduced scene", None))
+        return answers.Reduction(found, left, holds)
+
+    def __reduce__(
+        self,
+    ) -> tuple[
+        Callable[..., Scene], tuple[tuple[str, str, str | None] | dict[str, Value], list[str]]
+    ]:
+        return (_restored, (self._source, self.settings))
+
+    def __repr__(self) -> str:
+        settings = "".join(f", {setting}" for setting in self.settings)
+        known = self._source[1] if isinstance(self._source, tuple) else self._source["name"]
+        return f"<Scene {known!r}{settings}>"
+
+
+def _restored(
+    source: tuple[str, str, str | None] | dict[str, Value], settings: Sequence[str]
+) -> Scene:
+    """A scene that was pickled."""
+    core = _dam.Scene.parse(*source) if isinstance(source, tuple) else _dam.Scene.of_tree(source)
+    return Scene._of(core.set_all(list(settings)) if settings else core, source)
+
+
+def _over(
+    turn: bool, range: tuple[float, float] | None, time: float | None
+) -> tuple[str | None, tuple[float, float] | None]:
+    if (turn is not False) + (range is not None) + (time is not None) > 1:
+        raise TypeError("one of turn, range and time is given")
+    if range is not None:
+        return ("range", range)
+    if time is not None:
+        return ("time", (0.0, time))
+    return ("turn", None) if turn else (None, None)
+
+
+def _text(value: Quantity | None) -> str | None:
+    return None if value is None else str(value)
+
+
+def _is_number(text: str) -> bool:
+    try:
+        float(text)
+    except ValueError:
+        return False
+    return True
+
+
+def load(path: str | os.PathLike[str]) -> Scene:
+    """Reads a scene's file. Objects are copied (`from`) out of the folder `objects` beside
+    it, then out of what is built in."""
+    path = os.fspath(path)
+    core = _dam.Scene.read(path)
+    folder = os.path.join(os.path.dirname(path), "objects")
+    return Scene._of(core, (core.json, path, folder))
+
+
+def loads(text: str, name: str = "scene") -> Scene:
+    """A scene from its JSON text; `name` stands for it in what is said of its faults."""
+    return Scene._of(_dam.Scene.parse(text, name), (text, name, None))
+
+
+def law(law: str, *, run_up: bool = False, samples: int = 360) -> answers.Law:
+    """A law of motion by itself: a name (`"modified_sine"`, `"3-4-5"`), `"scca:B,D"`,
+    `"trapezoid:S1,S2"`, or JSON as in a scene; `run_up`: as the law of a run-up."""
+    return answers.Law(_dam.law_of(law, run_up, samples))
+
+
+def schema() -> str:
+    """The JSON Schema of scenes, for editors and validators."""
+    return _dam.schema()

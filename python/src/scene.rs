@@ -1,0 +1,510 @@
+//! Scenes as Python holds them.
+
+use crate::answer::Answer;
+use crate::fault;
+use crate::studies::{cam, compare, law, linkages, map, methods, reduce, run, steady};
+use crate::tree::node;
+use crate::work::{compute, directly};
+use dam::ask::{CamQuestion, Judging};
+use dam::diagnostics::{Diagnostic, Diagnostics};
+use dam::object::law::read_argument;
+use dam::read::{Bounds, Wanted};
+use dam::scene::{Document, Folder, Overrides, schema as schema_of_kinds, schema_text};
+use dam::studies::Control;
+use dam::studies::axis::Axis;
+use dam::studies::cam::Reserve;
+use dam::studies::kinematics::{Over, Question};
+use dam::studies::methods::all_methods;
+use dam::units::quantities as q;
+use dam::{Error, Mechanism};
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use pyo3::types::PyList;
+use std::path::PathBuf;
+use std::time::Duration;
+
+/// A scene.
+#[pyclass(frozen, module = "dam._dam")]
+pub(crate) struct Scene {
+    scene: dam::Scene,
+}
+
+impl Scene {
+    fn of(scene: dam::Scene) -> Self {
+        Self { scene }
+    }
+
+    fn asked(&self) -> dam::Scene {
+        self.scene.clone()
+    }
+}
+
+/// What is not to be answered, in words.
+fn wrong(what: impl Into<String>) -> Error {
+    vec![dam::fault::Fault::new("", what.into(), "")].into()
+}
+
+/// A quantity: a number in SI units, or a text with its unit.
+fn quantity(
+    name: &str,
+    value: Option<String>,
+    wanted: impl Into<Wanted>,
+    bounds: Bounds,
+) -> Result<Option<f64>, Error> {
+    let Some(text) = value else {
+        return Ok(None);
+    };
+    let wanted = wanted.into();
+    let read = read_argument(name, &text, |slot| slot.quantity(wanted, bounds));
+    Ok(Some(read?))
+}
+
+/// Numbers of samples and of threads that make sense.
+const MOST_THREADS: usize = 1024;
+
+#[pymethods]
+impl Scene {
+    /// Reads a file.
+    #[staticmethod]
+    fn read(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
+        directly(py, || dam::Scene::read(path)).map(Self::of)
+    }
+
+    /// Reads a text. `folder` holds the catalogue.
+    #[staticmethod]
+    #[pyo3(signature = (text, name, folder=None))]
+    fn parse(py: Python<'_>, text: &str, name: &str, folder: Option<PathBuf>) -> PyResult<Self> {
+        directly(py, || {
+            let scene = dam::Scene::of(Document::parse(name, text.as_bytes())?);
+            Ok(match folder {
+                Some(path) => scene.with_catalogue(Folder::new(path)),
+                None => scene,
+            })
+        })
+        .map(Self::of)
+    }
+
+    /// Of a tree of values.
+    #[staticmethod]
+    fn of_tree(py: Python<'_>, tree: &Bound<'_, PyAny>) -> PyResult<Self> {
+        let root = node(tree)?;
+        directly(py, || Ok(dam::Scene::of(Document::of_values(root)))).map(Self::of)
+    }
+
+    fn set(&self, py: Python<'_>, address: &str, value: &Bound<'_, PyAny>) -> PyResult<Self> {
+        let value = node(value)?;
+        directly(py, || Ok(self.asked().set(address, value))).map(Self::of)
+    }
+
+    fn set_all(&self, py: Python<'_>, settings: Vec<String>) -> PyResult<Self> {
+        directly(py, || {
+            let mut scene = self.asked();
+            for setting in settings {
+                let (address, value) = setting
+                    .split_once('=')
+                    .ok_or_else(|| wrong(format!("`{setting}` is no setting: no `=`")))?;
+                let parsed = serde_json::from_str::<serde_json::Value>(value);
+                let value = parsed.unwrap_or_else(|_| value.into());
+                let mut overrides = Overrides::none();
+                overrides.set(address, &value);
+                scene = scene.set(address, tree_of(&value));
+            }
+            Ok(scene)
+        })
+        .map(Self::of)
+    }
+
+    #[getter]
+    fn json(&self) -> &str {
+        self.scene.json()
+    }
+
+    #[getter]
+    fn settings(&self) -> Vec<String> {
+        self.scene.settings().arguments().to_vec()
+    }
+
+    /// Name and hash of the canonical scene.
+    fn identity(&self, py: Python<'_>) -> PyResult<(String, String)> {
+        directly(py, || {
+            let scene = self.scene.decode()?.scene;
+            Ok((scene.name, scene.hash))
+        })
+    }
+
+    /// What is wrong, and what its user should know: faults.
+    fn check<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyList>> {
+        let scene = self.asked();
+        let found = compute(py, None, move |_| {
+            let ready = scene.decode().and_then(|reading| {
+                Mechanism::of_within(reading, Judging::Never, &Control::default())
+            });
+            Ok(match ready {
+                Ok(ready) => {
+                    let doubts = ready.model().warnings.iter();
+                    let doubts = doubts.map(|line| Diagnostic::warning("model", line.as_str()));
+                    let told = &ready.reading.warnings;
+                    let all = told.items.iter().cloned().chain(doubts);
+                    Diagnostics::new(told.sources.clone(), all.collect())
+                }
+                Err(error) => error.into_diagnostics(),
+            })
+        })?;
+        fault::faults(py, &found)
+    }
+
+    #[pyo3(signature = (progress=None))]
+    fn run(&self, py: Python<'_>, progress: Option<Py<PyAny>>) -> PyResult<(Answer, bool)> {
+        let scene = self.asked();
+        let found = compute(py, progress.as_ref(), move |watch| run::ask(scene, watch))?;
+        let trusted = found.is_trusted();
+        Ok((Answer::new(found), trusted))
+    }
+
+    #[pyo3(signature = (address, values, progress=None))]
+    fn compare(
+        &self,
+        py: Python<'_>,
+        address: String,
+        values: Vec<Bound<'_, PyAny>>,
+        progress: Option<Py<PyAny>>,
+    ) -> PyResult<Answer> {
+        let scene = self.asked();
+        let values: PyResult<Vec<_>> = values.iter().map(node).collect();
+        let values = values?;
+        let found = compute(py, progress.as_ref(), move |watch| {
+            compare::ask(scene, &address, values, watch)
+        })?;
+        let columns = found.columns();
+        Ok(Answer::with_columns(found, columns))
+    }
+
+    #[pyo3(signature = (x, y, figure, check, digits, threads, progress))]
+    #[allow(
+        clippy::too_many_arguments,
+        reason = "these are what a map is asked by; the stub names them"
+    )]
+    fn map(
+        &self,
+        py: Python<'_>,
+        x: &str,
+        y: Option<&str>,
+        figure: Option<String>,
+        check: bool,
+        digits: u8,
+        threads: Option<usize>,
+        progress: Option<Py<PyAny>>,
+    ) -> PyResult<MapAnswer> {
+        let axis =
+            |text: &str| Axis::parse(text).map_err(|what| fault::scene_error(py, &wrong(what)));
+        if threads.is_some_and(|threads| threads == 0 || threads > MOST_THREADS) {
+            let message = format!("between 1 and {MOST_THREADS} threads work on a map");
+            return Err(PyValueError::new_err(message));
+        }
+        let wanted = map::Wanted {
+            x: axis(x)?,
+            y: y.map(axis).transpose()?,
+            figure,
+            check,
+            digits,
+            threads,
+        };
+        let scene = self.asked();
+        let found = compute(py, progress.as_ref(), move |watch| {
+            map::ask(scene, wanted, watch)
+        })?;
+        let (shape, figure) = (found.shape, found.figure.clone());
+        let (hash, verdicts) = (found.hash.clone(), found.verdicts());
+        Ok((Answer::new(found), shape, figure, hash, verdicts))
+    }
+
+    #[pyo3(signature = (accuracy, methods, tolerances, steps, repeats, point_limit, progress))]
+    #[allow(
+        clippy::too_many_arguments,
+        reason = "these are what a study is asked by; the stub names them"
+    )]
+    fn methods(
+        &self,
+        py: Python<'_>,
+        accuracy: Option<f64>,
+        methods: Option<Vec<String>>,
+        tolerances: Option<Vec<f64>>,
+        steps: Option<Vec<f64>>,
+        repeats: usize,
+        point_limit: f64,
+        progress: Option<Py<PyAny>>,
+    ) -> PyResult<Answer> {
+        let refuse = |what: String| Err(fault::scene_error(py, &wrong(what)));
+        let positive = |value: &f64| value.is_finite() && *value > 0.0;
+        let numbers = accuracy.iter().chain(tolerances.iter().flatten());
+        if !numbers.chain(steps.iter().flatten()).all(positive) {
+            return refuse("accuracy, tolerances and steps are positive numbers".to_owned());
+        }
+        if !(1..=1000).contains(&repeats) {
+            return refuse("between 1 and 1000 repeats are timed".to_owned());
+        }
+        let Ok(limit) = Duration::try_from_secs_f64(point_limit) else {
+            return refuse("the time of a point is a positive number of seconds".to_owned());
+        };
+        let mut chosen = all_methods();
+        if let Some(names) = methods {
+            let known: Vec<&str> = chosen.iter().map(|method| method.name()).collect();
+            if let Some(name) = names.iter().find(|name| !known.contains(&name.as_str())) {
+                let known = known.join(", ");
+                return refuse(format!("there is no method `{name}`; one of {known}"));
+            }
+            chosen.retain(|method| names.iter().any(|name| name == method.name()));
+        }
+        let descending = |list: Option<Vec<f64>>| {
+            list.map(|mut list| {
+                list.sort_by(|a, b| b.total_cmp(a));
+                list.dedup();
+                list
+            })
+        };
+        let scene = self.asked();
+        let found = compute(py, progress.as_ref(), move |watch| {
+            let plan = move |plan: &mut dam::studies::methods::Plan| {
+                plan.methods = chosen;
+                plan.repeats = repeats;
+                plan.point_limit = limit;
+                plan.steps = descending(steps);
+                if let Some(tolerances) = descending(tolerances) {
+                    plan.tolerances = tolerances;
+                }
+            };
+            methods::ask(scene, accuracy, plan, watch)
+        })?;
+        let columns = found.columns();
+        Ok(Answer::with_columns(found, columns))
+    }
+
+    #[pyo3(signature = (object, over, from_to, positions, speed, acceleration))]
+    #[allow(
+        clippy::too_many_arguments,
+        reason = "these are what a linkage is asked by; the stub names them"
+    )]
+    fn kinematics(
+        &self,
+        py: Python<'_>,
+        object: Option<String>,
+        over: Option<&str>,
+        from_to: Option<(f64, f64)>,
+        positions: usize,
+        speed: Option<f64>,
+        acceleration: Option<f64>,
+    ) -> PyResult<Answer> {
+        let question = linkage_question(object, over, from_to, positions, speed, acceleration);
+        let question = question.map_err(|error| fault::scene_error(py, &error))?;
+        let scene = self.asked();
+        let found = compute(py, None, move |_| linkages::kinematics(scene, &question))?;
+        let columns = found.columns();
+        Ok(Answer::with_columns(found, columns))
+    }
+
+    #[pyo3(signature = (object, over, from_to, positions, speed, acceleration))]
+    #[allow(
+        clippy::too_many_arguments,
+        reason = "these are what a linkage is asked by; the stub names them"
+    )]
+    fn forces(
+        &self,
+        py: Python<'_>,
+        object: Option<String>,
+        over: Option<&str>,
+        from_to: Option<(f64, f64)>,
+        positions: usize,
+        speed: Option<f64>,
+        acceleration: Option<f64>,
+    ) -> PyResult<Answer> {
+        let question = linkage_question(object, over, from_to, positions, speed, acceleration);
+        let question = question.map_err(|error| fault::scene_error(py, &error))?;
+        let scene = self.asked();
+        let found = compute(py, None, move |_| linkages::forces(scene, &question))?;
+        let columns = found.columns();
+        Ok(Answer::with_columns(found, columns))
+    }
+
+    #[pyo3(signature = (progress=None))]
+    fn steady(&self, py: Python<'_>, progress: Option<Py<PyAny>>) -> PyResult<Answer> {
+        let scene = self.asked();
+        let found = compute(py, progress.as_ref(), move |watch| {
+            steady::ask(scene, watch)
+        })?;
+        let columns = found.columns();
+        Ok(Answer::with_columns(found, columns))
+    }
+
+    #[pyo3(signature = (object, speed, pressure_angle, return_pressure_angle, roller_factor,
+        least_radius, reserve, reserve_is_force, tolerance, cutter))]
+    #[allow(
+        clippy::too_many_arguments,
+        reason = "these are what a cam is asked by; the stub names them"
+    )]
+    fn cam(
+        &self,
+        py: Python<'_>,
+        object: Option<String>,
+        speed: Option<String>,
+        pressure_angle: Option<String>,
+        return_pressure_angle: Option<String>,
+        roller_factor: f64,
+        least_radius: Option<String>,
+        reserve: String,
+        reserve_is_force: bool,
+        tolerance: Option<String>,
+        cutter: Option<String>,
+    ) -> PyResult<(Answer, String, String)> {
+        let any = Bounds::ANY;
+        let read = || -> Result<(CamQuestion, cam::Drawn), Error> {
+            let angle = |name: &str, text| quantity(name, text, q::ANGLE, any);
+            let length = |name: &str, text| quantity(name, text, q::LENGTH, any);
+            let forces = Wanted::either(q::FORCE, q::MOMENT);
+            let wanted = match reserve_is_force {
+                true => forces,
+                false => q::NUMBER.into(),
+            };
+            let left = quantity("reserve", Some(reserve), wanted, any)?.unwrap_or(0.0);
+            let question = CamQuestion {
+                object,
+                speed: quantity("speed", speed, q::ANGULAR_SPEED, any)?,
+                pressure_angle: angle("pressure_angle", pressure_angle)?,
+                return_pressure_angle: angle("return_pressure_angle", return_pressure_angle)?,
+                roller_factor,
+                least_radius: length("least_radius", least_radius)?.unwrap_or(0.0),
+                reserve: match reserve_is_force {
+                    true => Reserve::Force(left),
+                    false => Reserve::Share(left),
+                },
+            };
+            let drawn = cam::Drawn {
+                tolerance: length("tolerance", tolerance)?.unwrap_or(1e-6),
+                cutter: length("cutter", cutter)?,
+            };
+            Ok((question, drawn))
+        };
+        let (question, drawn) = read().map_err(|error| fault::scene_error(py, &error))?;
+        let scene = self.asked();
+        let (found, columns, dxf, svg) = compute(py, None, move |_| {
+            let (found, columns) = cam::ask(scene, question, drawn)?;
+            let (dxf, svg) = (found.dxf()?, found.svg()?);
+            Ok((found, columns, dxf, svg))
+        })?;
+        Ok((Answer::with_columns(found, columns), dxf, svg))
+    }
+
+    fn law(&self, py: Python<'_>, object: String, samples: usize) -> PyResult<Answer> {
+        sound_samples(samples)?;
+        let scene = self.asked();
+        let (found, columns) = compute(py, None, move |_| law::cycle(scene, object, samples))?;
+        Ok(Answer::with_columns(found, columns))
+    }
+
+    #[pyo3(signature = (progress=None))]
+    fn reduce(
+        &self,
+        py: Python<'_>,
+        progress: Option<Py<PyAny>>,
+    ) -> PyResult<(Answer, Self, bool)> {
+        let scene = self.asked();
+        let found = compute(py, progress.as_ref(), move |watch| {
+            reduce::ask(scene, watch)
+        })?;
+        let (left, holds) = (Self::of(found.scene()), found.holds());
+        let columns = crate::answer::Columns::default();
+        Ok((Answer::with_columns(found, columns), left, holds))
+    }
+}
+
+/// Answer, numbers of values up and along, figure and its unit, hash, verdicts.
+type MapAnswer = (
+    Answer,
+    (usize, usize),
+    (String, String),
+    String,
+    Vec<(String, String, Option<bool>)>,
+);
+
+fn tree_of(value: &serde_json::Value) -> dam::read::Node {
+    use serde_json::Value;
+    match value {
+        Value::Null => dam::read::Node::object(),
+        Value::Bool(flag) => (*flag).into(),
+        Value::Number(number) => number.as_f64().unwrap_or(f64::NAN).into(),
+        Value::String(text) => text.as_str().into(),
+        Value::Array(values) => values.iter().map(tree_of).collect::<Vec<_>>().into(),
+        Value::Object(members) => {
+            let mut tree = dam::read::Node::object();
+            for (name, value) in members {
+                tree.put(name, tree_of(value));
+            }
+            tree
+        }
+    }
+}
+
+fn sound_samples(samples: usize) -> PyResult<()> {
+    match (1..=1_000_000).contains(&samples) {
+        true => Ok(()),
+        false => Err(PyValueError::new_err(
+            "between 1 and 1000000 samples are taken",
+        )),
+    }
+}
+
+/// What is asked of a linkage.
+fn linkage_question(
+    object: Option<String>,
+    over: Option<&str>,
+    from_to: Option<(f64, f64)>,
+    positions: usize,
+    speed: Option<f64>,
+    acceleration: Option<f64>,
+) -> Result<Question, Error> {
+    let numbers = speed.iter().chain(&acceleration);
+    if !numbers
+        .chain(from_to.iter().flat_map(|(from, to)| [from, to]))
+        .all(|x| x.is_finite())
+    {
+        return Err(wrong("speeds, accelerations and places are finite numbers"));
+    }
+    if !(1..=linkages::MOST).contains(&positions) {
+        return Err(wrong(format!("between 1 and {} positions", linkages::MOST)));
+    }
+    let over = match (over, from_to) {
+        (None, None) => None,
+        (Some("turn"), None) => Some(Over::Turn),
+        (Some("range"), Some((from, to))) => Some(Over::Range { from, to }),
+        (Some("time"), Some((_, to))) => Some(Over::Time { to }),
+        _ => return Err(wrong("over what: a turn, a range or a time")),
+    };
+    Ok(Question {
+        object,
+        over,
+        positions,
+        speed,
+        acceleration,
+        ..Question::default()
+    })
+}
+
+/// A law by itself.
+#[pyfunction]
+pub(crate) fn law_of(
+    py: Python<'_>,
+    law: String,
+    run_up: bool,
+    samples: usize,
+) -> PyResult<Answer> {
+    sound_samples(samples)?;
+    let found = directly(py, || law::ask(&law, run_up, samples))?;
+    let columns = found.columns();
+    Ok(Answer::with_columns(found, columns))
+}
+
+/// The JSON Schema of scenes.
+#[pyfunction]
+pub(crate) fn schema(py: Python<'_>) -> PyResult<String> {
+    let kinds = dam::object::Registry::standard();
+    directly(py, || Ok(schema_text(&schema_of_kinds(&kinds))))
+}

@@ -1,0 +1,122 @@
+//! Kinematics and forces of linkages.
+
+use super::Asked;
+use crate::answer::{Columns, Told};
+use dam::model::Coordinate;
+use dam::report::findings::Findings;
+use dam::report::{forces as forces_report, kinematics as kinematics_report};
+use dam::studies::forces::{Course, ForceStudy};
+use dam::studies::kinematics::{Kinematics, Question, even_motion, linkage_of};
+use dam::{Error, Scene};
+use serde_json::Value;
+
+/// Most positions of a study.
+pub(crate) const MOST: usize = 1_000_000;
+
+/// How a linkage moves.
+pub(crate) struct Moved {
+    asked: Asked,
+    found: Kinematics,
+}
+
+/// How a linkage of a scene moves.
+///
+/// # Errors
+/// Everything that is wrong with the scene; what cannot be answered.
+pub(crate) fn kinematics(scene: Scene, question: &Question) -> Result<Moved, Error> {
+    let ready = scene.prepare()?;
+    let found = ready.kinematics(question)?;
+    let asked = Asked { scene, ready };
+    Ok(Moved { asked, found })
+}
+
+impl Moved {
+    pub(crate) fn columns(&self) -> Columns {
+        super::columns(&kinematics_report::rows(&self.found))
+    }
+}
+
+impl Told for Moved {
+    fn document(&self) -> Result<Value, Error> {
+        let (name, hash) = (self.asked.name(), self.asked.hash());
+        Ok(kinematics_report::document(name, hash, &self.found))
+    }
+
+    fn tell<T>(&self, to: impl FnOnce(&Findings<'_>) -> T) -> Result<T, Error> {
+        let (name, source) = (self.asked.name(), self.asked.source());
+        Ok(to(&kinematics_report::findings(name, &self.found, source)))
+    }
+}
+
+/// What a linkage carries.
+pub(crate) struct Carried {
+    asked: Asked,
+    object: String,
+    motion: String,
+    warnings: Vec<String>,
+    found: ForceStudy,
+}
+
+/// Which forces a linkage of a scene carries.
+///
+/// # Errors
+/// Everything that is wrong with the scene; what cannot be answered.
+pub(crate) fn forces(scene: Scene, question: &Question) -> Result<Carried, Error> {
+    let ready = scene.prepare()?;
+    let found = ready.forces(question)?;
+    let model = ready.model();
+    let fault = |what| Error::from(vec![dam::fault::Fault::new("", what, "")]);
+    let body = linkage_of(model, question.object.as_deref()).map_err(fault)?;
+    let part = &model.objects[body.object];
+    let unit = match part.coordinate {
+        Coordinate::Turning => "rad",
+        Coordinate::Sliding => "m",
+    };
+    let motion = match &found.course {
+        Course::Instants { .. } => "motion of the scene's drive".to_owned(),
+        Course::Even {
+            speed,
+            acceleration,
+            ..
+        } => even_motion([*speed, *acceleration], unit),
+    };
+    let (object, warnings) = (part.id.clone(), found.warnings());
+    Ok(Carried {
+        asked: Asked { scene, ready },
+        object,
+        motion,
+        warnings,
+        found,
+    })
+}
+
+impl Carried {
+    pub(crate) fn columns(&self) -> Columns {
+        super::columns(&forces_report::rows(&self.found))
+    }
+
+    fn report(&self) -> forces_report::ForcesReport<'_> {
+        forces_report::ForcesReport {
+            study: &self.found,
+            warnings: &self.warnings,
+            massless: None,
+            object: &self.object,
+            motion: &self.motion,
+            name: self.asked.name(),
+            hash: self.asked.hash(),
+        }
+    }
+}
+
+impl Told for Carried {
+    fn document(&self) -> Result<Value, Error> {
+        Ok(forces_report::document(&self.report()))
+    }
+
+    fn tell<T>(&self, to: impl FnOnce(&Findings<'_>) -> T) -> Result<T, Error> {
+        Ok(to(&forces_report::findings(
+            &self.report(),
+            self.asked.source(),
+        )))
+    }
+}

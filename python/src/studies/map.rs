@@ -1,0 +1,188 @@
+//! Maps.
+
+use super::interrupted;
+use crate::answer::{Found, Table};
+use crate::work::Watch;
+use dam::ask::MapQuestion;
+use dam::report::map::{MapReport, document, page, text};
+use dam::report::verdict::Verdict;
+use dam::studies::axis::Axis;
+use dam::studies::map::{Cell, Listener, MapResult, map};
+use dam::{Error, Scene};
+use serde_json::Value;
+use std::collections::BTreeMap;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// A map with its question.
+pub(crate) struct Mapped {
+    scene: Scene,
+    question: MapQuestion,
+    result: MapResult,
+    /// Numbers of values along and up.
+    pub(crate) shape: (usize, usize),
+    /// Address and unit of the figure.
+    pub(crate) figure: (String, String),
+    /// Hash of all that the values depend on.
+    pub(crate) hash: String,
+    columns: [Vec<f64>; 4],
+}
+
+/// What is asked.
+#[derive(Debug)]
+pub(crate) struct Wanted {
+    pub(crate) x: Axis,
+    pub(crate) y: Option<Axis>,
+    pub(crate) figure: Option<String>,
+    pub(crate) check: bool,
+    pub(crate) digits: u8,
+    pub(crate) threads: Option<usize>,
+}
+
+impl Wanted {
+    fn question(self, scene: &Scene) -> MapQuestion {
+        let mut question = scene.map(self.x).digits(self.digits);
+        if let Some(y) = self.y {
+            question = question.up(y);
+        }
+        if let Some(figure) = &self.figure {
+            question = question.figure_at(figure);
+        }
+        if !self.check {
+            question = question.unchecked();
+        }
+        if let Some(threads) = self.threads {
+            question = question.threads(threads);
+        }
+        question
+    }
+}
+
+/// Works a map out.
+///
+/// # Errors
+/// The scene is wrong at every point tried beforehand, or the question is.
+pub(crate) fn ask(scene: Scene, wanted: Wanted, watch: &Watch) -> Result<Mapped, Error> {
+    let threads = wanted.threads;
+    let question = wanted.question(&scene);
+    let (result, shape, figure, hash, columns) = question.studied(|study| {
+        let cells = study.cells() as f64;
+        let counter = Counter {
+            watch,
+            done: AtomicUsize::new(0),
+            cells,
+        };
+        let budget = watch.budget();
+        let found = map(study, BTreeMap::new(), threads, &budget, &counter);
+        let found =
+            found.map_err(|what| Error::from(vec![dam::fault::Fault::new("", what, "")]))?;
+        if !found.complete {
+            return Err(interrupted("the map"));
+        }
+        let x = study.x.values();
+        let y = study.y.as_ref().map(Axis::values).unwrap_or_default();
+        let columns = columns(&found, &x, &y);
+        let figure = (study.figure.clone(), study.unit.clone());
+        let shape = (y.len(), x.len());
+        Ok((found, shape, figure, study.hash.clone(), columns))
+    })?;
+    Ok(Mapped {
+        scene,
+        question,
+        result,
+        shape,
+        figure,
+        hash,
+        columns,
+    })
+}
+
+/// Along, up, value, how far it moves: a row a cell.
+fn columns(result: &MapResult, x: &[f64], y: &[f64]) -> [Vec<f64>; 4] {
+    let mut columns: [Vec<f64>; 4] = Default::default();
+    let cells = result.panels.iter().flatten();
+    for (index, cell) in cells.enumerate() {
+        let cell = cell.as_ref();
+        let up = y.get(index / x.len().max(1)).copied();
+        let value = |number: Option<f64>| number.unwrap_or(f64::NAN);
+        let along = x.get(index % x.len().max(1)).copied();
+        columns[0].push(value(along));
+        columns[1].push(value(up));
+        columns[2].push(value(cell.and_then(|cell| cell.value)));
+        columns[3].push(value(cell.and_then(|cell| cell.moved)));
+    }
+    columns
+}
+
+/// Counts the cells that are done.
+struct Counter<'w> {
+    watch: &'w Watch,
+    done: AtomicUsize,
+    cells: f64,
+}
+
+impl Listener for Counter<'_> {
+    fn cell(&self) {
+        let done = self.done.fetch_add(1, Ordering::Relaxed) + 1;
+        self.watch.at(done as f64 / self.cells);
+    }
+}
+
+impl Mapped {
+    /// Verdict and cause of every cell, and whether its value is determined.
+    pub(crate) fn verdicts(&self) -> Vec<(String, String, Option<bool>)> {
+        let cells = self.result.panels.iter().flatten().flatten();
+        let told = cells.map(|cell: &Cell| {
+            let verdict = super::plain(&cell.verdict).unwrap_or_default();
+            let verdict = verdict.as_str().unwrap_or_default().to_owned();
+            (verdict, cell.cause.clone(), cell.determined)
+        });
+        told.collect()
+    }
+}
+
+impl Table for Mapped {
+    fn heads(&self) -> Vec<(String, String)> {
+        let head = |name: &str, unit: &str| (name.to_owned(), unit.to_owned());
+        vec![
+            head("x", ""),
+            head("y", ""),
+            head("value", &self.figure.1),
+            head("moved", ""),
+        ]
+    }
+
+    fn values(&self, index: usize) -> &[f64] {
+        &self.columns[index]
+    }
+}
+
+impl Found for Mapped {
+    fn document(&self) -> Result<Value, Error> {
+        self.question
+            .studied(|study| Ok(document(study, &self.result)))
+    }
+
+    fn text(&self, _: Option<usize>) -> Result<String, Error> {
+        self.question.studied(|study| Ok(text(study, &self.result)))
+    }
+
+    fn page(&self) -> Result<String, Error> {
+        self.question.studied(|study| {
+            Ok(page(&MapReport {
+                study,
+                result: &self.result,
+                command: &[],
+                scene: self.scene.json(),
+                version: env!("CARGO_PKG_VERSION"),
+            }))
+        })
+    }
+
+    fn answer(&self) -> Result<Option<Verdict>, Error> {
+        Ok(None)
+    }
+
+    fn warnings(&self) -> Result<Vec<String>, Error> {
+        Ok(Vec::new())
+    }
+}

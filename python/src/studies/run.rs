@@ -1,0 +1,155 @@
+//! Runs.
+
+use super::{Asked, interrupted, plain};
+use crate::answer::{Figure, Found, Table};
+use crate::work::Watch;
+use dam::ask::Judging;
+use dam::integrate::{Modes, Sink, SwitchEvent};
+use dam::polynomial::Step;
+use dam::report::accuracy;
+use dam::report::diagram::Diagram;
+use dam::report::html::{RunReport, page};
+use dam::report::machine::Machine;
+use dam::report::verdict::{Verdict, verdict};
+use dam::studies::cam::disc_cams;
+use dam::studies::run::{RunResult, run};
+use dam::{Error, Mechanism, Scene};
+use serde_json::Value;
+
+/// A run with all that was asked.
+pub(crate) struct Run {
+    asked: Asked,
+    result: RunResult,
+}
+
+/// Runs a scene.
+///
+/// # Errors
+/// Everything that is wrong with it.
+pub(crate) fn ask(scene: Scene, watch: &Watch) -> Result<Run, Error> {
+    let budget = watch.budget();
+    let ready = Mechanism::of_within(scene.decode()?, Judging::Asked, &budget)?;
+    let asked = Asked { scene, ready };
+    let result = within(&asked.ready, watch, (0.0, 1.0))?;
+    Ok(Run { asked, result })
+}
+
+/// A run that is told of, as a part `from` … `to` of the whole.
+pub(crate) fn within(
+    ready: &Mechanism,
+    watch: &Watch,
+    (from, to): (f64, f64),
+) -> Result<RunResult, Error> {
+    let mut teller = Teller {
+        watch,
+        from,
+        scale: (to - from) / ready.settings.duration,
+    };
+    let sinks: &mut [&mut dyn Sink] = &mut [&mut teller];
+    let found = run(&ready.system, &ready.settings, &watch.budget(), sinks);
+    let result = found.map_err(|faults| Error::from(ready.reading.places.diagnose(&faults)))?;
+    match watch.budget().is_interrupted() {
+        true => Err(interrupted("the run")),
+        false => Ok(result),
+    }
+}
+
+/// Says how far a run is.
+struct Teller<'w> {
+    watch: &'w Watch,
+    from: f64,
+    scale: f64,
+}
+
+impl Sink for Teller<'_> {
+    fn start(&mut self, _time: f64, _y: &[f64], _modes: &Modes) {}
+
+    fn step(&mut self, step: &Step<'_>, _modes: &Modes) {
+        self.watch.at(self.from + self.scale * step.end_time());
+    }
+
+    fn switch(&mut self, _event: &SwitchEvent<'_>) {}
+
+    fn passes(&mut self, time: f64, _switches: u64) {
+        self.watch.at(self.from + self.scale * time);
+    }
+
+    fn looks_within(&self, _until: f64) -> bool {
+        false
+    }
+}
+
+impl Run {
+    /// What each column of the record is of: object and quantity.
+    pub(crate) fn is_trusted(&self) -> bool {
+        self.result.is_trusted()
+    }
+}
+
+impl Table for Run {
+    fn heads(&self) -> Vec<(String, String)> {
+        let columns = self.result.record.columns.iter();
+        let heads = columns.map(|column| {
+            let name = format!("{}.{}", column.object, column.quantity);
+            (name, column.unit.to_owned())
+        });
+        let time = ("time".to_owned(), "s".to_owned());
+        std::iter::once(time).chain(heads).collect()
+    }
+
+    fn values(&self, index: usize) -> &[f64] {
+        let record = &self.result.record;
+        match index.checked_sub(1) {
+            None => &record.times,
+            Some(index) => &record.columns[index].values,
+        }
+    }
+}
+
+impl Found for Run {
+    fn document(&self) -> Result<Value, Error> {
+        let mut document = plain(&self.result.figures)?;
+        if let Some(certificate) = &self.asked.ready.certificate {
+            accuracy::add_to(&mut document, certificate);
+        }
+        Ok(document)
+    }
+
+    fn text(&self, _: Option<usize>) -> Result<String, Error> {
+        let Verdict { headline, text, .. } = verdict(&self.result.figures);
+        let certificate = self.asked.ready.certificate.as_ref();
+        let accuracy = certificate.map_or(String::new(), accuracy::text);
+        Ok(format!(
+            "{}\n{headline}. {text}\n{accuracy}",
+            self.asked.name()
+        ))
+    }
+
+    fn page(&self) -> Result<String, Error> {
+        let model = self.asked.ready.model();
+        let cams = disc_cams(self.asked.ready.scene(), model);
+        Ok(page(&RunReport {
+            figures: &self.result.figures,
+            record: &self.result.record,
+            diagram: &Diagram::of(model),
+            machine: Some(Machine { model, cams: &cams }),
+            certificate: self.asked.ready.certificate.as_ref(),
+            scene: self.asked.scene.json(),
+            version: env!("CARGO_PKG_VERSION"),
+        }))
+    }
+
+    fn answer(&self) -> Result<Option<Verdict>, Error> {
+        Ok(Some(verdict(&self.result.figures)))
+    }
+
+    fn warnings(&self) -> Result<Vec<String>, Error> {
+        let mut lines = self.asked.ready.reading.warnings.lines();
+        lines.extend(self.result.figures.warnings.iter().cloned());
+        Ok(lines)
+    }
+
+    fn figures(&self) -> Vec<Figure> {
+        super::figures(&self.result.figures, self.asked.ready.certificate.as_ref())
+    }
+}

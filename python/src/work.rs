@@ -1,0 +1,250 @@
+//! Computing without the interpreter: a question is worked out on a thread of its own
+//! while the calling one, without the interpreter's lock, waits for it, hears signals and
+//! tells how far it is.
+
+use crate::fault;
+use dam::budget::Budget;
+use pyo3::prelude::*;
+use std::any::Any;
+use std::cell::RefCell;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::{Duration, Instant};
+
+/// Time between two looks at signals and progress.
+const LOOK: Duration = Duration::from_millis(20);
+
+/// How long a computation that is to end may take to do so; after that it is left to
+/// itself.
+const GRACE: Duration = Duration::from_millis(40);
+
+/// Stack of the thread that computes: as much as a program's first thread has.
+const STACK: usize = 8 << 20;
+
+/// How far a computation is, whether it is to end, and what a Python function that it
+/// calls has raised.
+#[derive(Debug, Default)]
+pub(crate) struct Watch {
+    stop: AtomicBool,
+    share: AtomicU64,
+    raised: Mutex<Option<PyErr>>,
+}
+
+impl Watch {
+    /// The budget that ends with it.
+    pub(crate) fn budget(&self) -> Budget<'_> {
+        Budget::interrupted_by(&self.stop)
+    }
+
+    /// Says which share is done.
+    pub(crate) fn at(&self, share: f64) {
+        self.share.store(share.to_bits(), Ordering::Relaxed);
+    }
+
+    fn share(&self) -> f64 {
+        f64::from_bits(self.share.load(Ordering::Relaxed))
+    }
+
+    pub(crate) fn end(&self) {
+        self.stop.store(true, Ordering::Relaxed);
+    }
+
+    /// A Python function has raised: the computation ends. The first exception stays.
+    pub(crate) fn raise(&self, error: PyErr) {
+        let mut raised = self.raised.lock().unwrap_or_else(PoisonError::into_inner);
+        raised.get_or_insert(error);
+        self.end();
+    }
+
+    fn raised(&self) -> Option<PyErr> {
+        let mut raised = self.raised.lock().unwrap_or_else(PoisonError::into_inner);
+        raised.take()
+    }
+}
+
+thread_local! {
+    /// What is computed on this thread, for the Python functions that it calls.
+    static WATCHED: RefCell<Option<Arc<Watch>>> = const { RefCell::new(None) };
+    /// The thread that computes for this one.
+    static WORKER: RefCell<Option<Worker>> = const { RefCell::new(None) };
+}
+
+/// The computation that this thread is at, if it is.
+pub(crate) fn watched() -> Option<Arc<Watch>> {
+    WATCHED.with_borrow(Clone::clone)
+}
+
+/// For as long as it lives, this thread is at a computation.
+pub(crate) struct At(Option<Arc<Watch>>);
+
+impl At {
+    pub(crate) fn new(watch: &Arc<Watch>) -> Self {
+        Self(WATCHED.replace(Some(Arc::clone(watch))))
+    }
+}
+
+impl Drop for At {
+    fn drop(&mut self) {
+        WATCHED.set(self.0.take());
+    }
+}
+
+type Job = Box<dyn FnOnce() + Send>;
+
+/// A thread that waits for work; it ends when nobody holds this.
+struct Worker {
+    jobs: Sender<Job>,
+    /// A child of `fork` has none of the threads of its parent.
+    process: u32,
+}
+
+impl Worker {
+    fn start() -> std::io::Result<Self> {
+        let (jobs, work) = channel::<Job>();
+        std::thread::Builder::new()
+            .name("dam".to_owned())
+            .stack_size(STACK)
+            .spawn(move || {
+                while let Ok(job) = work.recv() {
+                    job();
+                }
+            })?;
+        Ok(Self {
+            jobs,
+            process: std::process::id(),
+        })
+    }
+}
+
+/// Gives work to the thread of the calling one, a new one where there is none.
+fn hand_over(job: Job) -> std::io::Result<Worker> {
+    let known = WORKER.take();
+    let worker = match known {
+        Some(worker) if worker.process == std::process::id() => worker,
+        Some(foreign) => {
+            // Its channel may have been in use when the process was forked.
+            std::mem::forget(foreign);
+            Worker::start()?
+        }
+        None => Worker::start()?,
+    };
+    match worker.jobs.send(job) {
+        Ok(()) => Ok(worker),
+        Err(_) => Err(std::io::Error::other("the thread that computes has ended")),
+    }
+}
+
+/// Works a question out. `progress` is called now and then, and at the end, with the share
+/// that is done.
+///
+/// # Errors
+/// What the question says is wrong, what a signal handler or `progress` raises,
+/// `InternalError` for a panic.
+pub(crate) fn compute<T: Send + 'static>(
+    py: Python<'_>,
+    progress: Option<&Py<PyAny>>,
+    question: impl FnOnce(&Watch) -> Result<T, dam::Error> + Send + 'static,
+) -> PyResult<T> {
+    let watch = Arc::new(Watch::default());
+    let (answer, found) = channel();
+    let watched = Arc::clone(&watch);
+    let job = move || {
+        let at = At::new(&watched);
+        let outcome = catch_unwind(AssertUnwindSafe(|| question(&watched)));
+        drop(at);
+        // Nobody may be waiting any more.
+        let _ = answer.send(outcome);
+    };
+    let worker = hand_over(Box::new(job))?;
+    let outcome = wait(py, &watch, found, progress);
+    if let Some(outcome) = outcome? {
+        // A thread that is still at work for nobody is not given more.
+        WORKER.set(Some(worker));
+        if let Some(error) = watch.raised() {
+            return Err(error);
+        }
+        return match outcome {
+            Ok(found) => {
+                if let Some(progress) = progress {
+                    progress.call1(py, (1.0,))?;
+                }
+                found.map_err(|error| fault::scene_error(py, &error))
+            }
+            Err(panic) => Err(fault::internal(py, &words(&*panic))),
+        };
+    }
+    Err(fault::internal(py, "the thread that computes has ended"))
+}
+
+type Outcome<T> = std::thread::Result<Result<T, dam::Error>>;
+
+/// Waits for the answer, with an ear for signals.
+fn wait<T: Send>(
+    py: Python<'_>,
+    watch: &Watch,
+    found: Receiver<Outcome<T>>,
+    progress: Option<&Py<PyAny>>,
+) -> PyResult<Option<Outcome<T>>> {
+    let found = Mutex::new(found);
+    let receive = |time: Duration| {
+        let found = found.lock().unwrap_or_else(PoisonError::into_inner);
+        found.recv_timeout(time)
+    };
+    let mut told = 0.0;
+    loop {
+        match py.detach(|| receive(LOOK)) {
+            Ok(outcome) => return Ok(Some(outcome)),
+            Err(RecvTimeoutError::Disconnected) => return Ok(None),
+            Err(RecvTimeoutError::Timeout) => {}
+        }
+        let mut heard = py.check_signals();
+        let share = watch.share();
+        if let (Ok(()), Some(progress), true) = (&heard, progress, share > told) {
+            told = share;
+            heard = progress.call1(py, (share,)).map(drop);
+        }
+        if let Err(error) = heard {
+            watch.end();
+            let begun = Instant::now();
+            py.detach(|| {
+                while begun.elapsed() < GRACE {
+                    if !matches!(receive(LOOK), Err(RecvTimeoutError::Timeout)) {
+                        break;
+                    }
+                }
+            });
+            return Err(error);
+        }
+    }
+}
+
+/// What a panic says.
+fn words(panic: &(dyn Any + Send)) -> String {
+    let text = panic.downcast_ref::<&str>().map(|text| (*text).to_owned());
+    let text = text.or_else(|| panic.downcast_ref::<String>().cloned());
+    text.unwrap_or_else(|| "an unknown panic".to_owned())
+}
+
+/// What needs no thread of its own: short, without a look at signals.
+///
+/// # Errors
+/// As of [`compute`].
+pub(crate) fn directly<T: Send>(
+    py: Python<'_>,
+    question: impl FnOnce() -> Result<T, dam::Error> + Send,
+) -> PyResult<T> {
+    let watch = Arc::new(Watch::default());
+    let outcome = py.detach(|| {
+        let _at = At::new(&watch);
+        catch_unwind(AssertUnwindSafe(question))
+    });
+    if let Some(error) = watch.raised() {
+        return Err(error);
+    }
+    match outcome {
+        Ok(found) => found.map_err(|error| fault::scene_error(py, &error)),
+        Err(panic) => Err(fault::internal(py, &words(&*panic))),
+    }
+}

@@ -1,0 +1,148 @@
+"""Every study but runs: what it finds is what is known otherwise."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import numpy
+import pytest
+
+import dam
+from dam import answers
+
+
+def test_a_map_is_runs_at_its_points(rocker: dam.Scene) -> None:
+    scene = rocker.set("run.duration", 0.1)
+    x = ("rocker.inertia", 0.05, 1.0, 3)
+    y = ("rocker.stiffness", 1e6, 1e8, 2, "log")
+    found = scene.map(x, y, figure="rocker.delta_max", threads=2)
+    assert found.shape == (2, 3) and found.figure == "rocker.delta_max" and found.unit == "rad"
+    assert found.x == pytest.approx([0.05, 0.525, 1.0])
+    assert found.y == pytest.approx([1e6, 1e8])
+    alone = scene.set("rocker.inertia", 0.05).set("rocker.stiffness", 1e6).run()
+    assert found.values[0, 0] == pytest.approx(alone.figures["rocker.delta_max"], rel=1e-9)
+    assert found.verdicts[:2] == ["in_working_order", "thrown_off"]
+    assert len(found.causes) == 6
+    one = scene.map(x, y, figure="rocker.delta_max", threads=1)
+    assert (one.values == found.values).all() and one.hash == found.hash
+    assert "svg" in found.page() and "rocker" in found.text()
+
+
+def test_a_map_as_a_data_set(rocker: dam.Scene) -> None:
+    pytest.importorskip("xarray")
+    scene = rocker.set("run.duration", 0.05)
+    both = scene.map("rocker.inertia=0.05:0.1:2", "rocker.stiffness=1e6:1e7:3").to_xarray()
+    assert both["value"].dims == ("rocker.stiffness", "rocker.inertia")
+    assert both["verdict"].shape == (3, 2) and both["value"].attrs["units"] == "rad"
+    curve = scene.map("rocker.inertia=0.05:0.1:2").to_xarray()
+    assert curve["value"].dims == ("rocker.inertia",) and curve["cause"].shape == (2,)
+
+
+def test_progress_rises_to_one(rocker: dam.Scene) -> None:
+    told: list[float] = []
+    rocker.map("rocker.inertia=0.05:1:12", progress=told.append)
+    assert told == sorted(told) and told[-1] == 1.0
+    assert all(0.0 < share <= 1.0 for share in told)
+
+
+def test_tqdm_is_told(rocker: dam.Scene) -> None:
+    tqdm = pytest.importorskip("tqdm")
+    with tqdm.tqdm(total=1.0, disable=False, file=open("/dev/null", "w")) as bar:
+        rocker.run(progress=bar)
+        assert bar.n == pytest.approx(1.0)
+
+
+def test_what_progress_raises_ends_the_computation(rocker: dam.Scene) -> None:
+    def fail(share: float) -> None:
+        raise LookupError("enough")
+
+    with pytest.raises(LookupError, match="enough"):
+        rocker.set("run.duration", 50.0).set("run.method", "dop853").run(progress=fail)
+
+
+def test_a_comparison_has_a_row_a_run(rocker: dam.Scene) -> None:
+    scene = rocker.set("run.duration", 0.1)
+    found = scene.compare("rocker.masses", [1, 2, 5])
+    delta = found.record["rocker.delta_abs"]
+    assert len(delta) == 3
+    for masses, value in zip((1, 2, 5), delta):
+        run = scene.set("rocker.masses", masses).run()
+        assert value == run.figures["rocker.delta_abs"]
+    assert "rocker.masses" in found.page()
+    with pytest.raises(dam.SceneError):
+        scene.compare("rocker.masses", [])
+
+
+def test_methods_are_measured(rocker: dam.Scene) -> None:
+    scene = rocker.set("run.duration", 0.02)
+    found = scene.methods(
+        methods=["exact", "dop853"], tolerances=[1e-4, 1e-8], repeats=1, accuracy=1e-3
+    )
+    assert found.recommended in ("exact", "dop853")
+    assert len(found.record["error"]) >= 2
+    assert "Error against time" in found.page()
+    with pytest.raises(dam.SceneError, match="no method `euler`"):
+        scene.methods(methods=["euler"])
+
+
+def test_a_linkage_moves_and_carries(scenarios: Path) -> None:
+    scene = dam.load(scenarios / "linkages" / "slider_crank_spring.json")
+    moved = scene.kinematics(positions=72)
+    assert len(moved.record) == 73
+    assert moved.record.index is not None
+    carried = scene.forces(positions=72, speed=30.0)
+    assert len(carried.record) in (72, 73)
+    assert "Driving force" in carried.text()
+    with pytest.raises(TypeError):
+        scene.kinematics(turn=True, time=1.0)
+    with pytest.raises(dam.SceneError):
+        scene.kinematics("nothing")
+
+
+def test_a_steady_motion_closes(scenarios: Path) -> None:
+    found = dam.load(scenarios / "steady" / "engine.json").steady()
+    speed = found.record["omega"]
+    assert speed[0] == pytest.approx(speed[-1], rel=1e-9)
+    assert "fluctuates" in repr(found)
+
+
+def test_a_cam_has_its_profile(scenarios: Path) -> None:
+    scene = dam.load(scenarios / "cams" / "flat_tappet.json")
+    found = scene.cam(speed="3000 rpm", reserve="50 N")
+    phi = found.record["phi"]
+    assert phi[-1] == pytest.approx(math.tau)
+    assert found.dxf.startswith("  0") or "SECTION" in found.dxf
+    assert found.svg.lstrip().startswith("<svg")
+    followed = scene.law("valve", samples=90)
+    assert len(followed.record["phi"]) >= 91
+    with pytest.raises(dam.SceneError, match="tolerance"):
+        scene.cam(tolerance=-1.0)
+
+
+def test_a_law_has_its_constants() -> None:
+    found = dam.law("3-4-5", samples=200)
+    tau, theta = found.record["tau"], found.record["theta"]
+    assert theta == pytest.approx(10 * tau**3 - 15 * tau**4 + 6 * tau**5, abs=1e-12)
+    with pytest.raises(dam.SceneError):
+        dam.law("4-5")
+    with pytest.raises(ValueError):
+        dam.law("3-4-5", samples=0)
+
+
+def test_a_reduced_scene_keeps_its_figures(scenarios: Path) -> None:
+    scene = dam.load(scenarios / "rocker" / "ten_masses_closed.json")
+    found = scene.set("run.accuracy", "1 %").reduce()
+    assert isinstance(found, answers.Reduction) and found.holds
+    delta = scene.run().figures["rocker.delta_abs"]
+    left = found.scene.run().figures["rocker.delta_abs"]
+    assert left == pytest.approx(delta, rel=0.02)
+
+
+def test_every_answer_has_all_its_forms(rocker: dam.Scene) -> None:
+    for found in (rocker.run(), dam.law("harmonic"), rocker.compare("rocker.masses", [1, 2])):
+        assert isinstance(found.document, dict) and found.document["dam"] == 1
+        assert isinstance(found.text(60), str) and isinstance(found.warnings, list)
+        assert "<html" in found.page()
+        for name in found.record:
+            assert isinstance(found.record[name], numpy.ndarray)

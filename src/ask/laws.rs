@@ -1,0 +1,70 @@
+//! Laws of motion, by themselves and in a scene.
+
+use super::Mechanism;
+use crate::Error;
+use crate::dynamics::model::{Coordinate, NodeMotion};
+use crate::kinematics::position::Position;
+use crate::studies::cycle::{CycleFigures, cycle};
+
+/// The whole cycle of what an object follows.
+#[derive(Clone, Debug)]
+pub struct FollowedCycle<'m> {
+    /// The object's id.
+    pub object: &'m str,
+    /// Its position function.
+    pub position: &'m Position,
+    /// What multiplies it.
+    pub lever: f64,
+    /// Units of its displacement and of its driver's.
+    pub units: [&'static str; 2],
+    /// Joints, extremes, shocks.
+    pub figures: CycleFigures,
+}
+
+impl Mechanism {
+    /// The whole cycle of the cam or plan that an object follows: joints, extremes, shocks.
+    ///
+    /// ```
+    /// # use dam::prelude::*;
+    /// let scene = Scene::read("scenarios/cams/flat_tappet.json")?.prepare()?;
+    /// let valve = scene.law_cycle("valve")?;
+    /// assert_eq!(valve.units, ["m", "rad"]);
+    /// # Ok::<(), Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// There is no such object; it follows no law, or several inputs.
+    pub fn law_cycle(&self, object: &str) -> Result<FollowedCycle<'_>, Error> {
+        let model = self.model();
+        let wrong = |what: &str| Error::question(format!("`{object}`: {what}"));
+        let part = model.objects.iter().find(|part| part.id == object);
+        let Some(part) = part else {
+            let known: Vec<&str> = model.objects.iter().map(|part| part.id.as_str()).collect();
+            return Err(Error::unknown("object", object, &known));
+        };
+        if part.is_drive() {
+            return Err(wrong("a drive follows no law"));
+        }
+        let driver = part.driver();
+        let driver = driver.ok_or_else(|| wrong("it follows several inputs, not one"))?;
+        let law = match &model.nodes[part.nodes[0]].motion {
+            NodeMotion::Mass { law } | NodeMotion::Rigid { law } => law,
+            _ => return Err(wrong("it follows no law")),
+        };
+        let figures = cycle(&law.position, law.lever).map_err(|message| wrong(&message))?;
+        let unit = |coordinate: Coordinate| match coordinate {
+            Coordinate::Turning => "rad",
+            Coordinate::Sliding => "m",
+        };
+        Ok(FollowedCycle {
+            object: &part.id,
+            position: &law.position,
+            lever: law.lever,
+            units: [
+                unit(part.coordinate),
+                unit(model.objects[driver].coordinate),
+            ],
+            figures,
+        })
+    }
+}
