@@ -38,9 +38,9 @@ __all__ = [
 Json = Union[None, bool, int, float, str, list["Json"], dict[str, "Json"]]
 """A JSON document."""
 
-Kind = Literal["value", "estimate", "no_limit", "not_determined"]
+Kind = Literal["value", "bound", "estimate", "no_limit", "not_determined"]
 """How sure the error of a figure is: of a `value` it was not judged (see `run.accuracy`),
-an `estimate` is read off how the figure settles as the model is refined, and the others say
+nothing that the model leaves out can change it by more than a `bound`, an `estimate` is read off how the figure settles as the model is refined, and the others say
 that it does not settle."""
 
 
@@ -350,6 +350,8 @@ class Answer:
 
 
 def _kind(kind: str) -> Kind:
+    if kind == "bound":
+        return "bound"
     if kind == "estimate":
         return "estimate"
     if kind == "no_limit":

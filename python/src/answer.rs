@@ -124,7 +124,7 @@ type Words = (&'static str, String, String);
 
 fn words(verdict: Verdict) -> Words {
     let sort = match verdict.sort {
-        Sort::Good => "good",
+        Sort::Good | Sort::Recommended => "good",
         Sort::Mechanism => "mechanism",
         Sort::Numerical => "numerical",
         Sort::Unfinished => "unfinished",

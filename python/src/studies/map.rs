@@ -1,11 +1,11 @@
 //! Maps.
 
 use super::interrupted;
-use crate::answer::{Found, Table};
+use crate::answer::{Table, Told};
 use crate::work::Watch;
 use dam::ask::MapQuestion;
-use dam::report::map::{MapReport, document, page, text};
-use dam::report::verdict::Verdict;
+use dam::report::findings::{Findings, Source};
+use dam::report::map::{document, findings};
 use dam::studies::axis::Axis;
 use dam::studies::map::{Cell, Listener, MapResult, map};
 use dam::{Error, Scene};
@@ -156,33 +156,19 @@ impl Table for Mapped {
     }
 }
 
-impl Found for Mapped {
+impl Told for Mapped {
     fn document(&self) -> Result<Value, Error> {
         self.question
             .studied(|study| Ok(document(study, &self.result)))
     }
 
-    fn text(&self, _: Option<usize>) -> Result<String, Error> {
-        self.question.studied(|study| Ok(text(study, &self.result)))
-    }
-
-    fn page(&self) -> Result<String, Error> {
+    fn tell<T>(&self, to: impl FnOnce(&Findings<'_>) -> T) -> Result<T, Error> {
         self.question.studied(|study| {
-            Ok(page(&MapReport {
-                study,
-                result: &self.result,
-                command: &[],
-                scene: self.scene.json(),
-                version: env!("CARGO_PKG_VERSION"),
-            }))
+            let source = Source {
+                hashed: "the study",
+                ..Source::scene(self.scene.json(), &study.hash)
+            };
+            Ok(to(&findings(study, &self.result, &[], Vec::new(), source)))
         })
-    }
-
-    fn answer(&self) -> Result<Option<Verdict>, Error> {
-        Ok(None)
-    }
-
-    fn warnings(&self) -> Result<Vec<String>, Error> {
-        Ok(Vec::new())
     }
 }

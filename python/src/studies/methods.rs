@@ -1,11 +1,11 @@
 //! Methods of integration beside each other.
 
 use super::{Asked, interrupted, plain};
-use crate::answer::{Columns, Found};
+use crate::answer::{Columns, Told};
 use crate::work::Watch;
 use dam::report::diagram::Diagram;
-use dam::report::methods::{MethodsReport, page};
-use dam::report::verdict::{Sort, Verdict};
+use dam::report::findings::Findings;
+use dam::report::methods::findings;
 use dam::studies::methods::{Plan, Study};
 use dam::{Error, Scene};
 use serde_json::Value;
@@ -60,43 +60,13 @@ impl Studied {
     }
 }
 
-impl Found for Studied {
+impl Told for Studied {
     fn document(&self) -> Result<Value, Error> {
         plain(&self.found)
     }
 
-    fn text(&self, _: Option<usize>) -> Result<String, Error> {
-        Ok(format!(
-            "{}\n{}\n",
-            self.asked.name(),
-            self.found.recommendation.text
-        ))
-    }
-
-    fn page(&self) -> Result<String, Error> {
-        let report = MethodsReport {
-            title: self.asked.name(),
-            diagram: &Diagram::of(self.asked.ready.model()),
-            scene: self.asked.scene.json(),
-            version: env!("CARGO_PKG_VERSION"),
-        };
-        Ok(page(&report, &self.found))
-    }
-
-    fn answer(&self) -> Result<Option<Verdict>, Error> {
-        let recommended = &self.found.recommendation;
-        let (sort, headline) = match &recommended.method {
-            Some(method) => (Sort::Good, method.clone()),
-            None => (Sort::Numerical, "No method".to_owned()),
-        };
-        Ok(Some(Verdict {
-            sort,
-            headline,
-            text: recommended.text.clone(),
-        }))
-    }
-
-    fn warnings(&self) -> Result<Vec<String>, Error> {
-        Ok(Vec::new())
+    fn tell<T>(&self, to: impl FnOnce(&Findings<'_>) -> T) -> Result<T, Error> {
+        let diagram = Diagram::of(self.asked.ready.model());
+        Ok(to(&findings(&self.found, &diagram, self.asked.source())))
     }
 }

@@ -77,6 +77,7 @@ pub(crate) fn figures(figures: &Figures, certificate: Option<&Certificate>) -> V
             Some(found) => (
                 found.error,
                 match found.kind {
+                    Certainty::Bound => "bound",
                     Certainty::Estimate => "estimate",
                     Certainty::NoLimit => "no_limit",
                     Certainty::NotDetermined => "not_determined",

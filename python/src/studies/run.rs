@@ -1,16 +1,16 @@
 //! Runs.
 
 use super::{Asked, interrupted, plain};
-use crate::answer::{Figure, Found, Table};
+use crate::answer::{Figure, Table, Told};
 use crate::work::Watch;
 use dam::ask::Judging;
 use dam::integrate::{Modes, Sink, SwitchEvent};
 use dam::polynomial::Step;
 use dam::report::accuracy;
 use dam::report::diagram::Diagram;
-use dam::report::html::{RunReport, page};
+use dam::report::findings::Findings;
 use dam::report::machine::Machine;
-use dam::report::verdict::{Verdict, verdict};
+use dam::report::run::{RunReport, findings};
 use dam::studies::cam::disc_cams;
 use dam::studies::run::{RunResult, run};
 use dam::{Error, Mechanism, Scene};
@@ -106,7 +106,7 @@ impl Table for Run {
     }
 }
 
-impl Found for Run {
+impl Told for Run {
     fn document(&self) -> Result<Value, Error> {
         let mut document = plain(&self.result.figures)?;
         if let Some(certificate) = &self.asked.ready.certificate {
@@ -115,38 +115,22 @@ impl Found for Run {
         Ok(document)
     }
 
-    fn text(&self, _: Option<usize>) -> Result<String, Error> {
-        let Verdict { headline, text, .. } = verdict(&self.result.figures);
-        let certificate = self.asked.ready.certificate.as_ref();
-        let accuracy = certificate.map_or(String::new(), accuracy::text);
-        Ok(format!(
-            "{}\n{headline}. {text}\n{accuracy}",
-            self.asked.name()
-        ))
-    }
-
-    fn page(&self) -> Result<String, Error> {
+    fn tell<T>(&self, to: impl FnOnce(&Findings<'_>) -> T) -> Result<T, Error> {
         let model = self.asked.ready.model();
         let cams = disc_cams(self.asked.ready.scene(), model);
-        Ok(page(&RunReport {
+        let report = RunReport {
             figures: &self.result.figures,
             record: &self.result.record,
             diagram: &Diagram::of(model),
             machine: Some(Machine { model, cams: &cams }),
             certificate: self.asked.ready.certificate.as_ref(),
-            scene: self.asked.scene.json(),
-            version: env!("CARGO_PKG_VERSION"),
-        }))
-    }
-
-    fn answer(&self) -> Result<Option<Verdict>, Error> {
-        Ok(Some(verdict(&self.result.figures)))
-    }
-
-    fn warnings(&self) -> Result<Vec<String>, Error> {
-        let mut lines = self.asked.ready.reading.warnings.lines();
-        lines.extend(self.result.figures.warnings.iter().cloned());
-        Ok(lines)
+            spread: None,
+        };
+        let mut found = findings(&report, self.asked.source());
+        let mut warnings = self.asked.ready.reading.warnings.lines();
+        warnings.append(&mut found.warnings);
+        found.warnings = warnings;
+        Ok(to(&found))
     }
 
     fn figures(&self) -> Vec<Figure> {
