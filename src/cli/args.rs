@@ -131,15 +131,12 @@ pub(crate) struct RunArgs {
 pub(crate) struct StudioArgs {
     /// A scene, or a folder of scenes; the folder one is in if not given
     #[arg(value_name = "SCENE|FOLDER")]
-    #[cfg_attr(not(feature = "studio"), expect(dead_code))]
     pub(crate) target: Option<PathBuf>,
     /// Do not open the browser: print the address, which lets in whoever has it
     #[arg(long)]
-    #[cfg_attr(not(feature = "studio"), expect(dead_code))]
     pub(crate) no_open: bool,
     /// Serve on this port of 127.0.0.1; any that is free if not given
     #[arg(long, value_name = "PORT", value_parser = clap::value_parser!(u16).range(1..))]
-    #[cfg_attr(not(feature = "studio"), expect(dead_code))]
     pub(crate) port: Option<u16>,
 }
 
