@@ -2,7 +2,7 @@
 //! where anything is told or changed.
 
 use super::limits::REQUEST;
-use super::server::Studio;
+use super::served::Studio;
 use super::token::random;
 use axum::body::Body;
 use axum::extract::{Request, State};

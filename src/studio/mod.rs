@@ -1,7 +1,7 @@
 //! `dam studio`: a server on the loopback that shows a scene in the browser and lets it be
 //! changed, while its answers follow.
 //!
-//! * `server`, `guard`, `connections`: what is served, to whom, how much at a time;
+//! * `served`, `server`, `guard`, `connections`: what is served, to whom, how much at a time;
 //! * `folder`, `atomic`, `drafts`, `launch`: files: within one folder, written as a whole, kept
 //!   from crashes; how the browser is told the token;
 //! * `text`: a scene's text with its edits; `room`: the text that all windows on a file share,
@@ -24,6 +24,7 @@ mod messages;
 mod room;
 #[cfg(test)]
 mod room_tests;
+mod served;
 mod server;
 #[cfg(test)]
 mod server_tests;
@@ -34,7 +35,7 @@ mod window;
 mod work;
 
 use folder::Folder;
-use server::Studio;
+use served::Studio;
 use std::path::PathBuf;
 use std::sync::Arc;
 

@@ -6,10 +6,9 @@ use super::chart::{Task, Told};
 use super::drafts::{Draft, Drafts};
 use super::folder::{Folder, Shelf};
 use super::messages::{self, Update};
-use super::server::Studio;
 use super::text::{Group, Text};
 use super::window::Window;
-use super::work::{Desk, LOOK, memory};
+use super::work::Desk;
 use crate::ask::Judging;
 use crate::frontend::diagnostics::Diagnostics;
 use crate::frontend::scene::Document;
@@ -484,7 +483,7 @@ impl Room {
     }
 
     /// What is looked at from time to time: work that has gone on too long; the file; the draft.
-    fn look(&self, memory: u64, round: u64) -> Option<impl FnOnce() + Send + 'static> {
+    pub(super) fn look(&self, memory: u64, round: u64) -> Option<impl FnOnce() + Send + 'static> {
         for desk in self.runs.get().into_iter() {
             if desk.look(memory) {
                 self.exhausted.store(true, Ordering::Relaxed);
@@ -538,21 +537,6 @@ fn failed(room: &Weak<Room>) {
         let version = room.lock().text.version();
         let words = "the computation failed; this is an error of the program, not of the scene";
         room.tell_failure(version, words);
-    }
-}
-
-/// Looks after all documents until the program ends.
-pub(super) async fn keep(studio: Arc<Studio>) {
-    let mut interval = tokio::time::interval(LOOK);
-    let start = memory();
-    for round in 0.. {
-        interval.tick().await;
-        let used = memory().saturating_sub(start);
-        for room in studio.rooms() {
-            if let Some(write) = room.look(used, round) {
-                tokio::task::spawn_blocking(write);
-            }
-        }
     }
 }
 

@@ -2,13 +2,10 @@
 //! windows of the user.
 
 use super::connections;
-use super::drafts::Drafts;
-use super::folder::Folder;
 use super::guard::{Nonce, guard, refused};
-use super::limits::{BODY, ROOMS};
-use super::room::Room;
+use super::limits::BODY;
+use super::served::{Studio, keep};
 use super::socket;
-use super::token::Token;
 use crate::frontend::scene::{BuiltIn, Document, Layered, schema_of};
 use crate::report::live;
 use axum::extract::{DefaultBodyLimit, Extension, Query, State, WebSocketUpgrade};
@@ -19,11 +16,8 @@ use axum::routing::get;
 use axum::{Json, Router, middleware};
 use serde::Deserialize;
 use serde_json::json;
-use std::collections::BTreeMap;
 use std::net::Ipv4Addr;
-use std::path::PathBuf;
-use std::sync::atomic::AtomicUsize;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::Arc;
 use tokio::net::TcpListener;
 
 /// The interface as it was built.
@@ -33,90 +27,6 @@ const STYLE: &str = include_str!("../../studio/dist/studio.css");
 
 /// Stands in the page for the nonce of its styles.
 const NONCE: &str = "NONCE";
-
-/// Everything that is served.
-#[derive(Debug)]
-pub(super) struct Studio {
-    pub(super) folder: Folder,
-    /// The scene that a window opens first.
-    pub(super) scene: Option<String>,
-    pub(super) drafts: Drafts,
-    /// Windows at present.
-    pub(super) windows: Arc<AtomicUsize>,
-    token: Token,
-    host: String,
-    rooms: Mutex<BTreeMap<PathBuf, Arc<Room>>>,
-}
-
-impl Studio {
-    /// A folder, served on a port.
-    ///
-    /// # Errors
-    /// The system gives no random numbers.
-    pub(super) fn new(folder: Folder, scene: Option<String>, port: u16) -> Result<Self, String> {
-        Ok(Self {
-            folder,
-            scene,
-            drafts: Drafts::of_user(),
-            windows: Arc::default(),
-            token: Token::new()?,
-            host: format!("127.0.0.1:{port}"),
-            rooms: Mutex::default(),
-        })
-    }
-
-    /// What `Host` must be.
-    pub(super) fn host(&self) -> &str {
-        &self.host
-    }
-
-    /// What `Origin` must be.
-    pub(super) fn origin(&self) -> String {
-        format!("http://{}", self.host)
-    }
-
-    /// The token.
-    pub(super) fn token(&self) -> &Token {
-        &self.token
-    }
-
-    /// The address that lets a window in: the token stands where no server is sent it.
-    pub(super) fn address(&self) -> String {
-        format!("{}/#{}", self.origin(), self.token.text())
-    }
-
-    /// The document of a file, which all its windows share.
-    ///
-    /// # Errors
-    /// There is no such scene, or it cannot be read; too many are open.
-    pub(super) fn room(&self, name: &str) -> Result<Arc<Room>, String> {
-        let path = self.folder.file(name)?;
-        let mut rooms = self.rooms.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(room) = rooms.get(&path) {
-            return Ok(room.clone());
-        }
-        if rooms.len() >= ROOMS {
-            let empty = rooms.iter().find(|(_, room)| room.is_idle());
-            let empty = empty.map(|(path, _)| path.clone());
-            let empty = empty.ok_or("too many scenes are open; close some windows")?;
-            rooms.remove(&empty);
-        }
-        let room = Room::open(
-            name,
-            &path,
-            self.folder.catalogue(&path),
-            self.drafts.clone(),
-        )?;
-        rooms.insert(path, room.clone());
-        Ok(room)
-    }
-
-    /// All documents that are open.
-    pub(super) fn rooms(&self) -> Vec<Arc<Room>> {
-        let rooms = self.rooms.lock().unwrap_or_else(PoisonError::into_inner);
-        rooms.values().cloned().collect()
-    }
-}
 
 /// A port of the loopback.
 ///
@@ -131,7 +41,7 @@ pub(super) async fn listen(port: Option<u16>) -> Result<TcpListener, String> {
 
 /// Serves until the program ends.
 pub(super) async fn run(studio: Arc<Studio>, listener: TcpListener) {
-    tokio::spawn(super::room::keep(studio.clone()));
+    tokio::spawn(keep(studio.clone()));
     connections::serve(listener, router(studio)).await;
 }
 

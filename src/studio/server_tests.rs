@@ -1,7 +1,8 @@
 //! Who is let in, over a real connection.
 
 use super::folder::Folder;
-use super::server::{self, Studio};
+use super::served::Studio;
+use super::server;
 use std::io::{Read, Write};
 use std::net::TcpStream;
 use std::sync::Arc;

@@ -4,7 +4,7 @@ use super::atomic;
 use super::limits::{HELLO, WINDOWS};
 use super::messages::Said;
 use super::room::Room;
-use super::server::Studio;
+use super::served::Studio;
 use super::window::{Sent, Window};
 use axum::extract::ws::{Message, WebSocket};
 use serde_json::json;
