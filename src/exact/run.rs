@@ -1,6 +1,5 @@
 //! The run: phases and switches in turn.
 
-#[cfg(target_arch = "x86_64")]
 use super::lanes::Fused;
 use super::lanes::{Arith, Plain};
 use super::observe::Tracks;
@@ -8,6 +7,8 @@ use super::problem::Refusal;
 use super::request::{ExactRun, ExactSwitch, Halt, Request};
 use super::search::Step;
 use super::workspace::Workspace;
+#[cfg(target_arch = "x86_64")]
+use crate::units::shown;
 
 /// Steps of the search between two looks at whether the run is to go on; a
 /// power of two.
@@ -244,7 +245,8 @@ impl Workspace<'_> {
         Refusal::new(
             "",
             format!(
-                "the search for the next switch took {steps} steps and stands at t = {time:e} s"
+                "the search for the next switch took {steps} steps and stands at t = {} s",
+                shown(time, 7)
             ),
         )
     }

@@ -64,7 +64,8 @@ pub(super) fn stop_in_words(stop: &Stop) -> (&'static str, String) {
         Stop::StepFloor { step } => (
             "step_floor",
             format!(
-                "the step that the tolerance needs, {step:e} s, is below what the clock resolves"
+                "the step that the tolerance needs, {} s, is below what the clock resolves",
+                shown(*step, 3)
             ),
         ),
         Stop::TooManySwitches { bound } => (

@@ -103,9 +103,12 @@ impl fmt::Display for Warning {
             } => write!(
                 f,
                 "a fixed step keeps no tolerance: a vibration of the fastest rate of the \
-                 mechanism, {fastest:.2e} 1/s, is out of phase by some {phase:.1e} rad at the end, \
-                 and figures that it decides are off as much; a step of {step:.1e} s or another \
-                 method keeps it"
+                 mechanism, {} 1/s, is out of phase by some {} rad at the end, \
+                 and figures that it decides are off as much; a step of {} s or another \
+                 method keeps it",
+                shown(*fastest, 3),
+                shown(*phase, 2),
+                shown(*step, 2)
             ),
             Self::WindowMissing { reason } => write!(
                 f,

@@ -34,6 +34,7 @@ pub use taylor::degree as series_degree;
 
 pub use outcome::{Limits, Method, Outcome, Settings, Sink, Statistics, Stop, SwitchEvent};
 
+use crate::units::shown;
 use evaluator::Evaluator;
 use run::Run;
 
@@ -137,8 +138,9 @@ fn refusal(start: f64, end: f64, settings: &Settings) -> Option<String> {
     }
     if !(settings.tolerance >= FINEST_TOLERANCE && settings.tolerance < 1.0) {
         return Some(format!(
-            "the tolerance {:e} is not between {FINEST_TOLERANCE:e} and 1",
-            settings.tolerance
+            "the tolerance {} is not between {} and 1",
+            shown(settings.tolerance, 6),
+            shown(FINEST_TOLERANCE, 1)
         ));
     }
     match settings.step {

@@ -161,8 +161,8 @@ impl SteadyFigures {
             return Ok(());
         }
         let message = format!(
-            "at {:e} rad/s energies, times or speeds are beyond all numbers",
-            self.mean_speed
+            "at {} rad/s energies, times or speeds are beyond all numbers",
+            shown(self.mean_speed, 6)
         );
         Err(Refusal::field(
             "mean_speed",

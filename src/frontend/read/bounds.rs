@@ -1,5 +1,6 @@
 //! Bounds of numbers.
 
+use crate::units::shown;
 use serde_json::{Map, Value, json};
 
 /// The interval a number must lie in.
@@ -105,10 +106,10 @@ impl Bounds {
     }
 }
 
+/// Digits of a number that somebody wrote: rounding stands behind them.
+const ALL_THAT_IS_MEANT: usize = 12;
+
 /// A number as people write it.
 pub(super) fn plain(value: f64) -> String {
-    match value == 0.0 || (1e-4..1e7).contains(&value.abs()) {
-        true => value.to_string(),
-        false => format!("{value:e}"),
-    }
+    shown(value, ALL_THAT_IS_MEANT)
 }

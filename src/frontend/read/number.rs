@@ -6,7 +6,7 @@ use super::slot::{Slot, last_name};
 use super::suggest::did_you_mean;
 use super::tree::Value;
 use crate::units::quantities::NUMBER;
-use crate::units::{Measure, Mismatch, Quantity, UnitError, known_units, parse};
+use crate::units::{Measure, Mismatch, Quantity, UnitError, known_units, parse, shown};
 use serde_json::{Map, json};
 use std::ops::RangeInclusive;
 
@@ -292,13 +292,13 @@ impl Slot<'_> {
                 format!("{name} is an angular speed, not a frequency"),
                 format!(
                     "\"{value} rev/s\" or \"{} rad/s\"",
-                    short_number(value * std::f64::consts::TAU)
+                    shown(value * std::f64::consts::TAU, 3)
                 ),
             ),
             Mismatch::SpeedForFrequency => (
                 "wrong-unit",
                 format!("{name} is a frequency, not an angular speed"),
-                format!("\"{} Hz\"", short_number(value / std::f64::consts::TAU)),
+                format!("\"{} Hz\"", shown(value / std::f64::consts::TAU, 3)),
             ),
             Mismatch::Dimension => (
                 "wrong-unit",
@@ -345,13 +345,4 @@ pub(super) fn shorten(text: &str) -> String {
         None => text.to_owned(),
         Some((at, _)) => format!("{}…", &text[..at]),
     }
-}
-
-/// A number with three significant digits, for hints.
-fn short_number(value: f64) -> String {
-    if value == 0.0 || !(1e-3..1e6).contains(&value.abs()) {
-        return format!("{value:.2e}");
-    }
-    let decimals = (2 - value.abs().log10().floor() as i32).max(0) as usize;
-    format!("{value:.decimals$}")
 }

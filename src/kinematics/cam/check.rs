@@ -2,6 +2,7 @@
 
 use super::spec::{CamGeometry, Contact, Guide, Surface};
 use crate::fault::Faults;
+use crate::units::shown;
 use std::f64::consts::FRAC_PI_2;
 
 /// Numbers out of range, and combinations that no follower has.
@@ -59,10 +60,7 @@ pub(super) fn numbers(geometry: &CamGeometry, faults: &mut Faults) {
 
 /// A length as people read it, be it ever so great or small.
 fn length(value: f64) -> String {
-    match value == 0.0 || (1e-6..1e6).contains(&value.abs()) {
-        true => format!("{value} m"),
-        false => format!("{value:e} m"),
-    }
+    format!("{} m", shown(value, 12))
 }
 
 /// Says which base circles the follower can reach.

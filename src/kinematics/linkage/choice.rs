@@ -4,6 +4,7 @@ use super::course::nearest_turn;
 use super::elements::{Body, Frame};
 use super::spec::{AssemblyChoice, AssemblySpec, LinkageSpec};
 use super::state::State;
+use crate::units::shown;
 
 /// Fault: what is wrong, and what would help.
 pub(super) type Wrong = (String, String);
@@ -56,12 +57,10 @@ pub(super) fn start_in_words(spec: &LinkageSpec) -> String {
     }
 }
 
-/// A number with six digits, without zeros at the end; with an exponent where it
-/// is very large or small.
+/// A number of a message, to six digits; an infinite one is called so.
 pub(super) fn short(number: f64) -> String {
-    let rounded: f64 = format!("{number:.5e}").parse().unwrap_or(number);
-    match rounded.abs() {
-        0.0 | 1e-6..1e10 => rounded.to_string(),
-        _ => format!("{rounded:e}"),
+    match number.is_infinite() {
+        true => number.to_string(),
+        false => shown(number, 6),
     }
 }

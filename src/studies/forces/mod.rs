@@ -173,7 +173,8 @@ impl ForceStudy {
         let bad = count(&|forces| forces.solved.condition.is_some_and(|c| c > BAD_CONDITION));
         if bad > 0 {
             warnings.push(format!(
-                "{bad} positions are so near to a dead position that the condition number is above {BAD_CONDITION:.0e}"
+                "{bad} positions are so near to a dead position that the condition number is above {}",
+                shown(BAD_CONDITION, 1)
             ));
         }
         if self.worst_balance() > 1e-8 {

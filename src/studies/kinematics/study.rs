@@ -12,6 +12,7 @@ use crate::dynamics::model::Coordinate;
 use crate::kinematics::linkage::{Cause, OutOfReach, Reach, Rounding, Workspace};
 use crate::math::jet::Jet;
 use crate::math::roots::bisect;
+use crate::units::shown;
 
 /// Share of its own size, or of what is ordinary for it, that the error of a value may have.
 const DETERMINED: f64 = 1e-3;
@@ -72,8 +73,9 @@ fn warnings(columns: &[Column], rows: usize) -> Vec<String> {
         let most = doubtful.map(|column| column.undetermined).max();
         warnings.push(format!(
             "{names} cannot be told at up to {} of {rows} positions: so near to a singular position \
-             rounding changes them by more than {DETERMINED:.0e} of their size",
-            most.unwrap_or(0)
+             rounding changes them by more than {} of their size",
+            most.unwrap_or(0),
+            shown(DETERMINED, 1)
         ));
     }
     let lost = |column: &&Column| {
@@ -114,17 +116,11 @@ fn motion(asked: &Asked<'_>) -> String {
 
 /// Speed and acceleration that are the same at every position, in words.
 pub fn even_motion([speed, acceleration]: [f64; 2], unit: &str) -> String {
-    let short = |value: f64| match format!("{value:.7e}").parse::<f64>() {
-        Ok(rounded) if rounded == 0.0 || (1e-6..1e9).contains(&rounded.abs()) => {
-            rounded.to_string()
-        }
-        _ => format!("{value:.7e}"),
-    };
-    let speed = short(speed);
+    let speed = shown(speed, 8);
     if acceleration == 0.0 {
         return format!("speed {speed} {unit}/s at every position");
     }
-    let acceleration = short(acceleration);
+    let acceleration = shown(acceleration, 8);
     format!("speed {speed} {unit}/s and acceleration {acceleration} {unit}/s² at every position")
 }
 

@@ -7,6 +7,7 @@ mod way;
 
 use crate::dynamics::model::{Coordinate, Model, NodeMotion, ObjectPart};
 use crate::dynamics::record::{Quantity, Record};
+use crate::units::shown;
 use way::{Rotors, Stretch, ways};
 
 /// What is likely not meant in a model that is to run for `duration` seconds, as
@@ -83,13 +84,7 @@ fn place(displacement: f64, coordinate: Coordinate) -> String {
     }
 }
 
-/// A number to six significant digits without trailing zeros.
+/// A number of a doubt, to six digits.
 fn short(value: f64) -> String {
-    let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
-    let plain = rounded.abs();
-    if plain == 0.0 || (1e-4..1e7).contains(&plain) {
-        format!("{rounded}")
-    } else {
-        format!("{rounded:e}")
-    }
+    shown(value, 6)
 }

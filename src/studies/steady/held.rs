@@ -13,6 +13,7 @@ use crate::dynamics::model::{Load, LoadLaw, Model};
 use crate::dynamics::steady::Mean;
 use crate::dynamics::system::System;
 use crate::fault::Fault;
+use crate::units::shown;
 use nalgebra::DMatrix;
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -203,8 +204,9 @@ pub(super) fn held(
     state.push(moment);
     let found = near(&map, &state, cycle)?.ok_or_else(|| {
         format!(
-            "no moment was found that holds a mean speed of {} rad/s (nearest: {moment:.6e} N·m)",
-            wanted.speed
+            "no moment was found that holds a mean speed of {} rad/s (nearest: {} N·m)",
+            wanted.speed,
+            shown(moment, 7)
         )
     })?;
     let (moment, state) = split(&found);

@@ -7,6 +7,7 @@ use crate::dynamics::integrate::{
 };
 use crate::dynamics::system::System;
 use crate::exact::{Cursor, ExactRun, ExactTree, Halt, PairState, Part, Request, TreeProblem};
+use crate::units::shown;
 use nalgebra::DMatrix;
 
 /// A motion as a list of states.
@@ -212,7 +213,8 @@ fn whole(tree: &ExactTree, request: &Request, budget: &Budget<'_>) -> Result<Exa
 fn crawling(time: f64) -> String {
     format!(
         "its fastest mode makes exact propagation crawl: after {MOST_STEPS} steps it stands at \
-         t = {time:e} s"
+         t = {} s",
+        shown(time, 7)
     )
 }
 
