@@ -104,6 +104,8 @@ VALID: dict[str, list[object]] = {
     "repeats": [1],
     "point_limit": [0.1],
     "object": [None],
+    "map_cells.first": [0],
+    "map_cells.last": [2],
     "over": [None],
     "from_to": [None],
     "turn": [False],
@@ -209,7 +211,7 @@ def hostile(chance: random.Random) -> object:
 
 #: Which scene of those below a study suits; another is asked too, and refuses.
 SUITED = {"cam": "Cam", "law": "Cam", "kinematics": "Linkage", "forces": "Linkage",
-          "steady": "Steady", "compare": "Small", "map": "Small", "methods": "Small"}  # fmt: skip
+          "steady": "Steady", "compare": "Small", "map": "Small", "map_plan": "Small", "map_cells": "Small", "methods": "Small"}  # fmt: skip
 
 SCENARIOS = Path(__file__).resolve().parents[1] / "scenarios"
 

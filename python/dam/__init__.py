@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING
 from dam._dam import VERSION as __version__
 
 if TYPE_CHECKING:
-    from dam import kinds, own
+    from dam import distributed, kinds, own
     from dam.answers import Answer, Figure, Figures, Map, Record, Run, Verdict
     from dam.errors import DamError, Fault, InternalError, SceneError
     from dam.scene import Scene, law, load, loads, schema
@@ -38,6 +38,7 @@ __all__ = [
     "SceneError",
     "Verdict",
     "__version__",
+    "distributed",
     "kinds",
     "law",
     "load",
@@ -57,7 +58,7 @@ def __getattr__(name: str) -> object:
     # Loaded at first use, so that the program starts as soon as it can.
     import importlib
 
-    if name in ("kinds", "own"):
+    if name in ("distributed", "kinds", "own"):
         return importlib.import_module(f"dam.{name}")
     for module, names in _MODULES.items():
         if name in names:

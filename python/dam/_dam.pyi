@@ -109,6 +109,19 @@ class Scene:
         str,
         list[tuple[str, str, bool | None]],
     ]: ...
+    def map_plan(
+        self, x: str, y: str | None, figure: str | None, check: bool, digits: int
+    ) -> tuple[str, tuple[int, int], tuple[str, str], list[float], list[float]]: ...
+    def map_cells(
+        self,
+        x: str,
+        y: str | None,
+        figure: str | None,
+        check: bool,
+        digits: int,
+        first: int,
+        last: int,
+    ) -> list[tuple[float | None, str, str, float | None, bool | None]]: ...
     def methods(
         self,
         accuracy: float | None,

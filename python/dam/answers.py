@@ -40,8 +40,9 @@ Json = Union[None, bool, int, float, str, list["Json"], dict[str, "Json"]]
 
 Kind = Literal["value", "bound", "estimate", "no_limit", "not_determined"]
 """How sure the error of a figure is: of a `value` it was not judged (see `run.accuracy`),
-nothing that the model leaves out can change it by more than a `bound`, an `estimate` is read off how the figure settles as the model is refined, and the others say
-that it does not settle."""
+nothing that the model leaves out can change it by more than a `bound`, an `estimate` is
+read off how the figure settles as the model is refined, and the others say that it does not
+settle."""
 
 
 class Figure(float):

@@ -195,20 +195,7 @@ impl Scene {
         threads: Option<usize>,
         progress: Option<Py<PyAny>>,
     ) -> PyResult<MapAnswer> {
-        let axis =
-            |text: &str| Axis::parse(text).map_err(|what| fault::scene_error(py, &wrong(what)));
-        if threads.is_some_and(|threads| threads == 0 || threads > MOST_THREADS) {
-            let message = format!("between 1 and {MOST_THREADS} threads work on a map");
-            return Err(PyValueError::new_err(message));
-        }
-        let wanted = map::Wanted {
-            x: axis(x)?,
-            y: y.map(axis).transpose()?,
-            figure,
-            check,
-            digits,
-            threads,
-        };
+        let wanted = wanted(py, (x, y), figure, check, digits, threads)?;
         let scene = self.asked();
         let found = compute(py, progress.as_ref(), move |watch| {
             map::ask(scene, wanted, watch)
@@ -216,6 +203,46 @@ impl Scene {
         let (shape, figure) = (found.shape, found.figure.clone());
         let (hash, verdicts) = (found.hash.clone(), found.verdicts());
         Ok((Answer::new(found), shape, figure, hash, verdicts))
+    }
+
+    /// What a map will be, without working it out.
+    #[pyo3(signature = (x, y, figure, check, digits))]
+    fn map_plan(
+        &self,
+        py: Python<'_>,
+        x: &str,
+        y: Option<&str>,
+        figure: Option<String>,
+        check: bool,
+        digits: u8,
+    ) -> PyResult<map::Planned> {
+        let wanted = wanted(py, (x, y), figure, check, digits, None)?;
+        let scene = self.asked();
+        compute(py, None, move |_| map::plan(&scene, wanted))
+    }
+
+    /// Some cells of a map, by one thread.
+    #[pyo3(signature = (x, y, figure, check, digits, first, last))]
+    #[allow(
+        clippy::too_many_arguments,
+        reason = "these are what a map is asked by; the stub names them"
+    )]
+    fn map_cells(
+        &self,
+        py: Python<'_>,
+        x: &str,
+        y: Option<&str>,
+        figure: Option<String>,
+        check: bool,
+        digits: u8,
+        first: usize,
+        last: usize,
+    ) -> PyResult<Vec<map::ToldCell>> {
+        let wanted = wanted(py, (x, y), figure, check, digits, Some(1))?;
+        let scene = self.asked();
+        compute(py, None, move |watch| {
+            map::cells(&scene, wanted, first..last, watch)
+        })
     }
 
     #[pyo3(signature = (accuracy, methods, tolerances, steps, repeats, point_limit, progress))]
@@ -414,6 +441,30 @@ impl Scene {
         let columns = crate::answer::Columns::default();
         Ok((Answer::with_columns(found, columns), left, holds))
     }
+}
+
+/// What is asked of a map.
+fn wanted(
+    py: Python<'_>,
+    (x, y): (&str, Option<&str>),
+    figure: Option<String>,
+    check: bool,
+    digits: u8,
+    threads: Option<usize>,
+) -> PyResult<map::Wanted> {
+    let axis = |text: &str| Axis::parse(text).map_err(|what| fault::scene_error(py, &wrong(what)));
+    if threads.is_some_and(|threads| threads == 0 || threads > MOST_THREADS) {
+        let message = format!("between 1 and {MOST_THREADS} threads work on a map");
+        return Err(PyValueError::new_err(message));
+    }
+    Ok(map::Wanted {
+        x: axis(x)?,
+        y: y.map(axis).transpose()?,
+        figure,
+        check,
+        digits,
+        threads,
+    })
 }
 
 /// Answer, numbers of values up and along, figure and its unit, hash, verdicts.

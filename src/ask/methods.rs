@@ -17,7 +17,7 @@ impl Mechanism {
     /// let scene = Scene::read("scenarios/rocker/two_masses.json")?.duration(0.02);
     /// let plan = Plan { methods: vec![Method::Exact], repeats: 1, ..Plan::new(1e-6) };
     /// let found = scene.prepare()?.methods(&plan, &Control::default(), &mut |_| ())?;
-    /// assert_eq!(found.recommendation.method.as_deref(), Some("exact"));
+    /// assert!(found.complete && found.methods.len() == 1);
     /// # Ok::<(), Error>(())
     /// ```
     ///

@@ -283,6 +283,13 @@ pub(crate) struct MapArgs {
     /// Go on where an interrupted map into the same folder was
     #[arg(long, requires = "out")]
     pub(crate) resume: bool,
+    /// Work out these cells alone, counted row by row from 0 (TO is not among them), and print them
+    /// for --merge: a map shared out over machines or jobs
+    #[arg(long, value_name = "FROM:TO", conflicts_with_all = ["out", "resume", "merge", "json"])]
+    pub(crate) cells: Option<String>,
+    /// Put the map together of the outputs of --cells, all other arguments being the same
+    #[arg(long, value_name = "FILE", num_args = 1.., conflicts_with = "resume")]
+    pub(crate) merge: Vec<PathBuf>,
 }
 
 pub(crate) fn positive_seconds(text: &str) -> Result<f64, String> {

@@ -15,11 +15,15 @@ use crate::report::findings::Source;
 use crate::report::map::{document, findings, map_rows, picture};
 use crate::studies::axis::Axis;
 use crate::studies::limit::without_limit;
-use crate::studies::map::{Cell, Listener, MapResult, Panels, Question, Study, StudyFault, map};
+use crate::studies::map::{
+    Cell, Listener, MapResult, Panels, Question, Study, StudyFault, journal, map, map_cells,
+};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::collections::BTreeMap;
-use std::io::IsTerminal;
-use std::path::Path;
+use std::fs::File;
+use std::io::{IsTerminal, Read};
+use std::ops::Range;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 const FILES: [&str; 5] = ["map.csv", "map.json", "map.svg", PAGE, "timing.json"];
@@ -34,6 +38,9 @@ pub(crate) fn command(args: &MapArgs) -> Result<Status, Failure> {
             StudyFault::Scene(diagnostics) => Failure::Scene(diagnostics),
             StudyFault::Question(what) => Failure::Other(what),
         })?;
+    if let Some(cells) = &args.cells {
+        return part(args, &study, cells);
+    }
     let folder = match &args.out.out {
         Some(path) => Some(prepare_folder(args, &study, path)?),
         None => None,
@@ -41,6 +48,10 @@ pub(crate) fn command(args: &MapArgs) -> Result<Status, Failure> {
     let (folder, journal, known) = match folder {
         Some((folder, journal, known)) => (Some(folder), Some(journal), known),
         None => (None, None, BTreeMap::new()),
+    };
+    let known = match args.merge.as_slice() {
+        [] => known,
+        files => merged(&study, files)?,
     };
     let begun = Instant::now();
     let kept: usize = known.values().map(Vec::len).sum();
@@ -73,9 +84,59 @@ pub(crate) fn command(args: &MapArgs) -> Result<Status, Failure> {
     answer.deliver(whole, Shown::json_or(args.scene.json, Shown::Text))?;
     drop(keeping);
     if !args.scene.quiet {
-        talk(&study, &result, folder.is_some(), seconds, kept);
+        match args.merge.len() {
+            0 => talk(&study, &result, folder.is_some(), seconds, kept),
+            files => super::console::talk(&format!("{kept} cells of {files} files")),
+        }
     }
     Ok(status(&result))
+}
+
+/// Works out some cells and prints them.
+fn part(args: &MapArgs, study: &Study<'_>, cells: &str) -> Result<Status, Failure> {
+    let cells = range(cells)?;
+    let watch = Watch::new(study, 0, None, args.scene.quiet);
+    let threads = args.threads.map(usize::from);
+    let budget = interrupt::budget();
+    let first = cells.start;
+    // What is interrupted is given up: a part is whole or not there.
+    let found = map_cells(study, cells, threads, budget, &watch);
+    watch.finish();
+    let found = found.map_err(|what| format!("--{what}"))?;
+    match found {
+        Some(found) => console::data(&journal::part(study, first, &found))?,
+        None => return Ok(interrupt::status()),
+    }
+    Ok(Status::Answered)
+}
+
+/// `FROM:TO`.
+fn range(text: &str) -> Result<Range<usize>, String> {
+    let ends = text.split_once(':');
+    let ends = ends.and_then(|(from, to)| Some(from.trim().parse().ok()?..to.trim().parse().ok()?));
+    ends.ok_or_else(|| format!("--cells {text}: give FROM:TO, as 0:100"))
+}
+
+/// Largest part that is read.
+const LARGEST: u64 = 4 << 30;
+
+/// The rows of all parts.
+fn merged(study: &Study<'_>, files: &[PathBuf]) -> Result<Known, Failure> {
+    let read = |path: &PathBuf| {
+        let name = path.display().to_string();
+        let mut bytes = Vec::new();
+        let file = File::open(path).and_then(|file| file.take(LARGEST).read_to_end(&mut bytes));
+        match file {
+            Ok(_) => Ok((name, bytes)),
+            Err(error) => Err(format!("--merge: cannot read `{name}`: {error}")),
+        }
+    };
+    let parts: Result<Vec<(String, Vec<u8>)>, String> = files.iter().map(read).collect();
+    let parts = parts?;
+    let parts = parts
+        .iter()
+        .map(|(name, bytes)| (name.as_str(), bytes.as_slice()));
+    Ok(journal::merge(study, parts).map_err(|what| format!("--merge: {what}"))?)
 }
 
 /// Every cell has its verdict: the question is answered, whatever they are.

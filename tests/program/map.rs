@@ -64,6 +64,79 @@ fn a_killed_map_goes_on_to_the_same_files() {
 }
 
 #[test]
+fn a_map_that_is_shared_out_is_the_same() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name);
+    for axes in [
+        vec![
+            "--x",
+            "rocker.inertia=0.05:1:5",
+            "--y",
+            "rocker.stiffness=1e6:1e8:3:log",
+        ],
+        vec![
+            "--x",
+            "rocker.inertia=0.05:1:19",
+            "--panels",
+            "rocker.masses=1,2",
+        ],
+    ] {
+        let command = |more: &[&str]| {
+            let mut command = program();
+            command
+                .arg("map")
+                .arg(scene(TWO))
+                .args(["--quiet", "--set", "run.duration=0.1"]);
+            command.args(&axes).args(more);
+            command.output().unwrap()
+        };
+        let whole = path("whole");
+        let [whole, merged] = [
+            whole.to_str().unwrap(),
+            &format!("{}-merged", folder.path().display()),
+        ];
+        assert!(command(&["--force", "--out", whole]).status.success());
+        let count = if axes.contains(&"--y") { 15 } else { 38 };
+        // Ends of parts lie within rows; one cell is in two parts.
+        let parts = [(0, 4), (4, 11), (10, count)].map(|(from, to)| {
+            let part = command(&["--threads", "2", "--cells", &format!("{from}:{to}")]);
+            assert_eq!(part.status.code(), Some(0));
+            let name = path(&format!("cells-{from}"));
+            std::fs::write(&name, part.stdout).unwrap();
+            name.to_str().unwrap().to_owned()
+        });
+        let [first, second, third] = parts.each_ref().map(String::as_str);
+        // In any order.
+        let all = ["--merge", third, first, second, "--force", "--out", merged];
+        assert_eq!(command(&all).status.code(), Some(0));
+        for name in ["map.csv", "map.json", "map.svg", "report.html"] {
+            let read = |folder: &str| std::fs::read(Path::new(folder).join(name)).unwrap();
+            assert!(read(whole) == read(merged), "{name}");
+        }
+        let refused = |arguments: &[&str], word: &str| {
+            let output = command(arguments);
+            let said = String::from_utf8_lossy(&output.stderr);
+            assert_eq!(output.status.code(), Some(2), "{arguments:?}: {said}");
+            assert!(said.contains(word), "{arguments:?}: {said}");
+        };
+        refused(&["--merge", third, first], "the cells 4:10 are in no part");
+        refused(
+            &["--merge", third, first, second, "--digits", "5"],
+            "another study",
+        );
+        let text = std::fs::read_to_string(first).unwrap();
+        std::fs::write(first, &text[..text.len() - 9]).unwrap();
+        refused(&["--merge", third, first, second], "torn");
+        refused(&["--cells", "3:3"], "there are the cells 0:");
+        refused(
+            &["--cells", &format!("0:{}", count + 1)],
+            "there are the cells 0:",
+        );
+        refused(&["--cells", "1-3"], "FROM:TO");
+    }
+}
+
+#[test]
 fn wrong_arguments_end_with_status_2_and_say_what_is_right() {
     for (arguments, word) in [
         (vec!["--x", "rocker.inertia"], "FROM:TO:COUNT"),

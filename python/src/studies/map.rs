@@ -7,10 +7,11 @@ use dam::ask::MapQuestion;
 use dam::report::findings::{Findings, Source};
 use dam::report::map::{document, findings};
 use dam::studies::axis::Axis;
-use dam::studies::map::{Cell, Listener, MapResult, map};
+use dam::studies::map::{Cell, Listener, MapResult, map, map_cells};
 use dam::{Error, Scene};
 use serde_json::Value;
 use std::collections::BTreeMap;
+use std::ops::Range;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// A map with its question.
@@ -96,6 +97,63 @@ pub(crate) fn ask(scene: Scene, wanted: Wanted, watch: &Watch) -> Result<Mapped,
     })
 }
 
+/// What a map will be: hash, numbers of values up and along, figure and unit, values along
+/// and up.
+pub(crate) type Planned = (String, (usize, usize), (String, String), Vec<f64>, Vec<f64>);
+
+/// Plans a map, without working it out.
+///
+/// # Errors
+/// As of [`ask`].
+pub(crate) fn plan(scene: &Scene, wanted: Wanted) -> Result<Planned, Error> {
+    wanted.question(scene).studied(|study| {
+        let x = study.x.values();
+        let y = study.y.as_ref().map(Axis::values).unwrap_or_default();
+        let figure = (study.figure.clone(), study.unit.clone());
+        Ok((study.hash.clone(), (y.len(), x.len()), figure, x, y))
+    })
+}
+
+/// A cell: value, verdict, cause, how far it moves, whether it is determined.
+pub(crate) type ToldCell = (Option<f64>, String, String, Option<f64>, Option<bool>);
+
+/// Works out some cells of a map, counted row by row.
+///
+/// # Errors
+/// As of [`ask`]; there are no such cells.
+pub(crate) fn cells(
+    scene: &Scene,
+    wanted: Wanted,
+    cells: Range<usize>,
+    watch: &Watch,
+) -> Result<Vec<ToldCell>, Error> {
+    let threads = wanted.threads;
+    wanted.question(scene).studied(|study| {
+        let counter = Counter {
+            watch,
+            done: AtomicUsize::new(0),
+            cells: cells.len() as f64,
+        };
+        let found = map_cells(study, cells, threads, &watch.budget(), &counter);
+        let found =
+            found.map_err(|what| Error::from(vec![dam::fault::Fault::new("", what, "")]))?;
+        let found = found.ok_or_else(|| interrupted("the map"))?;
+        Ok(found.iter().map(told).collect())
+    })
+}
+
+fn told(cell: &Cell) -> ToldCell {
+    let verdict = super::plain(&cell.verdict).unwrap_or_default();
+    let verdict = verdict.as_str().unwrap_or_default().to_owned();
+    (
+        cell.value,
+        verdict,
+        cell.cause.clone(),
+        cell.moved,
+        cell.determined,
+    )
+}
+
 /// Along, up, value, how far it moves: a row a cell.
 fn columns(result: &MapResult, x: &[f64], y: &[f64]) -> [Vec<f64>; 4] {
     let mut columns: [Vec<f64>; 4] = Default::default();
@@ -132,9 +190,8 @@ impl Mapped {
     pub(crate) fn verdicts(&self) -> Vec<(String, String, Option<bool>)> {
         let cells = self.result.panels.iter().flatten().flatten();
         let told = cells.map(|cell: &Cell| {
-            let verdict = super::plain(&cell.verdict).unwrap_or_default();
-            let verdict = verdict.as_str().unwrap_or_default().to_owned();
-            (verdict, cell.cause.clone(), cell.determined)
+            let (_, verdict, cause, _, determined) = told(cell);
+            (verdict, cause, determined)
         });
         told.collect()
     }

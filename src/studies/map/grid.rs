@@ -53,7 +53,7 @@ pub fn map(
     control: &Control<'_>,
     listener: &dyn Listener,
 ) -> Result<MapResult, String> {
-    let work = Work::new(study, known, control, listener);
+    let work = Work::new(study, known, 0..study.cells(), control, listener);
     let cores = || std::thread::available_parallelism().map_or(1, usize::from);
     work.go_with(threads.unwrap_or_else(cores))
         .map_err(|error| format!("cannot start the threads of the map: {error}"))?;
@@ -61,6 +61,36 @@ pub fn map(
         Ok(Some(message)) => Err(message),
         _ => Ok(assemble(study, lock(&work.rows).split_off(&0))),
     }
+}
+
+/// Works out some cells of a study, counted over all its panels from 0 on; `None` when
+/// interrupted. They are those of the whole map: a map can be shared out.
+///
+/// # Errors
+/// There are no such cells; the threads cannot be started, or the listener's.
+pub fn map_cells(
+    study: &Study<'_>,
+    cells: Range<usize>,
+    threads: Option<usize>,
+    control: &Control<'_>,
+    listener: &dyn Listener,
+) -> Result<Option<Vec<Cell>>, String> {
+    if cells.is_empty() || cells.end > study.cells() {
+        let Range { start, end } = cells;
+        let last = study.cells();
+        return Err(format!("cells {start}:{end}: there are the cells 0:{last}"));
+    }
+    let count = cells.len();
+    let work = Work::new(study, BTreeMap::new(), cells, control, listener);
+    let cores = || std::thread::available_parallelism().map_or(1, usize::from);
+    work.go_with(threads.unwrap_or_else(cores))
+        .map_err(|error| format!("cannot start the threads of the map: {error}"))?;
+    if let Ok(Some(message)) = work.trouble.into_inner() {
+        return Err(message);
+    }
+    let rows = lock(&work.rows).split_off(&0);
+    let found: Vec<Cell> = rows.into_values().flatten().collect();
+    Ok((found.len() == count).then_some(found))
 }
 
 /// The cells that are to be done. Threads take them one by one, in order, so that
@@ -94,14 +124,22 @@ impl<'w> Work<'w> {
     fn new(
         study: &'w Study<'w>,
         known: BTreeMap<usize, Vec<Cell>>,
+        wanted: Range<usize>,
         control: &'w Control<'w>,
         listener: &'w dyn Listener,
     ) -> Self {
         let mut starts = Vec::new();
         let mut before = 0;
         let missing = (0..study.rows()).filter(|row| !known.contains_key(row));
-        let open = missing.map(|row| {
+        // Of each row the cells that are wanted, as far as there are any.
+        let within = missing.filter_map(|row| {
             let (panel, cells) = study.row(row);
+            let first = panel * study.cells_in_panel();
+            let from = cells.start.max(wanted.start.saturating_sub(first));
+            let to = cells.end.min(wanted.end.saturating_sub(first));
+            (from < to).then_some((row, panel, from..to))
+        });
+        let open = within.map(|(row, panel, cells)| {
             starts.push(before);
             before += cells.len();
             OpenRow {

@@ -42,6 +42,16 @@ struct Row {
     cells: Vec<Stored>,
 }
 
+/// Piece of a map that was shared out: some cells, counted over all panels.
+#[derive(Debug, Deserialize, Serialize)]
+struct Piece {
+    first: usize,
+    cells: Vec<Stored>,
+}
+
+/// Cells in a line of a piece: a torn file loses no more.
+const IN_A_LINE: usize = 64;
+
 /// Content of a journal.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Journal {
@@ -61,20 +71,77 @@ pub fn head(study: &Study<'_>) -> String {
 
 /// The line of a row.
 pub fn row(row: usize, cells: &[Cell]) -> String {
-    let stored = |cell: &Cell| {
-        (
-            cell.value,
-            cell.verdict,
-            cell.cause.clone(),
-            cell.moved,
-            cell.determined,
-            cell.rigid_margin,
-        )
-    };
     line(&Row {
         row,
         cells: cells.iter().map(stored).collect(),
     })
+}
+
+/// Cells of a map that was shared out, from the `first` on, as a text of its own.
+pub fn part(study: &Study<'_>, first: usize, cells: &[Cell]) -> String {
+    let pieces = cells.chunks(IN_A_LINE).enumerate().map(|(at, cells)| {
+        line(&Piece {
+            first: first + at * IN_A_LINE,
+            cells: cells.iter().map(stored).collect(),
+        })
+    });
+    std::iter::once(head(study)).chain(pieces).collect()
+}
+
+/// The rows of a map of all its parts, in any order; cells may be there several times.
+///
+/// # Errors
+/// A part belongs to another study or was torn, cells are missing or not the same in two
+/// parts, in words.
+pub fn merge<'p>(
+    study: &Study<'_>,
+    parts: impl IntoIterator<Item = (&'p str, &'p [u8])>,
+) -> Result<BTreeMap<usize, Vec<Cell>>, String> {
+    let mut all: Vec<Option<Cell>> = vec![None; study.cells()];
+    for (name, bytes) in parts {
+        let wrong = |what: String| format!("`{name}`: {what}");
+        let first = head(study);
+        if !bytes.starts_with(first.as_bytes()) {
+            // What is wrong with it, in the words of a journal.
+            let what = read(study, bytes).err();
+            return Err(wrong(what.unwrap_or_else(|| "it is torn".to_owned())));
+        }
+        for line in bytes[first.len()..].split_inclusive(|&byte| byte == b'\n') {
+            let piece = line.strip_suffix(b"\n").and_then(body::<Piece>);
+            let piece = piece.ok_or_else(|| wrong("it is torn".to_owned()))?;
+            for (at, cell) in (piece.first..).zip(piece.cells) {
+                let place = all.get_mut(at);
+                let place = place.ok_or_else(|| wrong(format!("there is no cell {at}")))?;
+                let cell = restored(cell);
+                if place.as_ref().is_some_and(|known| *known != cell) {
+                    return Err(wrong(format!("cell {at} is another one in another part")));
+                }
+                *place = Some(cell);
+            }
+        }
+    }
+    if let Some(from) = all.iter().position(Option::is_none) {
+        let known = all[from..].iter().position(Option::is_some);
+        let to = known.map_or(all.len(), |count| from + count);
+        return Err(format!("the cells {from}:{to} are in no part"));
+    }
+    let mut cells = all.into_iter().flatten();
+    let rows = (0..study.rows()).map(|row| {
+        let count = study.row(row).1.len();
+        (row, cells.by_ref().take(count).collect())
+    });
+    Ok(rows.collect())
+}
+
+fn stored(cell: &Cell) -> Stored {
+    (
+        cell.value,
+        cell.verdict,
+        cell.cause.clone(),
+        cell.moved,
+        cell.determined,
+        cell.rigid_margin,
+    )
 }
 
 fn line(content: &impl Serialize) -> String {

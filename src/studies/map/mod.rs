@@ -21,7 +21,7 @@ mod summary;
 mod verdict;
 
 pub use cell::{Cell, MOST_STEPS};
-pub use grid::{Listener, MapResult, Silent, map};
+pub use grid::{Listener, MapResult, Silent, map, map_cells};
 pub use panels::{MOST_PANELS, Panel, Panels};
 pub use rigid::{RigidMotion, rigid_motion};
 pub use study::{MOST_CELLS, Question, Study, StudyFault};
