@@ -1,0 +1,111 @@
+//! What is served: a folder, its documents, the token of those who may see them.
+
+use super::drafts::Drafts;
+use super::folder::Folder;
+use super::limits::ROOMS;
+use super::room::Room;
+use super::token::Token;
+use super::work::{LOOK, memory};
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+use std::sync::atomic::AtomicUsize;
+use std::sync::{Arc, Mutex, PoisonError};
+
+/// Everything that is served.
+#[derive(Debug)]
+pub(super) struct Studio {
+    pub(super) folder: Folder,
+    /// The scene that a window opens first.
+    pub(super) scene: Option<String>,
+    pub(super) drafts: Drafts,
+    /// Windows at present.
+    pub(super) windows: Arc<AtomicUsize>,
+    token: Token,
+    host: String,
+    rooms: Mutex<BTreeMap<PathBuf, Arc<Room>>>,
+}
+
+impl Studio {
+    /// A folder, served on a port.
+    ///
+    /// # Errors
+    /// The system gives no random numbers.
+    pub(super) fn new(folder: Folder, scene: Option<String>, port: u16) -> Result<Self, String> {
+        Ok(Self {
+            folder,
+            scene,
+            drafts: Drafts::of_user(),
+            windows: Arc::default(),
+            token: Token::new()?,
+            host: format!("127.0.0.1:{port}"),
+            rooms: Mutex::default(),
+        })
+    }
+
+    /// What `Host` must be.
+    pub(super) fn host(&self) -> &str {
+        &self.host
+    }
+
+    /// What `Origin` must be.
+    pub(super) fn origin(&self) -> String {
+        format!("http://{}", self.host)
+    }
+
+    /// The token.
+    pub(super) fn token(&self) -> &Token {
+        &self.token
+    }
+
+    /// The address that lets a window in: the token stands where no server is sent it.
+    pub(super) fn address(&self) -> String {
+        format!("{}/#{}", self.origin(), self.token.text())
+    }
+
+    /// The document of a file, which all its windows share.
+    ///
+    /// # Errors
+    /// There is no such scene, or it cannot be read; too many are open.
+    pub(super) fn room(&self, name: &str) -> Result<Arc<Room>, String> {
+        let path = self.folder.file(name)?;
+        let mut rooms = self.rooms.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(room) = rooms.get(&path) {
+            return Ok(room.clone());
+        }
+        if rooms.len() >= ROOMS {
+            let empty = rooms.iter().find(|(_, room)| room.is_idle());
+            let empty = empty.map(|(path, _)| path.clone());
+            let empty = empty.ok_or("too many scenes are open; close some windows")?;
+            rooms.remove(&empty);
+        }
+        let room = Room::open(
+            name,
+            &path,
+            self.folder.catalogue(&path),
+            self.drafts.clone(),
+        )?;
+        rooms.insert(path, room.clone());
+        Ok(room)
+    }
+
+    /// All documents that are open.
+    pub(super) fn rooms(&self) -> Vec<Arc<Room>> {
+        let rooms = self.rooms.lock().unwrap_or_else(PoisonError::into_inner);
+        rooms.values().cloned().collect()
+    }
+}
+
+/// Looks after all documents until the program ends.
+pub(super) async fn keep(studio: Arc<Studio>) {
+    let mut interval = tokio::time::interval(LOOK);
+    let start = memory();
+    for round in 0.. {
+        interval.tick().await;
+        let used = memory().saturating_sub(start);
+        for room in studio.rooms() {
+            if let Some(write) = room.look(used, round) {
+                tokio::task::spawn_blocking(write);
+            }
+        }
+    }
+}
