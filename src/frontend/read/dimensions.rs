@@ -3,10 +3,11 @@
 
 use super::dimension::{Dimensions, Entry, Given};
 use super::fields::Fields;
-use super::number::{NUMBER_PATTERN, Wanted, shorten};
+use super::number::{NUMBER_PATTERN, shorten};
 use super::slot::Slot;
 use super::suggest::{did_you_mean, quoted_list};
 use super::tree::Value;
+use super::wanted::Wanted;
 use crate::units::parse;
 use serde_json::json;
 

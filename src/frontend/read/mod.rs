@@ -24,10 +24,10 @@ mod slot;
 mod suggest;
 mod text;
 mod tree;
+mod wanted;
 
 pub use bounds::Bounds;
 pub use fields::Fields;
-pub use number::Wanted;
 pub use one_of::OneOf;
 pub use own::{OWN, Own};
 pub use parse::{parse, parse_fragment};
@@ -35,6 +35,7 @@ pub use slot::{Declared, Reader, Slot};
 pub use suggest::{closest, did_you_mean, quoted_list};
 pub use text::{MAX_DEPTH, MAX_SIZE};
 pub use tree::{Member, Node, Value};
+pub use wanted::Wanted;
 
 /// Names that ids and loads may have, as a regular expression.
 pub const NAME_PATTERN: &str = "^[A-Za-z_][A-Za-z0-9_-]*$";

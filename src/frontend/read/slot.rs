@@ -2,9 +2,9 @@
 
 use super::bounds::Bounds;
 use super::dimension::Dimensions;
-use super::number::Wanted;
 use super::suggest::{did_you_mean, quoted_list};
 use super::tree::{Node, Value};
+use super::wanted::Wanted;
 use crate::frontend::diagnostics::{Diagnostic, Place};
 use serde_json::{Map, Value as Json, json};
 
