@@ -71,7 +71,7 @@ function Slider({ editor, field, spans }: { editor: Editor; field: Field; spans:
         onPointerDown={() => { held.current = true; drag.current = editor.drag(); }}
         onInput={(event) => move(Number(event.currentTarget.value) / STEPS)} onChange={settle} />
       <input type="text" id={`number ${address}`} value={`${text}${shownUnit ? ` ${shownUnit}` : ""}`} aria-invalid={wrong} spellcheck={false} size={12}
-        title={units.length ? `in ${units.join(", ")}` : field.whole ? "a whole number" : "a number"}
+        title={units.some(Boolean) ? `in ${units.filter(Boolean).join(", ")}` : field.whole ? "a whole number" : "a number"}
         onFocus={(event) => event.currentTarget.select()}
         onKeyDown={(event) => { if (event.key === "Enter") enter(event.currentTarget.value.replace(unit ? "" : ` ${shownUnit}`, "")); }}
         onBlur={(event) => { const given = event.currentTarget.value; if (given !== `${text}${shownUnit ? ` ${shownUnit}` : ""}`) enter(unit ? given : given.replace(` ${shownUnit}`, "")); }} />

@@ -22,7 +22,7 @@ pub struct Number {
     pub unit: String,
     /// What it measures: `angular speed`; empty: a whole number.
     pub quantity: &'static str,
-    /// Units in which it may be given, SI first; none of pure numbers.
+    /// Units in which it may be given, SI first; that of pure numbers is empty.
     pub units: Vec<&'static str>,
     /// Bounds of the value in SI units.
     pub bounds: [Option<f64>; 2],
@@ -88,7 +88,9 @@ fn number(declared: &Declared, text: &str) -> Option<Number> {
         value,
         unit: unit.to_owned(),
         quantity: quantities.first().map_or("", |one| one.name),
-        units: units.filter(|unit| *unit != "1").collect(),
+        units: units
+            .map(|unit| if unit == "1" { "" } else { unit })
+            .collect(),
         bounds,
         included,
         factor,
@@ -128,6 +130,8 @@ mod tests {
             (Some(0.0), false)
         );
         assert!(of("rocker.masses").whole);
+        // A share, not a percentage.
+        assert_eq!(of("rocker.damping_capacity").units, ["", "%"]);
         assert_eq!(of("rocker.loads.closing.constant").value, -600.0);
         assert!(numbers.iter().all(|one| !one.address.starts_with("expect")));
         let starts: Vec<usize> = numbers.iter().map(|one| one.number_at.start).collect();
