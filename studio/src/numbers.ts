@@ -10,6 +10,7 @@ export interface Field {
   value: number;
   unit: string;
   quantity: string;
+  si: string;
   units: string[];
   bounds: [number | null, number | null];
   included: [boolean, boolean];

@@ -32,7 +32,7 @@ export function Sliders({ editor, fields, spans }: Props) {
 function Slider({ editor, field, spans }: { editor: Editor; field: Field; spans: Map<string, Span> }) {
   const drag = useRef(0), last = useRef(0), held = useRef(false);
   const [wrong, setWrong] = useState(false);
-  const { address, value, unit, units } = field;
+  const { address, value, unit, units, si } = field;
   let span = spans.get(address);
   // A number that was set elsewhere may lie beyond.
   if (!span || (!held.current && (value < span.low * (1 - 1e-9) - 1e-300 || value > span.high * (1 + 1e-9) || (span.log && value <= 0)))) {
@@ -40,7 +40,7 @@ function Slider({ editor, field, spans }: { editor: Editor; field: Field; spans:
     spans.set(address, span);
   }
   const name = address.replace(/^[^.[]+\.?/, "") || address;
-  const shownUnit = unit || (field.whole ? "" : units[0] ?? "");
+  const shownUnit = unit || si;
 
   const move = (share: number) => {
     const now = performance.now();
@@ -71,7 +71,7 @@ function Slider({ editor, field, spans }: { editor: Editor; field: Field; spans:
         onPointerDown={() => { held.current = true; drag.current = editor.drag(); }}
         onInput={(event) => move(Number(event.currentTarget.value) / STEPS)} onChange={settle} />
       <input type="text" id={`number ${address}`} value={`${text}${shownUnit ? ` ${shownUnit}` : ""}`} aria-invalid={wrong} spellcheck={false} size={12}
-        title={units.some(Boolean) ? `in ${units.filter(Boolean).join(", ")}` : field.whole ? "a whole number" : "a number"}
+        title={units.length ? `in ${units.join(", ")}` : field.whole ? "a whole number" : "a number"}
         onFocus={(event) => event.currentTarget.select()}
         onKeyDown={(event) => { if (event.key === "Enter") enter(event.currentTarget.value.replace(unit ? "" : ` ${shownUnit}`, "")); }}
         onBlur={(event) => { const given = event.currentTarget.value; if (given !== `${text}${shownUnit ? ` ${shownUnit}` : ""}`) enter(unit ? given : given.replace(` ${shownUnit}`, "")); }} />

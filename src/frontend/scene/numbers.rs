@@ -22,7 +22,9 @@ pub struct Number {
     pub unit: String,
     /// What it measures: `angular speed`; empty: a whole number.
     pub quantity: &'static str,
-    /// Units in which it may be given, SI first; that of pure numbers is empty.
+    /// The SI unit, which it is in where none is written; empty of pure numbers.
+    pub si: &'static str,
+    /// Units in which it may be given.
     pub units: Vec<&'static str>,
     /// Bounds of the value in SI units.
     pub bounds: [Option<f64>; 2],
@@ -88,9 +90,11 @@ fn number(declared: &Declared, text: &str) -> Option<Number> {
         value,
         unit: unit.to_owned(),
         quantity: quantities.first().map_or("", |one| one.name),
-        units: units
-            .map(|unit| if unit == "1" { "" } else { unit })
-            .collect(),
+        si: quantities.first().map_or("", |one| match one.si() {
+            "1" => "",
+            unit => unit,
+        }),
+        units: units.filter(|unit| *unit != "1").collect(),
         bounds,
         included,
         factor,
@@ -129,9 +133,11 @@ mod tests {
             (stiffness.bounds[0], stiffness.included[0]),
             (Some(0.0), false)
         );
+        assert_eq!(
+            (stiffness.si, of("rocker.damping_capacity").si),
+            ("N m/rad", "")
+        );
         assert!(of("rocker.masses").whole);
-        // A share, not a percentage.
-        assert_eq!(of("rocker.damping_capacity").units, ["", "%"]);
         assert_eq!(of("rocker.loads.closing.constant").value, -600.0);
         assert!(numbers.iter().all(|one| !one.address.starts_with("expect")));
         let starts: Vec<usize> = numbers.iter().map(|one| one.number_at.start).collect();
