@@ -12,6 +12,7 @@
 mod ahead;
 mod back;
 mod climb;
+mod figures;
 mod lanes_ahead;
 #[cfg(test)]
 mod tests;
@@ -19,6 +20,7 @@ mod walk;
 
 pub(crate) use ahead::Ahead;
 pub(crate) use back::LookBack;
+pub use figures::{FigureTimes, TreeFigures};
 
 use super::asked::Asked;
 use super::basis::Basis;
@@ -26,44 +28,6 @@ use super::hermite::{Bounds, End, Piece, Point};
 use super::lanes::{Arith, V, WIDTH};
 use super::panel::{Amplitudes, Panel, PanelPhase};
 use super::phase::{Exponentials, Phase};
-
-/// Figures of one object of a tree.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct TreeFigures {
-    /// Greatest δ.
-    pub delta_max: f64,
-    /// Least δ.
-    pub delta_min: f64,
-    /// Mean of |δ| over the run.
-    pub sigma: f64,
-    /// Greatest |φ̇| of the last mass.
-    pub peak_speed: f64,
-    /// Greatest |φ̈| of the last mass, both sides of a switch included.
-    pub peak_acceleration: f64,
-    /// Greatest |F| of link 1; with a pair also its greatest contact force.
-    pub peak_reaction: f64,
-    /// Greatest clearance from the nearest flank.
-    pub max_lift: f64,
-    /// Instants at which they are met.
-    pub times: FigureTimes,
-}
-
-/// Instants of the extremes of an object (s); 0 where nothing passed the start.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct FigureTimes {
-    /// Of the greatest δ.
-    pub delta_max: f64,
-    /// Of the least δ.
-    pub delta_min: f64,
-    /// Of the greatest |φ̇|.
-    pub peak_speed: f64,
-    /// Of the greatest |φ̈|.
-    pub peak_acceleration: f64,
-    /// Of the greatest |F|.
-    pub peak_reaction: f64,
-    /// Of the greatest clearance.
-    pub max_lift: f64,
-}
 
 /// Most cuts of one step for one figure; what is left is then believed.
 const CUTS: usize = 64;

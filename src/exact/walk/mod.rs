@@ -8,19 +8,19 @@
 //! so are its figures and its works.
 
 mod branch;
+mod clock;
 mod given;
 mod paces;
 mod tracks;
 
-use super::{ExactTree, Halt, Parts, Refusal, Request};
-use crate::dynamics::integrate::{
-    Dynamics, Limits, Method, Modes, Outcome, Statistics, Stop, SwitchEvent,
-};
+use super::{ExactTree, Parts, Refusal, Request};
+use crate::dynamics::integrate::{Dynamics, Method, Modes, Outcome, Statistics, Stop, SwitchEvent};
 use crate::dynamics::system::{InitialState, System};
 use paces::Paces;
 use tracks::Tracks;
 
 pub(crate) use branch::Branch;
+pub(crate) use clock::Clock;
 pub(crate) use given::Given;
 
 /// Two instants closer than this, in units of the clock, are one.
@@ -60,41 +60,6 @@ impl Motion<'_, '_> {
         }
         for branch in self.branches.iter_mut() {
             branch.state(time, y);
-        }
-    }
-}
-
-/// Clock: what may end a walk from outside, looked at from time to time.
-#[derive(Debug)]
-pub(crate) struct Clock<'l> {
-    limits: &'l Limits<'l>,
-}
-
-impl<'l> Clock<'l> {
-    pub(crate) fn new(limits: &'l Limits<'l>) -> Self {
-        Self { limits }
-    }
-
-    /// Why a walk must not go on.
-    fn stop(&self) -> Option<Stop> {
-        self.limits.budget.spent().map(Stop::from)
-    }
-
-    /// True as long as nothing ends it.
-    pub(crate) fn goes_on(&self) -> bool {
-        self.stop().is_none()
-    }
-
-    /// Stop that a halt of a tree stands for.
-    fn why(&self, halt: Halt) -> Stop {
-        match halt {
-            Halt::Switches => Stop::TooManySwitches {
-                bound: self.limits.switches,
-            },
-            Halt::Steps => Stop::TooManySteps {
-                bound: self.limits.steps,
-            },
-            Halt::Cancelled => self.stop().unwrap_or(Stop::Interrupted),
         }
     }
 }

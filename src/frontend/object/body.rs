@@ -1,51 +1,22 @@
 //! Inertia, stiffness, damping and number of masses of a chain.
 
-use super::geometry::{self, Beam, Elastic};
-use super::level::{self, Lumped, Masses};
+mod sound;
+mod written;
+
+pub(super) use sound::is_sound;
+
+use super::geometry::Beam;
+use super::level::Masses;
 use super::measures::Measures;
 use super::spec::{BodySpec, InertiaSplit, Level, Uniform};
-use crate::frontend::read::{Bounds, Fields, Slot};
+use crate::frontend::read::Fields;
 use serde_json::json;
+use sound::sound;
 use std::f64::consts::TAU;
+use written::{Written, written};
 
 /// Most masses of one object.
 pub(super) const MOST_MASSES: u64 = 10_000;
-
-/// Everything that is written, each in one of its ways; `None`: absent.
-struct Written {
-    masses: Option<Masses>,
-    inertia: Option<f64>,
-    inertias: Option<Vec<f64>>,
-    stiffness: Option<f64>,
-    stiffnesses: Option<Vec<f64>>,
-    capacity: Option<f64>,
-    damping: Option<f64>,
-    dampings: Option<Vec<f64>>,
-    split: Option<InertiaSplit>,
-    lumping: Lumped,
-    modes: Option<usize>,
-    geometry: Option<Elastic>,
-}
-
-impl Written {
-    /// Total inertia, as written or of the geometry.
-    fn inertia(&self) -> Option<f64> {
-        let geometry = self.geometry.map(|elastic| elastic.inertia);
-        self.inertia.or(geometry)
-    }
-
-    /// Stiffness seen at the last mass, as written or of the geometry.
-    fn stiffness(&self) -> Option<f64> {
-        let geometry = self.geometry.map(|elastic| elastic.stiffness);
-        self.stiffness.or(geometry)
-    }
-
-    /// Damping capacity, as written or of the damping: ψ = 2π·b/√(c·J); 0 of neither.
-    fn capacity(&self, inertia: f64, stiffness: f64) -> f64 {
-        let of = |damping: f64| damping * TAU / (stiffness * inertia).sqrt();
-        self.capacity.or(self.damping.map(of)).unwrap_or(0.0)
-    }
-}
 
 /// Pairs of properties that say the same thing.
 const CLASHES: &[(&str, &str)] = &[
@@ -97,104 +68,6 @@ pub(super) fn read(
         return rigid(fields, &written);
     }
     elastic(fields, written, masses, default_split)
-}
-
-fn written(fields: &mut Fields<'_>, own: Measures, beam: Beam) -> Option<Written> {
-    let masses = fields.maybe(
-        "masses",
-        "Number of masses; 0: rigid; \"auto\": as many masses or modes as the accuracy of the \
-         run needs. Default: 1, or the length of the lists.",
-        |slot| level::masses(slot, MOST_MASSES),
-    );
-    let inertia = fields.maybe("inertia", "Total inertia J", |slot| {
-        slot.quantity(own.inertia(), Bounds::NOT_NEGATIVE)
-    });
-    let stiffness = fields.maybe("stiffness", "Stiffness c seen at the last mass", |slot| {
-        slot.quantity(own.stiffness(), Bounds::POSITIVE)
-    });
-    let capacity = fields.maybe(
-        "damping_capacity",
-        "Specific damping capacity ψ: share of the elastic energy lost in one cycle. Default 0.",
-        |slot| slot.number(Bounds::NOT_NEGATIVE),
-    );
-    let damping = fields.maybe("damping", "Damping b seen at the last mass", |slot| {
-        slot.quantity(own.damping(), Bounds::NOT_NEGATIVE)
-    });
-    let split = fields.maybe(
-        "split",
-        "How the inertia is split: `cubes` (uniform lever), `equal`, or a list of shares.",
-        split,
-    );
-    let lumping = level::read_lumping(fields);
-    let modes = level::read_modes(fields);
-    let list = |wanted, bounds| {
-        move |slot: Slot<'_>| {
-            slot.list(1..=MOST_MASSES as usize, |slot| {
-                slot.quantity(wanted, bounds)
-            })
-        }
-    };
-    let inertias = fields.maybe(
-        "inertias",
-        "Inertia of each mass",
-        list(own.inertia(), Bounds::POSITIVE),
-    );
-    let stiffnesses = fields.maybe(
-        "stiffnesses",
-        "Stiffness of each link",
-        list(own.stiffness(), Bounds::POSITIVE),
-    );
-    let dampings = fields.maybe(
-        "dampings",
-        "Damping of each link",
-        list(own.damping(), Bounds::NOT_NEGATIVE),
-    );
-    let geometry = fields.maybe(
-        "geometry",
-        "Dimensions and material, in place of inertia and stiffness",
-        |slot| geometry::read(slot, beam),
-    );
-    Some(Written {
-        masses: masses?,
-        inertia: inertia?,
-        inertias: inertias?,
-        stiffness: stiffness?,
-        stiffnesses: stiffnesses?,
-        capacity: capacity?,
-        damping: damping?,
-        dampings: dampings?,
-        split: split?,
-        lumping: lumping?,
-        modes: modes?,
-        geometry: geometry?,
-    })
-}
-
-fn split(mut slot: Slot<'_>) -> Option<InertiaSplit> {
-    let names = [
-        ("cubes", InertiaSplit::Cubes),
-        ("equal", InertiaSplit::Equal),
-    ];
-    let shares = |slot: Slot<'_>| {
-        slot.list(1..=MOST_MASSES as usize, |slot| {
-            slot.number(Bounds::up_to(1.0))
-        })
-    };
-    let shares = match slot.list_or(shares, |slot| slot.choice(&names))? {
-        Ok(shares) => shares,
-        Err(named) => return Some(named),
-    };
-    let sum: f64 = shares.iter().sum();
-    if (sum - 1.0).abs() > 1e-6 {
-        slot.refuse(
-            "out-of-range",
-            format!("the shares of `split` must add up to 1, found {sum}"),
-        );
-        return None;
-    }
-    Some(InertiaSplit::Shares(
-        shares.iter().map(|share| share / sum).collect(),
-    ))
 }
 
 /// The number of masses, with which all lists must agree.
@@ -452,66 +325,4 @@ fn split_json(split: &InertiaSplit) -> serde_json::Value {
         InertiaSplit::Equal => json!("equal"),
         InertiaSplit::Shares(shares) => json!(shares),
     }
-}
-
-/// True when its numbers do not overflow once they are combined.
-pub(super) fn is_sound(body: &BodySpec) -> bool {
-    match body {
-        BodySpec::Open(uniform) => is_sound(&uniform.at(Level::Modes { count: 1 })),
-        BodySpec::Rigid { inertia } => inertia.is_finite(),
-        BodySpec::Uniform {
-            inertia,
-            stiffness,
-            damping_capacity,
-            masses,
-            ..
-        } => {
-            let chain = stiffness * *masses as f64;
-            let frequency = (chain * *masses as f64 / inertia).sqrt();
-            let damping = damping_capacity * chain / frequency;
-            frequency.is_finite() && frequency > 0.0 && damping.is_finite()
-        }
-        BodySpec::Modes {
-            inertia,
-            stiffness,
-            damping_capacity,
-            modes,
-            ..
-        } => {
-            let frequency = (stiffness / inertia).sqrt();
-            let fastest = 8.0 * *modes as f64 * frequency;
-            let damping = damping_capacity * stiffness / frequency;
-            (fastest * fastest).is_finite() && frequency > 0.0 && damping.is_finite()
-        }
-        BodySpec::Lists {
-            inertias,
-            stiffnesses,
-            dampings,
-        } => {
-            let all = [inertias, stiffnesses, dampings];
-            all.into_iter().flatten().all(|value| value.is_finite())
-                && inertias.iter().chain(stiffnesses).all(|value| *value > 0.0)
-        }
-    }
-}
-
-/// Refuses numbers that overflow once they are combined.
-fn sound(fields: &mut Fields<'_>, body: BodySpec) -> Option<BodySpec> {
-    if is_sound(&body) {
-        return Some(body);
-    }
-    let name = if fields.has("stiffness") {
-        "stiffness"
-    } else {
-        "inertia"
-    };
-    fields
-        .refuse(
-            name,
-            "out-of-range",
-            "these numbers give no finite natural frequency and damping",
-        )
-        .hints
-        .push("inertia, stiffness and damping are in SI units".to_owned());
-    None
 }

@@ -1,16 +1,18 @@
 //! From the plain numbers of a linkage to its structure and the plan of its
 //! solution, or to what is wrong with its structure.
 
+mod misfit;
+
 use super::decompose::{Decomposition, Edge, decompose};
 use super::dyad::{Dyad, Form};
 use super::elements::{Body, Element, Part, elements, slides};
 use super::newton::{Joint, NewtonGroup, Side};
 use super::plan::{Driver, Plan, Step, size};
-use super::redundant::parallel_rods;
-use super::spec::{LinkageSpec, PairSpec};
-use super::structure::{Group, GroupKind, explanation, mobility};
+use super::spec::LinkageSpec;
+use super::structure::{Group, GroupKind};
 use super::vector::Arm;
 use crate::fault::{Fault, Faults};
+use misfit::misfit;
 
 /// The bodies that the driver does not place, and the body of every link.
 struct Bodies {
@@ -155,108 +157,6 @@ fn sliding_loops(spec: &LinkageSpec, faults: &mut Faults) {
             }
         }
     }
-}
-
-/// Says what holds a part more than once and what is free.
-fn misfit(
-    spec: &LinkageSpec,
-    bodies: &Bodies,
-    others: &[usize],
-    held: &[(Vec<usize>, Vec<usize>)],
-    free: &[usize],
-    faults: &mut Faults,
-) {
-    let links = |list: &[usize]| -> String {
-        let bodies = list.iter().map(|&body| &bodies.list[body]);
-        let mut links: Vec<usize> = bodies.flat_map(Body::links).collect();
-        links.sort_unstable();
-        let names: Vec<String> = links
-            .iter()
-            .map(|&link| format!("`{}`", spec.links[link].name))
-            .collect();
-        names.join(", ")
-    };
-    let count = mobility(spec);
-    if count < 1 && redundant(spec, bodies, held, faults) {
-        return;
-    }
-    if count != 1 {
-        let hint = match count {
-            ..=0 => "leave out pairs or add links until one degree of freedom is left",
-            2 => {
-                "a linkage has one driver: tie a second input to the first by further links and \
-                 pairs, or leave the loose links out"
-            }
-            _ => "join the loose links with further pairs, or leave them out",
-        };
-        let message = format!("not one degree of freedom: {}", explanation(spec));
-        faults.add("pairs", message, hint);
-    }
-    for (list, pairs) in held {
-        let names: Vec<&str> = pairs
-            .iter()
-            .map(|&pair| spec.pairs[others[pair]].name.as_str())
-            .collect();
-        let last = names.last().copied().unwrap_or_default();
-        let what = match list.as_slice() {
-            [] => "the ground and the driven link are joined twice".to_owned(),
-            list => format!("{} held more than once", is_or_are(&links(list))),
-        };
-        faults.add(
-            format!("pairs.{last}"),
-            format!(
-                "statically indeterminate: {what}, by the pairs {}",
-                names.join(", ")
-            ),
-            "leave out one of these pairs, or put a link in between",
-        );
-    }
-    if let Some(&first) = free.first() {
-        let name = &spec.links[bodies.list[first].base].name;
-        let message = format!(
-            "{} free to move while the driver stands still",
-            is_or_are(&links(free))
-        );
-        let hint = "join them with further pairs, or leave them out";
-        faults.add(format!("links.{name}"), message, hint);
-    }
-}
-
-/// Names the parallel rods, where it is they that are too many; true then.
-fn redundant(
-    spec: &LinkageSpec,
-    bodies: &Bodies,
-    held: &[(Vec<usize>, Vec<usize>)],
-    faults: &mut Faults,
-) -> bool {
-    let held = held.iter().flat_map(|(list, _)| list);
-    let mut links: Vec<usize> = held.flat_map(|&body| bodies.list[body].links()).collect();
-    links.sort_unstable();
-    links.dedup();
-    let Some(rods) = parallel_rods(spec, &links) else {
-        return false;
-    };
-    for &rod in &rods {
-        let name = &spec.links[rod].name;
-        let own = |pair: &&PairSpec| [pair.on.link, pair.link.link].contains(&Some(rod));
-        let pins: Vec<&str> = (spec.pairs.iter().filter(own))
-            .map(|pair| pair.name.as_str())
-            .collect();
-        faults.add(
-            format!("links.{name}"),
-            format!(
-                "`{name}` is a redundant parallel rod: the linkage moves in the same way without it, \
-                 and what it carries is not determined by rigid links"
-            ),
-            &format!("leave out `{name}` and its pairs {}", pins.join(" and ")),
-        );
-    }
-    true
-}
-
-fn is_or_are(names: &str) -> String {
-    let word = if names.contains(',') { "are" } else { "is" };
-    format!("{names} {word}")
 }
 
 /// A group that is solved by iteration.

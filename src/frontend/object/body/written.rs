@@ -1,0 +1,144 @@
+//! What is written of a body, each in one of its ways.
+
+use super::MOST_MASSES;
+use crate::frontend::object::geometry::{self, Beam, Elastic};
+use crate::frontend::object::level::{self, Lumped, Masses};
+use crate::frontend::object::measures::Measures;
+use crate::frontend::object::spec::InertiaSplit;
+use crate::frontend::read::{Bounds, Fields, Slot};
+use std::f64::consts::TAU;
+
+/// Everything that is written, each in one of its ways; `None`: absent.
+pub(super) struct Written {
+    pub(super) masses: Option<Masses>,
+    pub(super) inertia: Option<f64>,
+    pub(super) inertias: Option<Vec<f64>>,
+    pub(super) stiffness: Option<f64>,
+    pub(super) stiffnesses: Option<Vec<f64>>,
+    pub(super) capacity: Option<f64>,
+    pub(super) damping: Option<f64>,
+    pub(super) dampings: Option<Vec<f64>>,
+    pub(super) split: Option<InertiaSplit>,
+    pub(super) lumping: Lumped,
+    pub(super) modes: Option<usize>,
+    pub(super) geometry: Option<Elastic>,
+}
+
+impl Written {
+    /// Total inertia, as written or of the geometry.
+    pub(super) fn inertia(&self) -> Option<f64> {
+        let geometry = self.geometry.map(|elastic| elastic.inertia);
+        self.inertia.or(geometry)
+    }
+
+    /// Stiffness seen at the last mass, as written or of the geometry.
+    pub(super) fn stiffness(&self) -> Option<f64> {
+        let geometry = self.geometry.map(|elastic| elastic.stiffness);
+        self.stiffness.or(geometry)
+    }
+
+    /// Damping capacity, as written or of the damping: ψ = 2π·b/√(c·J); 0 of neither.
+    pub(super) fn capacity(&self, inertia: f64, stiffness: f64) -> f64 {
+        let of = |damping: f64| damping * TAU / (stiffness * inertia).sqrt();
+        self.capacity.or(self.damping.map(of)).unwrap_or(0.0)
+    }
+}
+
+/// Reads what is written.
+pub(super) fn written(fields: &mut Fields<'_>, own: Measures, beam: Beam) -> Option<Written> {
+    let masses = fields.maybe(
+        "masses",
+        "Number of masses; 0: rigid; \"auto\": as many masses or modes as the accuracy of the \
+         run needs. Default: 1, or the length of the lists.",
+        |slot| level::masses(slot, MOST_MASSES),
+    );
+    let inertia = fields.maybe("inertia", "Total inertia J", |slot| {
+        slot.quantity(own.inertia(), Bounds::NOT_NEGATIVE)
+    });
+    let stiffness = fields.maybe("stiffness", "Stiffness c seen at the last mass", |slot| {
+        slot.quantity(own.stiffness(), Bounds::POSITIVE)
+    });
+    let capacity = fields.maybe(
+        "damping_capacity",
+        "Specific damping capacity ψ: share of the elastic energy lost in one cycle. Default 0.",
+        |slot| slot.number(Bounds::NOT_NEGATIVE),
+    );
+    let damping = fields.maybe("damping", "Damping b seen at the last mass", |slot| {
+        slot.quantity(own.damping(), Bounds::NOT_NEGATIVE)
+    });
+    let split = fields.maybe(
+        "split",
+        "How the inertia is split: `cubes` (uniform lever), `equal`, or a list of shares.",
+        split,
+    );
+    let lumping = level::read_lumping(fields);
+    let modes = level::read_modes(fields);
+    let list = |wanted, bounds| {
+        move |slot: Slot<'_>| {
+            slot.list(1..=MOST_MASSES as usize, |slot| {
+                slot.quantity(wanted, bounds)
+            })
+        }
+    };
+    let inertias = fields.maybe(
+        "inertias",
+        "Inertia of each mass",
+        list(own.inertia(), Bounds::POSITIVE),
+    );
+    let stiffnesses = fields.maybe(
+        "stiffnesses",
+        "Stiffness of each link",
+        list(own.stiffness(), Bounds::POSITIVE),
+    );
+    let dampings = fields.maybe(
+        "dampings",
+        "Damping of each link",
+        list(own.damping(), Bounds::NOT_NEGATIVE),
+    );
+    let geometry = fields.maybe(
+        "geometry",
+        "Dimensions and material, in place of inertia and stiffness",
+        |slot| geometry::read(slot, beam),
+    );
+    Some(Written {
+        masses: masses?,
+        inertia: inertia?,
+        inertias: inertias?,
+        stiffness: stiffness?,
+        stiffnesses: stiffnesses?,
+        capacity: capacity?,
+        damping: damping?,
+        dampings: dampings?,
+        split: split?,
+        lumping: lumping?,
+        modes: modes?,
+        geometry: geometry?,
+    })
+}
+
+fn split(mut slot: Slot<'_>) -> Option<InertiaSplit> {
+    let names = [
+        ("cubes", InertiaSplit::Cubes),
+        ("equal", InertiaSplit::Equal),
+    ];
+    let shares = |slot: Slot<'_>| {
+        slot.list(1..=MOST_MASSES as usize, |slot| {
+            slot.number(Bounds::up_to(1.0))
+        })
+    };
+    let shares = match slot.list_or(shares, |slot| slot.choice(&names))? {
+        Ok(shares) => shares,
+        Err(named) => return Some(named),
+    };
+    let sum: f64 = shares.iter().sum();
+    if (sum - 1.0).abs() > 1e-6 {
+        slot.refuse(
+            "out-of-range",
+            format!("the shares of `split` must add up to 1, found {sum}"),
+        );
+        return None;
+    }
+    Some(InertiaSplit::Shares(
+        shares.iter().map(|share| share / sum).collect(),
+    ))
+}
