@@ -133,7 +133,8 @@ def load_function(
     times more for its slopes unless they are given (twice without speed). A call takes about
     a microsecond and the interpreter's lock, so that a run takes some ten times as long as
     with a load of the library, and threads of a map wait for each other. What it raises ends
-    the run and is raised there. `exact` and `taylor` do not take it.
+    the run and is raised there; on the other threads of a map it leaves cells without a value.
+    `exact` and `taylor` do not take it.
 
     Parameters
     ----------
