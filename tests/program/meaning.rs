@@ -846,7 +846,7 @@ fn a_cell_that_is_clicked_gives_its_command() {
     assert!(status.status.success(), "{}", text(&status.stderr));
     let page = std::fs::read_to_string(out.join("report.html")).unwrap();
     let script = r##"
-        const panel = document.querySelector(".map .pad"), box = panel.getBoundingClientRect();
+        const panel = document.querySelector(".panels .pad"), box = panel.getBoundingClientRect();
         const at = { clientX: box.left + box.width * 0.9, clientY: box.top + box.height * 0.9, bubbles: true };
         panel.dispatchEvent(new PointerEvent("pointermove", at));
         const told = document.getElementById("cell").textContent;

@@ -25,8 +25,8 @@ fn speed(units: Units) -> String {
 }
 
 /// A table with a row for every object that has what it is of.
-fn table<'n, const N: usize>(
-    heads: [&'n str; N],
+fn table<const N: usize>(
+    heads: [&str; N],
     figures: &Figures,
     cells: impl Fn(&ObjectFigures, Units) -> Option<Vec<Cell>>,
 ) -> Table {
