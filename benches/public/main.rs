@@ -46,8 +46,14 @@ fn document(cases: &[Case]) -> String {
                 case.program,
                 figure.figure,
                 figure.at,
-                figure.truth,
-                figure.stored.map_or("not stored".to_owned(), off),
+                format!("{} ± {:.0e}", figure.truth, figure.truth_error),
+                figure
+                    .stored
+                    .map_or("not stored".to_owned(), |stored| format!(
+                        "{} (last digit {:.0e})",
+                        off(stored),
+                        figure.last_digit
+                    )),
                 off(own.value),
                 own.steps,
                 1e3 * own.seconds,
