@@ -39,21 +39,17 @@ fn document(cases: &[Case]) -> String {
         for figure in &case.figures {
             let [own, tight] = [None, Some(TIGHT)].map(|tolerance| best(case, figure, tolerance));
             let off = |value: f64| format!("{:.0e}", (value - figure.truth).abs());
+            let truth = format!("{} ± {:.0e}", figure.truth, figure.truth_error);
+            let stored = figure.stored.map_or("not stored".to_owned(), |stored| {
+                format!("{} (last digit {:.0e})", off(stored), figure.last_digit)
+            });
             let _ = writeln!(
                 text,
-                "| {} | {} | `{}` at {} s | {} | {} | {} | {} | {:.1} | {} |",
+                "| {} | {} | `{}` at {} s | {truth} | {stored} | {} | {} | {:.1} | {} |",
                 case.name,
                 case.program,
                 figure.figure,
                 figure.at,
-                format!("{} ± {:.0e}", figure.truth, figure.truth_error),
-                figure
-                    .stored
-                    .map_or("not stored".to_owned(), |stored| format!(
-                        "{} (last digit {:.0e})",
-                        off(stored),
-                        figure.last_digit
-                    )),
                 off(own.value),
                 own.steps,
                 1e3 * own.seconds,
