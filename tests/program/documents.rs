@@ -227,6 +227,7 @@ fn the_scene_in_the_readme_is_right() {
 fn the_figures_in_the_readme_are_those_that_are_printed() {
     let output = Command::new(env!("CARGO_BIN_EXE_dam"))
         .args(["run", "scenarios/rocker/two_masses.json"])
+        .env("COLUMNS", "110")
         .current_dir(root())
         .output()
         .unwrap();

@@ -220,7 +220,7 @@ const live = (() => {
     mark(x, y) {
       this.here = [x, y];
       this.crosses = this.crosses || ["here-back", "here"].map((name) => add(this.over, "path", { class: name }));
-      const [px, py] = x === null || y === null ? [NaN, NaN] : [this.px(x), this.py(y)];
+      const [px, py] = x === null || y === null ? [] : [this.px(x), this.py(y)];
       for (const cross of this.crosses) cross.setAttribute("d", this.inside(px, py) ? `M${fixed(px - 9)} ${fixed(py)}h18M${fixed(px)} ${fixed(py - 9)}v18` : "");
     }
 
