@@ -51,6 +51,7 @@ __all__ = [
     "LinkageOutput",
     "LinkagePair",
     "Load",
+    "Material",
     "Motion",
     "Motor",
     "Pair",
@@ -187,7 +188,8 @@ class CamFollower(Tree):
     lumping
         Where the inertia of each of the cells that the object is cut into is put: `ends`,
         at the far end of the cell; or `balanced`, at both its ends so that its first moment
-        of compliance is kept, which needs a pair that cannot open. Default `ends`.
+        of compliance is kept, which needs a pair that cannot open, or a contact element,
+        behind which the first cell is of the former kind. Default `ends`.
     masses
         Number of masses; 0: rigid; "auto": as many masses or modes as the accuracy of the
         run needs. Default: 1, or the length of the lists.
@@ -314,6 +316,9 @@ class CamOf(Tree):
     direction
         For drawings: direction of outward motion (default 90 deg), or from the cam's axis
         to that of a turning follower (default 0) (angle in rad, deg, mrad or rev)
+    material
+        Material of follower and cam, the counter-body: for the Hertzian pressure between
+        them.
     positive
         Where positive displacement takes the follower, seen from the cam's axis. Default:
         "outward".
@@ -338,6 +343,7 @@ class CamOf(Tree):
         arm: Quantity | None = None,
         centre_distance: Quantity | None = None,
         direction: Quantity | None = None,
+        material: Material | Mapping[str, Value] | None = None,
         positive: Literal['outward', 'inward'] | None = None,
         range: Sequence[Quantity] | None = None,
         sense: Literal['counterclockwise', 'clockwise'] | None = None,
@@ -350,6 +356,7 @@ class CamOf(Tree):
             ("arm", arm),
             ("centre_distance", centre_distance),
             ("direction", direction),
+            ("material", material),
             ("positive", positive),
             ("range", range),
             ("sense", sense),
@@ -475,7 +482,8 @@ class Crank(Tree):
     lumping
         Where the inertia of each of the cells that the object is cut into is put: `ends`,
         at the far end of the cell; or `balanced`, at both its ends so that its first moment
-        of compliance is kept, which needs a pair that cannot open. Default `ends`.
+        of compliance is kept, which needs a pair that cannot open, or a contact element,
+        behind which the first cell is of the former kind. Default `ends`.
     masses
         Number of masses; 0: rigid; "auto": as many masses or modes as the accuracy of the
         run needs. Default: 1, or the length of the lists.
@@ -632,7 +640,8 @@ class Differential(Tree):
     lumping
         Where the inertia of each of the cells that the object is cut into is put: `ends`,
         at the far end of the cell; or `balanced`, at both its ends so that its first moment
-        of compliance is kept, which needs a pair that cannot open. Default `ends`.
+        of compliance is kept, which needs a pair that cannot open, or a contact element,
+        behind which the first cell is of the former kind. Default `ends`.
     masses
         Number of masses; 0: rigid; "auto": as many masses or modes as the accuracy of the
         run needs. Default: 1, or the length of the lists.
@@ -765,6 +774,9 @@ class DiscCam(Tree):
     direction
         For drawings: direction of outward motion (default 90 deg), or from the cam's axis
         to that of a turning follower (default 0) (angle in rad, deg, mrad or rev)
+    material
+        Material of follower and cam, the counter-body: for the Hertzian pressure between
+        them.
     offset
         Distance of the follower's line from the cam's axis, positive to the side on which
         the cam's surface moves outwards (length in m, mm, cm or µm) Default: 0.0.
@@ -792,6 +804,7 @@ class DiscCam(Tree):
         arm: Quantity | None = None,
         centre_distance: Quantity | None = None,
         direction: Quantity | None = None,
+        material: Material | Mapping[str, Value] | None = None,
         offset: Quantity | None = None,
         positive: Literal['outward', 'inward'] | None = None,
         range: Sequence[Quantity] | None = None,
@@ -805,6 +818,7 @@ class DiscCam(Tree):
             ("arm", arm),
             ("centre_distance", centre_distance),
             ("direction", direction),
+            ("material", material),
             ("offset", offset),
             ("positive", positive),
             ("range", range),
@@ -1736,6 +1750,45 @@ class Load(Tree):
         )
 
 
+class Material(Tree):
+    """Material of follower and cam, the counter-body: for the Hertzian pressure between them.
+
+    Parameters
+    ----------
+    modulus
+        Young's modulus of the object (modulus in Pa, MPa, GPa or N/mm^2)
+    thickness
+        Length of the line of contact: the lesser of the thicknesses (length in m, mm, cm or
+        µm)
+    counter_modulus
+        Young's modulus of the counter-body; absent: that of the object (modulus in Pa, MPa,
+        GPa or N/mm^2)
+    counter_poisson_ratio
+        Poisson's ratio of the counter-body; absent: that of the object (a pure number)
+    poisson_ratio
+        Poisson's ratio of the object. (a pure number) Default: 0.3.
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        modulus: Quantity,
+        thickness: Quantity,
+        counter_modulus: Quantity | None = None,
+        counter_poisson_ratio: Quantity | None = None,
+        poisson_ratio: Quantity | None = None,
+    ) -> None:
+        super().__init__(
+            ("modulus", modulus),
+            ("thickness", thickness),
+            ("counter_modulus", counter_modulus),
+            ("counter_poisson_ratio", counter_poisson_ratio),
+            ("poisson_ratio", poisson_ratio),
+        )
+
+
 class Motion(Tree):
     """Prescribed motion.
 
@@ -2276,7 +2329,8 @@ class Rocker(Tree):
     lumping
         Where the inertia of each of the cells that the object is cut into is put: `ends`,
         at the far end of the cell; or `balanced`, at both its ends so that its first moment
-        of compliance is kept, which needs a pair that cannot open. Default `ends`.
+        of compliance is kept, which needs a pair that cannot open, or a contact element,
+        behind which the first cell is of the former kind. Default `ends`.
     masses
         Number of masses; 0: rigid; "auto": as many masses or modes as the accuracy of the
         run needs. Default: 1, or the length of the lists.
@@ -2628,7 +2682,8 @@ class Shaft(Tree):
     lumping
         Where the inertia of each of the cells that the object is cut into is put: `ends`,
         at the far end of the cell; or `balanced`, at both its ends so that its first moment
-        of compliance is kept, which needs a pair that cannot open. Default `ends`.
+        of compliance is kept, which needs a pair that cannot open, or a contact element,
+        behind which the first cell is of the former kind. Default `ends`.
     masses
         Number of masses; 0: rigid; "auto": as many masses or modes as the accuracy of the
         run needs. Default: 1, or the length of the lists.
@@ -2819,7 +2874,8 @@ class Slider(Tree):
     lumping
         Where the inertia of each of the cells that the object is cut into is put: `ends`,
         at the far end of the cell; or `balanced`, at both its ends so that its first moment
-        of compliance is kept, which needs a pair that cannot open. Default `ends`.
+        of compliance is kept, which needs a pair that cannot open, or a contact element,
+        behind which the first cell is of the former kind. Default `ends`.
     masses
         Number of masses; 0: rigid; "auto": as many masses or modes as the accuracy of the
         run needs. Default: 1, or the length of the lists.
