@@ -505,7 +505,7 @@ def main() -> int:
     faulthandler.cancel_dump_traceback_later()
     if asked.count >= 1000:
         # A spawned process imports everything anew.
-        command = [sys.executable, __file__, "--count", "50", "--seed", str(asked.seed + 1)]
+        command = [sys.executable, "-I", __file__, "--count", "50", "--seed", str(asked.seed + 1)]
         if subprocess.run(command, stdout=subprocess.DEVNULL, timeout=300).returncode:
             caller.bad.append("calls in a spawned process fail")
         wrong = runs(asked.count // 10)
