@@ -4,8 +4,8 @@ use super::Mechanism;
 use crate::Error;
 use crate::fault::Fault;
 use crate::frontend::diagnostics::Diagnostic;
+use crate::kinematics::cam::DiscCam;
 use crate::kinematics::cam::sizing::PressureLimits;
-use crate::kinematics::cam::{DiscCam, Guide};
 use crate::studies::cam::{
     CamFigures, CamForce, Question, Reserve, disc_cam, figures, objects_with_cam,
 };
@@ -141,7 +141,9 @@ impl Mechanism {
         let index = model.objects.iter().position(|part| part.id == id);
         let unknown = || Error::question(format!("there is no object `{id}`"));
         let force = CamForce::new(model, index.ok_or_else(unknown)?, &cam, question.speed);
-        let outward = question.pressure_angle.unwrap_or_else(|| usual(&cam));
+        let outward = question
+            .pressure_angle
+            .unwrap_or_else(|| cam.geometry().guide.customary_pressure_angle());
         let asked = Question {
             pressure: PressureLimits {
                 outward,
@@ -177,13 +179,5 @@ impl Mechanism {
                 several.join(", ")
             ))),
         }
-    }
-}
-
-/// Customary greatest pressure angle (rad): sliding followers jam sooner.
-fn usual(cam: &DiscCam) -> f64 {
-    match cam.geometry().guide {
-        Guide::Translating { .. } => 30f64.to_radians(),
-        Guide::Turning { .. } => 45f64.to_radians(),
     }
 }

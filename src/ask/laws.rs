@@ -5,6 +5,7 @@ use crate::Error;
 use crate::dynamics::model::{Coordinate, NodeMotion};
 use crate::kinematics::position::Position;
 use crate::studies::cycle::{CycleFigures, cycle};
+use serde_json::{Value, json};
 
 /// The whole cycle of what an object follows.
 #[derive(Clone, Debug)]
@@ -19,6 +20,17 @@ pub struct FollowedCycle<'m> {
     pub units: [&'static str; 2],
     /// Joints, extremes, shocks.
     pub figures: CycleFigures,
+}
+
+impl FollowedCycle<'_> {
+    /// The JSON document. `scene`: its name.
+    pub fn document(&self, scene: &str) -> Value {
+        json!({
+            "dam": 1, "scene": scene, "object": self.object,
+            "units": { "displacement": self.units[0], "driver": self.units[1] },
+            "cycle": self.figures
+        })
+    }
 }
 
 impl Mechanism {

@@ -6,7 +6,7 @@ use dam::ask::CamQuestion;
 use dam::report::cam::{CamReport, curves, cycle_rows, dxf, findings, picture};
 use dam::report::findings::Findings;
 use dam::{Error, Scene};
-use serde_json::{Value, json};
+use serde_json::Value;
 
 /// Rows of the cycle's table in a turn.
 const ROWS: usize = 720;
@@ -93,25 +93,7 @@ impl Cam {
 
 impl Told for Cam {
     fn document(&self) -> Result<Value, Error> {
-        self.report(|report| {
-            let curves = report.curves.iter().map(|curve| {
-                json!({
-                    "name": curve.name,
-                    "closed": curve.polygon.closed,
-                    "points": curve.polygon.points.len(),
-                    "length": curve.polygon.length(),
-                })
-            });
-            json!({
-                "dam": 1,
-                "scene": report.name,
-                "hash": self.asked.hash(),
-                "object": report.id,
-                "cam": report.figures,
-                "curves": curves.collect::<Vec<_>>(),
-                "tolerance": report.tolerance,
-            })
-        })
+        self.report(|report| report.document(self.asked.hash()))
     }
 
     fn tell<T>(&self, to: impl FnOnce(&Findings<'_>) -> T) -> Result<T, Error> {

@@ -2,12 +2,12 @@
 
 use super::Asked;
 use crate::answer::{Columns, Told};
-use dam::motion::{Law, LawName};
+use dam::motion::Law;
 use dam::object::law::{AnyLaw, any_law, run_up_law};
 use dam::report::findings::Findings;
 use dam::report::law::{LawRow, cycle_findings, cycle_rows, law_findings, law_rows};
 use dam::{Error, Scene};
-use serde_json::{Value, json};
+use serde_json::Value;
 
 /// A law by itself.
 pub(crate) struct Shown {
@@ -26,17 +26,7 @@ pub(crate) fn ask(law: &str, run_up: bool, samples: usize) -> Result<Shown, Erro
         false => any_law(law)?,
     };
     let law = spec.law()?;
-    let name = spec.words();
-    let words = LawName::ALL.into_iter().find(|known| known.name() == name);
-    let kind = match spec {
-        AnyLaw::Stroke(_) => "law of a full stroke",
-        AnyLaw::RunUp(_) => "law of a run-up",
-    };
-    let row = LawRow {
-        words: words.map_or(kind, LawName::words).to_owned(),
-        name,
-        constants: law.constants(),
-    };
+    let row = LawRow::of(&spec, &law);
     Ok(Shown { law, row, samples })
 }
 
@@ -48,10 +38,7 @@ impl Shown {
 
 impl Told for Shown {
     fn document(&self) -> Result<Value, Error> {
-        Ok(json!({
-            "dam": 1, "law": self.row.name, "run_up": self.law.is_run_up(),
-            "joints": self.law.joints(), "constants": self.row.constants
-        }))
+        Ok(self.row.document(&self.law))
     }
 
     fn tell<T>(&self, to: impl FnOnce(&Findings<'_>) -> T) -> Result<T, Error> {
@@ -85,11 +72,7 @@ pub(crate) fn cycle(
 impl Told for Followed {
     fn document(&self) -> Result<Value, Error> {
         let found = self.asked.ready.law_cycle(&self.object)?;
-        Ok(json!({
-            "dam": 1, "scene": self.asked.name(), "object": found.object,
-            "units": { "displacement": found.units[0], "driver": found.units[1] },
-            "cycle": found.figures
-        }))
+        Ok(found.document(self.asked.name()))
     }
 
     fn tell<T>(&self, to: impl FnOnce(&Findings<'_>) -> T) -> Result<T, Error> {

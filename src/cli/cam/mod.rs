@@ -12,12 +12,9 @@ use super::interrupt;
 use super::law::told;
 use super::output::OutputFolder;
 use super::status::Status;
-use crate::report::cam::{
-    CamReport, NamedCurve, curves, cycle_rows, dxf, findings, picture, polygon_rows,
-};
+use crate::report::cam::{CamReport, curves, cycle_rows, dxf, findings, picture, polygon_rows};
 use crate::report::findings::Source;
 use crate::studies::cam::{CamForce, disc_cam, figures, objects_with_cam};
-use serde_json::{Value, json};
 
 const FILES: [&str; 6] = [
     "cam.json",
@@ -82,7 +79,7 @@ pub(crate) fn command(args: &CamArgs) -> Result<Status, Failure> {
     let answer = Answer {
         command: "cam",
         findings: &findings(&report, Source::scene(input.text(), hash)),
-        document: document(&report, hash).into(),
+        document: report.document(hash).into(),
         files: vec![
             (FILES[0].into(), Content::Document),
             (
@@ -133,24 +130,4 @@ fn chosen(args: &CamArgs, ready: &Ready) -> Result<String, Failure> {
             several.join(", ")
         ))),
     }
-}
-
-fn document(report: &CamReport<'_>, hash: &str) -> Value {
-    let points = |curve: &NamedCurve| {
-        json!({
-            "name": curve.name,
-            "closed": curve.polygon.closed,
-            "points": curve.polygon.points.len(),
-            "length": curve.polygon.length(),
-        })
-    };
-    json!({
-        "dam": 1,
-        "scene": report.name,
-        "hash": hash,
-        "object": report.id,
-        "cam": report.figures,
-        "curves": report.curves.iter().map(points).collect::<Vec<_>>(),
-        "tolerance": report.tolerance,
-    })
 }

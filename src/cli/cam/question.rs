@@ -4,8 +4,8 @@ use crate::cli::args::CamArgs;
 use crate::cli::failure::Failure;
 use crate::frontend::object::law::read_argument;
 use crate::frontend::read::{Bounds, Wanted};
+use crate::kinematics::cam::DiscCam;
 use crate::kinematics::cam::sizing::PressureLimits;
-use crate::kinematics::cam::{DiscCam, Guide};
 use crate::studies::cam::{Question, Reserve};
 use crate::units::{parse, quantities as q};
 use std::f64::consts::FRAC_PI_2;
@@ -19,14 +19,6 @@ pub(super) struct Asked {
     pub(super) tolerance: f64,
     /// Radius of a cutter (m).
     pub(super) cutter: Option<f64>,
-}
-
-/// Customary greatest pressure angle (rad): sliding followers jam sooner.
-fn usual(cam: &DiscCam) -> f64 {
-    match cam.geometry().guide {
-        Guide::Translating { .. } => 30f64.to_radians(),
-        Guide::Turning { .. } => 45f64.to_radians(),
-    }
 }
 
 /// Reads the arguments.
@@ -43,7 +35,7 @@ pub(super) fn read(args: &CamArgs, cam: &DiscCam) -> Result<Asked, Failure> {
         q::ANGLE,
         angle,
     )?;
-    let outward = outward.unwrap_or_else(|| usual(cam));
+    let outward = outward.unwrap_or_else(|| cam.geometry().guide.customary_pressure_angle());
     let length =
         |name: &str, text: &Option<String>, bounds| quantity(name, text, q::LENGTH, bounds);
     let least = length("--least-radius", &args.least_radius, Bounds::NOT_NEGATIVE)?;

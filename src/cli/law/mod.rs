@@ -113,21 +113,8 @@ fn show(args: &ShowArgs) -> Result<(), Failure> {
         false => any_law(&args.law)?,
     };
     let law: Law = spec.law().map_err(|faults| told(&faults, ""))?;
-    let name = spec.words();
-    let words = LawName::ALL.into_iter().find(|known| known.name() == name);
-    let kind = match spec {
-        AnyLaw::Stroke(_) => "law of a full stroke",
-        AnyLaw::RunUp(_) => "law of a run-up",
-    };
-    let row = LawRow {
-        words: words.map_or(kind, LawName::words).to_owned(),
-        name,
-        constants: law.constants(),
-    };
-    let document = json!({
-        "dam": 1, "law": row.name, "run_up": law.is_run_up(), "joints": law.joints(),
-        "constants": row.constants
-    });
+    let row = LawRow::of(&spec, &law);
+    let document = row.document(&law);
     let rows = law_rows(&law, args.form.samples as usize);
     let found = (&law_findings(&row, &law), document);
     let shown = (args.form.json, args.form.form);

@@ -62,6 +62,16 @@ pub enum Guide {
     },
 }
 
+impl Guide {
+    /// The customary greatest pressure angle (rad): sliding followers jam sooner.
+    pub fn customary_pressure_angle(self) -> f64 {
+        match self {
+            Self::Translating { .. } => 30f64.to_radians(),
+            Self::Turning { .. } => 45f64.to_radians(),
+        }
+    }
+}
+
 /// Contact: the part of the follower that touches the cam.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Contact {

@@ -11,6 +11,7 @@ use crate::report::findings::{Findings, Item, Layout, Section, Source};
 use crate::report::html::player::{Coordinates, Player, Reading, RowAxis, Shown, short};
 use crate::report::verdict::{Sort, Verdict, capitalised};
 use crate::studies::cam::{CamFigures, CamForce};
+use serde_json::{Value, json};
 
 /// How long a turn is played at normal speed (s).
 const SECONDS: f64 = 6.0;
@@ -32,6 +33,29 @@ pub struct CamReport<'a> {
     pub curves: &'a [NamedCurve],
     /// Chord tolerance of the curves (m).
     pub tolerance: f64,
+}
+
+impl CamReport<'_> {
+    /// The JSON document. `hash`: of the scene.
+    pub fn document(&self, hash: &str) -> Value {
+        let curve = |curve: &NamedCurve| {
+            json!({
+                "name": curve.name,
+                "closed": curve.polygon.closed,
+                "points": curve.polygon.points.len(),
+                "length": curve.polygon.length(),
+            })
+        };
+        json!({
+            "dam": 1,
+            "scene": self.name,
+            "hash": hash,
+            "object": self.id,
+            "cam": self.figures,
+            "curves": self.curves.iter().map(curve).collect::<Vec<_>>(),
+            "tolerance": self.tolerance,
+        })
+    }
 }
 
 /// The cam turning, its figures, its diagrams.

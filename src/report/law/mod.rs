@@ -15,8 +15,11 @@ use super::csv::{Field, Rows};
 use super::findings::{Figure, Findings, Item, Section, Source, Table, Value};
 use super::quantity::significant;
 use super::verdict::{Sort, Verdict};
+use crate::frontend::object::law::AnyLaw;
+use crate::kinematics::motion::LawName;
 use crate::kinematics::motion::law::{Jump, Law, LawConstants, Peak};
 use curve::Curve;
+use serde_json::{Value as Json, json};
 
 /// A law with its constants, for tables.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,6 +30,31 @@ pub struct LawRow {
     pub words: String,
     /// Constants of the law.
     pub constants: LawConstants,
+}
+
+impl LawRow {
+    /// The row of a law that was asked for by its name or its numbers.
+    pub fn of(asked: &AnyLaw, law: &Law) -> Self {
+        let name = asked.words();
+        let words = LawName::ALL.into_iter().find(|known| known.name() == name);
+        let kind = match asked {
+            AnyLaw::Stroke(_) => "law of a full stroke",
+            AnyLaw::RunUp(_) => "law of a run-up",
+        };
+        Self {
+            words: words.map_or(kind, LawName::words).to_owned(),
+            name,
+            constants: law.constants(),
+        }
+    }
+
+    /// The JSON document of the law.
+    pub fn document(&self, law: &Law) -> Json {
+        json!({
+            "dam": 1, "law": self.name, "run_up": law.is_run_up(), "joints": law.joints(),
+            "constants": self.constants
+        })
+    }
 }
 
 /// The constants shown in tables: heading and value.
